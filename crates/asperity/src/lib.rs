@@ -1,0 +1,1 @@
+//! From two measured tooth flanks to the efficiency of a gear mesh

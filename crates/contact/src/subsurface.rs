@@ -1,0 +1,1 @@
+//! Plane-strain stress under a loaded surface.

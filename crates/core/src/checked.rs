@@ -1,0 +1,107 @@
+//! A value of a fitted correlation together with every input that left the fitted range.
+
+use serde::Serialize;
+
+/// The value of a correlation, and what about its inputs was outside the data it was fitted to.
+///
+/// A correlation is never clamped in silence: outside its range it still returns its value and
+/// says so here.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Checked<T> {
+    /// The value.
+    pub value: T,
+    /// Inputs outside the fitted range; empty when the value can be trusted.
+    pub outside: Vec<OutOfRange>,
+}
+
+impl<T> Checked<T> {
+    /// A value all of whose inputs were inside the fitted range.
+    pub fn inside(value: T) -> Self {
+        Self {
+            value,
+            outside: Vec::new(),
+        }
+    }
+
+    /// The same notes on a transformed value.
+    pub fn map<U>(self, transform: impl FnOnce(T) -> U) -> Checked<U> {
+        Checked {
+            value: transform(self.value),
+            outside: self.outside,
+        }
+    }
+}
+
+/// One input outside the range a correlation was fitted to.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct OutOfRange {
+    /// Name of the input.
+    pub name: &'static str,
+    /// Value seen, in `unit`.
+    pub value: f64,
+    /// Lower end of the fitted range.
+    pub low: f64,
+    /// Upper end of the fitted range.
+    pub high: f64,
+    /// Unit of the three numbers; `-` when they have none.
+    pub unit: &'static str,
+    /// The correlation, by its name.
+    pub correlation: &'static str,
+}
+
+impl std::fmt::Display for OutOfRange {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self {
+            name,
+            value,
+            low,
+            high,
+            unit,
+            correlation,
+        } = self;
+        write!(
+            f,
+            "{name} = {value:.4} {unit} is outside {low} to {high} {unit}, the range of {correlation}"
+        )
+    }
+}
+
+/// The range of one input that a correlation was fitted to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FittedRange {
+    /// Name of the input.
+    pub name: &'static str,
+    /// Lower end.
+    pub low: f64,
+    /// Upper end.
+    pub high: f64,
+    /// Unit of both ends; `-` when they have none.
+    pub unit: &'static str,
+    /// The correlation, by its name.
+    pub correlation: &'static str,
+}
+
+impl FittedRange {
+    /// Adds a note to `outside` when `value` is not within the range (NaN never is).
+    ///
+    /// ```
+    /// use asperity_core::FittedRange;
+    /// let range = FittedRange { name: "SRR", low: -0.7, high: 0.7, unit: "-", correlation: "Xu" };
+    /// let mut outside = Vec::new();
+    /// range.check(0.5, &mut outside);
+    /// range.check(0.9, &mut outside);
+    /// assert_eq!(outside.len(), 1);
+    /// ```
+    pub fn check(&self, value: f64, outside: &mut Vec<OutOfRange>) {
+        if !(self.low..=self.high).contains(&value) {
+            outside.push(OutOfRange {
+                name: self.name,
+                value,
+                low: self.low,
+                high: self.high,
+                unit: self.unit,
+                correlation: self.correlation,
+            });
+        }
+    }
+}

@@ -1,0 +1,34 @@
+//! Where an equation comes from, where it lives and what proves it.
+//!
+//! Every crate lists its equations in `equations.rs`; the orchestrator joins the lists into the
+//! table `docs/EQUATIONS.md`, and a test holds table, sources and tests together.
+
+use serde::Serialize;
+
+/// A publication.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+pub struct Reference {
+    /// Short key, `author_year`.
+    pub key: &'static str,
+    /// Authors, title, place, year, as a bibliography prints it (with DOI where there is one).
+    pub text: &'static str,
+}
+
+/// One equation of the model: its tag in the sources, what it says, and what proves it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Equation {
+    /// Tag as it stands in the doc comment between brackets: `P7`, `Hertz-1`.
+    pub tag: &'static str,
+    /// What it gives, in a few words.
+    pub title: &'static str,
+    /// The formula in Unicode text, as used.
+    pub formula: &'static str,
+    /// Source file, from the root of the workspace.
+    pub file: &'static str,
+    /// Name of a test function that proves it.
+    pub test: &'static str,
+    /// Where it was published.
+    pub references: &'static [Reference],
+    /// What the 2022 paper prints where that cannot be right, and what is used instead.
+    pub misprint: Option<&'static str>,
+}

@@ -1,0 +1,21 @@
+//! Types that every Asperity crate shares: quantities with units, checked values, equations with
+//! their sources, materials, lubricants, profiles, and the little numerics that is not physics.
+//!
+//! Conventions hold for the whole workspace: SI inside every function, heights point out of the
+//! material, the reduced modulus is E* = 1 / Σ((1 − νᵢ²)/Eᵢ), and E′ = 2 E* in the groups of
+//! elastohydrodynamics.
+
+pub mod checked;
+pub mod citation;
+pub mod error;
+pub mod material;
+pub mod numerics;
+pub mod profile;
+pub mod quantity;
+mod unit_text;
+
+pub use checked::{Checked, FittedRange, OutOfRange};
+pub use citation::{Equation, Reference};
+pub use error::DomainError;
+pub use profile::Profile;
+pub use quantity::Quantity;

@@ -1,0 +1,17 @@
+//! The little numerics that is not physics: transforms, convolution, roots, sums.
+
+mod convolution;
+mod fft_length;
+mod root;
+
+pub use convolution::SymmetricToeplitz;
+pub use fft_length::good_fft_length;
+pub use root::{Root, RootError, find_root};
+
+/// ∫ y dx by the trapezoidal rule over points `x`, `y` of equal number (fewer than two give 0).
+pub fn trapezoid(x: &[f64], y: &[f64]) -> f64 {
+    x.windows(2)
+        .zip(y.windows(2))
+        .map(|(x, y)| 0.5 * (x[1] - x[0]) * (y[0] + y[1]))
+        .sum()
+}

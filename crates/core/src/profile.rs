@@ -1,0 +1,109 @@
+//! A measured or generated surface profile on an even grid.
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::DomainError;
+use crate::quantity::Length;
+
+/// Heights along a trace, evenly spaced, pointing out of the material.
+///
+/// ```
+/// use asperity_core::{Profile, quantity::Length};
+/// let profile = Profile::new(Length::from_si(0.5e-6), vec![0.0, 1e-7, -1e-7])?;
+/// assert_eq!(profile.len(), 3);
+/// assert_eq!(profile.mirrored().heights(), &[-1e-7, 1e-7, 0.0]);
+/// # Ok::<(), asperity_core::DomainError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "RawProfile")]
+pub struct Profile {
+    spacing: Length,
+    heights: Vec<f64>,
+}
+
+#[derive(Deserialize)]
+struct RawProfile {
+    spacing: Length,
+    heights: Vec<f64>,
+}
+
+impl TryFrom<RawProfile> for Profile {
+    type Error = DomainError;
+
+    fn try_from(raw: RawProfile) -> Result<Self, DomainError> {
+        Self::new(raw.spacing, raw.heights)
+    }
+}
+
+impl Profile {
+    /// A profile of `heights` [m] with `spacing` between neighbours.
+    ///
+    /// # Errors
+    /// When the spacing is not positive, there is no point, or a height is not finite.
+    pub fn new(spacing: Length, heights: Vec<f64>) -> Result<Self, DomainError> {
+        DomainError::positive("spacing", spacing)?;
+        DomainError::require(
+            !heights.is_empty(),
+            "points",
+            0.0,
+            "-",
+            "a profile needs at least one point",
+        )?;
+        if let Some(&bad) = heights.iter().find(|z| !z.is_finite()) {
+            return Err(DomainError {
+                name: "height",
+                value: bad,
+                unit: "m",
+                rule: "every height must be finite",
+            });
+        }
+        Ok(Self { spacing, heights })
+    }
+
+    /// Distance between neighbouring points.
+    pub fn spacing(&self) -> Length {
+        self.spacing
+    }
+
+    /// Heights [m], out of the material.
+    pub fn heights(&self) -> &[f64] {
+        &self.heights
+    }
+
+    /// Heights [m], given away.
+    pub fn into_heights(self) -> Vec<f64> {
+        self.heights
+    }
+
+    /// Number of points, never zero.
+    pub fn len(&self) -> usize {
+        self.heights.len()
+    }
+
+    /// Always false: a profile has at least one point.
+    pub fn is_empty(&self) -> bool {
+        self.heights.is_empty()
+    }
+
+    /// Traced length (n − 1)·dx.
+    pub fn length(&self) -> Length {
+        self.spacing * (self.len() - 1) as f64
+    }
+
+    /// The same trace run from its other end.
+    pub fn mirrored(&self) -> Self {
+        Self {
+            spacing: self.spacing,
+            heights: self.heights.iter().rev().copied().collect(),
+        }
+    }
+
+    /// The points `range`, or `None` when it is empty or reaches past an end.
+    pub fn slice(&self, range: std::ops::Range<usize>) -> Option<Self> {
+        let heights = self.heights.get(range)?.to_vec();
+        (!heights.is_empty()).then_some(Self {
+            spacing: self.spacing,
+            heights,
+        })
+    }
+}

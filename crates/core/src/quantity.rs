@@ -1,0 +1,556 @@
+//! Physical quantities as types: SI inside, text with a unit at the borders.
+//!
+//! A quantity parses from and prints as text with a unit, and the way there and back is exact to
+//! the last bit. Units that are powers of ten of the SI unit shift the decimal exponent of the
+//! text, so "1.3 mm" is 0.0013 and not 1.3 · 0.001.
+//!
+//! ```
+//! use asperity_core::quantity::{Length, Pressure, Torque};
+//! let module: Length = "1.3 mm".parse()?;
+//! assert_eq!(module.si(), 0.0013);
+//! assert_eq!(module.to_string(), "1.3 mm");
+//! assert_eq!("285 N·m".parse::<Torque>()?, "285 Nm".parse()?);
+//! assert!("285".parse::<Torque>().is_err());
+//! assert_eq!(Pressure::from_si(210e9).to_string(), "210 GPa");
+//! # Ok::<(), asperity_core::quantity::QuantityError>(())
+//! ```
+
+use std::f64::consts::PI;
+
+use crate::unit_text;
+
+/// How a unit relates to the SI unit of its quantity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Scale {
+    /// 10 to this power SI units; conversion of text is exact.
+    Decimal(i32),
+    /// This many SI units.
+    Factor(f64),
+    /// Degrees Celsius: SI = value + 273.15.
+    Celsius,
+}
+
+/// A unit that a quantity accepts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unit {
+    /// As printed in messages.
+    pub symbol: &'static str,
+    /// Other spellings, already without blanks, dots and brackets.
+    pub spellings: &'static [&'static str],
+    /// Relation to the SI unit.
+    pub scale: Scale,
+    /// Whether values may be printed in this unit.
+    pub prints: bool,
+}
+
+/// A physical quantity: a number with a dimension.
+pub trait Quantity:
+    Copy + PartialOrd + std::fmt::Debug + std::fmt::Display + std::str::FromStr
+{
+    /// Name in messages: "torque".
+    const NAME: &'static str;
+    /// SI unit in messages: "N m".
+    const SI_UNIT: &'static str;
+    /// Accepted units; those that print are tried from the first, the largest first.
+    const UNITS: &'static [Unit];
+    /// The value in SI units.
+    fn si(self) -> f64;
+    /// The quantity of this SI value.
+    fn from_si(value: f64) -> Self;
+}
+
+/// Text that is not a quantity, and what was expected.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum QuantityError {
+    /// No number at the front.
+    #[error(
+        "cannot read \"{text}\" as a {quantity}: it must start with a number; accepted units: {accepted}"
+    )]
+    NotANumber {
+        /// Name of the quantity.
+        quantity: &'static str,
+        /// The text seen.
+        text: String,
+        /// Accepted units.
+        accepted: String,
+    },
+    /// A decimal comma.
+    #[error("cannot read \"{text}\" as a {quantity}: write the decimal sign as a point")]
+    DecimalComma {
+        /// Name of the quantity.
+        quantity: &'static str,
+        /// The text seen.
+        text: String,
+    },
+    /// A number without a unit.
+    #[error("{text} has no unit; a {quantity} needs one of: {accepted} (as \"{text} {example}\")")]
+    NoUnit {
+        /// Name of the quantity.
+        quantity: &'static str,
+        /// The text seen.
+        text: String,
+        /// Accepted units.
+        accepted: String,
+        /// One accepted unit.
+        example: &'static str,
+    },
+    /// A unit of something else, or misspelt.
+    #[error("\"{unit}\" is not a unit of {quantity}; accepted: {accepted}")]
+    UnknownUnit {
+        /// Name of the quantity.
+        quantity: &'static str,
+        /// The unit seen.
+        unit: String,
+        /// Accepted units.
+        accepted: String,
+    },
+    /// Too large for a number, or below absolute zero.
+    #[error("\"{text}\" is not a possible {quantity}")]
+    Impossible {
+        /// Name of the quantity.
+        quantity: &'static str,
+        /// The text seen.
+        text: String,
+    },
+}
+
+fn accepted<Q: Quantity>() -> String {
+    let symbols: Vec<_> = Q::UNITS.iter().map(|unit| unit.symbol).collect();
+    symbols.join(", ")
+}
+
+/// The error for a bare number where a quantity is due.
+fn bare<Q: Quantity>(number: impl std::fmt::Display) -> QuantityError {
+    QuantityError::NoUnit {
+        quantity: Q::NAME,
+        text: number.to_string(),
+        accepted: accepted::<Q>(),
+        example: Q::UNITS.first().map_or(Q::SI_UNIT, |unit| unit.symbol),
+    }
+}
+
+fn find_unit<Q: Quantity>(unit: &str) -> Option<&'static Unit> {
+    let wanted = unit_text::normalise(unit);
+    Q::UNITS.iter().find(|unit| {
+        unit_text::normalise(unit.symbol) == wanted || unit.spellings.contains(&wanted.as_str())
+    })
+}
+
+/// Reads a number with a unit; the heart of every quantity's `FromStr`.
+fn parse<Q: Quantity>(text: &str) -> Result<Q, QuantityError> {
+    let (number, unit) = unit_text::split(text);
+    let impossible = || QuantityError::Impossible {
+        quantity: Q::NAME,
+        text: text.trim().to_owned(),
+    };
+    // "1/min" alone would split as the number 1 and the unit "/min".
+    if number.is_empty() || unit.starts_with('/') {
+        return Err(QuantityError::NotANumber {
+            quantity: Q::NAME,
+            text: text.trim().to_owned(),
+            accepted: accepted::<Q>(),
+        });
+    }
+    if number.contains(',') {
+        return Err(QuantityError::DecimalComma {
+            quantity: Q::NAME,
+            text: text.trim().to_owned(),
+        });
+    }
+    if unit.is_empty() {
+        return Err(bare::<Q>(number));
+    }
+    let Some(found) = find_unit::<Q>(unit) else {
+        return Err(QuantityError::UnknownUnit {
+            quantity: Q::NAME,
+            unit: unit.to_owned(),
+            accepted: accepted::<Q>(),
+        });
+    };
+    let value = unit_value(number, found.scale).ok_or_else(|| QuantityError::NotANumber {
+        quantity: Q::NAME,
+        text: text.trim().to_owned(),
+        accepted: accepted::<Q>(),
+    })?;
+    if matches!(found.scale, Scale::Celsius) && value < 0.0 {
+        return Err(impossible());
+    }
+    if value.is_finite() {
+        Ok(Q::from_si(value))
+    } else {
+        Err(impossible())
+    }
+}
+
+fn unit_value(number: &str, scale: Scale) -> Option<f64> {
+    match scale {
+        Scale::Decimal(shift) => unit_text::parse_shifted(number, shift),
+        Scale::Factor(factor) => unit_text::parse_shifted(number, 0).map(|v| v * factor),
+        Scale::Celsius => unit_text::parse_shifted(number, 0).map(|v| v + 273.15),
+    }
+}
+
+/// The value in a unit as text that reads back to the same bits, if the unit can do that.
+fn text_in(value: f64, unit: &Unit) -> Option<String> {
+    let candidate = match unit.scale {
+        Scale::Decimal(shift) => return Some(unit_text::format_shifted(value, shift)),
+        Scale::Factor(factor) => value / factor,
+        Scale::Celsius => value - 273.15,
+    };
+    // A rounded conversion may be off by a few last bits: prefer few digits that read back.
+    (1..=17).find_map(|digits| {
+        let text = format!("{candidate:.*e}", digits - 1);
+        let shortened = unit_text::format_shifted(text.parse().ok()?, 0);
+        (unit_value(&shortened, unit.scale) == Some(value)).then_some(shortened)
+    })
+}
+
+fn print<Q: Quantity>(quantity: Q, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+    let value = quantity.si();
+    let size = |unit: &Unit| match unit.scale {
+        Scale::Decimal(shift) => value.abs() / 10f64.powi(shift),
+        Scale::Factor(factor) => value.abs() / factor,
+        Scale::Celsius => f64::INFINITY,
+    };
+    let printing = || Q::UNITS.iter().filter(|unit| unit.prints);
+    // Zero prints in the first unit; a small value in the last.
+    let chosen = printing()
+        .find(|unit| value == 0.0 || size(unit) >= 1.0)
+        .or_else(|| printing().next_back());
+    match chosen.and_then(|unit| Some((text_in(value, unit)?, unit.symbol))) {
+        Some((text, symbol)) => write!(f, "{text} {symbol}"),
+        None => write!(f, "{} {}", unit_text::format_shifted(value, 0), Q::SI_UNIT),
+    }
+}
+
+struct QuantityVisitor<Q>(std::marker::PhantomData<Q>);
+
+impl<Q: Quantity> serde::de::Visitor<'_> for QuantityVisitor<Q> {
+    type Value = Q;
+
+    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "a {} as text with a unit ({})", Q::NAME, accepted::<Q>())
+    }
+
+    fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<Q, E> {
+        parse(text).map_err(E::custom)
+    }
+
+    fn visit_f64<E: serde::de::Error>(self, number: f64) -> Result<Q, E> {
+        Err(E::custom(bare::<Q>(number)))
+    }
+
+    fn visit_i64<E: serde::de::Error>(self, number: i64) -> Result<Q, E> {
+        Err(E::custom(bare::<Q>(number)))
+    }
+
+    fn visit_u64<E: serde::de::Error>(self, number: u64) -> Result<Q, E> {
+        Err(E::custom(bare::<Q>(number)))
+    }
+}
+
+macro_rules! quantities {
+    ($($(#[$doc:meta])* $type:ident, $name:literal, $si:literal: [$($unit:expr),+ $(,)?];)+) => {$(
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Default)]
+        pub struct $type(f64);
+
+        impl $type {
+            /// The quantity of this value in SI units.
+            pub const fn from_si(value: f64) -> Self {
+                Self(value)
+            }
+
+            /// The value in SI units.
+            pub const fn si(self) -> f64 {
+                self.0
+            }
+        }
+
+        impl Quantity for $type {
+            const NAME: &'static str = $name;
+            const SI_UNIT: &'static str = $si;
+            const UNITS: &'static [Unit] = &[$($unit),+];
+
+            fn si(self) -> f64 {
+                self.0
+            }
+
+            fn from_si(value: f64) -> Self {
+                Self(value)
+            }
+        }
+
+        impl std::str::FromStr for $type {
+            type Err = QuantityError;
+
+            fn from_str(text: &str) -> Result<Self, QuantityError> {
+                parse(text)
+            }
+        }
+
+        impl std::fmt::Display for $type {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                print(*self, f)
+            }
+        }
+
+        impl serde::Serialize for $type {
+            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                serializer.collect_str(self)
+            }
+        }
+
+        impl<'de> serde::Deserialize<'de> for $type {
+            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                deserializer.deserialize_any(QuantityVisitor(std::marker::PhantomData))
+            }
+        }
+
+        impl schemars::JsonSchema for $type {
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                stringify!($type).into()
+            }
+
+            fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                schemars::json_schema!({
+                    "type": "string",
+                    "description": format!("{} with a unit: {}", $name, accepted::<Self>()),
+                })
+            }
+        }
+
+        impl std::ops::Add for $type {
+            type Output = Self;
+            fn add(self, other: Self) -> Self {
+                Self(self.0 + other.0)
+            }
+        }
+
+        impl std::ops::Sub for $type {
+            type Output = Self;
+            fn sub(self, other: Self) -> Self {
+                Self(self.0 - other.0)
+            }
+        }
+
+        impl std::ops::Neg for $type {
+            type Output = Self;
+            fn neg(self) -> Self {
+                Self(-self.0)
+            }
+        }
+
+        impl std::ops::Mul<f64> for $type {
+            type Output = Self;
+            fn mul(self, factor: f64) -> Self {
+                Self(self.0 * factor)
+            }
+        }
+
+        impl std::ops::Div<f64> for $type {
+            type Output = Self;
+            fn div(self, divisor: f64) -> Self {
+                Self(self.0 / divisor)
+            }
+        }
+
+        impl std::ops::Div for $type {
+            type Output = f64;
+            fn div(self, other: Self) -> f64 {
+                self.0 / other.0
+            }
+        }
+    )+};
+}
+
+const fn shown(symbol: &'static str, scale: Scale) -> Unit {
+    Unit {
+        symbol,
+        spellings: &[],
+        scale,
+        prints: true,
+    }
+}
+
+const fn read(symbol: &'static str, scale: Scale) -> Unit {
+    Unit {
+        symbol,
+        spellings: &[],
+        scale,
+        prints: false,
+    }
+}
+
+const fn spelt(
+    symbol: &'static str,
+    spellings: &'static [&'static str],
+    scale: Scale,
+    prints: bool,
+) -> Unit {
+    Unit {
+        symbol,
+        spellings,
+        scale,
+        prints,
+    }
+}
+
+use Scale::{Celsius, Decimal, Factor};
+
+quantities! {
+    /// A length [m].
+    Length, "length", "m": [
+        shown("mm", Decimal(-3)), spelt("um", &["micron", "micrometer", "micrometre"], Decimal(-6), true), shown("nm", Decimal(-9)), read("m", Decimal(0)), read("cm", Decimal(-2)),
+    ];
+    /// A plane angle [rad].
+    Angle, "angle", "rad": [
+        spelt("deg", &["degree", "degrees"], Factor(PI / 180.0), true), read("rad", Decimal(0)),
+    ];
+    /// A time [s].
+    Time, "time", "s": [shown("s", Decimal(0)), shown("ms", Decimal(-3)), read("min", Factor(60.0)), read("h", Factor(3600.0))];
+    /// A speed [m/s].
+    Speed, "speed", "m/s": [shown("m/s", Decimal(0)), read("mm/s", Decimal(-3)), read("km/h", Factor(1.0 / 3.6))];
+    /// A rotational speed [rad/s].
+    AngularSpeed, "rotational speed", "rad/s": [
+        spelt("1/min", &["rpm", "min-1", "r/min", "rev/min", "U/min"], Factor(PI / 30.0), true), read("rad/s", Decimal(0)), read("1/s", Factor(2.0 * PI)),
+    ];
+    /// A force [N].
+    Force, "force", "N": [shown("kN", Decimal(3)), shown("N", Decimal(0))];
+    /// A force per length of contact line [N/m].
+    LineLoad, "line load", "N/m": [
+        shown("N/mm", Decimal(3)), shown("N/m", Decimal(0)), read("kN/m", Decimal(3)),
+    ];
+    /// A torque [N m].
+    Torque, "torque", "N m": [shown("N m", Decimal(0)), read("kN m", Decimal(3)), read("N mm", Decimal(-3))];
+    /// A power [W].
+    Power, "power", "W": [shown("kW", Decimal(3)), shown("W", Decimal(0)), read("MW", Decimal(6))];
+    /// An energy [J].
+    Energy, "energy", "J": [shown("J", Decimal(0)), shown("mJ", Decimal(-3)), read("kJ", Decimal(3))];
+    /// An energy per length of contact line [J/m].
+    LineEnergy, "energy per length", "J/m": [shown("J/m", Decimal(0)), shown("mJ/m", Decimal(-3))];
+    /// A pressure, stress or elastic modulus [Pa].
+    Pressure, "pressure", "Pa": [
+        shown("GPa", Decimal(9)), spelt("MPa", &["N/mm2"], Decimal(6), true), shown("kPa", Decimal(3)), spelt("Pa", &["N/m2"], Decimal(0), true), read("bar", Decimal(5)),
+    ];
+    /// A dynamic viscosity [Pa s].
+    DynamicViscosity, "dynamic viscosity", "Pa s": [
+        spelt("mPa s", &["cP"], Decimal(-3), true), read("Pa s", Decimal(0)),
+    ];
+    /// A kinematic viscosity [m²/s].
+    KinematicViscosity, "kinematic viscosity", "m2/s": [
+        spelt("mm2/s", &["cSt"], Decimal(-6), true), read("m2/s", Decimal(0)),
+    ];
+    /// A density [kg/m³].
+    Density, "density", "kg/m3": [shown("kg/m3", Decimal(0)), spelt("g/cm3", &["g/ml", "kg/l"], Decimal(3), false)];
+    /// A pressure-viscosity coefficient [1/Pa].
+    PressureViscosity, "pressure-viscosity coefficient", "1/Pa": [
+        spelt("1/GPa", &["GPa-1"], Decimal(-9), true), spelt("1/Pa", &["m2/N", "Pa-1"], Decimal(0), false), spelt("mm2/N", &["1/MPa"], Decimal(-6), false),
+    ];
+    /// A temperature [K]; text may say °C.
+    Temperature, "temperature", "K": [spelt("°C", &["C"], Celsius, true), read("K", Decimal(0))];
+    /// A thermal conductivity [W/(m K)].
+    ThermalConductivity, "thermal conductivity", "W/(m K)": [spelt("W/(m K)", &["W/m/K"], Decimal(0), true)];
+    /// A specific heat capacity [J/(kg K)].
+    SpecificHeat, "specific heat capacity", "J/(kg K)": [spelt("J/(kg K)", &["J/kg/K"], Decimal(0), true), spelt("kJ/(kg K)", &["kJ/kg/K"], Decimal(3), false)];
+    /// A relative change per kelvin [1/K].
+    PerKelvin, "temperature coefficient", "1/K": [spelt("1/K", &["K-1", "1/degC"], Decimal(0), true)];
+}
+
+/// A share without unit; reads "1 %" as 0.01 and bare numbers as they are.
+///
+/// ```
+/// use asperity_core::quantity::Ratio;
+/// assert_eq!("1 %".parse::<Ratio>().map(Ratio::value), Ok(0.01));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Default)]
+pub struct Ratio(f64);
+
+impl Ratio {
+    /// The share of this value: 0.01 is one percent.
+    pub const fn new(value: f64) -> Self {
+        Self(value)
+    }
+
+    /// The share as a number.
+    pub const fn value(self) -> f64 {
+        self.0
+    }
+}
+
+impl std::str::FromStr for Ratio {
+    type Err = QuantityError;
+
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        let (number, unit) = unit_text::split(text);
+        let shift = match unit {
+            "" => 0,
+            "%" => -2,
+            _ => {
+                return Err(QuantityError::UnknownUnit {
+                    quantity: "ratio",
+                    unit: unit.to_owned(),
+                    accepted: "%, or none".to_owned(),
+                });
+            }
+        };
+        unit_text::parse_shifted(number, shift)
+            .map(Self)
+            .ok_or_else(|| QuantityError::NotANumber {
+                quantity: "ratio",
+                text: text.to_owned(),
+                accepted: "%, or none".to_owned(),
+            })
+    }
+}
+
+impl std::fmt::Display for Ratio {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} %", unit_text::format_shifted(self.0, -2))
+    }
+}
+
+impl serde::Serialize for Ratio {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl<'de> serde::Deserialize<'de> for Ratio {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Visitor;
+        impl serde::de::Visitor<'_> for Visitor {
+            type Value = Ratio;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                write!(f, "a number, or text with %")
+            }
+            fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<Ratio, E> {
+                text.parse().map_err(E::custom)
+            }
+            fn visit_f64<E: serde::de::Error>(self, number: f64) -> Result<Ratio, E> {
+                Ok(Ratio(number))
+            }
+            fn visit_i64<E: serde::de::Error>(self, number: i64) -> Result<Ratio, E> {
+                Ok(Ratio(number as f64))
+            }
+            fn visit_u64<E: serde::de::Error>(self, number: u64) -> Result<Ratio, E> {
+                Ok(Ratio(number as f64))
+            }
+        }
+        deserializer.deserialize_any(Visitor)
+    }
+}
+
+impl schemars::JsonSchema for Ratio {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Ratio".into()
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({
+            "type": ["number", "string"],
+            "description": "a share: 0.01 or \"1 %\"",
+        })
+    }
+}

@@ -1,0 +1,1 @@
+//! Power losses, their breakdown and the efficiency of a gear mesh

@@ -1,0 +1,1 @@
+//! Elastohydrodynamic film thickness, thermal reduction and the lubrication regime

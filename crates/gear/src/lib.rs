@@ -1,0 +1,1 @@
+//! Involute gear geometry, path of contact, load sharing and loss factors

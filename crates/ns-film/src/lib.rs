@@ -1,0 +1,1 @@
+//! Pressure in and across a thin lubricating film between two cylinders

@@ -1,0 +1,1 @@
+//! Profilometer files, filters and roughness parameters of measured profiles
