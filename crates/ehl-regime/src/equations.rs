@@ -1,0 +1,239 @@
+//! The equations of this crate, for `docs/EQUATIONS.md`.
+
+use asperity_core::{Equation, Reference};
+
+/// The standard book on line contacts.
+pub const DOWSON_HIGGINSON_1977: Reference = Reference {
+    key: "dowson_higginson_1977",
+    text: "D. Dowson, G. R. Higginson, Elasto-hydrodynamic Lubrication, 2nd ed., Pergamon Press, 1977",
+};
+
+/// The central film of line contacts.
+pub const DOWSON_TOYODA_1979: Reference = Reference {
+    key: "dowson_toyoda_1979",
+    text: "D. Dowson, A. Toyoda, A central film thickness formula for elastohydrodynamic line contacts, Proc. 5th Leeds-Lyon Symposium on Tribology (1978), Mechanical Engineering Publications, 1979, 60-65",
+};
+
+/// The inlet solution.
+pub const GRUBIN_1949: Reference = Reference {
+    key: "grubin_1949",
+    text: "A. N. Grubin, I. E. Vinogradova, Investigation of the contact of machine components, TsNIITMASh Book 30, Moscow, 1949 (DSIR translation 337)",
+};
+
+/// The form with four asymptotes.
+pub const MOES_2000: Reference = Reference {
+    key: "moes_2000",
+    text: "H. Moes, Lubrication and Beyond, lecture notes, University of Twente, 2000",
+};
+
+/// The elliptical film.
+pub const HAMROCK_DOWSON_1977: Reference = Reference {
+    key: "hamrock_dowson_1977",
+    text: "B. J. Hamrock, D. Dowson, Isothermal elastohydrodynamic lubrication of point contacts, Part III: fully flooded results, ASME J. Lubr. Technol. 99 (1977) 264-276",
+};
+
+/// Thermal reduction with sliding.
+pub const GUPTA_1992: Reference = Reference {
+    key: "gupta_1992",
+    text: "P. K. Gupta, H. S. Cheng, D. Zhu, N. H. Forster, J. B. Schrand, Viscoelastic effects in MIL-L-7808-type lubricant, Part I: analytical formulation, Tribol. Trans. 35 (1992) 269-274",
+};
+
+/// Thermal reduction in pure rolling.
+pub const MURCH_WILSON_1975: Reference = Reference {
+    key: "murch_wilson_1975",
+    text: "L. E. Murch, W. R. D. Wilson, A thermal elastohydrodynamic inlet zone analysis, ASME J. Lubr. Technol. 97 (1975) 212-216",
+};
+
+/// The film parameter Λ*.
+pub const HANSEN_2021: Reference = Reference {
+    key: "hansen_2021",
+    text: "J. Hansen, M. Björling, R. Larsson, A new film parameter for rough surface EHL contacts with anisotropic and isotropic structures, Tribol. Lett. 69 (2021) 37",
+};
+
+/// Load sharing by the film ratio.
+pub const ZHU_HU_2001: Reference = Reference {
+    key: "zhu_hu_2001",
+    text: "D. Zhu, Y.-Z. Hu, A computer program package for the prediction of EHL and mixed lubrication characteristics, friction, subsurface stresses and flash temperatures based on measured 3-D surface roughness, Tribol. Trans. 44 (2001) 383-390",
+};
+
+const fn row(
+    tag: &'static str,
+    title: &'static str,
+    formula: &'static str,
+    file: &'static str,
+    test: &'static str,
+    references: &'static [Reference],
+) -> Equation {
+    Equation {
+        tag,
+        title,
+        formula,
+        file,
+        test,
+        references,
+        misprint: None,
+    }
+}
+
+const fn mended(equation: Equation, misprint: &'static str) -> Equation {
+    Equation {
+        misprint: Some(misprint),
+        ..equation
+    }
+}
+
+const DIMENSIONLESS: &str = "crates/ehl-regime/src/dimensionless.rs";
+const LINE: &str = "crates/ehl-regime/src/film_line.rs";
+const ELLIPTIC: &str = "crates/ehl-regime/src/film_elliptic.rs";
+const THERMAL: &str = "crates/ehl-regime/src/thermal_reduction.rs";
+const LAMBDA: &str = "crates/ehl-regime/src/lambda_star.rs";
+const REGIME: &str = "crates/ehl-regime/src/regime.rs";
+
+/// Every equation of this crate.
+pub const EQUATIONS: &[Equation] = &[
+    row(
+        "Film-groups",
+        "Dimensionless material, speed and load groups",
+        "G = α E′,  U = η₀ V_e/(E′ R),  W = w/(E′ R)",
+        DIMENSIONLESS,
+        "groups_of_the_reference_case",
+        &[DOWSON_HIGGINSON_1977],
+    ),
+    row(
+        "Dowson-Toyoda",
+        "Central film of a line contact",
+        "h_c = 3.06 U^0.69 G^0.56 W^−0.10 R",
+        LINE,
+        "line_films_of_the_reference_case",
+        &[DOWSON_TOYODA_1979],
+    ),
+    row(
+        "Dowson-Higginson",
+        "Minimum film of a line contact",
+        "h_m = 2.65 U^0.70 G^0.54 W^−0.13 R",
+        LINE,
+        "line_films_of_the_reference_case",
+        &[DOWSON_HIGGINSON_1977],
+    ),
+    row(
+        "Ertel-Grubin",
+        "Film of a line contact from the inlet",
+        "h_c = 1.95 (G U)^(8/11) W^(−1/11) R",
+        LINE,
+        "ertel_grubin_agrees_with_its_own_inlet_integral",
+        &[GRUBIN_1949],
+    ),
+    row(
+        "Moes",
+        "Central film of a line contact in all four regimes",
+        "h_c = R √U_Σ [ (H_RI^(7/3) + H_EI^(7/3))^(3s/7) + (H_RP^(−7/2) + H_EP^(−7/2))^(−2s/7) ]^(1/s)",
+        LINE,
+        "moes_tends_to_each_of_its_asymptotes",
+        &[MOES_2000],
+    ),
+    row(
+        "Ellipticity",
+        "Ellipticity of a contact from its radii",
+        "k = 1.03 (R_y/R_x)^(2/π)",
+        ELLIPTIC,
+        "hamrock_dowson_films_of_published_test_cases",
+        &[HAMROCK_DOWSON_1977],
+    ),
+    row(
+        "P13",
+        "Minimum film of an elliptical contact",
+        "h_m = 3.63 U^0.68 G^0.49 W^−0.073 (1 − e^(−0.68 k)) R_x",
+        ELLIPTIC,
+        "hamrock_dowson_films_of_published_test_cases",
+        &[HAMROCK_DOWSON_1977],
+    ),
+    mended(
+        row(
+            "P14",
+            "Central film of an elliptical contact",
+            "h_c = 2.69 U^0.67 G^0.53 W^−0.067 (1 − 0.61 e^(−0.73 k)) R_x",
+            ELLIPTIC,
+            "hamrock_dowson_films_of_published_test_cases",
+            &[HAMROCK_DOWSON_1977],
+        ),
+        "prints k = 1.03 (R_y/R_x)^(1/π); 2/π is used, as in eq. 13 and as 0.73·1.03 = 0.75 of eq. 15 asks",
+    ),
+    mended(
+        row(
+            "P10",
+            "Thermal reduction of film and rolling",
+            "φ = max(0, 1 − 13.2 (p₀/E′) L^0.42)/(1 + 0.213 (1 + 2.23 |SRR|^0.83) L^0.64)",
+            THERMAL,
+            "thermal_reduction_of_the_reference_case",
+            &[GUPTA_1992],
+        ),
+        "prints dν/dT and then takes it as zero; −(dη/dT)/η₀ is used, and φ is 0.74 to 0.83 in the reference case",
+    ),
+    row(
+        "Thermal-load",
+        "Thermal loading of the inlet",
+        "L = η₀ β_T V_e²/k_oil",
+        THERMAL,
+        "thermal_reduction_of_the_reference_case",
+        &[GUPTA_1992],
+    ),
+    row(
+        "Murch-Wilson",
+        "Thermal reduction in pure rolling",
+        "φ = 3.94/(3.94 + L^0.62)",
+        THERMAL,
+        "murch_wilson_of_a_published_test_case",
+        &[MURCH_WILSON_1975],
+    ),
+    row(
+        "P11",
+        "Film parameter of rough contacts",
+        "Λ* = h*/S_pk",
+        LAMBDA,
+        "lambda_star_of_the_reference_case",
+        &[HANSEN_2021],
+    ),
+    mended(
+        row(
+            "P12",
+            "Effective film of rough contacts",
+            "h* = h_m + f_q h_c",
+            LAMBDA,
+            "lambda_star_of_the_reference_case",
+            &[HANSEN_2021],
+        ),
+        "calls h_c the undeformed distance; it is the central smooth film of the source",
+    ),
+    row(
+        "P15",
+        "Film between asperity and flank over the smooth film",
+        "f_q = (R_xa/R_xb)^α [1 − γ₁ exp(−γ₂ (R_ya/R_xa)^γ₃)]/[1 − γ₁ exp(−γ₂ (R_yb/R_xb)^γ₃)]",
+        LAMBDA,
+        "film_factor_is_the_ratio_of_two_elliptical_films",
+        &[HANSEN_2021],
+    ),
+    row(
+        "Film-share",
+        "Share of the load carried by the film",
+        "c_f = 1 − (1 − min(Λ*, 1))²",
+        REGIME,
+        "film_share_is_one_from_lambda_star_one_on_and_rises_to_it",
+        &[],
+    ),
+    row(
+        "Zhu-Hu",
+        "Share of the load carried by the film, by the classical film ratio",
+        "c_f = min(1, 1.21 λ^0.64/(1 + 0.37 λ^1.26))",
+        REGIME,
+        "zhu_hu_share_rises_to_one_and_stays",
+        &[ZHU_HU_2001],
+    ),
+    row(
+        "Film-ratio",
+        "Classical film ratio",
+        "λ = φ h/Sq",
+        REGIME,
+        "film_ratio_of_the_reference_case",
+        &[DOWSON_HIGGINSON_1977],
+    ),
+];

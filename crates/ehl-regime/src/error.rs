@@ -1,0 +1,20 @@
+//! What can be wrong with a film or a regime.
+
+use asperity_core::DomainError;
+
+/// Why a film thickness or a regime has no value.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RegimeError {
+    /// An input outside its domain.
+    #[error(transparent)]
+    Domain(#[from] DomainError),
+    /// A film law needs an input that was not given.
+    #[error("the film law {law} needs {input}")]
+    MissingInput {
+        /// The law, by its name in a case file.
+        law: &'static str,
+        /// The input, by its field name.
+        input: &'static str,
+    },
+}

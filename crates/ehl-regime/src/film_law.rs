@@ -1,0 +1,147 @@
+//! The film laws a case file can name.
+//!
+//! | name | central | minimum |
+//! |---|---|---|
+//! | `dowson-toyoda` | Dowson–Toyoda | Dowson–Higginson |
+//! | `moes` | Moes | Dowson–Higginson |
+//! | `ertel-grubin` | Ertel–Grubin | Dowson–Higginson |
+//! | `hamrock-dowson` | P14, k → ∞, W = F/(E′R²) | P13, k → ∞, W = F/(E′R²) |
+//! | `hamrock-dowson-line` | P14, k → ∞, W = w/(E′R) | P13, k → ∞, W = w/(E′R) |
+//!
+//! Moes and Ertel–Grubin give one film thickness only. The minimum beside them is
+//! Dowson–Higginson's own fit: an independent formula, not a ratio applied to the central film.
+
+use asperity_core::quantity::{Force, Length};
+use asperity_core::{Checked, DomainError};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::dimensionless::{FilmConditions, FilmGroups};
+use crate::error::RegimeError;
+use crate::{film_elliptic, film_line};
+
+/// Central and minimum thickness of the smooth film.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct FilmThickness {
+    /// Central film thickness h_c.
+    pub central: Length,
+    /// Minimum film thickness h_m.
+    pub minimum: Length,
+}
+
+impl FilmThickness {
+    /// Both thicknesses multiplied by a reduction factor.
+    pub fn reduced(self, factor: f64) -> Self {
+        Self {
+            central: self.central * factor,
+            minimum: self.minimum * factor,
+        }
+    }
+}
+
+/// How the smooth isothermal film thickness is computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum FilmLaw {
+    /// Line contact: Dowson–Toyoda central, Dowson–Higginson minimum film.
+    #[default]
+    DowsonToyoda,
+    /// Line contact: Moes' four-regime central film, Dowson–Higginson minimum film.
+    Moes,
+    /// Line contact: Ertel–Grubin central film, Dowson–Higginson minimum film.
+    ErtelGrubin,
+    /// The 2022 paper's: Hamrock–Dowson for k → ∞ with the load on the whole contact length,
+    /// W = F/(E′R²).
+    HamrockDowson,
+    /// Hamrock–Dowson for k → ∞ with the line load group W = w/(E′R).
+    HamrockDowsonLine,
+}
+
+impl FilmLaw {
+    /// Every law, in the order of the table above.
+    pub const ALL: [Self; 5] = [
+        Self::DowsonToyoda,
+        Self::Moes,
+        Self::ErtelGrubin,
+        Self::HamrockDowson,
+        Self::HamrockDowsonLine,
+    ];
+
+    /// The name in a case file.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::DowsonToyoda => "dowson-toyoda",
+            Self::Moes => "moes",
+            Self::ErtelGrubin => "ertel-grubin",
+            Self::HamrockDowson => "hamrock-dowson",
+            Self::HamrockDowsonLine => "hamrock-dowson-line",
+        }
+    }
+
+    /// The exponent X of the speed group U in the central film, which Λ* needs.
+    ///
+    /// Moes' form is no power law; its elastic piezoviscous asymptote goes with U^(11/16), from
+    /// H_EP √U_Σ with M^(−1/8) and L^(3/4).
+    pub const fn speed_exponent(self) -> f64 {
+        match self {
+            Self::DowsonToyoda => film_line::DOWSON_TOYODA.speed,
+            Self::Moes => 11.0 / 16.0,
+            Self::ErtelGrubin => film_line::ERTEL_GRUBIN.speed,
+            Self::HamrockDowson | Self::HamrockDowsonLine => film_elliptic::CENTRAL.speed,
+        }
+    }
+
+    /// The smooth isothermal film at one position.
+    ///
+    /// # Errors
+    /// When a quantity is not finite and positive, or `hamrock-dowson` has no contact length.
+    ///
+    /// ```
+    /// use asperity_ehl_regime::{FilmConditions, FilmLaw};
+    /// let position = FilmConditions {
+    ///     entrainment: "4.567909 m/s".parse()?, radius: "11.62688 mm".parse()?,
+    ///     load: "113.409 N/mm".parse()?, modulus: "115.3846 GPa".parse()?,
+    ///     viscosity: "97.5 mPa s".parse()?, pressure_viscosity: "20 1/GPa".parse()?,
+    ///     contact_length: Some("50 mm".parse()?),
+    /// };
+    /// let paper = FilmLaw::HamrockDowson.film(&position)?;
+    /// assert!((paper.value.central.si() - 1.366e-6).abs() < 1e-9);
+    /// assert!(!paper.outside.is_empty(), "gear loads are outside the fitted range");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn film(self, position: &FilmConditions) -> Result<Checked<FilmThickness>, RegimeError> {
+        let radius = position.radius;
+        let line = |central: fn(&FilmGroups, Length) -> Result<Length, RegimeError>| {
+            let groups = position.line_groups()?;
+            Ok(Checked::inside(FilmThickness {
+                central: central(&groups, radius)?,
+                minimum: film_line::dowson_higginson(&groups, radius)?,
+            }))
+        };
+        match self {
+            Self::DowsonToyoda => line(film_line::dowson_toyoda),
+            Self::Moes => line(film_line::moes),
+            Self::ErtelGrubin => line(film_line::ertel_grubin),
+            Self::HamrockDowson => {
+                let length = position.contact_length.ok_or(RegimeError::MissingInput {
+                    law: self.name(),
+                    input: "contact_length",
+                })?;
+                let load = DomainError::positive("line load", position.load)?;
+                let length = DomainError::positive("contact length", length)?;
+                let force = Force::from_si(load * length);
+                hamrock_dowson_line(&position.force_groups(force)?, radius)
+            }
+            Self::HamrockDowsonLine => hamrock_dowson_line(&position.line_groups()?, radius),
+        }
+    }
+}
+
+fn hamrock_dowson_line(
+    groups: &FilmGroups,
+    radius: Length,
+) -> Result<Checked<FilmThickness>, RegimeError> {
+    let minimum = film_elliptic::hamrock_dowson_minimum(groups, radius, f64::INFINITY)?.value;
+    let central = film_elliptic::hamrock_dowson_central(groups, radius, f64::INFINITY)?;
+    Ok(central.map(|central| FilmThickness { central, minimum }))
+}

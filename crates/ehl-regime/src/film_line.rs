@@ -1,0 +1,163 @@
+//! Smooth isothermal film thickness of a line contact.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | G, U, W | groups of [`dimensionless`](crate::dimensionless), W = w/(E′R) | - |
+//! | R | relative radius of curvature | m |
+//! | h_c | central film thickness | m |
+//! | h_m | minimum film thickness | m |
+//!
+//! Sources: D. Dowson and G. R. Higginson, Elasto-hydrodynamic Lubrication (1977), for the
+//! minimum; D. Dowson and A. Toyoda (1979) for the centre; H. Moes (2000) for the form that
+//! covers all four asymptotes; A. N. Grubin (1949) for the inlet solution. The first two are
+//! fits to piezoviscous elastic solutions of flooded, smooth, isothermal contacts. Their printed
+//! tables of cases were not at hand, so no range of G, U, W is asserted here; the Moes form,
+//! which has the right limits outside that regime, is the one to compare with.
+
+use asperity_core::DomainError;
+use asperity_core::quantity::Length;
+
+use crate::dimensionless::FilmGroups;
+use crate::error::RegimeError;
+
+/// A film law that is a product of powers: h = c U^u G^g W^w R.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct PowerLaw {
+    pub(crate) factor: f64,
+    pub(crate) speed: f64,
+    pub(crate) material: f64,
+    pub(crate) load: f64,
+}
+
+impl PowerLaw {
+    pub(crate) fn film(&self, groups: &FilmGroups, radius: Length) -> Result<Length, RegimeError> {
+        let (g, u, w) = checked(groups)?;
+        let r = DomainError::positive("radius", radius)?;
+        Ok(Length::from_si(
+            self.factor * u.powf(self.speed) * g.powf(self.material) * w.powf(self.load) * r,
+        ))
+    }
+}
+
+/// Dowson and Toyoda 1979, central film.
+pub(crate) const DOWSON_TOYODA: PowerLaw = PowerLaw {
+    factor: 3.06,
+    speed: 0.69,
+    material: 0.56,
+    load: -0.10,
+};
+
+/// Dowson and Higginson 1977, minimum film.
+pub(crate) const DOWSON_HIGGINSON: PowerLaw = PowerLaw {
+    factor: 2.65,
+    speed: 0.70,
+    material: 0.54,
+    load: -0.13,
+};
+
+/// Grubin 1949 (Ertel), film at the end of the inlet.
+pub(crate) const ERTEL_GRUBIN: PowerLaw = PowerLaw {
+    factor: 1.95,
+    speed: 8.0 / 11.0,
+    material: 8.0 / 11.0,
+    load: -1.0 / 11.0,
+};
+
+pub(crate) fn checked(groups: &FilmGroups) -> Result<(f64, f64, f64), DomainError> {
+    let rule = "must be finite and greater than zero";
+    let positive = |name, value: f64| {
+        DomainError::require(value.is_finite() && value > 0.0, name, value, "-", rule)
+    };
+    Ok((
+        positive("material group G", groups.material)?,
+        positive("speed group U", groups.speed)?,
+        positive("load group W", groups.load)?,
+    ))
+}
+
+/// h_c = 3.06 U^0.69 G^0.56 W^−0.10 R                                    [Dowson-Toyoda]
+///
+/// # Errors
+/// When a group or the radius is not finite and positive.
+///
+/// ```
+/// use asperity_core::quantity::Length;
+/// use asperity_ehl_regime::{FilmGroups, film_line::dowson_toyoda};
+/// let groups = FilmGroups { material: 4615.38, speed: 1.6599e-10, load: 4.22675e-5 };
+/// let film = dowson_toyoda(&groups, Length::from_si(11.6269e-3))?;
+/// assert!((film.si() - 1.961e-6).abs() < 1e-9);
+/// # Ok::<(), asperity_ehl_regime::RegimeError>(())
+/// ```
+pub fn dowson_toyoda(groups: &FilmGroups, radius: Length) -> Result<Length, RegimeError> {
+    DOWSON_TOYODA.film(groups, radius)
+}
+
+/// h_m = 2.65 U^0.70 G^0.54 W^−0.13 R                                 [Dowson-Higginson]
+///
+/// # Errors
+/// When a group or the radius is not finite and positive.
+///
+/// ```
+/// use asperity_core::quantity::Length;
+/// use asperity_ehl_regime::{FilmGroups, film_line::dowson_higginson};
+/// let groups = FilmGroups { material: 4615.38, speed: 1.6599e-10, load: 4.22675e-5 };
+/// let film = dowson_higginson(&groups, Length::from_si(11.6269e-3))?;
+/// assert!((film.si() - 1.549e-6).abs() < 1e-9);
+/// # Ok::<(), asperity_ehl_regime::RegimeError>(())
+/// ```
+pub fn dowson_higginson(groups: &FilmGroups, radius: Length) -> Result<Length, RegimeError> {
+    DOWSON_HIGGINSON.film(groups, radius)
+}
+
+/// h_c = 1.95 (G U)^(8/11) W^(−1/11) R                                    [Ertel-Grubin]
+///
+/// # Errors
+/// When a group or the radius is not finite and positive.
+///
+/// ```
+/// use asperity_core::quantity::Length;
+/// use asperity_ehl_regime::{FilmGroups, film_line::ertel_grubin};
+/// let groups = FilmGroups { material: 4615.38, speed: 1.6599e-10, load: 4.22675e-5 };
+/// let film = ertel_grubin(&groups, Length::from_si(11.6269e-3))?;
+/// assert!((film.si() - 2.020e-6).abs() < 1e-9);
+/// # Ok::<(), asperity_ehl_regime::RegimeError>(())
+/// ```
+pub fn ertel_grubin(groups: &FilmGroups, radius: Length) -> Result<Length, RegimeError> {
+    ERTEL_GRUBIN.film(groups, radius)
+}
+
+/// h_c = R √U_Σ [ (H_RI^(7/3) + H_EI^(7/3))^(3s/7) + (H_RP^(−7/2) + H_EP^(−7/2))^(−2s/7) ]^(1/s),
+/// s = (7 + 8 e^(−2 H_EI/H_RI))/5,
+/// H_RI = 3/M, H_EI = 2.621 M^(−1/5), H_RP = 1.287 L^(2/3), H_EP = 1.311 M^(−1/8) L^(3/4),
+/// M = W/√U_Σ, L = G U_Σ^(1/4), U_Σ = η₀ (u₁ + u₂)/(E′ R) = 2 U                  [Moes]
+///
+/// The subscripts are rigid/elastic and isoviscous/piezoviscous; the form is right in each of
+/// the four limits. It uses the *sum* of the surface speeds.
+///
+/// # Errors
+/// When a group or the radius is not finite and positive.
+///
+/// ```
+/// use asperity_core::quantity::Length;
+/// use asperity_ehl_regime::{FilmGroups, film_line::moes};
+/// let groups = FilmGroups { material: 4615.38, speed: 1.6599e-10, load: 4.22675e-5 };
+/// let film = moes(&groups, Length::from_si(11.6269e-3))?;
+/// assert!((film.si() - 1.952e-6).abs() < 1e-9);
+/// # Ok::<(), asperity_ehl_regime::RegimeError>(())
+/// ```
+pub fn moes(groups: &FilmGroups, radius: Length) -> Result<Length, RegimeError> {
+    let (g, u, w) = checked(groups)?;
+    let r = DomainError::positive("radius", radius)?;
+    let u_sum = 2.0 * u;
+    let m = w / u_sum.sqrt();
+    let l = g * u_sum.powf(0.25);
+    let rigid_isoviscous = 3.0 / m;
+    let elastic_isoviscous = 2.621 * m.powf(-0.2);
+    let rigid_piezoviscous = 1.287 * l.powf(2.0 / 3.0);
+    let elastic_piezoviscous = 1.311 * m.powf(-0.125) * l.powf(0.75);
+    let s = (7.0 + 8.0 * (-2.0 * elastic_isoviscous / rigid_isoviscous).exp()) / 5.0;
+    let isoviscous = rigid_isoviscous.powf(7.0 / 3.0) + elastic_isoviscous.powf(7.0 / 3.0);
+    let piezoviscous = rigid_piezoviscous.powf(-3.5) + elastic_piezoviscous.powf(-3.5);
+    let film = (isoviscous.powf(3.0 * s / 7.0) + piezoviscous.powf(-2.0 * s / 7.0)).powf(1.0 / s);
+    Ok(Length::from_si(film * u_sum.sqrt() * r))
+}

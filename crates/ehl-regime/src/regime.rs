@@ -1,0 +1,157 @@
+//! Full film or mixed friction, and the share of the load that the film carries.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | Λ* | film parameter of [`lambda_star`](crate::lambda_star()) | - |
+//! | λ | classical film ratio φ h/Sq | - |
+//! | c_f | share of the load carried by the film | - |
+//! | h | film thickness (central or minimum, as the comparison asks) | m |
+//! | Sq | combined root-mean-square roughness √(Rq₁² + Rq₂²) | m |
+//!
+//! Full film from Λ* = 1 on (Hansen et al. 2021). Below, friction is mixed; boundary friction is
+//! mixed friction with a negligible film share and has no threshold of its own.
+//!
+//! The share by Λ* is this model's: a parabola that is 1 with a flat top at Λ* = 1, so that
+//! regimes join without a step, and 75 % at Λ* = 0.5 where the 2022 paper quotes 60 to 80 %.
+//! The share by λ is D. Zhu and Y.-Z. Hu's fit (Tribol. Trans. 44 (2001) 383, as used for gears
+//! by Castro and Seabra): it passes 1 at λ ≈ 2 and would fall again beyond its maximum at
+//! λ = 2.26; both are read as a full film.
+
+use asperity_core::DomainError;
+use asperity_core::quantity::Length;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::error::RegimeError;
+
+/// How the flanks are separated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Regime {
+    /// The film separates the flanks, Λ* ≥ 1.
+    FullFilm,
+    /// Film and asperities share the load, Λ* < 1.
+    Mixed,
+}
+
+impl Regime {
+    /// Full film from Λ* = 1 on.
+    ///
+    /// # Errors
+    /// When Λ* is negative or NaN.
+    ///
+    /// ```
+    /// use asperity_ehl_regime::Regime;
+    /// assert_eq!(Regime::of(1.0)?, Regime::FullFilm);
+    /// assert_eq!(Regime::of(0.99)?, Regime::Mixed);
+    /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
+    /// ```
+    pub fn of(lambda_star: f64) -> Result<Self, RegimeError> {
+        Ok(if not_negative("Lambda*", lambda_star)? >= 1.0 {
+            Self::FullFilm
+        } else {
+            Self::Mixed
+        })
+    }
+}
+
+/// How the load is shared between film and asperities.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum LoadShareLaw {
+    /// c_f = 1 − (1 − min(Λ*, 1))².
+    #[default]
+    LambdaStar,
+    /// Zhu and Hu's function of the classical film ratio.
+    ZhuHu,
+}
+
+impl LoadShareLaw {
+    /// The share c_f of the load that the film carries, from both film parameters (each law
+    /// looks at its own).
+    ///
+    /// # Errors
+    /// When the parameter is negative or NaN.
+    ///
+    /// ```
+    /// use asperity_ehl_regime::LoadShareLaw;
+    /// assert_eq!(LoadShareLaw::LambdaStar.film_share(0.5, 1.0)?, 0.75);
+    /// assert!((LoadShareLaw::ZhuHu.film_share(0.5, 1.0)? - 0.883212).abs() < 1e-6);
+    /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
+    /// ```
+    pub fn film_share(self, lambda_star: f64, film_ratio: f64) -> Result<f64, RegimeError> {
+        match self {
+            Self::LambdaStar => film_share_of_lambda_star(lambda_star),
+            Self::ZhuHu => film_share_of_film_ratio(film_ratio),
+        }
+    }
+}
+
+fn not_negative(name: &'static str, value: f64) -> Result<f64, DomainError> {
+    DomainError::require(value >= 0.0, name, value, "-", "must not be negative")
+}
+
+/// c_f = 1 − (1 − min(Λ*, 1))²                                             [Film-share]
+///
+/// # Errors
+/// When Λ* is negative or NaN.
+///
+/// ```
+/// use asperity_ehl_regime::regime::film_share_of_lambda_star;
+/// assert_eq!(film_share_of_lambda_star(3.0)?, 1.0);
+/// # Ok::<(), asperity_ehl_regime::RegimeError>(())
+/// ```
+pub fn film_share_of_lambda_star(lambda_star: f64) -> Result<f64, RegimeError> {
+    let gap = 1.0 - not_negative("Lambda*", lambda_star)?.min(1.0);
+    Ok(1.0 - gap * gap)
+}
+
+/// c_f = min(1, 1.21 λ^0.64/(1 + 0.37 λ^1.26)), and 1 beyond its maximum       [Zhu-Hu]
+///
+/// # Errors
+/// When λ is negative or NaN.
+///
+/// ```
+/// use asperity_ehl_regime::regime::film_share_of_film_ratio;
+/// assert_eq!(film_share_of_film_ratio(0.0)?, 0.0);
+/// assert_eq!(film_share_of_film_ratio(f64::INFINITY)?, 1.0);
+/// # Ok::<(), asperity_ehl_regime::RegimeError>(())
+/// ```
+pub fn film_share_of_film_ratio(film_ratio: f64) -> Result<f64, RegimeError> {
+    let lambda = not_negative("film ratio", film_ratio)?;
+    // Zero of the derivative: λ^1.26 = 0.64/(0.37 (1.26 − 0.64)).
+    let maximum = (0.64_f64 / (0.37 * (1.26 - 0.64))).powf(1.0 / 1.26);
+    if lambda >= maximum {
+        return Ok(1.0);
+    }
+    Ok((1.21 * lambda.powf(0.64) / (1.0 + 0.37 * lambda.powf(1.26))).min(1.0))
+}
+
+/// λ = φ h/Sq                                                               [Film-ratio]
+///
+/// # Errors
+/// When the roughness is not positive, or the film or φ negative or not finite.
+///
+/// ```
+/// use asperity_core::quantity::Length;
+/// use asperity_ehl_regime::film_ratio;
+/// let ratio = film_ratio(Length::from_si(1e-6), 0.8, Length::from_si(0.4e-6))?;
+/// assert!((ratio - 2.0).abs() < 1e-12);
+/// # Ok::<(), asperity_ehl_regime::RegimeError>(())
+/// ```
+pub fn film_ratio(
+    film: Length,
+    thermal_factor: f64,
+    combined_roughness: Length,
+) -> Result<f64, RegimeError> {
+    let h = DomainError::non_negative("film", film)?;
+    let phi = DomainError::require(
+        thermal_factor.is_finite() && thermal_factor >= 0.0,
+        "thermal factor",
+        thermal_factor,
+        "-",
+        "must be finite and not negative",
+    )?;
+    let sq = DomainError::positive("combined roughness", combined_roughness)?;
+    Ok(phi * h / sq)
+}
