@@ -8,6 +8,7 @@
 pub mod checked;
 pub mod citation;
 pub mod error;
+pub mod lubricant;
 pub mod material;
 pub mod numerics;
 pub mod profile;

@@ -1,0 +1,79 @@
+//! What can be wrong with a lubricant.
+
+use crate::error::DomainError;
+
+/// Why a lubricant has no state.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum LubricantError {
+    /// An input outside its domain.
+    #[error(transparent)]
+    Domain(#[from] DomainError),
+    /// Neither an oil of the library nor a viscosity law.
+    #[error(
+        "the lubricant has no viscosity: name an oil of the library, or give a viscosity law (astm-d341, vogel or given)"
+    )]
+    NoViscosity,
+    /// No density.
+    #[error("the lubricant has no density: give its density, with the temperature it holds at")]
+    NoDensity,
+    /// A viscosity at one temperature says nothing of its slope.
+    #[error(
+        "the lubricant has no temperature coefficient: a viscosity given at one temperature needs beta_T = -(d eta/dT)/eta, typically 0.02 to 0.06 1/K; give temperature_coefficient, or use the law astm-d341 or vogel"
+    )]
+    NoTemperatureCoefficient,
+    /// A temperature coefficient beside a law that already fixes it.
+    #[error(
+        "temperature_coefficient is given, but the viscosity law {law} already fixes it; leave it out"
+    )]
+    SecondTemperatureCoefficient {
+        /// The viscosity law.
+        law: &'static str,
+    },
+    /// Neither α nor a class of base oil to estimate it from.
+    #[error(
+        "the lubricant has no pressure-viscosity coefficient: give pressure_viscosity, or base_oil (mineral, pao, ester, polyglycol) to estimate it"
+    )]
+    NoPressureViscosity,
+    /// α far from every oil: as good as always a slip of the unit.
+    #[error("alpha = {value:e} m2/N is {}", verdict(*.value, *.low, *.shift))]
+    ImplausiblePressureViscosity {
+        /// The coefficient seen [1/Pa].
+        value: f64,
+        /// Lowest plausible coefficient [1/Pa].
+        low: f64,
+        /// Highest plausible coefficient [1/Pa].
+        high: f64,
+        /// Power of ten that makes the coefficient plausible, when a slip of the unit explains it.
+        shift: Option<i32>,
+    },
+    /// A name that the oil library does not have.
+    #[error("there is no oil \"{name}\" in the library; it has: {}", .known.join(", "))]
+    UnknownOil {
+        /// The name asked for.
+        name: String,
+        /// The names there are.
+        known: Vec<String>,
+    },
+    /// A data file of the library that cannot be read.
+    #[error("the oil library file {file} cannot be read: {reason}")]
+    Library {
+        /// The file.
+        file: &'static str,
+        /// Why.
+        reason: String,
+    },
+}
+
+fn verdict(value: f64, low: f64, shift: Option<i32>) -> String {
+    let side = if value < low { "below" } else { "above" };
+    match shift {
+        Some(shift) => format!(
+            "10^{} {side} any oil. Did you mean {:e} m2/N?",
+            shift.abs(),
+            // Rounded to the digits that a data sheet can have.
+            (value * 10f64.powi(shift) * 1e15).round() / 1e15
+        ),
+        None => format!("{side} any oil"),
+    }
+}

@@ -1,0 +1,98 @@
+//! The oils that come with the program, one data file per source.
+
+use serde::{Deserialize, Serialize};
+
+use super::{LubricantError, LubricantInput};
+
+/// The data files, named after their sources.
+const FILES: [(&str, &str); 4] = [
+    (
+        "arana_2019.json",
+        include_str!("../../data/oils/arana_2019.json"),
+    ),
+    (
+        "liqui_moly_data_sheet.json",
+        include_str!("../../data/oils/liqui_moly_data_sheet.json"),
+    ),
+    (
+        "petry_johnson_2008.json",
+        include_str!("../../data/oils/petry_johnson_2008.json"),
+    ),
+    (
+        "rodriguez_2022.json",
+        include_str!("../../data/oils/rodriguez_2022.json"),
+    ),
+];
+
+/// An oil of the library.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LibraryOil {
+    /// Name that a case file asks for.
+    pub name: String,
+    /// Where the numbers come from.
+    pub source: String,
+    /// What to know before using it.
+    pub note: String,
+    /// The numbers.
+    pub lubricant: LubricantInput,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    source: String,
+    oils: Vec<Entry>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Entry {
+    name: String,
+    note: String,
+    lubricant: LubricantInput,
+}
+
+/// Every oil of the library.
+///
+/// # Errors
+/// When a data file cannot be read; a test reads them all.
+///
+/// ```
+/// let oils = asperity_core::lubricant::library()?;
+/// assert!(oils.iter().any(|oil| oil.name == "m100"));
+/// # Ok::<(), asperity_core::lubricant::LubricantError>(())
+/// ```
+pub fn library() -> Result<Vec<LibraryOil>, LubricantError> {
+    let mut oils = Vec::new();
+    for (file, text) in FILES {
+        let File {
+            source,
+            oils: entries,
+        } = serde_json::from_str(text).map_err(|error| LubricantError::Library {
+            file,
+            reason: error.to_string(),
+        })?;
+        oils.extend(entries.into_iter().map(|entry| LibraryOil {
+            name: entry.name,
+            source: source.clone(),
+            note: entry.note,
+            lubricant: entry.lubricant,
+        }));
+    }
+    Ok(oils)
+}
+
+/// The oil of this name, whatever the case of its letters.
+pub(super) fn find(name: &str) -> Result<LibraryOil, LubricantError> {
+    let mut oils = library()?;
+    match oils
+        .iter()
+        .position(|oil| oil.name.eq_ignore_ascii_case(name.trim()))
+    {
+        Some(index) => Ok(oils.swap_remove(index)),
+        None => Err(LubricantError::UnknownOil {
+            name: name.to_owned(),
+            known: oils.into_iter().map(|oil| oil.name).collect(),
+        }),
+    }
+}
