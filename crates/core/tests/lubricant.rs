@@ -1,4 +1,5 @@
 //! The lubricant of a case, from its text to its state.
+#![allow(clippy::unwrap_used)] // Helpers outside test functions.
 
 use asperity_core::lubricant::{
     BaseOil, LubricantError, LubricantInput, LubricantState, ViscosityLaw, library,

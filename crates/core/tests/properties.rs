@@ -1,0 +1,122 @@
+//! Properties of quantities and of the lubricant laws that hold for every input.
+#![allow(clippy::unwrap_used)] // Helpers outside test functions.
+
+use asperity_core::lubricant::{AstmD341, roelands, roelands_exponent};
+use asperity_core::quantity::{
+    Angle, AngularSpeed, Density, DynamicViscosity, Energy, Force, KinematicViscosity, Length,
+    LineEnergy, LineLoad, PerKelvin, Power, Pressure, PressureViscosity, Quantity, Ratio,
+    SpecificHeat, Speed, Temperature, ThermalConductivity, Time, Torque,
+};
+use proptest::prelude::*;
+
+/// Calls `$check::<Q>` for every quantity Q that may be negative.
+macro_rules! for_every_quantity {
+    ($check:ident($($argument:expr),*)) => {
+        for_every_quantity!(@ $check($($argument),*):
+            Length, Angle, Time, Speed, AngularSpeed, Force, LineLoad, Torque, Power, Energy, LineEnergy,
+            Pressure, DynamicViscosity, KinematicViscosity, Density, PressureViscosity,
+            ThermalConductivity, SpecificHeat, PerKelvin)
+    };
+    (@ $check:ident $arguments:tt: $($quantity:ident),*) => {
+        $( for_every_quantity!(# $check $quantity $arguments); )*
+    };
+    (# $check:ident $quantity:ident ($($argument:expr),*)) => {
+        $check::<$quantity>($($argument),*)
+    };
+}
+
+fn finite() -> impl Strategy<Value = f64> {
+    use proptest::num::f64::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
+    prop_oneof![
+        POSITIVE | NEGATIVE | NORMAL | SUBNORMAL | ZERO,
+        // The sizes that machines have, which the line above hardly ever meets.
+        (-1.0..1.0f64, -12..12).prop_map(|(mantissa, exponent)| mantissa * 10f64.powi(exponent)),
+    ]
+}
+
+fn survives_its_text<Q: Quantity>(value: f64) {
+    let text = Q::from_si(value).to_string();
+    match text.parse::<Q>() {
+        Ok(back) => assert_eq!(back.si().to_bits(), value.to_bits(), "{} {text}", Q::NAME),
+        Err(_) => panic!(
+            "{} {value:e} prints as {text}, which does not read",
+            Q::NAME
+        ),
+    }
+}
+
+fn reads_or_refuses<Q: Quantity>(text: &str) {
+    if let Ok(quantity) = text.parse::<Q>() {
+        assert!(quantity.si().is_finite(), "{} {text}", Q::NAME);
+    }
+}
+
+/// Texts of pieces that quantities are made of, so that many nearly read.
+fn unit_text() -> impl Strategy<Value = String> {
+    let piece = prop::sample::select(vec![
+        "1", "0", "285", "-", "+", ".", ",", "e", "E", "e5", "e-3", "e999", "_", " ", "\u{a0}",
+        "µ", "u", "m", "mm", "N", "·", "*", "/", "(", ")", "^", "2", "²", "⁻", "°", "C", "K", "Pa",
+        "MPa", "s", "min", "1/min", "rpm", "kg", "J", "W", "%", "inf", "nan", "∞", "é",
+    ]);
+    prop_oneof![
+        prop::collection::vec(piece, 0..8).prop_map(|pieces| pieces.concat()),
+        any::<String>(),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(2000) })]
+
+    #[test]
+    fn every_quantity_survives_its_text_to_the_last_bit(value in finite()) {
+        for_every_quantity!(survives_its_text(value));
+        // Below absolute zero there is no temperature to print.
+        survives_its_text::<Temperature>(value.abs());
+        let ratio = Ratio::new(value).to_string().parse::<Ratio>().unwrap();
+        prop_assert_eq!(ratio.value().to_bits(), value.to_bits());
+    }
+
+    #[test]
+    fn every_quantity_survives_json(value in finite()) {
+        let length: Length = serde_json::from_str(&serde_json::to_string(&Length::from_si(value)).unwrap()).unwrap();
+        prop_assert_eq!(length.si().to_bits(), value.to_bits());
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(10_000) })]
+
+    #[test]
+    fn no_text_makes_a_quantity_panic(text in unit_text()) {
+        for_every_quantity!(reads_or_refuses(&text));
+        reads_or_refuses::<Temperature>(&text);
+        if let Ok(ratio) = text.parse::<Ratio>() {
+            prop_assert!(ratio.value().is_finite());
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn oil_thins_with_temperature_and_thickens_with_pressure(
+        at_100 in 3.0..50.0f64,
+        steepness in 2.5..12.0f64,
+        t in 260.0..400.0f64,
+        p in 0.0..1.5e9f64,
+        alpha in 5e-9..3e-8f64,
+    ) {
+        let nu = |v: f64| KinematicViscosity::from_si(v * 1e-6);
+        let law = AstmD341::from_data_sheet(nu(at_100 * steepness), nu(at_100)).unwrap();
+        let at = |t| law.kinematic_viscosity(Temperature::from_si(t)).unwrap().value.si();
+        prop_assert!(at(t) > at(t + 1.0));
+        prop_assert!(law.temperature_coefficient(Temperature::from_si(t)).unwrap().si() > 0.0);
+        let (eta, alpha) = (DynamicViscosity::from_si(0.01), PressureViscosity::from_si(alpha));
+        let under = |p| roelands(eta, alpha, Pressure::from_si(p)).unwrap().si();
+        prop_assert!(under(p + 1e6) > under(p));
+        // Roelands' form lies below Barus' exponential of the same slope while Z < 1.
+        let z = roelands_exponent(eta, alpha).unwrap();
+        prop_assert!(z > 1.0 || under(p) <= eta.si() * (alpha.si() * p).exp() * (1.0 + 1e-12));
+    }
+}
