@@ -55,7 +55,11 @@ pub struct FilmGroups {
 }
 
 impl FilmConditions {
+    /// The groups of a line contact.
+    ///
+    /// ```text
     /// G = α E′,  U = η₀ V_e/(E′ R),  W = w/(E′ R),  E′ = 2 E*                [Film-groups]
+    /// ```
     ///
     /// # Errors
     /// When a quantity is not finite and positive.

@@ -5,7 +5,7 @@
 //! | R_x, R_y | relative radius of curvature along and across the motion | m |
 //! | k | ellipticity of the contact, across over along | - |
 //! | G, U | groups of [`dimensionless`](crate::dimensionless), with R = R_x | - |
-//! | W | F/(E′ R_x²), F the total force | N |
+//! | W | F/(E′ R_x²), F the total force in N | - |
 //! | h_c, h_m | central and minimum film thickness | m |
 //!
 //! Source: B. J. Hamrock and D. Dowson, ASME J. Lubr. Technol. 99 (1977) 264, flooded contacts.
@@ -39,6 +39,13 @@ pub(crate) const MINIMUM: PowerLaw = PowerLaw {
     material: 0.49,
     load: -0.073,
 };
+
+/// Factor and exponent of k = 1.03 (R_y/R_x)^(2/π).
+const ELLIPTICITY: (f64, f64) = (1.03, 2.0 / std::f64::consts::PI);
+/// Decay of the minimum film's bracket with k.
+const MINIMUM_DECAY: f64 = 0.68;
+/// Factor and decay of the central film's bracket with k.
+const CENTRAL_BRACKET: (f64, f64) = (0.61, 0.73);
 
 const NAME: &str = "Hamrock-Dowson";
 
@@ -82,7 +89,11 @@ fn ellipticity_in_domain(k: f64) -> Result<f64, DomainError> {
     )
 }
 
+/// Ellipticity of a contact from its radii.
+///
+/// ```text
 /// k = 1.03 (R_y/R_x)^(2/π)                                                [Ellipticity]
+/// ```
 ///
 /// `radius_ratio` is R_y/R_x; infinite for a line contact, which gives k = ∞.
 ///
@@ -103,10 +114,14 @@ pub fn ellipticity(radius_ratio: f64) -> Result<f64, RegimeError> {
         "-",
         "must be greater than zero; infinite for a line contact",
     )?;
-    Ok(1.03 * ratio.powf(2.0 / std::f64::consts::PI))
+    Ok(ELLIPTICITY.0 * ratio.powf(ELLIPTICITY.1))
 }
 
+/// Minimum film of an elliptical contact by Hamrock and Dowson.
+///
+/// ```text
 /// h_m = 3.63 U^0.68 G^0.49 W^−0.073 (1 − e^(−0.68 k)) R_x                         [P13]
+/// ```
 ///
 /// # Errors
 /// When a group, the radius or k is not positive.
@@ -128,12 +143,16 @@ pub fn hamrock_dowson_minimum(
     checked(groups)?;
     let k = ellipticity_in_domain(ellipticity)?;
     Ok(Checked {
-        value: MINIMUM.film(groups, radius)? * (1.0 - (-0.68 * k).exp()),
+        value: MINIMUM.film(groups, radius)? * (1.0 - (-MINIMUM_DECAY * k).exp()),
         outside: notes(groups, k),
     })
 }
 
+/// Central film of an elliptical contact by Hamrock and Dowson.
+///
+/// ```text
 /// h_c = 2.69 U^0.67 G^0.53 W^−0.067 (1 − 0.61 e^(−0.73 k)) R_x                    [P14]
+/// ```
 ///
 /// # Errors
 /// When a group, the radius or k is not positive.
@@ -153,8 +172,9 @@ pub fn hamrock_dowson_central(
 ) -> Result<Checked<Length>, RegimeError> {
     checked(groups)?;
     let k = ellipticity_in_domain(ellipticity)?;
+    let (factor, decay) = CENTRAL_BRACKET;
     Ok(Checked {
-        value: CENTRAL.film(groups, radius)? * (1.0 - 0.61 * (-0.73 * k).exp()),
+        value: CENTRAL.film(groups, radius)? * (1.0 - factor * (-decay * k).exp()),
         outside: notes(groups, k),
     })
 }

@@ -63,6 +63,12 @@ pub(crate) const ERTEL_GRUBIN: PowerLaw = PowerLaw {
     load: -1.0 / 11.0,
 };
 
+/// Moes 2000: the asymptotes as (factor, exponent of M, exponent of L).
+const RIGID_ISOVISCOUS: (f64, f64, f64) = (3.0, -1.0, 0.0);
+const ELASTIC_ISOVISCOUS: (f64, f64, f64) = (2.621, -1.0 / 5.0, 0.0);
+const RIGID_PIEZOVISCOUS: (f64, f64, f64) = (1.287, 0.0, 2.0 / 3.0);
+const ELASTIC_PIEZOVISCOUS: (f64, f64, f64) = (1.311, -1.0 / 8.0, 3.0 / 4.0);
+
 pub(crate) fn checked(groups: &FilmGroups) -> Result<(f64, f64, f64), DomainError> {
     let rule = "must be finite and greater than zero";
     let positive = |name, value: f64| {
@@ -75,7 +81,11 @@ pub(crate) fn checked(groups: &FilmGroups) -> Result<(f64, f64, f64), DomainErro
     ))
 }
 
+/// Central film of a line contact by Dowson and Toyoda.
+///
+/// ```text
 /// h_c = 3.06 U^0.69 G^0.56 W^−0.10 R                                    [Dowson-Toyoda]
+/// ```
 ///
 /// # Errors
 /// When a group or the radius is not finite and positive.
@@ -92,7 +102,11 @@ pub fn dowson_toyoda(groups: &FilmGroups, radius: Length) -> Result<Length, Regi
     DOWSON_TOYODA.film(groups, radius)
 }
 
+/// Minimum film of a line contact by Dowson and Higginson.
+///
+/// ```text
 /// h_m = 2.65 U^0.70 G^0.54 W^−0.13 R                                 [Dowson-Higginson]
+/// ```
 ///
 /// # Errors
 /// When a group or the radius is not finite and positive.
@@ -109,7 +123,11 @@ pub fn dowson_higginson(groups: &FilmGroups, radius: Length) -> Result<Length, R
     DOWSON_HIGGINSON.film(groups, radius)
 }
 
+/// Film of a line contact from the inlet, by Ertel and Grubin.
+///
+/// ```text
 /// h_c = 1.95 (G U)^(8/11) W^(−1/11) R                                    [Ertel-Grubin]
+/// ```
 ///
 /// # Errors
 /// When a group or the radius is not finite and positive.
@@ -126,10 +144,14 @@ pub fn ertel_grubin(groups: &FilmGroups, radius: Length) -> Result<Length, Regim
     ERTEL_GRUBIN.film(groups, radius)
 }
 
+/// Central film of a line contact by Moes, for all four regimes.
+///
+/// ```text
 /// h_c = R √U_Σ [ (H_RI^(7/3) + H_EI^(7/3))^(3s/7) + (H_RP^(−7/2) + H_EP^(−7/2))^(−2s/7) ]^(1/s),
 /// s = (7 + 8 e^(−2 H_EI/H_RI))/5,
 /// H_RI = 3/M, H_EI = 2.621 M^(−1/5), H_RP = 1.287 L^(2/3), H_EP = 1.311 M^(−1/8) L^(3/4),
 /// M = W/√U_Σ, L = G U_Σ^(1/4), U_Σ = η₀ (u₁ + u₂)/(E′ R) = 2 U                  [Moes]
+/// ```
 ///
 /// The subscripts are rigid/elastic and isoviscous/piezoviscous; the form is right in each of
 /// the four limits. It uses the *sum* of the surface speeds.
@@ -151,13 +173,15 @@ pub fn moes(groups: &FilmGroups, radius: Length) -> Result<Length, RegimeError> 
     let u_sum = 2.0 * u;
     let m = w / u_sum.sqrt();
     let l = g * u_sum.powf(0.25);
-    let rigid_isoviscous = 3.0 / m;
-    let elastic_isoviscous = 2.621 * m.powf(-0.2);
-    let rigid_piezoviscous = 1.287 * l.powf(2.0 / 3.0);
-    let elastic_piezoviscous = 1.311 * m.powf(-0.125) * l.powf(0.75);
-    let s = (7.0 + 8.0 * (-2.0 * elastic_isoviscous / rigid_isoviscous).exp()) / 5.0;
-    let isoviscous = rigid_isoviscous.powf(7.0 / 3.0) + elastic_isoviscous.powf(7.0 / 3.0);
-    let piezoviscous = rigid_piezoviscous.powf(-3.5) + elastic_piezoviscous.powf(-3.5);
+    let asymptote =
+        |(factor, load, material): (f64, f64, f64)| factor * m.powf(load) * l.powf(material);
+    let h_ri = asymptote(RIGID_ISOVISCOUS);
+    let h_ei = asymptote(ELASTIC_ISOVISCOUS);
+    let h_rp = asymptote(RIGID_PIEZOVISCOUS);
+    let h_ep = asymptote(ELASTIC_PIEZOVISCOUS);
+    let s = (7.0 + 8.0 * (-2.0 * h_ei / h_ri).exp()) / 5.0;
+    let isoviscous = h_ri.powf(7.0 / 3.0) + h_ei.powf(7.0 / 3.0);
+    let piezoviscous = h_rp.powf(-3.5) + h_ep.powf(-3.5);
     let film = (isoviscous.powf(3.0 * s / 7.0) + piezoviscous.powf(-2.0 * s / 7.0)).powf(1.0 / s);
     Ok(Length::from_si(film * u_sum.sqrt() * r))
 }

@@ -89,9 +89,13 @@ impl AsperityShape {
         }
     }
 
+    /// Film between asperity and flank over the smooth film, f_q.
+    ///
+    /// ```text
     /// f_q = (R_xa/R_xb)^α [1 − γ₁ exp(−γ₂ (R_ya/R_xa)^γ₃)] / [1 − γ₁ exp(−γ₂ (R_yb/R_xb)^γ₃)],
     /// α = 1.134 − X, γ = (0.61, 0.75, 2/π) for isotropic and transverse roughness,
     /// α = 1.146 − X, γ = (1, 1.23, 2/3) for longitudinal roughness                   [P15]
+    /// ```
     ///
     /// # Errors
     /// When a radius or an aspect is not positive or X is not finite.
@@ -152,8 +156,12 @@ pub struct LambdaStar {
     pub reduced_peak_height: Length,
 }
 
+/// The film parameter Λ*.
+///
+/// ```text
 /// Λ* = h*/S_pk                                                                    [P11]
 /// h* = h_m + f_q h_c                                                              [P12]
+/// ```
 ///
 /// # Errors
 /// When S_pk is not positive, or a film or f_q is negative or not finite.

@@ -24,6 +24,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::RegimeError;
 
+/// Zhu and Hu 2001: factor and exponent of the numerator.
+const ZHU_HU_RISE: (f64, f64) = (1.21, 0.64);
+/// Zhu and Hu 2001: factor and exponent of the denominator.
+const ZHU_HU_FALL: (f64, f64) = (0.37, 1.26);
+
 /// How the flanks are separated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
@@ -91,7 +96,11 @@ fn not_negative(name: &'static str, value: f64) -> Result<f64, DomainError> {
     DomainError::require(value >= 0.0, name, value, "-", "must not be negative")
 }
 
+/// Share of the load that the film carries, by Λ*.
+///
+/// ```text
 /// c_f = 1 − (1 − min(Λ*, 1))²                                             [Film-share]
+/// ```
 ///
 /// # Errors
 /// When Λ* is negative or NaN.
@@ -106,7 +115,11 @@ pub fn film_share_of_lambda_star(lambda_star: f64) -> Result<f64, RegimeError> {
     Ok(1.0 - gap * gap)
 }
 
+/// Share of the load that the film carries, by the classical film ratio.
+///
+/// ```text
 /// c_f = min(1, 1.21 λ^0.64/(1 + 0.37 λ^1.26)), and 1 beyond its maximum       [Zhu-Hu]
+/// ```
 ///
 /// # Errors
 /// When λ is negative or NaN.
@@ -119,15 +132,20 @@ pub fn film_share_of_lambda_star(lambda_star: f64) -> Result<f64, RegimeError> {
 /// ```
 pub fn film_share_of_film_ratio(film_ratio: f64) -> Result<f64, RegimeError> {
     let lambda = not_negative("film ratio", film_ratio)?;
-    // Zero of the derivative: λ^1.26 = 0.64/(0.37 (1.26 − 0.64)).
-    let maximum = (0.64_f64 / (0.37 * (1.26 - 0.64))).powf(1.0 / 1.26);
+    let ((a, m), (b, n)) = (ZHU_HU_RISE, ZHU_HU_FALL);
+    // Zero of the derivative of a λ^m/(1 + b λ^n).
+    let maximum = (m / (b * (n - m))).powf(1.0 / n);
     if lambda >= maximum {
         return Ok(1.0);
     }
-    Ok((1.21 * lambda.powf(0.64) / (1.0 + 0.37 * lambda.powf(1.26))).min(1.0))
+    Ok((a * lambda.powf(m) / (1.0 + b * lambda.powf(n))).min(1.0))
 }
 
+/// Classical film ratio.
+///
+/// ```text
 /// λ = φ h/Sq                                                               [Film-ratio]
+/// ```
 ///
 /// # Errors
 /// When the roughness is not positive, or the film or φ negative or not finite.

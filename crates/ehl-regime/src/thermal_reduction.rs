@@ -42,6 +42,15 @@ const PURE_ROLLING: FittedRange = FittedRange {
     correlation: "Murch-Wilson",
 };
 
+/// Gupta et al. 1992: factor and exponent of the pressure term.
+const PRESSURE_TERM: (f64, f64) = (13.2, 0.42);
+/// Gupta et al. 1992: factor and exponent of the thermal loading.
+const LOADING_TERM: (f64, f64) = (0.213, 0.64);
+/// Gupta et al. 1992: factor and exponent of the slide-to-roll ratio.
+const SLIDING_TERM: (f64, f64) = (2.23, 0.83);
+/// Murch and Wilson 1975: constant and exponent of the thermal loading.
+const MURCH_WILSON: (f64, f64) = (3.94, 0.62);
+
 /// How inlet shear heating reduces film and rolling resistance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
@@ -55,7 +64,11 @@ pub enum ThermalLaw {
     None,
 }
 
+/// Thermal loading of the inlet.
+///
+/// ```text
 /// L = η₀ β_T V_e²/k_oil                                                  [Thermal-load]
+/// ```
 ///
 /// # Errors
 /// When the viscosity or conductivity is not positive, β_T is negative, or a value not finite.
@@ -137,7 +150,11 @@ fn checked_sliding(slide_to_roll: f64) -> Result<f64, DomainError> {
     .map(f64::abs)
 }
 
+/// Thermal reduction by Gupta et al.
+///
+/// ```text
 /// φ = max(0, 1 − 13.2 (p₀/E′) L^0.42) / (1 + 0.213 (1 + 2.23 |SRR|^0.83) L^0.64)   [P10]
+/// ```
 ///
 /// # Errors
 /// When p₀ or L is negative, E* not positive, or a value not finite.
@@ -159,17 +176,22 @@ pub fn gupta(
     let e = 2.0 * DomainError::positive("reduced modulus", reduced_modulus)?;
     let l = checked_loading(loading)?;
     let srr = checked_sliding(slide_to_roll)?;
-    let pressure_term = 13.2 * (p0 / e) * l.powf(0.42);
+    let pressure = PRESSURE_TERM.0 * (p0 / e) * l.powf(PRESSURE_TERM.1);
+    let sliding = 1.0 + SLIDING_TERM.0 * srr.powf(SLIDING_TERM.1);
+    let loading = LOADING_TERM.0 * sliding * l.powf(LOADING_TERM.1);
     let mut outside = Vec::new();
-    GUPTA_NUMERATOR.check(pressure_term, &mut outside);
-    let sliding_term = 0.213 * (1.0 + 2.23 * srr.powf(0.83)) * l.powf(0.64);
+    GUPTA_NUMERATOR.check(pressure, &mut outside);
     Ok(Checked {
-        value: (1.0 - pressure_term).max(0.0) / (1.0 + sliding_term),
+        value: (1.0 - pressure).max(0.0) / (1.0 + loading),
         outside,
     })
 }
 
+/// Thermal reduction in pure rolling by Murch and Wilson.
+///
+/// ```text
 /// φ = 3.94/(3.94 + L^0.62)                                               [Murch-Wilson]
+/// ```
 ///
 /// # Errors
 /// When L is negative or not finite.
@@ -181,5 +203,6 @@ pub fn gupta(
 /// ```
 pub fn murch_wilson(loading: f64) -> Result<f64, RegimeError> {
     let l = checked_loading(loading)?;
-    Ok(3.94 / (3.94 + l.powf(0.62)))
+    let (c, n) = MURCH_WILSON;
+    Ok(c / (c + l.powf(n)))
 }
