@@ -1,1 +1,61 @@
-//! Involute gear geometry, path of contact, load sharing and loss factors
+//! External involute cylindrical gear pairs: geometry, kinematics, load along the path of contact,
+//! and the loss factors that follow from them.
+//!
+//! Everything starts from a [`GearPairInput`], from which [`GearPair::new`] derives the whole
+//! geometry or refuses with a reason. A place on the path of contact is its distance s from T₁,
+//! the foot of the perpendicular from the axis of gear 1 on the line of action; A and E are the
+//! ends of the path, C is the pitch point.
+//!
+//! ```
+//! use asperity_core::quantity::{Angle, Length};
+//! use asperity_gear::{GearPair, GearPairInput, LoadSharing};
+//!
+//! let pair = GearPair::new(&GearPairInput::standard(
+//!     [50, 120],
+//!     "1.3 mm".parse()?,
+//!     "30 deg".parse()?,
+//!     "50 mm".parse()?,
+//! ))?;
+//! assert!((pair.path().eps_alpha - 1.452764).abs() < 1e-6);
+//!
+//! let speed = "3000 1/min".parse()?;
+//! let torque = "285 N m".parse()?;
+//! let mut sliding_loss = 0.0;
+//! for position in pair.positions(32, asperity_gear::PositionRule::GaussLegendre)? {
+//!     let motion = pair.kinematics(position.s, speed)?;
+//!     let load = pair.line_load(position.s, torque, &LoadSharing::Uniform)?;
+//!     let friction = 0.05 * load.si();
+//!     sliding_loss += position.weight.si() * friction * motion.sliding.si().abs();
+//! }
+//! let factors = pair.loss_factors(&LoadSharing::Uniform)?;
+//! let power = 285.0 * 3000.0 * std::f64::consts::PI / 30.0;
+//! assert!((sliding_loss / (0.05 * power) - factors.local).abs() < 1e-12);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod contact_length;
+pub mod equations;
+pub mod error;
+pub mod forces;
+pub mod input;
+pub mod involute;
+pub mod kinematics;
+pub mod line_load;
+pub mod load_sharing;
+pub mod loss_factor;
+pub mod pair;
+pub mod path_of_contact;
+pub mod positions;
+mod quadrature;
+
+pub use contact_length::ContactLengths;
+pub use equations::EQUATIONS;
+pub use error::{Gear, GearError};
+pub use forces::Forces;
+pub use input::{GearPairInput, Plane};
+pub use kinematics::Kinematics;
+pub use load_sharing::LoadSharing;
+pub use loss_factor::LossFactors;
+pub use pair::GearPair;
+pub use path_of_contact::PathOfContact;
+pub use positions::{MeshPosition, PositionRule};

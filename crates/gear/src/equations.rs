@@ -1,0 +1,282 @@
+//! The equations of this crate: where each lives, what it says, what proves it.
+
+use asperity_core::{Equation, Reference};
+
+/// Definitions and symbols of involute gears.
+pub const ISO_21771: Reference = Reference {
+    key: "iso_21771_2007",
+    text: "ISO 21771:2007, Gears - Cylindrical involute gears and gear pairs - Concepts and geometry",
+};
+
+/// Forces at the teeth.
+pub const ISO_6336_1: Reference = Reference {
+    key: "iso_6336_1_2019",
+    text: "ISO 6336-1:2019, Calculation of load capacity of spur and helical gears - Part 1: Basic principles, introduction and general influence factors",
+};
+
+/// The trapezoidal load sharing.
+pub const ISO_TR_13989_1: Reference = Reference {
+    key: "iso_tr_13989_1_2000",
+    text: "ISO/TR 13989-1:2000, Calculation of scuffing load capacity of cylindrical, bevel and hypoid gears - Part 1: Flash temperature method",
+};
+
+/// Ohlendorf's loss factor in a standard.
+pub const ISO_TR_14179_2: Reference = Reference {
+    key: "iso_tr_14179_2_2001",
+    text: "ISO/TR 14179-2:2001, Gears - Thermal capacity - Part 2: Thermal load-carrying capacity",
+};
+
+/// Speeds, curvatures and lengths of contact lines.
+pub const NIEMANN_WINTER: Reference = Reference {
+    key: "niemann_winter_2003",
+    text: "G. Niemann and H. Winter, Maschinenelemente, Band 2, 2nd edition, Springer, 2003",
+};
+
+/// The first loss factor.
+pub const OHLENDORF_1958: Reference = Reference {
+    key: "ohlendorf_1958",
+    text: "H. Ohlendorf, Verlustleistung und Erwärmung von Stirnrädern, Dissertation, TH München, 1958",
+};
+
+/// Load sharing by the minimum of the elastic potential.
+pub const PEDRERO_2010: Reference = Reference {
+    key: "pedrero_2010",
+    text: "J. I. Pedrero, M. Pleguezuelos, M. Artés and J. A. Antona, Load distribution model along the line of contact for involute external gears, Mechanism and Machine Theory 45 (2010) 780-794",
+};
+
+/// The local loss factor.
+pub const WIMMER_2006: Reference = Reference {
+    key: "wimmer_2006",
+    text: "A. Wimmer, Lastverluste von Stirnradverzahnungen, Dissertation, TU München, 2006",
+};
+
+const fn equation(
+    tag: &'static str,
+    title: &'static str,
+    formula: &'static str,
+    file: &'static str,
+    test: &'static str,
+    references: &'static [Reference],
+) -> Equation {
+    Equation {
+        tag,
+        title,
+        formula,
+        file,
+        test,
+        references,
+        misprint: None,
+    }
+}
+
+/// Equations of this crate.
+pub const EQUATIONS: &[Equation] = &[
+    equation(
+        "Involute-1",
+        "Involute function",
+        "inv α = tan α − α",
+        "crates/gear/src/involute.rs",
+        "the_involute_of_twenty_degrees_is_the_tabulated_one",
+        &[ISO_21771],
+    ),
+    equation(
+        "Involute-2",
+        "Inverse involute function",
+        "t ← t − (t − arctan t − inv α)(1 + t²)/t², t = tan α",
+        "crates/gear/src/involute.rs",
+        "the_inverse_undoes_the_involute_in_a_few_steps",
+        &[ISO_21771],
+    ),
+    equation(
+        "Involute-3",
+        "Thickness of a tooth",
+        "s = 2 r (π/(2z) + 2 x tan αₙ/z + inv αₜ − inv α_r)",
+        "crates/gear/src/involute.rs",
+        "the_rack_tooth_of_a_large_gear_has_the_thickness_of_its_tool",
+        &[ISO_21771],
+    ),
+    equation(
+        "Pair-1",
+        "Transverse section",
+        "mₜ = mₙ/cos β, tan αₜ = tan αₙ/cos β, sin β_b = sin β cos αₙ, r = mₜ z/2, r_b = r cos αₜ",
+        "crates/gear/src/pair.rs",
+        "the_reference_case_has_the_geometry_of_table_2",
+        &[ISO_21771],
+    ),
+    equation(
+        "Pair-2",
+        "Working pressure angle and centre distance from the profile shifts",
+        "inv α_wt = inv αₜ + 2 tan αₙ (x₁ + x₂)/(z₁ + z₂), a = (r_b1 + r_b2)/cos α_wt",
+        "crates/gear/src/pair.rs",
+        "profile_shifts_give_the_centre_distances_printed_by_a_gear_tool",
+        &[ISO_21771],
+    ),
+    equation(
+        "Pair-3",
+        "Profile shift sum from the centre distance",
+        "cos α_wt = (r_b1 + r_b2)/a, x₁ + x₂ = (inv α_wt − inv αₜ)(z₁ + z₂)/(2 tan αₙ)",
+        "crates/gear/src/pair.rs",
+        "the_centre_distance_gives_back_the_profile_shifts",
+        &[ISO_21771],
+    ),
+    equation(
+        "Pair-4",
+        "Tip radius",
+        "r_a = r + mₙ (hₐ* + x)",
+        "crates/gear/src/pair.rs",
+        "the_reference_case_has_the_geometry_of_table_2",
+        &[ISO_21771],
+    ),
+    equation(
+        "Path-1",
+        "Points on the line of action",
+        "A = T₁T₂ − √(r_a2² − r_b2²), E = √(r_a1² − r_b1²), C = r_b1 tan α_wt, B = E − p_et, D = A + p_et",
+        "crates/gear/src/path_of_contact.rs",
+        "the_reference_case_has_the_path_of_contact_of_table_2",
+        &[ISO_21771],
+    ),
+    equation(
+        "Path-2",
+        "Contact ratios",
+        "ε₁ = (E − C)/p_et, ε₂ = (C − A)/p_et, ε_α = ε₁ + ε₂, ε_β = b tan β_b/p_et",
+        "crates/gear/src/path_of_contact.rs",
+        "the_reference_case_has_the_path_of_contact_of_table_2",
+        &[ISO_21771],
+    ),
+    equation(
+        "Path-3",
+        "Profile coordinate",
+        "ξ = (s − A)/p_et",
+        "crates/gear/src/path_of_contact.rs",
+        "coordinates_and_places_are_inverse_to_each_other",
+        &[PEDRERO_2010],
+    ),
+    equation(
+        "Kinematics-1",
+        "Radii of curvature",
+        "ρ₁ = s, ρ₂ = T₁T₂ − s, R = ρ₁ρ₂/(ρ₁ + ρ₂)/cos β_b",
+        "crates/gear/src/kinematics.rs",
+        "the_reference_case_moves_as_table_2_says",
+        &[NIEMANN_WINTER],
+    ),
+    equation(
+        "Kinematics-2",
+        "Surface speeds",
+        "uᵢ = ωᵢρᵢ, V_s = u₁ − u₂ = (ω₁ + ω₂)(s − C), V_e = (u₁ + u₂)/2",
+        "crates/gear/src/kinematics.rs",
+        "sliding_is_the_difference_of_the_surface_speeds",
+        &[NIEMANN_WINTER],
+    ),
+    equation(
+        "Force-1",
+        "Tooth forces",
+        "F_bt = |T₁|/r_b1, F_bn = F_bt/cos β_b, F_t = |T₁|/r_w1, F_r = F_t tan α_wt, F_a = F_bt tan β_b",
+        "crates/gear/src/forces.rs",
+        "the_reference_case_carries_the_forces_of_table_2",
+        &[ISO_6336_1],
+    ),
+    equation(
+        "Share-1",
+        "Equal shares",
+        "v = 1",
+        "crates/gear/src/load_sharing.rs",
+        "equal_shares_are_one_over_the_number_of_pairs",
+        &[NIEMANN_WINTER],
+    ),
+    equation(
+        "Share-2",
+        "Trapezoidal shares",
+        "v = 1/3 + ξ/(3(ε_α − 1)) in double contact, 1 in single contact",
+        "crates/gear/src/load_sharing.rs",
+        "the_trapezoid_passes_through_its_corners",
+        &[ISO_TR_13989_1],
+    ),
+    equation(
+        "Share-3",
+        "Weights of least elastic energy",
+        "v = cos(b₀(ξ − ε_α/2)), b₀ = (½(1 + ε_α/2)² − 1)^(−1/2)",
+        "crates/gear/src/load_sharing.rs",
+        "least_energy_shares_have_the_published_shape",
+        &[PEDRERO_2010],
+    ),
+    equation(
+        "Share-4",
+        "Share of a pair",
+        "R(ξ) = v(ξ)/Σⱼ v(ξ + j)",
+        "crates/gear/src/load_sharing.rs",
+        "the_shares_of_all_pairs_in_contact_sum_to_one",
+        &[PEDRERO_2010],
+    ),
+    equation(
+        "Load-1",
+        "Line load of a spur pair",
+        "f = F_bn R(ξ)/b",
+        "crates/gear/src/line_load.rs",
+        "the_mean_load_on_all_contact_lines_is_the_tooth_force",
+        &[NIEMANN_WINTER],
+    ),
+    equation(
+        "Load-2",
+        "Line load of a helical pair",
+        "f = F_bn cos β_b v(ξ)/(b ∫₀^ε_α v dξ)",
+        "crates/gear/src/line_load.rs",
+        "the_mean_load_on_all_contact_lines_is_the_tooth_force",
+        &[NIEMANN_WINTER, PEDRERO_2010],
+    ),
+    equation(
+        "Length-1",
+        "Length of the contact lines at a mesh phase",
+        "l(φ) = b/(ε_β cos β_b) Σⱼ [min(φ + j + ε_β, ε_α) − max(φ + j, 0)]₊",
+        "crates/gear/src/contact_length.rs",
+        "a_whole_overlap_ratio_keeps_the_contact_length_constant",
+        &[NIEMANN_WINTER],
+    ),
+    equation(
+        "Length-2",
+        "Mean length of the contact lines",
+        "l̄ = b ε_α/cos β_b",
+        "crates/gear/src/contact_length.rs",
+        "the_mean_contact_length_is_the_mean_over_the_phases",
+        &[NIEMANN_WINTER],
+    ),
+    equation(
+        "Mean-1",
+        "Mean over a mesh cycle",
+        "ḡ = b/(cos β_b p_et) ∫_A^E g ds",
+        "crates/gear/src/positions.rs",
+        "means_over_positions_are_means_over_the_mesh_cycle",
+        &[WIMMER_2006],
+    ),
+    equation(
+        "Loss-1",
+        "Loss factor after Ohlendorf",
+        "H_V = π(u + 1)/(z₁ u cos β_b) (1 − ε_α + ε₁² + ε₂²)",
+        "crates/gear/src/loss_factor.rs",
+        "loss_factors_are_those_printed_by_a_gear_tool",
+        &[OHLENDORF_1958, ISO_TR_14179_2],
+    ),
+    equation(
+        "Loss-2",
+        "Local loss factor",
+        "H_V = b/(cos β_b p_et) ∫_A^E f |V_s| ds/(F_bt v_b)",
+        "crates/gear/src/loss_factor.rs",
+        "local_loss_factors_of_spur_pairs_follow_the_sharing",
+        &[WIMMER_2006],
+    ),
+    equation(
+        "Loss-3",
+        "Local loss factor averaged over the mesh phases",
+        "H_V = ∫₀¹ (∫ v |V_s| dξ/∫ v dξ) dφ/(v_b cos β_b)",
+        "crates/gear/src/loss_factor.rs",
+        "the_reference_case_has_the_loss_factors_of_table_2",
+        &[WIMMER_2006],
+    ),
+    equation(
+        "Loss-4",
+        "Loss factor of a wide helical pair",
+        "H_V = π(u + 1)/(z₁ u cos β_b) (ε₁|ε₁| + ε₂|ε₂|)/ε_α",
+        "crates/gear/src/loss_factor.rs",
+        "the_local_loss_factor_of_a_helical_pair_has_a_closed_form",
+        &[NIEMANN_WINTER],
+    ),
+];

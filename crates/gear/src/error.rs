@@ -1,0 +1,181 @@
+//! What a gear pair, or a question about one, is refused for.
+
+use asperity_core::DomainError;
+use asperity_core::quantity::Length;
+use serde::{Deserialize, Serialize};
+
+/// One of the two gears of a pair.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Gear {
+    /// Gear 1.
+    Pinion,
+    /// Gear 2.
+    Wheel,
+}
+
+impl std::fmt::Display for Gear {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Pinion => "pinion",
+            Self::Wheel => "wheel",
+        })
+    }
+}
+
+/// Why a gear pair does not exist, or a question about it has no answer.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum GearError {
+    /// A single number outside its domain.
+    #[error(transparent)]
+    Domain(#[from] DomainError),
+    /// The base circles overlap at the centre distance.
+    #[error(
+        "the centre distance {given} must be larger than the sum of the base radii, {base_radii}"
+    )]
+    CentreDistanceTooSmall {
+        /// Centre distance given.
+        given: Length,
+        /// Sum of the base radii.
+        base_radii: Length,
+    },
+    /// Centre distance and profile shifts contradict each other.
+    #[error(
+        "the centre distance {given} contradicts the profile shifts, which give {from_shifts}; they may differ by {tolerance} at most"
+    )]
+    InconsistentCentreDistance {
+        /// Centre distance given.
+        given: Length,
+        /// Centre distance without backlash from the profile shifts.
+        from_shifts: Length,
+        /// Difference accepted.
+        tolerance: Length,
+    },
+    /// Tip radii cannot follow, because only the sum of the profile shifts is known.
+    #[error(
+        "tip radii must be given when the profile shifts are not: the centre distance gives only their sum, {sum:.4}"
+    )]
+    TipRadiusUnknown {
+        /// Sum of the profile shifts.
+        sum: f64,
+    },
+    /// A tip reaches beyond the involute of the other gear.
+    #[error(
+        "the tip of the {gear} reaches {reach} along the line of action, past the end of the mating involute at {limit}: interference or undercut"
+    )]
+    Interference {
+        /// The gear whose tip reaches too far.
+        gear: Gear,
+        /// Distance of the end of contact from the gear's own base tangent point.
+        reach: Length,
+        /// Distance of the other base tangent point.
+        limit: Length,
+    },
+    /// A tooth comes to a point below its tip.
+    #[error("the tooth of the {gear} is pointed: its thickness at the tip would be {thickness}")]
+    PointedTip {
+        /// The gear.
+        gear: Gear,
+        /// Thickness of the tooth at the tip, in the transverse section.
+        thickness: Length,
+    },
+    /// No division of the profile shifts leaves both gears with a land at the tip.
+    #[error(
+        "however the profile shifts are divided, a tooth is pointed: the tip half-angles times the tooth numbers sum to {sum:.4} rad and must be positive"
+    )]
+    PointedTips {
+        /// Σ z·(half-angle of the tip land) \[rad\].
+        sum: f64,
+    },
+    /// The tips do not reach each other.
+    #[error("the gears do not touch: the path of contact would be {length} long")]
+    NoContact {
+        /// Length A to E.
+        length: Length,
+    },
+    /// One spur pair leaves contact before the next enters.
+    #[error("a spur pair needs a transverse contact ratio above 1, this one has {eps_alpha:.4}")]
+    SpurContactRatio {
+        /// Transverse contact ratio.
+        eps_alpha: f64,
+    },
+    /// One helical pair leaves contact before the next enters.
+    #[error("a helical pair needs a total contact ratio above 1, this one has {eps_gamma:.4}")]
+    TotalContactRatio {
+        /// Total contact ratio.
+        eps_gamma: f64,
+    },
+    /// A place where the gears do not touch.
+    #[error("s = {s} is off the path of contact, which goes from {from} to {to}")]
+    OffPath {
+        /// Distance from T₁ asked for.
+        s: Length,
+        /// Lower end.
+        from: Length,
+        /// Upper end.
+        to: Length,
+    },
+    /// A profile coordinate where the gears do not touch.
+    #[error("xi = {xi} is off the path of contact, which goes from 0 to {eps_alpha}")]
+    CoordinateOffPath {
+        /// Profile coordinate asked for, in base pitches from A.
+        xi: f64,
+        /// Transverse contact ratio, the coordinate of E.
+        eps_alpha: f64,
+    },
+    /// A load sharing law made for spur gears.
+    #[error("the load sharing \"{law}\" is for spur pairs")]
+    SpurLawOnHelical {
+        /// Name of the law.
+        law: &'static str,
+    },
+    /// A load sharing law outside the contact ratios it was derived for.
+    #[error(
+        "the load sharing \"{law}\" holds for transverse contact ratios from {low} to {high}, this pair has {eps_alpha:.4}"
+    )]
+    SharingRange {
+        /// Name of the law.
+        law: &'static str,
+        /// Transverse contact ratio.
+        eps_alpha: f64,
+        /// Lower end of the range, excluded.
+        low: f64,
+        /// Upper end of the range.
+        high: f64,
+    },
+    /// A load sharing table that cannot be read.
+    #[error("load sharing table, row {row}: xi = {xi}, share = {share}: {rule}")]
+    SharingTable {
+        /// Row, from 0.
+        row: usize,
+        /// Profile coordinate there.
+        xi: f64,
+        /// Share there.
+        share: f64,
+        /// What was expected.
+        rule: &'static str,
+    },
+    /// A number of mesh positions that cannot be spread over the path.
+    #[error("{count} mesh positions asked for; this pair takes from {least} to {most}")]
+    PositionCount {
+        /// Number asked for.
+        count: usize,
+        /// Fewest, one for each segment of the path.
+        least: usize,
+        /// Most.
+        most: usize,
+    },
+    /// The inverse of the involute function did not converge.
+    #[error(
+        "no angle with involute {involute} found: the residual is {residual} after {iterations} iterations"
+    )]
+    InverseInvolute {
+        /// The involute function's value.
+        involute: f64,
+        /// tan α − α − involute at the last angle.
+        residual: f64,
+        /// Iterations made.
+        iterations: usize,
+    },
+}

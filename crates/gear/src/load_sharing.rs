@@ -1,0 +1,250 @@
+//! How the pairs of teeth that touch at the same time share the load.
+//!
+//! Sources: ISO/TR 13989-1:2000 (trapezoid); Pedrero, Pleguezuelos, Artés and Antona 2010 (minimum elastic
+//! potential).
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | ξ | profile coordinate in base pitches: 0 at A, ε_α at E | - |
+//! | v(ξ) | weight of a pair at ξ | - |
+//! | R(ξ) | share of the load that the pair at ξ carries | - |
+//!
+//! Every law is a weight; the share of a pair is its weight over the weights of all pairs in
+//! contact. So the shares sum to 1 whatever the weights.
+
+use asperity_core::DomainError;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::error::GearError;
+
+/// Rounding of a profile coordinate.
+const ROUNDING: f64 = 1e-12;
+
+/// Share at the ends of the path in the trapezoid (ISO/TR 13989-1:2000, unmodified profiles of good quality).
+const TRAPEZOID_START: f64 = 1.0 / 3.0;
+
+/// Contact ratios for which the trapezoid and the minimum-potential weight were derived: at most
+/// two pairs in contact.
+const TWO_PAIRS: (f64, f64) = (1.0, 2.0);
+
+/// How pairs in contact share the load.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum LoadSharing {
+    /// Pairs in contact carry equal loads: 1/2, 1, 1/2 on a spur pair; a constant line load on a
+    /// helical one.
+    #[default]
+    Uniform,
+    /// 1/3 rising to 2/3, 1, 2/3 falling to 1/3. Spur pairs with 1 < ε_α ≤ 2.
+    Trapezoid,
+    /// Least elastic energy, after Pedrero and Pleguezuelos. 1 < ε_α ≤ 2.
+    MinPotential,
+    /// Rows (place, weight): the place from 0 at A to 1 at E, the weight as a share between 0 and
+    /// 1 or in any unit; linear in between.
+    Table(Vec<(f64, f64)>),
+}
+
+impl LoadSharing {
+    /// Name as in a case file.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Uniform => "uniform",
+            Self::Trapezoid => "trapezoid",
+            Self::MinPotential => "min-potential",
+            Self::Table(_) => "table",
+        }
+    }
+
+    /// uniform: v = 1                                                           [Share-1]
+    ///
+    /// trapezoid: v = 1/3 + ξ/(3(ε_α − 1)) for ξ < ε_α − 1, the mirror image for ξ > 1, and
+    /// 1 between                                                                [Share-2]
+    ///
+    /// min-potential: v = cos(b₀(ξ − ε_α/2)), b₀ = (½(1 + ε_α/2)² − 1)^(−1/2)   [Share-3]
+    ///
+    /// # Errors
+    /// When ξ is not on the path, or the law does not hold for ε_α.
+    ///
+    /// ```
+    /// use asperity_gear::LoadSharing;
+    /// let middle = LoadSharing::MinPotential.weight(0.8, 1.6)?;
+    /// assert!((middle - 1.0).abs() < 1e-15);
+    /// # Ok::<(), asperity_gear::GearError>(())
+    /// ```
+    pub fn weight(&self, xi: f64, eps_alpha: f64) -> Result<f64, GearError> {
+        let weights = Weights::new(self, eps_alpha)?;
+        weights.require_contact(xi)?;
+        Ok(weights.at(xi))
+    }
+
+    /// R(ξ) = v(ξ)/Σⱼ v(ξ + j), over all pairs in contact                       [Share-4]
+    ///
+    /// # Errors
+    /// When ξ is not on the path, or the law does not hold for ε_α.
+    ///
+    /// ```
+    /// use asperity_gear::LoadSharing;
+    /// assert_eq!(LoadSharing::Uniform.share(0.2, 1.6)?, 0.5);
+    /// assert_eq!(LoadSharing::Uniform.share(0.8, 1.6)?, 1.0);
+    /// # Ok::<(), asperity_gear::GearError>(())
+    /// ```
+    pub fn share(&self, xi: f64, eps_alpha: f64) -> Result<f64, GearError> {
+        let weights = Weights::new(self, eps_alpha)?;
+        weights.require_contact(xi)?;
+        Ok(weights.share(xi))
+    }
+}
+
+/// A law that has been checked against a contact ratio.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Weights<'a> {
+    law: &'a LoadSharing,
+    eps_alpha: f64,
+    /// b₀ of `[Share-3]`; unused by the other laws.
+    b0: f64,
+}
+
+impl<'a> Weights<'a> {
+    pub(crate) fn new(law: &'a LoadSharing, eps_alpha: f64) -> Result<Self, GearError> {
+        DomainError::require(
+            eps_alpha.is_finite() && eps_alpha > 0.0,
+            "transverse contact ratio",
+            eps_alpha,
+            "-",
+            "must be finite and greater than zero",
+        )?;
+        match law {
+            LoadSharing::Uniform => {}
+            LoadSharing::Trapezoid | LoadSharing::MinPotential => {
+                let (low, high) = TWO_PAIRS;
+                if !(eps_alpha > low && eps_alpha <= high) {
+                    return Err(GearError::SharingRange {
+                        law: law.name(),
+                        eps_alpha,
+                        low,
+                        high,
+                    });
+                }
+            }
+            LoadSharing::Table(rows) => check_table(rows)?,
+        }
+        let b0 = (0.5 * (1.0 + 0.5 * eps_alpha).powi(2) - 1.0).powf(-0.5);
+        Ok(Self { law, eps_alpha, b0 })
+    }
+
+    fn in_contact(&self, xi: f64) -> bool {
+        xi >= -ROUNDING && xi <= self.eps_alpha + ROUNDING
+    }
+
+    fn require_contact(&self, xi: f64) -> Result<(), GearError> {
+        if self.in_contact(xi) {
+            return Ok(());
+        }
+        Err(GearError::CoordinateOffPath {
+            xi,
+            eps_alpha: self.eps_alpha,
+        })
+    }
+
+    /// v(ξ); 0 off the path.
+    pub(crate) fn at(&self, xi: f64) -> f64 {
+        if !self.in_contact(xi) {
+            return 0.0;
+        }
+        let eps = self.eps_alpha;
+        match self.law {
+            LoadSharing::Uniform => 1.0,
+            LoadSharing::Trapezoid => {
+                let from_end = xi.min(eps - xi);
+                let double = eps - 1.0;
+                if from_end > double {
+                    1.0
+                } else {
+                    TRAPEZOID_START + (1.0 - 2.0 * TRAPEZOID_START) * from_end / double
+                }
+            }
+            LoadSharing::MinPotential => (self.b0 * (xi - 0.5 * eps)).cos(),
+            LoadSharing::Table(rows) => interpolate(rows, xi / eps),
+        }
+    }
+
+    /// R(ξ), for ξ on the path.
+    pub(crate) fn share(&self, xi: f64) -> f64 {
+        let neighbours = self.eps_alpha.ceil() as i64;
+        let all: f64 = (-neighbours..=neighbours)
+            .map(|j| self.at(xi + j as f64))
+            .sum();
+        self.at(xi) / all
+    }
+
+    /// ∫ v dξ over the whole path.
+    pub(crate) fn integral(&self) -> f64 {
+        let eps = self.eps_alpha;
+        match self.law {
+            LoadSharing::Uniform => eps,
+            // 2(ε_α − 1) base pitches of double contact at 1/2 on average, 2 − ε_α of single at 1.
+            LoadSharing::Trapezoid => 1.0,
+            LoadSharing::MinPotential => 2.0 * (0.5 * self.b0 * eps).sin() / self.b0,
+            LoadSharing::Table(rows) => rows
+                .windows(2)
+                .map(|ends| 0.5 * eps * (ends[1].0 - ends[0].0) * (ends[0].1 + ends[1].1))
+                .sum(),
+        }
+    }
+
+    /// Coordinates where v has a kink within the path.
+    pub(crate) fn knots(&self) -> Vec<f64> {
+        match self.law {
+            LoadSharing::Table(rows) => rows.iter().map(|row| row.0 * self.eps_alpha).collect(),
+            _ => Vec::new(),
+        }
+    }
+}
+
+fn check_table(rows: &[(f64, f64)]) -> Result<(), GearError> {
+    let refuse = |row: usize, rule: &'static str| {
+        let (xi, share) = rows.get(row).copied().unwrap_or((f64::NAN, f64::NAN));
+        Err(GearError::SharingTable {
+            row,
+            xi,
+            share,
+            rule,
+        })
+    };
+    let last = rows.len().saturating_sub(1);
+    if rows.len() < 2 {
+        return refuse(last, "a table needs at least two rows");
+    }
+    for (row, &(place, weight)) in rows.iter().enumerate() {
+        if !(weight.is_finite() && weight >= 0.0) {
+            return refuse(row, "the weight must be finite and not negative");
+        }
+        if weight == 0.0 && row != 0 && row != last {
+            return refuse(row, "only the ends of the path may carry nothing");
+        }
+        if row == 0 && place != 0.0 {
+            return refuse(row, "the first place must be 0, point A");
+        }
+        if row > 0 && !(place > rows[row - 1].0) {
+            return refuse(row, "places must increase");
+        }
+    }
+    if rows[last].0 != 1.0 {
+        return refuse(last, "the last place must be 1, point E");
+    }
+    if last == 1 && rows[0].1 == 0.0 && rows[1].1 == 0.0 {
+        return refuse(last, "some weight must be positive");
+    }
+    Ok(())
+}
+
+/// Linear interpolation in checked rows.
+fn interpolate(rows: &[(f64, f64)], place: f64) -> f64 {
+    let above = rows
+        .partition_point(|row| row.0 < place)
+        .clamp(1, rows.len() - 1);
+    let ((x0, y0), (x1, y1)) = (rows[above - 1], rows[above]);
+    // A place beyond the ends by rounding takes the value there.
+    y0 + (y1 - y0) * ((place - x0) / (x1 - x0)).clamp(0.0, 1.0)
+}

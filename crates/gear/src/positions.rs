@@ -1,0 +1,201 @@
+//! Places along the path of contact, with weights for means over a mesh cycle.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | s | distance from T₁ along the line of action | m |
+//! | g | any quantity per metre of contact line | |
+//! | w | weight of a place | m |
+//!
+//! The places are spread over the segments on which a mesh is smooth. The sliding speed has a kink
+//! at C; on a spur pair the shares jump where another pair enters or leaves, at A + k·p_et and
+//! E − k·p_et (B and D when 1 < ε_α < 2).
+
+use std::num::NonZeroUsize;
+
+use asperity_core::quantity::Length;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::error::GearError;
+use crate::pair::GearPair;
+use crate::quadrature::{breakpoints, gauss_legendre};
+
+/// Most places accepted; more than any mesh needs, and still quickly laid out.
+const MOST_POSITIONS: usize = 100_000;
+
+/// How places are laid out within a segment.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum PositionRule {
+    /// Gauss-Legendre points: the most accurate means.
+    #[default]
+    GaussLegendre,
+    /// The middles of equal parts: evenly spaced results.
+    Midpoint,
+}
+
+/// A place on the path of contact.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct MeshPosition {
+    /// Distance from T₁ along the line of action.
+    pub s: Length,
+    /// Profile coordinate ξ in base pitches from A.
+    pub xi: f64,
+    /// Weight in a mean over the mesh cycle: the length of contact line that the place stands for.
+    pub weight: Length,
+}
+
+impl GearPair {
+    /// Places s_i and weights w_i with Σ w_i g(s_i) ≈ (b/(cos β_b p_et))·∫_A^E g ds   [Mean-1]
+    ///
+    /// This is the mean over a mesh cycle of the sum of g over all lines of contact. The weights
+    /// sum to the mean length of the contact lines.
+    ///
+    /// # Errors
+    /// When there are fewer places than segments of the path, or absurdly many.
+    ///
+    /// ```
+    /// use asperity_gear::{GearPair, GearPairInput, PositionRule};
+    /// let pair = GearPair::new(&GearPairInput::standard(
+    ///     [50, 120], "1.3 mm".parse()?, "30 deg".parse()?, "50 mm".parse()?,
+    /// ))?;
+    /// let places = pair.positions(32, PositionRule::GaussLegendre)?;
+    /// let total: f64 = places.iter().map(|place| place.weight.si()).sum();
+    /// assert!((total - pair.mean_contact_length().si()).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn positions(
+        &self,
+        count: usize,
+        rule: PositionRule,
+    ) -> Result<Vec<MeshPosition>, GearError> {
+        let breaks = self.segment_ends();
+        let least = breaks.len() - 1;
+        if !(least..=MOST_POSITIONS).contains(&count) {
+            return Err(GearError::PositionCount {
+                count,
+                least,
+                most: MOST_POSITIONS,
+            });
+        }
+        let per_length = self.contact_per_coordinate();
+        let mut positions = Vec::with_capacity(count);
+        for (ends, share) in breaks.windows(2).zip(spread(count, &breaks)) {
+            let width = ends[1] - ends[0];
+            for (node, weight) in nodes(rule, share) {
+                let xi = ends[0] + width * node;
+                positions.push(MeshPosition {
+                    s: self.path.place(xi),
+                    xi,
+                    weight: per_length * (width * weight),
+                });
+            }
+        }
+        Ok(positions)
+    }
+
+    /// One place that stands for the whole path, as when a mesh is judged at a single point.
+    ///
+    /// # Errors
+    /// When s is not on the path A to E.
+    ///
+    /// ```
+    /// use asperity_gear::{GearPair, GearPairInput};
+    /// let pair = GearPair::new(&GearPairInput::standard(
+    ///     [50, 120], "1.3 mm".parse()?, "30 deg".parse()?, "50 mm".parse()?,
+    /// ))?;
+    /// let place = pair.single_position(pair.path().c)?;
+    /// assert_eq!(place.weight, pair.mean_contact_length());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn single_position(&self, s: Length) -> Result<MeshPosition, GearError> {
+        Ok(MeshPosition {
+            s,
+            xi: self.path.coordinate_on_path(s)?,
+            weight: self.mean_contact_length(),
+        })
+    }
+
+    /// Mean over a mesh cycle of g summed over all lines of contact, `[Mean-1]`; g is given per
+    /// metre of contact line, so the result has the unit of g times a metre.
+    ///
+    /// # Errors
+    /// As [`GearPair::positions`].
+    ///
+    /// ```
+    /// use asperity_gear::{GearPair, GearPairInput};
+    /// let pair = GearPair::new(&GearPairInput::standard(
+    ///     [50, 120], "1.3 mm".parse()?, "30 deg".parse()?, "50 mm".parse()?,
+    /// ))?;
+    /// let length = pair.mean_over_mesh(32, |_| 1.0)?;
+    /// assert!((length - pair.mean_contact_length().si()).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn mean_over_mesh(
+        &self,
+        count: usize,
+        mut g: impl FnMut(&MeshPosition) -> f64,
+    ) -> Result<f64, GearError> {
+        let positions = self.positions(count, PositionRule::GaussLegendre)?;
+        Ok(positions
+            .iter()
+            .map(|place| place.weight.si() * g(place))
+            .sum())
+    }
+
+    /// b/cos β_b: contact line per base pitch of path, averaged over a mesh cycle.
+    pub(crate) fn contact_per_coordinate(&self) -> Length {
+        self.face_width / self.base_helix.si().cos()
+    }
+
+    /// Ends of the segments on which a mesh is smooth, as coordinates ξ from 0 to ε_α.
+    pub(crate) fn segment_ends(&self) -> Vec<f64> {
+        let eps_alpha = self.path.eps_alpha;
+        let mut inner = vec![self.path.eps_2];
+        if self.is_spur() {
+            let changes = 1..=eps_alpha.floor() as u32;
+            inner.extend(changes.flat_map(|k| [f64::from(k), eps_alpha - f64::from(k)]));
+        }
+        breakpoints(0.0, eps_alpha, inner)
+    }
+}
+
+/// `count` shared out over the segments by their width, at least one each.
+fn spread(count: usize, breaks: &[f64]) -> Vec<usize> {
+    let widths: Vec<f64> = breaks.windows(2).map(|ends| ends[1] - ends[0]).collect();
+    let mut shares = vec![1; widths.len()];
+    for _ in widths.len()..count {
+        // Backwards, so that the first of equally coarse segments is refined.
+        let coarsest = (0..widths.len()).rev().max_by(|&i, &j| {
+            let (i, j) = (widths[i] / shares[i] as f64, widths[j] / shares[j] as f64);
+            i.total_cmp(&j)
+        });
+        if let Some(segment) = coarsest {
+            shares[segment] += 1;
+        }
+    }
+    shares
+}
+
+/// Nodes and weights on 0..1.
+fn nodes(rule: PositionRule, count: usize) -> Vec<(f64, f64)> {
+    match rule {
+        PositionRule::GaussLegendre => {
+            NonZeroUsize::new(count).map_or_else(Vec::new, gauss_legendre)
+        }
+        PositionRule::Midpoint => (0..count)
+            .map(|k| ((k as f64 + 0.5) / count as f64, 1.0 / count as f64))
+            .collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_are_spread_by_width_and_every_segment_has_one() {
+        assert_eq!(spread(10, &[0.0, 1.0, 2.0, 2.001]), [5, 4, 1]);
+        assert_eq!(spread(3, &[0.0, 1.0, 2.0, 2.001]), [1, 1, 1]);
+    }
+}
