@@ -1,6 +1,9 @@
 //! What can be wrong with a contact problem.
 
 use asperity_core::DomainError;
+use asperity_core::quantity::{Length, LineLoad, Pressure};
+
+use crate::certificate::Certificate;
 
 /// Why a contact problem has no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -9,4 +12,122 @@ pub enum ContactError {
     /// An input outside its domain.
     #[error(transparent)]
     Domain(#[from] DomainError),
+    /// Not enough points for a contact.
+    #[error("{points} points are too few for a contact: give at least {least}")]
+    TooFewPoints {
+        /// Points given.
+        points: usize,
+        /// Points needed.
+        least: usize,
+    },
+    /// More points than a dense matrix is meant for.
+    #[error(
+        "{points} points are too many for the dense solution (at most {most}): use the solver with transforms"
+    )]
+    TooManyPoints {
+        /// Points given.
+        points: usize,
+        /// Points accepted.
+        most: usize,
+    },
+    /// Two arrays that belong together differ in length.
+    #[error("{name} has {got} values where {need} are needed: one per point of the gap")]
+    WrongLength {
+        /// The array.
+        name: &'static str,
+        /// Values needed.
+        need: usize,
+        /// Values given.
+        got: usize,
+    },
+    /// An array holds a value that it may not hold.
+    #[error("{name}[{index}] = {value} {unit}: {rule}")]
+    BadElement {
+        /// The array.
+        name: &'static str,
+        /// Where in the array.
+        index: usize,
+        /// The value there.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+        /// What was expected.
+        rule: &'static str,
+    },
+    /// The pressure limit on every point together is less than the load.
+    #[error(
+        "the pressure limit {limit} carries at most {capacity} on this window, the load is {load}: raise the limit, widen the window or lower the load"
+    )]
+    LimitBelowMeanPressure {
+        /// Limit of the pressure.
+        limit: Pressure,
+        /// Load that the whole window carries at the limit.
+        capacity: LineLoad,
+        /// Load asked for.
+        load: LineLoad,
+    },
+    /// The datum distance is too small for the approach to fix the load.
+    #[error(
+        "the approach is measured from a datum at {datum}, which must lie farther than {least} (a quarter of the window): choose a larger datum distance"
+    )]
+    DatumTooNear {
+        /// Datum distance given.
+        datum: Length,
+        /// Distance it must exceed.
+        least: Length,
+    },
+    /// A periodic contact closed beyond its mean gap, where no finite load holds it.
+    #[error(
+        "a periodic contact is closed altogether at an approach of {mean_gap}, so {approach} has no finite load: lower the approach or control the load"
+    )]
+    ApproachBeyondMeanGap {
+        /// Approach asked for.
+        approach: Length,
+        /// Approach at which the whole period is in contact.
+        mean_gap: Length,
+    },
+    /// A problem given to a solver made for another number of points or another boundary.
+    #[error("the solver was made for {solver} and the problem has {problem}: make a new solver")]
+    SolverMismatch {
+        /// What the solver was made for.
+        solver: SolverShape,
+        /// What the problem has.
+        problem: SolverShape,
+    },
+    /// The iterations allowed were used up, or no further progress was possible.
+    #[error(
+        "not converged to {tolerance:e} after {iterations} iterations (duality gap {:e}, penetration {:e}, load error {:e}): allow more iterations or a larger tolerance",
+        certificate.duality_gap, certificate.penetration, certificate.load_error
+    )]
+    NotConverged {
+        /// Iterations used on the finest grid.
+        iterations: usize,
+        /// What is certified of the last iterate.
+        certificate: Certificate,
+        /// Tolerance asked for.
+        tolerance: f64,
+    },
+    /// The dense active set did not settle.
+    #[error("the active set still changed at {changes} points after {steps} steps")]
+    ActiveSetUnsettled {
+        /// Steps used.
+        steps: usize,
+        /// Points that changed in the last one.
+        changes: usize,
+    },
+}
+
+/// What a [`Solver`](crate::Solver) is made for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SolverShape {
+    /// Number of points.
+    pub points: usize,
+    /// Ends of the window.
+    pub boundary: crate::Boundary,
+}
+
+impl std::fmt::Display for SolverShape {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} points with {}", self.points, self.boundary)
+    }
 }

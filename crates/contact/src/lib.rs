@@ -1,8 +1,27 @@
 //! Rough line contact of elastic half-planes: boundary elements, plasticity, subsurface stress.
+//!
+//! Plane strain, pressures and loads per metre of face width. Give [`solve`] a gap and a load, or
+//! keep a [`Solver`] for many problems of one size.
 
+mod cascade;
+pub mod certificate;
 pub mod equations;
 pub mod error;
+pub mod half_plane;
 pub mod hertz_line;
+pub mod plasticity;
+mod ppcg;
+pub mod problem;
+mod projection;
+mod scene;
+pub mod solver;
+pub mod strip_kernel;
 pub mod subsurface;
+mod transform;
 
-pub use error::ContactError;
+pub use certificate::Certificate;
+pub use error::{ContactError, SolverShape};
+pub use problem::{
+    Boundary, ContactProblem, ContactSolution, Control, PeriodicKernel, SolverSettings,
+};
+pub use solver::{Solver, solve};

@@ -1,0 +1,99 @@
+//! Coarser grids, and the part of a grid that touches.
+//!
+//! The solution on a grid of half as many cells tells nearly which points will touch on the finer
+//! one. With free ends only these and a margin need be solved; the rest is verified afterwards.
+
+use asperity_core::numerics::good_fft_length;
+
+/// Fewest cells of a coarser grid.
+const COARSEST: usize = 128;
+/// Margin on either side of a window, over the width of the contact, and in cells.
+const MARGIN: f64 = 0.05;
+const LEAST_MARGIN: usize = 16;
+/// A window of more than this share of the grid saves nothing.
+const WORTHWHILE: f64 = 0.75;
+
+/// The grids from `points` cells down to about 128, each of half the cells, rounded up.
+pub(crate) fn grids(points: usize) -> Vec<usize> {
+    let coarser = |&n: &usize| Some(n.div_ceil(2)).filter(|&half| half >= COARSEST);
+    std::iter::successors(Some(points), coarser).collect()
+}
+
+/// Means of pairs; a last single value stays.
+pub(crate) fn restrict(fine: &[f64]) -> Vec<f64> {
+    fine.chunks(2)
+        .map(|pair| pair.iter().sum::<f64>() / pair.len() as f64)
+        .collect()
+}
+
+/// Each value twice, `points` in all.
+pub(crate) fn prolong(coarse: &[f64], points: usize) -> Vec<f64> {
+    coarse.iter().flat_map(|&p| [p, p]).take(points).collect()
+}
+
+/// A range of cells to solve on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Window {
+    pub(crate) first: usize,
+    pub(crate) points: usize,
+}
+
+impl Window {
+    /// The window of all `points` cells.
+    pub(crate) fn whole(points: usize) -> Self {
+        Self { first: 0, points }
+    }
+
+    /// The range of cells where `touches` holds, with a margin and grown to a length whose
+    /// transform is fast; the whole grid when that is most of it or nothing touches.
+    pub(crate) fn around(points: usize, touches: impl Fn(usize) -> bool) -> Self {
+        let Some(first) = (0..points).find(|&i| touches(i)) else {
+            return Self::whole(points);
+        };
+        let last = (first..points).rfind(|&i| touches(i)).unwrap_or(first);
+        let width = last - first + 1;
+        let margin = ((MARGIN * width as f64).ceil() as usize).max(LEAST_MARGIN);
+        let wide = good_fft_length(2 * (width + 2 * margin)) / 2;
+        if wide as f64 > WORTHWHILE * points as f64 {
+            return Self::whole(points);
+        }
+        let centred = (first + last + 1).saturating_sub(wide) / 2;
+        Self {
+            first: centred.min(points - wide),
+            points: wide,
+        }
+    }
+
+    pub(crate) fn range(&self) -> std::ops::Range<usize> {
+        self.first..self.first + self.points
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_window_holds_the_contact_and_its_margin_within_the_grid() {
+        for (points, low, high) in [
+            (10_000, 4_000, 5_000),
+            (10_000, 0, 10),
+            (10_000, 9_990, 9_999),
+        ] {
+            let window = Window::around(points, |i| (low..=high).contains(&i));
+            assert!(window.range().end <= points && window.points < points / 5);
+            assert!(window.first <= low.saturating_sub(LEAST_MARGIN));
+            assert!(window.range().end >= (high + 1 + LEAST_MARGIN).min(points));
+        }
+        assert_eq!(Window::around(100, |i| i < 90), Window::whole(100));
+        assert_eq!(Window::around(100, |_| false), Window::whole(100));
+    }
+
+    #[test]
+    fn grids_halve_down_to_about_the_coarsest() {
+        assert_eq!(grids(2_000), [2_000, 1_000, 500, 250]);
+        assert_eq!(grids(257), [257, 129]);
+        assert_eq!(grids(7), [7]);
+        assert_eq!(prolong(&restrict(&[1.0, 3.0, 5.0]), 3), [2.0, 2.0, 5.0]);
+    }
+}

@@ -1,0 +1,62 @@
+//! How far a pressure is from the solution, from above.
+//!
+//! The contact problem is: least ½ p'Ap + h'p over 0 ≤ p ≤ p_max with Σ p·dx = W. For any α its
+//! dual gives a lower bound of the energy, so the difference bounds the error of the energy, and
+//! hence ½ |p − p*|_A², from above.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | p, p_max | pressure, its limit | Pa |
+//! | v = A p + h | gap before the approach | m |
+//! | α | approach | m |
+//! | g = v − α | gap | m |
+//! | g_ref | reference gap: the range of h | m |
+
+use asperity_core::quantity::Length;
+use serde::Serialize;
+
+/// Three measures of error, each zero for the exact solution.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Certificate {
+    /// Bound of the energy error over Σp·g_ref (see [`duality_gap`]).
+    pub duality_gap: f64,
+    /// Largest overlap of points below the pressure limit, over g_ref.
+    pub penetration: f64,
+    /// |Σ p·dx − W|/W; zero when the approach is controlled.
+    pub load_error: f64,
+    /// g_ref: the range of the gap (with the displacement by a prescribed pressure), or, for
+    /// bodies that are flat beside their deformation, a thousandth of that.
+    pub reference_gap: Length,
+}
+
+impl Certificate {
+    /// Whether all three are within `tolerance`; never when one is not a number.
+    pub fn within(&self, tolerance: f64) -> bool {
+        self.duality_gap <= tolerance
+            && self.penetration <= tolerance
+            && self.load_error <= tolerance
+    }
+}
+
+/// Without limit Σ p·(g − min(g_min, 0)); with one Σ p·g⁺ + (p_max − p)·(−g)⁺       [Duality-1]
+///
+/// `pressure` [Pa] and `gap` [m] belong together; `limit` is p_max [Pa], infinite for none. The
+/// result [Pa m] is not below the excess of the energy over its least value.
+///
+/// ```
+/// use asperity_contact::certificate::duality_gap;
+/// // Complementary: pressure where the gap is closed, and nowhere else.
+/// assert_eq!(duality_gap(&[0.0, 2.0], &[1e-6, 0.0], f64::INFINITY), 0.0);
+/// assert_eq!(duality_gap(&[0.0, 2.0], &[0.0, 1.0], f64::INFINITY), 2.0);
+/// ```
+pub fn duality_gap(pressure: &[f64], gap: &[f64], limit: f64) -> f64 {
+    let pairs = || pressure.iter().zip(gap);
+    if limit.is_finite() {
+        pairs()
+            .map(|(&p, &g)| p * g.max(0.0) + (limit - p) * (-g).max(0.0))
+            .sum()
+    } else {
+        let least = gap.iter().fold(0.0_f64, |least, &g| least.min(g));
+        pairs().map(|(&p, &g)| p * (g - least)).sum()
+    }
+}

@@ -1,0 +1,160 @@
+//! Displacement of two half-planes by a pressure on an even grid, by fast transforms.
+//!
+//! Source: the paper's eqs. 1, 3 and 4 (boundary elements), Johnson 1985 chapter 2.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | p, W | pressure of a cell, load per metre of face width | Pa, N/m |
+//! | u | displacement of both bodies together, away from each other | m |
+//! | C_ij | kernel at the distance of the cells i and j | m |
+//! | h, g, δ | undeformed gap, gap, approach | m |
+//! | E* | reduced modulus | Pa |
+//! | dx = 2a | distance of the cell centres | m |
+//!
+//! Free ends: the Toeplitz matrix C is embedded in a circulant of a length with small factors.
+//! Periodic ends: C is a circulant. Every symbol is real and dimensionless, so one plan serves all
+//! spacings and moduli.
+
+use std::f64::consts::PI;
+
+use asperity_core::DomainError;
+use asperity_core::numerics::good_fft_length;
+use asperity_core::quantity::{Length, LineLoad, Pressure};
+use realfft::RealFftPlanner;
+
+use crate::error::ContactError;
+use crate::problem::{Boundary, LEAST_POINTS, PeriodicKernel};
+use crate::strip_kernel::{periodic_column, spectral_symbol, strip_column};
+use crate::transform::EvenFilter;
+
+/// The displacement operator of a grid, with its plan and buffers.
+///
+/// ```
+/// use asperity_contact::{Boundary, half_plane::HalfPlane};
+/// let mut plane = HalfPlane::new(3, "1 um".parse()?, "115 GPa".parse()?, Boundary::FreeEnds)?;
+/// let mut displacement = [0.0; 3];
+/// plane.displacement(&[0.0, 1e9, 0.0], &mut displacement)?;
+/// assert!(displacement[1] > displacement[0]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct HalfPlane {
+    filter: EvenFilter,
+    compliance: f64,
+}
+
+impl HalfPlane {
+    /// The operator of `points` cells.
+    ///
+    /// # Errors
+    /// When there are fewer than two points, or spacing or modulus is not positive.
+    pub fn new(
+        points: usize,
+        spacing: Length,
+        modulus: Pressure,
+        boundary: Boundary,
+    ) -> Result<Self, ContactError> {
+        if points < LEAST_POINTS {
+            return Err(ContactError::TooFewPoints {
+                points,
+                least: LEAST_POINTS,
+            });
+        }
+        Ok(Self {
+            filter: displacement_filter(&mut RealFftPlanner::new(), points, boundary),
+            compliance: cell_compliance(spacing, modulus)?,
+        })
+    }
+
+    /// uᵢ = (1/(π·E*))·Σⱼ C_ij·p_j                                                      [P3]
+    ///
+    /// Writes the displacement [m] by `pressure` [Pa], with C(0) = 0 for free ends (see
+    /// [`datum_constant`](crate::strip_kernel::datum_constant)) and without mean for periodic ends.
+    ///
+    /// # Errors
+    /// When an array has not one value per cell.
+    pub fn displacement(
+        &mut self,
+        pressure: &[f64],
+        displacement: &mut [f64],
+    ) -> Result<(), ContactError> {
+        let need = self.filter.points();
+        for (name, got) in [
+            ("pressure", pressure.len()),
+            ("displacement", displacement.len()),
+        ] {
+            if got != need {
+                return Err(ContactError::WrongLength { name, need, got });
+            }
+        }
+        self.filter.signal().copy_from_slice(pressure);
+        self.filter.apply(self.compliance);
+        displacement.copy_from_slice(self.filter.signal());
+        Ok(())
+    }
+}
+
+/// g = h + u − δ,  u(x) = −(2/(π·E*))·∫ p(s)·ln|x − s| ds + const                         [P1]
+///
+/// Gap [m] at each point from undeformed gap h and displacement u [m]; the shorter array counts.
+///
+/// ```
+/// use asperity_contact::half_plane::deformed_gap;
+/// let gap = deformed_gap(&[1e-6, 2e-6], &[0.5e-6, 0.0], "1 um".parse()?);
+/// assert!((gap[0] - 0.5e-6).abs() < 1e-20);
+/// # Ok::<(), asperity_core::quantity::QuantityError>(())
+/// ```
+pub fn deformed_gap(undeformed: &[f64], displacement: &[f64], approach: Length) -> Vec<f64> {
+    let delta = approach.si();
+    undeformed
+        .iter()
+        .zip(displacement)
+        .map(|(h, u)| h + u - delta)
+        .collect()
+}
+
+/// W = Σᵢ pᵢ·dx                                                                            [P4]
+///
+/// ```
+/// use asperity_contact::half_plane::line_load;
+/// assert_eq!(line_load(&[1e9, 2e9], "1 um".parse()?).si(), 3e3);
+/// # Ok::<(), asperity_core::quantity::QuantityError>(())
+/// ```
+pub fn line_load(pressure: &[f64], spacing: Length) -> LineLoad {
+    LineLoad::from_si(pressure.iter().sum::<f64>() * spacing.si())
+}
+
+/// a/(π·E*) [m/Pa]: what a dimensionless kernel is multiplied by.
+pub(crate) fn cell_compliance(spacing: Length, modulus: Pressure) -> Result<f64, ContactError> {
+    let dx = DomainError::positive("spacing", spacing)?;
+    let e = DomainError::positive("reduced modulus", modulus)?;
+    Ok(0.5 * dx / (PI * e))
+}
+
+/// The filter C/a.
+pub(crate) fn displacement_filter(
+    planner: &mut RealFftPlanner<f64>,
+    points: usize,
+    boundary: Boundary,
+) -> EvenFilter {
+    match boundary {
+        Boundary::FreeEnds => {
+            let length = good_fft_length(2 * points - 1);
+            EvenFilter::from_column(planner, &strip_column(points), length)
+        }
+        Boundary::Periodic(PeriodicKernel::Strip) => {
+            EvenFilter::from_column(planner, &periodic_column(points), points).without_mean()
+        }
+        Boundary::Periodic(PeriodicKernel::Spectral) => {
+            let symbol = |wave| spectral_symbol(wave, points);
+            EvenFilter::from_symbol(planner, points, points, symbol)
+        }
+    }
+}
+
+/// The filter |q|·E*/2 in units of π·E*/(2a): nearly the inverse of the displacement. Its zero
+/// mode is half its first, which the mean of a masked signal needs to be neither lost nor amplified.
+pub(crate) fn inverse_filter(planner: &mut RealFftPlanner<f64>, points: usize) -> EvenFilter {
+    let length = good_fft_length(points);
+    let symbol = |wave: usize| if wave == 0 { 0.5 } else { wave as f64 } / length as f64;
+    EvenFilter::from_symbol(planner, points, length, symbol)
+}

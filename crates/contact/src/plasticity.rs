@@ -1,0 +1,136 @@
+//! Plastic flow of the surface at a limit of the pressure.
+//!
+//! Source: perfect plasticity of the surface as in Almqvist et al. 2007; the paper's eq. 6 with the
+//! reading that makes sense. Where the pressure has reached the flow pressure the bodies would
+//! overlap; that overlap is the plastic displacement. Loading in one step or in many gives the same
+//! displacement as long as the load grows, and loading the residual profiles again in the same
+//! place is elastic. Flow below the surface is not modelled here.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | p, p_flow | pressure, pressure at which the softer surface flows | Pa |
+//! | g | gap under elastic displacement only | m |
+//! | w | plastic displacement of both bodies together | m |
+//! | D | energy dissipated per metre of face width | J/m |
+//! | σ_VM, σ_y | von Mises stress, elastic limit | Pa |
+//! | c = (1 − ν²)/E | plane-strain compliance of a body | 1/Pa |
+
+use asperity_core::DomainError;
+use asperity_core::material::Material;
+use asperity_core::quantity::{Length, LineEnergy, Pressure};
+
+use crate::error::ContactError;
+
+/// Flow pressure over elastic limit: the hardness of a metal is about three times its yield stress
+/// (Tabor 1951).
+pub const FLOW_OVER_YIELD: f64 = 3.0;
+
+/// σ_pl = max(0, σ_VM − σ_y)                                                                  [P6]
+///
+/// The part of a von Mises stress beyond the elastic limit.
+///
+/// # Errors
+/// When the stress is negative or the elastic limit is not positive.
+///
+/// ```
+/// use asperity_contact::plasticity::plastic_stress;
+/// assert_eq!(plastic_stress("300 MPa".parse()?, "235 MPa".parse()?)?.to_string(), "65 MPa");
+/// assert_eq!(plastic_stress("200 MPa".parse()?, "235 MPa".parse()?)?.si(), 0.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn plastic_stress(
+    von_mises: Pressure,
+    elastic_limit: Pressure,
+) -> Result<Pressure, ContactError> {
+    let stress = DomainError::non_negative("von Mises stress", von_mises)?;
+    let limit = DomainError::positive("elastic limit", elastic_limit)?;
+    Ok(Pressure::from_si((stress - limit).max(0.0)))
+}
+
+/// p_flow = 3·σ_y of the softer body                                                     [Tabor-1]
+///
+/// # Errors
+/// When an elastic limit is not positive.
+pub fn flow_pressure(first: &Material, second: &Material) -> Result<Pressure, ContactError> {
+    let one = DomainError::positive("elastic limit", first.elastic_limit)?;
+    let other = DomainError::positive("elastic limit", second.elastic_limit)?;
+    Ok(Pressure::from_si(FLOW_OVER_YIELD * one.min(other)))
+}
+
+/// w = max(−g, 0) where p = p_flow, else 0                                             [Plastic-1]
+///
+/// `pressure` [Pa] and `gap` [m] belong together; the gap is that of the elastic displacement.
+///
+/// ```
+/// use asperity_contact::plasticity::plastic_displacement;
+/// let w = plastic_displacement(&[4e9, 1e9, 0.0], &[-1e-8, 0.0, 1e-6], Some("4 GPa".parse()?));
+/// assert_eq!(w, [1e-8, 0.0, 0.0]);
+/// # Ok::<(), asperity_core::quantity::QuantityError>(())
+/// ```
+pub fn plastic_displacement(
+    pressure: &[f64],
+    gap: &[f64],
+    flow_pressure: Option<Pressure>,
+) -> Vec<f64> {
+    let limit = flow_pressure.map_or(f64::INFINITY, Pressure::si);
+    let pairs = pressure.iter().zip(gap);
+    pairs
+        .map(|(&p, &g)| if p >= limit { (-g).max(0.0) } else { 0.0 })
+        .collect()
+}
+
+/// D = p_flow·Σ w·dx                                                                   [Plastic-2]
+///
+/// ```
+/// use asperity_contact::plasticity::dissipated_energy;
+/// let energy = dissipated_energy(&[1e-6, 3e-6], "1 um".parse()?, Some("4 GPa".parse()?));
+/// assert!((energy.si() - 16e-3).abs() < 1e-15);
+/// # Ok::<(), asperity_core::quantity::QuantityError>(())
+/// ```
+pub fn dissipated_energy(
+    plastic_displacement: &[f64],
+    spacing: Length,
+    flow_pressure: Option<Pressure>,
+) -> LineEnergy {
+    let area = plastic_displacement.iter().sum::<f64>() * spacing.si();
+    LineEnergy::from_si(flow_pressure.map_or(0.0, |limit| limit.si() * area))
+}
+
+/// sᵢ = cᵢ/(c₁ + c₂),  c = (1 − ν²)/E                                                    [Share-1]
+///
+/// Shares of the elastic displacement that each body takes; they sum to one.
+///
+/// # Errors
+/// When a modulus is not positive or a Poisson's ratio is outside −1 < ν ≤ 0.5.
+pub fn elastic_shares(first: &Material, second: &Material) -> Result<[f64; 2], ContactError> {
+    let (one, other) = (first.compliance()?, second.compliance()?);
+    Ok([one / (one + other), other / (one + other)])
+}
+
+/// s₁ = σ_y2/(σ_y1 + σ_y2),  s₂ = 1 − s₁                                                 [Share-2]
+///
+/// Shares of the plastic displacement that each body takes: in inverse proportion to the elastic
+/// limits, so that the softer body takes more and equal bodies take half each. A convention, since
+/// a surface model does not resolve which of the two flows.
+///
+/// # Errors
+/// When an elastic limit is not positive.
+pub fn plastic_shares(first: &Material, second: &Material) -> Result<[f64; 2], ContactError> {
+    let one = DomainError::positive("elastic limit", first.elastic_limit)?;
+    let other = DomainError::positive("elastic limit", second.elastic_limit)?;
+    Ok([other / (one + other), one / (one + other)])
+}
+
+/// z − s·w                                                                             [Plastic-3]
+///
+/// The profile [m] of a body after it took the share s of a displacement [m], elastic or plastic;
+/// the shorter array counts.
+///
+/// ```
+/// use asperity_contact::plasticity::displaced_profile;
+/// assert_eq!(displaced_profile(&[2e-6, 1e-6], &[1e-6, 0.0], 0.5), [1.5e-6, 1e-6]);
+/// ```
+pub fn displaced_profile(heights: &[f64], displacement: &[f64], share: f64) -> Vec<f64> {
+    let pairs = heights.iter().zip(displacement);
+    pairs.map(|(z, w)| z - share * w).collect()
+}

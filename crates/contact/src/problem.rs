@@ -1,0 +1,260 @@
+//! A contact problem, what is asked of its solution, and the solution.
+
+use asperity_core::DomainError;
+use asperity_core::quantity::{Length, LineEnergy, LineLoad, Pressure};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::certificate::Certificate;
+use crate::error::ContactError;
+
+/// Fewest points of a contact problem.
+pub const LEAST_POINTS: usize = 2;
+
+/// What happens at the ends of the window.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Boundary {
+    /// Nothing outside the window is loaded: a single line contact.
+    #[default]
+    FreeEnds,
+    /// Window and pressure repeat for ever; the mean displacement is taken as zero.
+    Periodic(PeriodicKernel),
+}
+
+impl std::fmt::Display for Boundary {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::FreeEnds => "free ends",
+            Self::Periodic(PeriodicKernel::Strip) => "periodic ends (strip kernel)",
+            Self::Periodic(PeriodicKernel::Spectral) => "periodic ends (spectral kernel)",
+        })
+    }
+}
+
+/// How a cell of a periodic contact is taken to be loaded; the difference is of the order of the
+/// discretisation error.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum PeriodicKernel {
+    /// Constant pressure over each cell, summed over all periods.
+    #[default]
+    Strip,
+    /// The band-limited pressure through the points, 2/(E*·|q|) per wave.
+    Spectral,
+}
+
+/// What presses the bodies together.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Control {
+    /// This load, per metre of face width (periodic: per metre and period).
+    Load(LineLoad),
+    /// This approach of the bodies; what touches, if anything, follows.
+    Approach {
+        /// δ in g = h + u − δ.
+        approach: Length,
+        /// Distance at which the displacement by a cell is zero; more than a quarter of the window.
+        /// Without meaning for periodic ends.
+        datum: Length,
+    },
+}
+
+/// Two elastic half-planes with a gap between them, pressed together.
+#[derive(Debug, Clone, Copy)]
+pub struct ContactProblem<'a> {
+    /// Undeformed gap h [m] at the cell centres, from any datum; may be negative.
+    pub gap: &'a [f64],
+    /// Distance of the cell centres.
+    pub spacing: Length,
+    /// Reduced modulus E*.
+    pub modulus: Pressure,
+    /// Ends of the window.
+    pub boundary: Boundary,
+    /// Load or approach.
+    pub control: Control,
+    /// A further pressure [Pa] on both bodies (a fluid's), which deforms them but is neither part
+    /// of the pressure solved for nor of the load.
+    pub prescribed_pressure: Option<&'a [f64]>,
+    /// Pressure at which the softer body flows: the limit of the pressure solved for.
+    pub pressure_limit: Option<Pressure>,
+    /// Pressure [Pa] to start from: the solution of a neighbouring problem.
+    pub start: Option<&'a [f64]>,
+}
+
+/// When a solution is good enough, and the means to get there.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, rename_all = "kebab-case", deny_unknown_fields)]
+pub struct SolverSettings {
+    /// Largest duality gap, penetration and load error accepted.
+    pub tolerance: f64,
+    /// Most iterations on the finest grid.
+    pub max_iterations: usize,
+    /// Solve coarser grids first, unless a start is given.
+    pub cascade: bool,
+    /// Solve on the part of a window with free ends that touches, then verify on all of it.
+    pub window: bool,
+}
+
+impl Default for SolverSettings {
+    /// At 1e-8 the contact set was exact in all of eight rough and smooth reference problems.
+    fn default() -> Self {
+        Self {
+            tolerance: 1e-8,
+            max_iterations: 5_000,
+            cascade: true,
+            window: true,
+        }
+    }
+}
+
+/// A certified solution of a [`ContactProblem`].
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ContactSolution {
+    /// Pressure between the solids [Pa].
+    pub pressure: Vec<f64>,
+    /// Displacement u [m] of both bodies together under pressure and prescribed pressure,
+    /// zero at `datum` from each loaded cell; free of its mean when periodic.
+    pub displacement: Vec<f64>,
+    /// Gap [m] after elastic and plastic displacement, not negative but for the tolerance.
+    pub gap: Vec<f64>,
+    /// Load Σ p·dx, without the prescribed pressure.
+    pub load: LineLoad,
+    /// δ in g = h + u − δ.
+    pub approach: Length,
+    /// Datum distance of `displacement` and `approach`; zero for periodic ends, which have none.
+    pub datum: Length,
+    /// Share of the points that carries pressure.
+    pub contact_fraction: f64,
+    /// Largest pressure.
+    pub max_pressure: Pressure,
+    /// Plastic displacement w [m] of both bodies together, where the pressure is at its limit.
+    pub plastic_displacement: Vec<f64>,
+    /// Energy dissipated by the plastic displacement.
+    pub dissipated: LineEnergy,
+    /// Elastic energy ½ ∫ (p + prescribed)·u dx, of `displacement` and thus of its datum.
+    pub elastic_energy: LineEnergy,
+    /// Iterations on the finest grid.
+    pub iterations: usize,
+    /// How good the solution is.
+    pub certificate: Certificate,
+}
+
+impl ContactProblem<'_> {
+    /// Length of the window, all its cells.
+    pub fn window_length(&self) -> Length {
+        self.spacing * self.gap.len() as f64
+    }
+
+    /// Datum distance of the solution: as controlled, or twice the window.
+    pub(crate) fn datum(&self) -> Length {
+        match (self.boundary, self.control) {
+            (Boundary::Periodic(_), _) => Length::from_si(0.0),
+            (Boundary::FreeEnds, Control::Approach { datum, .. }) => datum,
+            (Boundary::FreeEnds, Control::Load(_)) => self.window_length() * 2.0,
+        }
+    }
+
+    /// Everything that can be wrong before solving.
+    pub(crate) fn validate(&self) -> Result<(), ContactError> {
+        let points = self.gap.len();
+        if points < LEAST_POINTS {
+            return Err(ContactError::TooFewPoints {
+                points,
+                least: LEAST_POINTS,
+            });
+        }
+        DomainError::positive("spacing", self.spacing)?;
+        DomainError::positive("reduced modulus", self.modulus)?;
+        check_elements(
+            "gap",
+            self.gap,
+            points,
+            "m",
+            f64::is_finite,
+            "must be finite",
+        )?;
+        if let Some(prescribed) = self.prescribed_pressure {
+            let name = "prescribed pressure";
+            check_elements(
+                name,
+                prescribed,
+                points,
+                "Pa",
+                f64::is_finite,
+                "must be finite",
+            )?;
+        }
+        if let Some(start) = self.start {
+            let rule = "must be finite and not negative";
+            let holds = |p: f64| p.is_finite() && p >= 0.0;
+            check_elements("start", start, points, "Pa", holds, rule)?;
+        }
+        if let Some(limit) = self.pressure_limit {
+            DomainError::positive("pressure limit", limit)?;
+        }
+        self.validate_control()
+    }
+
+    fn validate_control(&self) -> Result<(), ContactError> {
+        let length = self.window_length();
+        match self.control {
+            Control::Load(load) => {
+                DomainError::positive("load", load)?;
+                let Some(limit) = self.pressure_limit else {
+                    return Ok(());
+                };
+                let capacity = LineLoad::from_si(limit.si() * length.si());
+                if capacity <= load {
+                    return Err(ContactError::LimitBelowMeanPressure {
+                        limit,
+                        capacity,
+                        load,
+                    });
+                }
+            }
+            Control::Approach { approach, datum } => {
+                DomainError::finite("approach", approach)?;
+                if self.boundary == Boundary::FreeEnds {
+                    DomainError::positive("datum distance", datum)?;
+                    let least = length * LEAST_DATUM;
+                    if datum <= least {
+                        return Err(ContactError::DatumTooNear { datum, least });
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Datum distance over window length above which the displacement matrix is positive definite:
+/// the logarithmic capacity of an interval is a quarter of its length.
+pub const LEAST_DATUM: f64 = 0.25;
+
+fn check_elements(
+    name: &'static str,
+    values: &[f64],
+    need: usize,
+    unit: &'static str,
+    holds: impl Fn(f64) -> bool,
+    rule: &'static str,
+) -> Result<(), ContactError> {
+    if values.len() != need {
+        return Err(ContactError::WrongLength {
+            name,
+            need,
+            got: values.len(),
+        });
+    }
+    match values.iter().position(|&value| !holds(value)) {
+        None => Ok(()),
+        Some(index) => Err(ContactError::BadElement {
+            name,
+            index,
+            value: values[index],
+            unit,
+            rule,
+        }),
+    }
+}

@@ -1,0 +1,110 @@
+//! Pressures within their bounds that carry the load.
+
+/// Passes of the uniform shift before another way is tried.
+const SHIFTS: usize = 50;
+/// Halvings that bring a bracket of the size of the pressure limit below round-off.
+const HALVINGS: usize = 100;
+/// Load error that a shift cannot improve: round-off of a sum, which grows with √n.
+const ROUND_OFF: f64 = 4e-16;
+/// Load error that is accepted when the shift has no interior point left to move.
+const ACCEPTED: f64 = 1e-12;
+
+struct Tally {
+    sum: f64,
+    interior: usize,
+}
+
+/// Moves the interior points by `shift`, clips all to 0..`limit`, and counts again.
+fn shift_and_clip(pressure: &mut [f64], shift: f64, limit: f64) -> Tally {
+    let (mut sum, mut interior) = (0.0, 0);
+    for p in pressure {
+        let inside = *p > 0.0 && *p < limit;
+        *p = (*p + if inside { shift } else { 0.0 }).clamp(0.0, limit);
+        sum += *p;
+        interior += usize::from(*p > 0.0 && *p < limit);
+    }
+    Tally { sum, interior }
+}
+
+/// Clips `pressure` to 0..`limit` and restores Σp = `sum` by moving the points between the bounds
+/// only: moving points at the limit too was found never to converge.
+pub(crate) fn restore_load(pressure: &mut [f64], sum: f64, limit: f64) {
+    let count = pressure.len() as f64;
+    let close = ROUND_OFF * sum * (0.1 * count.sqrt()).max(1.0);
+    let mut tally = shift_and_clip(pressure, 0.0, limit);
+    for _ in 0..SHIFTS {
+        let missing = sum - tally.sum;
+        if missing.abs() <= close {
+            return;
+        }
+        if tally.interior == 0 {
+            break;
+        }
+        tally = shift_and_clip(pressure, missing / tally.interior as f64, limit);
+    }
+    if (tally.sum - sum).abs() > ACCEPTED * sum {
+        scale_or_lift(pressure, sum, limit);
+    }
+}
+
+/// For contacts all at the limit: all pressures in proportion, and if they cannot carry the load,
+/// a rise of every point.
+fn scale_or_lift(pressure: &mut [f64], sum: f64, limit: f64) {
+    let carried: f64 = pressure.iter().sum();
+    if carried > 0.0 {
+        for p in &mut *pressure {
+            *p = (*p * (sum / carried)).min(limit);
+        }
+    }
+    let carried: f64 = pressure.iter().sum();
+    if (carried - sum).abs() <= ACCEPTED * sum {
+        return;
+    }
+    // Without a limit a single point could need all of the missing load.
+    let (mut low, mut high) = (0.0, limit.min(sum));
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        let lifted: f64 = pressure.iter().map(|p| (p + middle).min(limit)).sum();
+        if lifted < sum {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    for p in pressure {
+        *p = (*p + high).min(limit);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn total(pressure: &[f64]) -> f64 {
+        pressure.iter().sum()
+    }
+
+    #[test]
+    fn the_shift_moves_only_points_between_the_bounds() {
+        let mut pressure = [0.0, 1.0, 2.0, 5.0, -3.0];
+        restore_load(&mut pressure, 9.0, 4.0);
+        assert!((total(&pressure) - 9.0).abs() < 1e-14);
+        assert_eq!((pressure[0], pressure[3], pressure[4]), (0.0, 4.0, 0.0));
+        assert!((pressure[2] - pressure[1] - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_contact_all_at_the_limit_still_gets_its_load() {
+        for (start, sum) in [
+            ([4.0, 4.0, 0.0, 0.0], 6.0),
+            ([4.0, 4.0, 0.0, 0.0], 10.0),
+            ([4.0, 4.0, 4.0, 4.0], 10.0),
+            ([0.0, 0.0, 0.0, 0.0], 3.0),
+        ] {
+            let mut pressure = start;
+            restore_load(&mut pressure, sum, 4.0);
+            assert!((total(&pressure) / sum - 1.0).abs() < 1e-12, "{start:?}");
+            assert!(pressure.iter().all(|p| (0.0..=4.0).contains(p)));
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! A contact problem as the iteration sees it, on its own and on coarser grids.
+
+use std::f64::consts::PI;
+
+use asperity_core::quantity::{Length, Pressure};
+
+use crate::cascade::Window;
+use crate::error::ContactError;
+use crate::half_plane::cell_compliance;
+use crate::ppcg::Task;
+use crate::problem::{Boundary, ContactProblem, Control, SolverSettings};
+use crate::strip_kernel::datum_constant;
+use crate::transform::EvenFilter;
+
+/// Tolerances of the coarser grids, which only give a start. With free ends the finest grid is
+/// solved on a window and quickly; a large periodic one is worth a better start.
+const COARSE_TOLERANCE_FREE: f64 = 1e-4;
+const COARSE_TOLERANCE_PERIODIC: f64 = 1e-6;
+/// Bodies whose gap varies less than this beside their deformation count as flat: their reference
+/// gap is this share of the deformation.
+const FLAT: f64 = 1e-3;
+
+/// What all grids of a problem share.
+pub(crate) struct Scene<'a> {
+    pub(crate) problem: &'a ContactProblem<'a>,
+    /// h with the displacement by the prescribed pressure, less a controlled approach [m].
+    pub(crate) gap: Vec<f64>,
+    pub(crate) reference_gap: f64,
+    /// Σp [Pa] when the load is controlled.
+    sum: Option<f64>,
+    limit: f64,
+    compliance: f64,
+    /// Displacement per Σp by the datum [m/Pa].
+    datum: f64,
+    /// Σ of the prescribed pressure [Pa].
+    prescribed_sum: f64,
+}
+
+impl<'a> Scene<'a> {
+    /// The scene of a valid problem, whose displacement is that of `filter`.
+    pub(crate) fn new(
+        problem: &'a ContactProblem<'a>,
+        filter: &mut EvenFilter,
+    ) -> Result<Self, ContactError> {
+        let compliance = cell_compliance(problem.spacing, problem.modulus)?;
+        let datum = datum_compliance(problem, 1.0)?;
+        let prescribed_sum = problem.prescribed_pressure.unwrap_or(&[]).iter().sum();
+        let mut gap = problem.gap.to_vec();
+        if let Some(prescribed) = problem.prescribed_pressure {
+            filter.signal().copy_from_slice(prescribed);
+            filter.apply(compliance);
+            for (h, u) in gap.iter_mut().zip(filter.signal()) {
+                *h += *u;
+            }
+        }
+        let (mut sum, mut deformation) = (None, 0.0);
+        match problem.control {
+            Control::Load(load) => {
+                sum = Some(load.si() / problem.spacing.si());
+                deformation = load.si() / (PI * problem.modulus.si());
+            }
+            Control::Approach { approach, .. } => {
+                check_mean_gap(problem, &gap, approach)?;
+                for h in &mut gap {
+                    *h += datum * prescribed_sum - approach.si();
+                    deformation = f64::max(deformation, -*h);
+                }
+            }
+        }
+        let least = gap.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = gap.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        Ok(Self {
+            problem,
+            gap,
+            reference_gap: (most - least).max(FLAT * deformation),
+            sum,
+            limit: problem.pressure_limit.map_or(f64::INFINITY, Pressure::si),
+            compliance,
+            datum,
+            prescribed_sum,
+        })
+    }
+
+    /// The problem on a part of the finest grid.
+    pub(crate) fn task(
+        &self,
+        window: Window,
+        settings: &SolverSettings,
+        max_iterations: usize,
+    ) -> Task<'_> {
+        Task {
+            gap: &self.gap[window.range()],
+            sum: self.sum,
+            limit: self.limit,
+            compliance: self.compliance,
+            datum: self.datum,
+            reference_gap: self.reference_gap,
+            tolerance: settings.tolerance,
+            max_iterations,
+        }
+    }
+
+    /// The problem on the grid of this `gap`, after so many halvings.
+    pub(crate) fn coarse_task<'b>(
+        &self,
+        gap: &'b [f64],
+        halvings: i32,
+        settings: &SolverSettings,
+    ) -> Result<Task<'b>, ContactError> {
+        let width = 2f64.powi(halvings);
+        let coarse = match self.problem.boundary {
+            Boundary::FreeEnds => COARSE_TOLERANCE_FREE,
+            Boundary::Periodic(_) => COARSE_TOLERANCE_PERIODIC,
+        };
+        Ok(Task {
+            gap,
+            sum: self.sum.map(|sum| sum / width),
+            limit: self.limit,
+            compliance: self.compliance * width,
+            datum: datum_compliance(self.problem, width)?,
+            reference_gap: self.reference_gap,
+            tolerance: settings.tolerance.max(coarse),
+            max_iterations: settings.max_iterations,
+        })
+    }
+
+    /// The start of the problem, scaled to its load; none when it carries nothing.
+    pub(crate) fn given_start(&self) -> Option<Vec<f64>> {
+        let start = self.problem.start?;
+        let carried: f64 = start.iter().sum();
+        let scale = self.sum.map_or(1.0, |sum| sum / carried);
+        (carried > 0.0).then(|| start.iter().map(|p| p * scale).collect())
+    }
+
+    /// The load spread evenly; no pressure when the approach is controlled.
+    pub(crate) fn even_pressure(&self) -> f64 {
+        self.sum.map_or(0.0, |sum| sum / self.gap.len() as f64)
+    }
+
+    /// Where there is pressure, or, when there is none, where the undeformed bodies overlap.
+    pub(crate) fn touching(&self, pressure: &[f64]) -> Vec<bool> {
+        if pressure.iter().any(|&p| p > 0.0) {
+            pressure.iter().map(|&p| p > 0.0).collect()
+        } else {
+            self.gap.iter().map(|&h| h < 0.0).collect()
+        }
+    }
+
+    /// Prescribed pressure [Pa] of a cell.
+    pub(crate) fn prescribed(&self, cell: usize) -> f64 {
+        self.problem.prescribed_pressure.map_or(0.0, |p| p[cell])
+    }
+
+    /// δ [m] from the datum of the problem, from the α of the iteration, which has none.
+    pub(crate) fn approach(&self, pressure: &[f64], iterated: f64) -> f64 {
+        match self.problem.control {
+            Control::Load(_) => {
+                let sum: f64 = pressure.iter().sum();
+                iterated + self.datum * (sum + self.prescribed_sum)
+            }
+            Control::Approach { approach, .. } => approach.si(),
+        }
+    }
+
+    /// |Σp·dx − W|/W, zero when the approach is controlled.
+    pub(crate) fn load_error(&self, pressure: &[f64]) -> f64 {
+        self.sum
+            .map_or(0.0, |sum| (pressure.iter().sum::<f64>() / sum - 1.0).abs())
+    }
+}
+
+/// Displacement [m] that the datum adds per pascal of the sum of all pressures, for cells `width`
+/// times as wide as those of the problem.
+fn datum_compliance(problem: &ContactProblem, width: f64) -> Result<f64, ContactError> {
+    if problem.boundary != Boundary::FreeEnds {
+        return Ok(0.0);
+    }
+    let constant = datum_constant(problem.datum(), problem.spacing * (0.5 * width))?;
+    Ok(constant.si() / (PI * problem.modulus.si()))
+}
+
+/// A periodic contact is closed altogether once the approach is its mean gap.
+fn check_mean_gap(
+    problem: &ContactProblem,
+    gap: &[f64],
+    approach: Length,
+) -> Result<(), ContactError> {
+    let mean_gap = Length::from_si(gap.iter().sum::<f64>() / gap.len() as f64);
+    if problem.boundary == Boundary::FreeEnds || approach < mean_gap {
+        return Ok(());
+    }
+    Err(ContactError::ApproachBeyondMeanGap { approach, mean_gap })
+}

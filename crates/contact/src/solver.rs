@@ -1,0 +1,270 @@
+//! The solver of rough line contacts: cascade, window, iteration, verification.
+//!
+//! A coarse solution tells where the bodies touch; the finest grid is solved there by
+//! the projected conjugate gradients of `ppcg`, and the result is certified on the whole window with one
+//! more displacement.
+
+use std::collections::BTreeMap;
+
+use asperity_core::DomainError;
+use asperity_core::quantity::{Length, LineEnergy, Pressure};
+use realfft::RealFftPlanner;
+
+use crate::cascade::{Window, grids, prolong, restrict};
+use crate::certificate::Certificate;
+use crate::error::{ContactError, SolverShape};
+use crate::half_plane::line_load;
+use crate::plasticity::{dissipated_energy, plastic_displacement};
+use crate::ppcg::{Level, Workspace, minimise};
+use crate::problem::{Boundary, ContactProblem, ContactSolution, LEAST_POINTS, SolverSettings};
+use crate::scene::Scene;
+
+/// Windows tried before the whole grid is solved.
+const WINDOWS: usize = 3;
+/// Solves one problem.
+///
+/// # Errors
+/// When the problem is not well posed, or not solved to the tolerance.
+///
+/// ```
+/// use asperity_contact::{Boundary, ContactProblem, Control, SolverSettings, solve};
+/// // A cylinder of 3 mm radius under 300 N/mm: Hertz's largest pressure is 1.91646 GPa.
+/// let gap: Vec<f64> = (0..1000).map(|i| (0.6e-6 * (f64::from(i) - 499.5)).powi(2) / 6e-3).collect();
+/// let problem = ContactProblem {
+///     gap: &gap, spacing: "0.6 um".parse()?, modulus: "115.384615385 GPa".parse()?,
+///     boundary: Boundary::FreeEnds, control: Control::Load("300 N/mm".parse()?),
+///     prescribed_pressure: None, pressure_limit: None, start: None,
+/// };
+/// let solution = solve(&problem, &SolverSettings::default())?;
+/// assert!((solution.max_pressure.si() / 1.91646e9 - 1.0).abs() < 1e-5);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn solve(
+    problem: &ContactProblem,
+    settings: &SolverSettings,
+) -> Result<ContactSolution, ContactError> {
+    Solver::new(problem.gap.len(), problem.boundary)?.solve(problem, settings)
+}
+
+/// Plans and buffers for many problems with the same number of points and the same boundary.
+///
+/// Spacing and modulus may differ from problem to problem: the plans do not depend on them.
+pub struct Solver {
+    shape: SolverShape,
+    levels: Levels,
+    work: Workspace,
+}
+
+/// The operators of every number of points met so far.
+struct Levels {
+    boundary: Boundary,
+    planner: RealFftPlanner<f64>,
+    known: BTreeMap<usize, Level>,
+}
+
+impl Levels {
+    fn get(&mut self, points: usize) -> &mut Level {
+        self.known
+            .entry(points)
+            .or_insert_with(|| Level::new(&mut self.planner, points, self.boundary))
+    }
+}
+
+impl Solver {
+    /// A solver of problems with this many points and these ends.
+    ///
+    /// # Errors
+    /// When there are fewer than two points.
+    pub fn new(points: usize, boundary: Boundary) -> Result<Self, ContactError> {
+        if points < LEAST_POINTS {
+            return Err(ContactError::TooFewPoints {
+                points,
+                least: LEAST_POINTS,
+            });
+        }
+        Ok(Self {
+            shape: SolverShape { points, boundary },
+            levels: Levels {
+                boundary,
+                planner: RealFftPlanner::new(),
+                known: BTreeMap::new(),
+            },
+            work: Workspace::default(),
+        })
+    }
+
+    /// What the solver is made for.
+    pub fn shape(&self) -> SolverShape {
+        self.shape
+    }
+
+    /// Solves a problem.
+    ///
+    /// # Errors
+    /// When the problem is of another shape, not well posed, or not solved to the tolerance.
+    pub fn solve(
+        &mut self,
+        problem: &ContactProblem,
+        settings: &SolverSettings,
+    ) -> Result<ContactSolution, ContactError> {
+        problem.validate()?;
+        let tolerance = settings.tolerance;
+        let sensible = tolerance.is_finite() && tolerance > 0.0;
+        DomainError::require(
+            sensible,
+            "tolerance",
+            tolerance,
+            "-",
+            "must be finite and positive",
+        )?;
+        let shape = SolverShape {
+            points: problem.gap.len(),
+            boundary: problem.boundary,
+        };
+        if shape != self.shape {
+            return Err(ContactError::SolverMismatch {
+                solver: self.shape,
+                problem: shape,
+            });
+        }
+        let whole = &mut self.levels.get(shape.points).displacement;
+        let scene = Scene::new(problem, whole)?;
+        let start = self.start(&scene, settings)?;
+        let iterations = self.descend(&scene, settings, start)?;
+        self.conclude(&scene, settings, iterations)
+    }
+
+    /// The pressure to start from: as given, from coarser grids, or even.
+    fn start(
+        &mut self,
+        scene: &Scene,
+        settings: &SolverSettings,
+    ) -> Result<Vec<f64>, ContactError> {
+        if let Some(start) = scene.given_start() {
+            return Ok(start);
+        }
+        let mut grids = grids(self.shape.points);
+        if !settings.cascade {
+            grids.truncate(1);
+        }
+        let mut gaps: Vec<Vec<f64>> = vec![];
+        for _ in 1..grids.len() {
+            gaps.push(restrict(gaps.last().unwrap_or(&scene.gap)));
+        }
+        let mut pressure = vec![scene.even_pressure(); grids[grids.len() - 1]];
+        for (halvings, gap) in gaps.iter().enumerate().rev() {
+            let task = scene.coarse_task(gap, halvings as i32 + 1, settings)?;
+            self.work.pressure = pressure;
+            minimise(self.levels.get(gap.len()), &mut self.work, &task);
+            pressure = prolong(&self.work.pressure, grids[halvings]);
+        }
+        Ok(pressure)
+    }
+
+    /// Solves the finest grid, windows first, and leaves the result in the workspace. Returns the
+    /// iterations.
+    fn descend(
+        &mut self,
+        scene: &Scene,
+        settings: &SolverSettings,
+        mut pressure: Vec<f64>,
+    ) -> Result<usize, ContactError> {
+        let points = self.shape.points;
+        let windowed = settings.window && self.shape.boundary == Boundary::FreeEnds;
+        let mut touches = scene.touching(&pressure);
+        let mut iterations = 0;
+        for attempt in 0..=WINDOWS {
+            let window = if windowed && attempt < WINDOWS {
+                Window::around(points, |i| touches[i])
+            } else {
+                Window::whole(points)
+            };
+            let task = scene.task(window, settings, settings.max_iterations - iterations);
+            self.work.pressure.clear();
+            self.work
+                .pressure
+                .extend_from_slice(&pressure[window.range()]);
+            let level = self.levels.get(window.points);
+            iterations += minimise(level, &mut self.work, &task);
+            if window.points == points {
+                break;
+            }
+            pressure.fill(0.0);
+            pressure[window.range()].copy_from_slice(&self.work.pressure);
+            if self.verify(scene, settings, &pressure) {
+                break;
+            }
+            touches = self.work.free().to_vec();
+        }
+        Ok(iterations)
+    }
+
+    /// Whether the pressure of a window is the solution of the whole grid.
+    fn verify(&mut self, scene: &Scene, settings: &SolverSettings, pressure: &[f64]) -> bool {
+        let task = scene.task(Window::whole(pressure.len()), settings, 0);
+        self.work.pressure.clear();
+        self.work.pressure.extend_from_slice(pressure);
+        self.work.refresh(self.levels.get(pressure.len()), &task);
+        self.work.assess(&task).within(settings.tolerance)
+    }
+
+    /// The solution that the workspace holds, when its certificate is good enough.
+    fn conclude(
+        &mut self,
+        scene: &Scene,
+        settings: &SolverSettings,
+        iterations: usize,
+    ) -> Result<ContactSolution, ContactError> {
+        let task = scene.task(Window::whole(self.shape.points), settings, 0);
+        let assessment = self.work.assess(&task);
+        let pressure = std::mem::take(&mut self.work.pressure);
+        let certificate = Certificate {
+            duality_gap: assessment.duality_gap,
+            penetration: assessment.penetration,
+            load_error: scene.load_error(&pressure),
+            reference_gap: Length::from_si(scene.reference_gap),
+        };
+        if !certificate.within(settings.tolerance) {
+            return Err(ContactError::NotConverged {
+                iterations,
+                certificate,
+                tolerance: settings.tolerance,
+            });
+        }
+        let (problem, dx) = (scene.problem, scene.problem.spacing.si());
+        let approach = scene.approach(&pressure, assessment.approach);
+        let mut gap: Vec<f64> = self.work.gap(&task, assessment.approach).collect();
+        let displacement: Vec<f64> = gap
+            .iter()
+            .zip(problem.gap)
+            .map(|(g, h)| g - h + approach)
+            .collect();
+        let plastic_displacement = plastic_displacement(&pressure, &gap, problem.pressure_limit);
+        for (g, w) in gap.iter_mut().zip(&plastic_displacement) {
+            *g += w;
+        }
+        let touching = pressure.iter().filter(|&&p| p > 0.0).count();
+        let energy: f64 = (0..pressure.len())
+            .map(|i| (pressure[i] + scene.prescribed(i)) * displacement[i])
+            .sum();
+        Ok(ContactSolution {
+            load: line_load(&pressure, problem.spacing),
+            approach: Length::from_si(approach),
+            datum: problem.datum(),
+            contact_fraction: touching as f64 / pressure.len() as f64,
+            max_pressure: Pressure::from_si(pressure.iter().fold(0.0, |m, &p| f64::max(m, p))),
+            dissipated: dissipated_energy(
+                &plastic_displacement,
+                problem.spacing,
+                problem.pressure_limit,
+            ),
+            elastic_energy: LineEnergy::from_si(0.5 * energy * dx),
+            plastic_displacement,
+            pressure,
+            displacement,
+            gap,
+            iterations,
+            certificate,
+        })
+    }
+}

@@ -1,0 +1,147 @@
+//! Displacement of a half-plane by uniform pressure on a strip.
+//!
+//! Source: Johnson 1985, eq. 2.30; the paper's eq. 2 with its misprint mended. Plane strain.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | x | distance from the middle of the strip | m |
+//! | a | half width of the strip (half a cell) | m |
+//! | C | kernel: u = C·p/(π·E*) is the displacement of both bodies together | m |
+//! | C₀ | constant of the datum | m |
+//! | D | datum distance: where the displacement by one strip is zero | m |
+//! | r = x/a, n, L | distance in half cells, cells in a period, period | -, -, m |
+//!
+//! The textbook form is a difference of two large numbers and loses log₁₀ r digits; the forms here
+//! lose none at any distance. C is determined but for the constant C₀: without a datum only
+//! differences of displacement mean anything.
+
+use std::f64::consts::PI;
+
+use asperity_core::DomainError;
+use asperity_core::quantity::Length;
+
+use crate::error::ContactError;
+
+/// Below this distance in half cells the textbook form loses nothing.
+const NEAR: f64 = 1.5;
+/// From this distance in half cells four terms of the series are exact: the fifth is 64⁻¹⁰/55.
+const FAR: f64 = 64.0;
+
+/// C(x) = (x−a)·ln[((x−a)/a)²] − (x+a)·ln[((x+a)/a)²] + C₀, here with C₀ = C(0) = 0      [P2]
+///
+/// Evaluated for r = |x|/a ≥ 1.5 as C/a = −4·ln r + 2·[(r−1)·ln(1 − 1/r) − (r+1)·ln(1 + 1/r)].
+///
+/// # Errors
+/// When the half cell is not positive or the position is not finite.
+///
+/// ```
+/// use asperity_contact::strip_kernel::strip_kernel;
+/// let kernel = strip_kernel("2 mm".parse()?, "1 mm".parse()?)?;
+/// assert!((kernel.si() + 6e-3 * 3f64.ln()).abs() < 1e-17);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn strip_kernel(position: Length, half_cell: Length) -> Result<Length, ContactError> {
+    let x = DomainError::finite("position", position)?;
+    let a = DomainError::positive("half cell", half_cell)?;
+    Ok(Length::from_si(a * strip(x.abs() / a)))
+}
+
+/// C₀ = −C(D): the kernel that is zero at the distance D                              [Datum-1]
+///
+/// # Errors
+/// When the datum distance or the half cell is not positive.
+///
+/// ```
+/// use asperity_contact::strip_kernel::{datum_constant, strip_kernel};
+/// let (distance, half_cell) = ("1.2 mm".parse()?, "150 nm".parse()?);
+/// let constant = datum_constant(distance, half_cell)?;
+/// assert_eq!((strip_kernel(distance, half_cell)? + constant).si(), 0.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn datum_constant(datum: Length, half_cell: Length) -> Result<Length, ContactError> {
+    DomainError::positive("datum distance", datum)?;
+    Ok(-strip_kernel(datum, half_cell)?)
+}
+
+/// C/a at r = |x|/a half cells, zero at r = 0.
+pub(crate) fn strip(r: f64) -> f64 {
+    if r < NEAR {
+        let term = |s: f64| if s == 0.0 { 0.0 } else { s * (s * s).ln() };
+        term(r - 1.0) - term(r + 1.0)
+    } else if r < FAR {
+        let e = 1.0 / r;
+        -4.0 * r.ln() + 2.0 * ((r - 1.0) * (-e).ln_1p() - (r + 1.0) * e.ln_1p())
+    } else {
+        // The bracket above is −2 + Σ r^(−2k)/(k·(2k+1)).
+        let q = 1.0 / (r * r);
+        let series = q * (1.0 / 3.0 + q * (1.0 / 10.0 + q * (1.0 / 21.0 + q / 36.0)));
+        -4.0 * r.ln() - 4.0 + 2.0 * series
+    }
+}
+
+/// C/a of the cells at 0, 1, … `points` − 1 cells, with C(0) = 0.
+pub(crate) fn strip_column(points: usize) -> Vec<f64> {
+    (0..points).map(|k| strip(2.0 * k as f64)).collect()
+}
+
+/// Nodes and weights of the five-point Gauss-Legendre rule on −1..1, nodes ≥ 0 (Abramowitz and
+/// Stegun 1964, table 25.4).
+const GAUSS: [(f64, f64); 3] = [
+    (0.0, 0.568_888_888_888_888_9),
+    (0.538_469_310_105_683_1, 0.478_628_670_499_366_47),
+    (0.906_179_845_938_664, 0.236_926_885_056_189_08),
+];
+
+/// C(x) = (L/π)·[Cl₂(2π(x+a)/L) − Cl₂(2π(x−a)/L)] at x = k·2a, in units of a       [Periodic-1]
+///
+/// Cl₂ is Clausen's function; the kernel is that of a strip and all its images with period
+/// L = `points`·2a and has no mean. It equals −2·∫ ln|2 sin(πs/L)| ds over the cell, evaluated as
+/// the single strip plus the smooth rest −2·∫ ln[sin(πs/L)/(πs/L)] ds by Gauss's rule, which
+/// avoids the difference of two nearly equal values of Cl₂.
+///
+/// ```
+/// use asperity_contact::strip_kernel::periodic_column;
+/// let column = periodic_column(8);
+/// assert!(column.iter().sum::<f64>().abs() < 1e-13);
+/// assert_eq!(column[1], column[7]);
+/// ```
+pub fn periodic_column(points: usize) -> Vec<f64> {
+    let n = points as f64;
+    let value = |k: usize| {
+        let r = 2.0 * k as f64;
+        let rest: f64 = GAUSS
+            .iter()
+            .flat_map(|&(node, weight)| {
+                let sides = if node == 0.0 {
+                    &[0.0][..]
+                } else {
+                    &[-1.0, 1.0]
+                };
+                sides
+                    .iter()
+                    .map(move |side| weight * ln_sinc(PI * (r + side * node) / (2.0 * n)))
+            })
+            .sum();
+        strip(r) + 4.0 - 4.0 * (PI / n).ln() - 2.0 * rest
+    };
+    (0..points).map(|k| value(k.min(points - k))).collect()
+}
+
+fn ln_sinc(x: f64) -> f64 {
+    if x == 0.0 { 0.0 } else { (x.sin() / x).ln() }
+}
+
+/// u_q = 2·p_q/(E*·|q|), in units of a/(π·E*) at wave number q = 2π·`wave`/L; no mean  [Periodic-2]
+///
+/// ```
+/// use asperity_contact::strip_kernel::spectral_symbol;
+/// assert_eq!(spectral_symbol(1, 64), 128.0);
+/// assert_eq!(spectral_symbol(0, 64), 0.0);
+/// ```
+pub fn spectral_symbol(wave: usize, points: usize) -> f64 {
+    if wave == 0 {
+        0.0
+    } else {
+        2.0 * points as f64 / wave as f64
+    }
+}
