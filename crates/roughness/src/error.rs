@@ -1,0 +1,72 @@
+//! What the numerical half of the crate refuses; files have [`ReadError`](crate::read::ReadError).
+
+use asperity_core::DomainError;
+use asperity_core::quantity::Length;
+use serde::Serialize;
+
+/// Why a filter, a parameter or a generator gave no answer.
+#[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
+#[non_exhaustive]
+pub enum RoughnessError {
+    /// An input outside its domain.
+    #[error(transparent)]
+    Domain(#[from] DomainError),
+    /// The trace is shorter than the evaluation needs.
+    #[error("the profile is {length} long, {purpose} needs at least {needed}")]
+    TooShort {
+        /// Length at hand.
+        length: Length,
+        /// Least length.
+        needed: Length,
+        /// What needs it.
+        purpose: &'static str,
+    },
+    /// Fewer points than the formula takes.
+    #[error("{points} points are too few for {purpose}, which needs {needed}")]
+    TooFewPoints {
+        /// Points at hand.
+        points: usize,
+        /// Least number.
+        needed: usize,
+        /// What needs them.
+        purpose: &'static str,
+    },
+    /// No summit can be measured on the profile.
+    #[error("no summit with a {window} window on either side lies above the {level}")]
+    NoSummit {
+        /// Half width of the curvature window.
+        window: Length,
+        /// The level summits must reach.
+        level: &'static str,
+    },
+    /// The summits are flat or hollow on average, so they have no radius.
+    #[error("the mean curvature of {count} summits is {curvature:e} 1/m: no radius follows")]
+    NoRadius {
+        /// Summits measured.
+        count: usize,
+        /// Mean curvature [1/m].
+        curvature: f64,
+    },
+    /// Two profiles that must share a grid do not.
+    #[error(
+        "the profiles are spaced {first} and {second}; resample one, or allow linear resampling"
+    )]
+    SpacingDiffers {
+        /// Spacing of the first profile.
+        first: Length,
+        /// Spacing of the second profile.
+        second: Length,
+    },
+    /// An iteration did not settle.
+    #[error(
+        "{what} did not converge in {iterations} iterations: last relative change {residual:e}"
+    )]
+    NotConverged {
+        /// The iteration.
+        what: &'static str,
+        /// Iterations made.
+        iterations: usize,
+        /// Last relative change.
+        residual: f64,
+    },
+}

@@ -1,0 +1,212 @@
+//! The rows of a sniffed table as x and height, every cell checked.
+
+use super::ReadOptions;
+use super::dialect::{Cell, Dialect, Line, Sniffed, Stated, sniff};
+use super::error::ReadError;
+use super::header::{Label, Role};
+use super::options::{Columns, DecimalSign, Separator};
+
+/// A row: x when there is a column, the height unless it is missing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Row {
+    pub line: usize,
+    pub x: Option<f64>,
+    pub z: Option<f64>,
+}
+
+/// Columns counted from 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Chosen {
+    pub x: Option<usize>,
+    pub z: usize,
+    valid: Option<usize>,
+    count: usize,
+}
+
+impl Chosen {
+    pub(super) fn columns(self) -> Columns {
+        Columns {
+            x: self.x.map(|x| x + 1),
+            z: self.z + 1,
+        }
+    }
+}
+
+/// Which columns hold x, height and validity: as stated, as labelled, else the first two of two.
+pub(super) fn choose(
+    file: &str,
+    count: usize,
+    labels: &[Label],
+    options: &ReadOptions,
+) -> Result<Chosen, ReadError> {
+    let unclear = || ReadError::ColumnsUnclear {
+        file: file.to_owned(),
+        columns: count,
+    };
+    let with = |role: Role| labels.iter().position(|label| label.role == Some(role));
+    let valid = with(Role::Valid);
+    if let Some(Columns { x, z }) = options.columns {
+        let inside = |column: usize| {
+            column
+                .checked_sub(1)
+                .filter(|at| *at < count)
+                .ok_or_else(unclear)
+        };
+        let (x, z) = (x.map(inside).transpose()?, inside(z)?);
+        let valid = valid.filter(|at| *at != z && Some(*at) != x);
+        return if x == Some(z) {
+            Err(unclear())
+        } else {
+            Ok(Chosen { x, z, valid, count })
+        };
+    }
+    let free = |at: &usize| !matches!(labels[*at].role, Some(Role::Valid | Role::Index));
+    let z = with(Role::Z)
+        .or_else(|| with(Role::Y))
+        .or_else(|| match (count, with(Role::X)) {
+            (1, _) => Some(0),
+            (2, Some(x)) => Some(1 - x).filter(free),
+            (2, None) => Some(1).filter(free),
+            _ => None,
+        });
+    let z = z.ok_or_else(unclear)?;
+    let x = with(Role::X).or_else(|| (count == 2).then_some(1 - z).filter(free));
+    if x.is_none() && count > 2 && options.dx.is_none() {
+        return Err(unclear());
+    }
+    Ok(Chosen { x, z, valid, count })
+}
+
+/// All rows, or the error for the first cell that does not read.
+pub(super) fn rows(
+    file: &str,
+    lines: &[Line<'_>],
+    sniffed: &Sniffed,
+    chosen: Chosen,
+) -> Result<Vec<Row>, ReadError> {
+    let table = &lines[sniffed.first..];
+    check_commas(file, table, sniffed)?;
+    table
+        .iter()
+        .map(|line| row(file, lines, line, sniffed.dialect, chosen))
+        .collect()
+}
+
+fn row(
+    file: &str,
+    lines: &[Line<'_>],
+    line: &Line<'_>,
+    dialect: Dialect,
+    chosen: Chosen,
+) -> Result<Row, ReadError> {
+    let cells = dialect.cells(line.text);
+    let number = |column: usize| {
+        let cell = cells.get(column).copied().unwrap_or_default();
+        match dialect.cell(cell) {
+            Cell::Number(value) => Ok(Some(value)),
+            Cell::Missing => Ok(None),
+            Cell::Other => Err(unreadable(file, lines, line, cell, dialect)),
+        }
+    };
+    // The cells are read before they are counted: a text line is reported by its text.
+    let x = chosen.x.map(number).transpose()?;
+    let mut z = number(chosen.z)?;
+    let filled = cells
+        .iter()
+        .rposition(|cell| !cell.is_empty())
+        .map_or(0, |last| last + 1);
+    if cells.len() < chosen.count || filled > chosen.count {
+        return Err(ReadError::RaggedRow {
+            file: file.to_owned(),
+            line: line.number,
+            text: shortened(line.text),
+            found: cells.len().max(filled),
+            expected: chosen.count,
+        });
+    }
+    if chosen
+        .valid
+        .is_some_and(|at| dialect.cell(cells[at]) == Cell::Number(0.0))
+    {
+        z = None;
+    }
+    match x {
+        // A row without x cannot be placed, so it cannot be a gap to fill either.
+        Some(None) => {
+            let cell = chosen
+                .x
+                .and_then(|at| cells.get(at).copied())
+                .unwrap_or_default();
+            Err(unreadable(file, lines, line, cell, dialect))
+        }
+        x => Ok(Row {
+            line: line.number,
+            x: x.flatten(),
+            z,
+        }),
+    }
+}
+
+/// The error for a cell, with what the file looks like when nothing is stated about it.
+pub(super) fn unreadable(
+    file: &str,
+    lines: &[Line<'_>],
+    line: &Line<'_>,
+    cell: &str,
+    used: Dialect,
+) -> ReadError {
+    let free = sniff(lines, Stated::default()).map_or(used, |found| found.dialect);
+    let other = Dialect {
+        decimal: match used.decimal {
+            DecimalSign::Point => DecimalSign::Comma,
+            DecimalSign::Comma => DecimalSign::Point,
+        },
+        ..used
+    };
+    let other_decimal = matches!(other.cell(cell), Cell::Number(_));
+    let (dialect, remedy) = match (other_decimal, other.decimal) {
+        (true, DecimalSign::Comma) if free.decimal == DecimalSign::Comma => {
+            (free, "Try --decimal comma")
+        }
+        (true, DecimalSign::Point) if free.decimal == DecimalSign::Point => {
+            (free, "Try --decimal point")
+        }
+        _ if free.separator != used.separator => {
+            (free, "Leave --separator away, or correct this line")
+        }
+        _ => (free, "Correct or remove this line"),
+    };
+    ReadError::UnreadableNumber {
+        file: file.to_owned(),
+        line: line.number,
+        text: shortened(cell),
+        dialect,
+        remedy,
+    }
+}
+
+/// Refuses tables like "0,0005,0,2796", where commas do both jobs and columns come in pairs.
+fn check_commas(file: &str, table: &[Line<'_>], sniffed: &Sniffed) -> Result<(), ReadError> {
+    let suspicious = sniffed.dialect.separator == Separator::Comma
+        && sniffed.columns >= 4
+        && sniffed.columns % 2 == 0
+        && !table.iter().any(|line| line.text.contains('.'));
+    match table.first() {
+        Some(line) if suspicious => Err(ReadError::AmbiguousComma {
+            file: file.to_owned(),
+            line: line.number,
+            text: shortened(line.text),
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// At most forty characters of `text`, for a message.
+pub(super) fn shortened(text: &str) -> String {
+    const MOST: usize = 40;
+    let text = text.trim();
+    match text.char_indices().nth(MOST) {
+        Some((at, _)) => format!("{}…", &text[..at]),
+        None => text.to_owned(),
+    }
+}

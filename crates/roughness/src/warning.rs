@@ -1,0 +1,104 @@
+//! What a user should know about a profile that was read or prepared all the same.
+
+use asperity_core::quantity::Length;
+use serde::Serialize;
+
+use crate::read::{Axis, LengthUnit};
+
+/// A note that goes with a result, under a stable code.
+///
+/// ```
+/// use asperity_roughness::{Warning, read::{Axis, LengthUnit}};
+/// let note = Warning::UnitAssumed { axis: Axis::Height, unit: LengthUnit::Micrometre };
+/// assert_eq!(note.code(), "W111");
+/// assert_eq!(note.to_string(), "no unit found for the heights; taken as um because no other unit gives a possible trace. Say --z-unit um to confirm");
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Warning {
+    /// A unit was found by elimination.
+    #[error("no unit found for the {axis}; taken as {unit} because no other unit gives a possible trace. Say {} {unit} to confirm", axis.option())]
+    UnitAssumed {
+        /// Which column.
+        axis: Axis,
+        /// The unit taken.
+        unit: LengthUnit,
+    },
+    /// The trace still has its form.
+    #[error(
+        "form not removed (parabola of {sag} over {length}); Ra {ra} is not roughness. Try --form poly2"
+    )]
+    FormNotRemoved {
+        /// Height of the parabola between its apex and the ends.
+        sag: Length,
+        /// Length it was fitted over.
+        length: Length,
+        /// Arithmetic mean height of what was left.
+        ra: Length,
+    },
+    /// The grid is too coarse for the short-wave filter.
+    #[error(
+        "spacing {spacing} is more than a fifth of lambda_s {lambda_s}: the filter is poorly sampled. Measure finer, or choose a longer lambda_s"
+    )]
+    CoarseForLambdaS {
+        /// Spacing of the profile.
+        spacing: Length,
+        /// Cut-off of the short-wave filter.
+        lambda_s: Length,
+    },
+    /// Fewer sampling lengths than the five that ISO 4288 takes as normal.
+    #[error("{sections} sampling lengths of {lambda_c} in {length}; five are normal")]
+    FewSections {
+        /// Sections evaluated.
+        sections: usize,
+        /// Sampling length.
+        lambda_c: Length,
+        /// Evaluation length.
+        length: Length,
+    },
+    /// Missing points were interpolated on request.
+    #[error(
+        "{filled} missing points interpolated (longest run {longest}), {cut} cut off at the ends"
+    )]
+    GapsFilled {
+        /// Points interpolated.
+        filled: usize,
+        /// Longest run of them.
+        longest: usize,
+        /// Missing points dropped at the ends.
+        cut: usize,
+    },
+    /// The trace was stored backwards.
+    #[error("x falls along the file; the trace was turned round")]
+    Reversed,
+    /// The stated spacing overrides another one.
+    #[error("spacing {stated} was stated, the x column says {column}; the stated one is used")]
+    SpacingOverridden {
+        /// As stated.
+        stated: Length,
+        /// From the x column.
+        column: Length,
+    },
+    /// The file holds the output of a roughness filter.
+    #[error(
+        "the file says it holds an already filtered roughness profile; filtering it again changes it. Use --lambda-c none"
+    )]
+    AlreadyFiltered,
+}
+
+impl Warning {
+    /// The code under which the message is explained.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::UnitAssumed { .. } => "W111",
+            Self::FormNotRemoved { .. } => "W112",
+            Self::CoarseForLambdaS { .. } => "W113",
+            Self::FewSections { .. } => "W114",
+            Self::GapsFilled { .. } => "W115",
+            Self::Reversed => "W116",
+            Self::SpacingOverridden { .. } => "W117",
+            Self::AlreadyFiltered => "W118",
+        }
+    }
+}
