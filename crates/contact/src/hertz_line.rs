@@ -244,7 +244,7 @@ mod tests {
             115.384_615_384_615_37e9,
         );
         // The same arithmetic in another order: a few last bits.
-        assert!((contact.half_width.si() / 120.624_721_060_867_29e-6 - 1.0).abs() < 1e-14);
+        assert!((contact.half_width.si() / 120.624_721_060_867_3e-6 - 1.0).abs() < 1e-14);
         assert!((contact.max_pressure.si() / 598.537_285_027_833_1e6 - 1.0).abs() < 1e-14);
     }
 

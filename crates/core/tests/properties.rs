@@ -36,13 +36,13 @@ fn finite() -> impl Strategy<Value = f64> {
 
 fn survives_its_text<Q: Quantity>(value: f64) {
     let text = Q::from_si(value).to_string();
-    match text.parse::<Q>() {
-        Ok(back) => assert_eq!(back.si().to_bits(), value.to_bits(), "{} {text}", Q::NAME),
-        Err(_) => panic!(
-            "{} {value:e} prints as {text}, which does not read",
-            Q::NAME
-        ),
-    }
+    let back = text.parse::<Q>().map(|quantity| quantity.si().to_bits());
+    assert_eq!(
+        back,
+        Ok(value.to_bits()),
+        "{} {value:e} prints as {text}",
+        Q::NAME
+    );
 }
 
 fn reads_or_refuses<Q: Quantity>(text: &str) {

@@ -1,0 +1,394 @@
+//! The stress field under any pressure and traction on a grid.
+//!
+//! Pressure and traction are constant over each cell, so every cell is a loaded strip and the
+//! field is exact for that load; against a smooth load of the same cell averages the error falls
+//! with the square of the cell. At each depth the field is a convolution of the load with the
+//! strip's stresses, done by real transforms: one forward transform per load, four per depth for
+//! the kernels and three back.
+
+use std::sync::Arc;
+
+use asperity_core::DomainError;
+use asperity_core::numerics::good_fft_length;
+use asperity_core::quantity::{Length, Pressure};
+use realfft::num_complex::Complex;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use serde::Serialize;
+
+use super::point::{check_poisson, max_shear, tresca, von_mises};
+use super::strip::{StripStress, unit};
+use crate::ContactError;
+
+/// Depth of the field in half widths of the contact: below, von Mises is under a third of p₀.
+const REACH: f64 = 3.0;
+
+/// Stresses under a surface on a grid of depths and positions, tension positive.
+///
+/// The arrays hold one row per depth, the value at depth i and position j at i·points + j.
+/// Position j is the middle of cell j: j·spacing from the first.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct StressField {
+    /// Depths of the rows \[m\].
+    pub depths: Vec<f64>,
+    /// Positions in a row.
+    pub points: usize,
+    /// Distance of two positions.
+    pub spacing: Length,
+    /// σ_xx \[Pa\].
+    pub sigma_xx: Vec<f64>,
+    /// σ_zz \[Pa\].
+    pub sigma_zz: Vec<f64>,
+    /// τ_xz \[Pa\].
+    pub tau_xz: Vec<f64>,
+}
+
+/// The largest value of a field and where it is.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Peak {
+    /// The value.
+    pub value: Pressure,
+    /// Position along the surface, from the first point.
+    pub position: Length,
+    /// Depth.
+    pub depth: Length,
+}
+
+/// Where the equivalent stress passes the elastic limit, between grid points of the field.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct YieldZone {
+    /// Number of grid points above the limit.
+    pub points: usize,
+    /// Least depth above the limit.
+    pub shallowest: Length,
+    /// Greatest depth above the limit.
+    pub deepest: Length,
+    /// First position above the limit, from the first point.
+    pub first: Length,
+    /// Last position above the limit, from the first point.
+    pub last: Length,
+}
+
+/// σ(x, z) = Σⱼ K(x − xⱼ, z)·pⱼ + Σⱼ K'(x − xⱼ, z)·qⱼ                          [Subsurface-3]
+///
+/// with K = A, B, C and K' = D, C, A of [`strip_unit`](super::strip_unit) for σ_xx, σ_zz, τ_xz, and cells of
+/// half width a = ½·`spacing`.
+///
+/// `pressure` and `traction` are per cell \[Pa\], `depths` in \[m\], zero allowed.
+///
+/// # Errors
+/// When there is no pressure or no depth, the arrays differ in length, the spacing is not positive,
+/// or a value is not finite or a depth negative.
+///
+/// ```
+/// use asperity_contact::subsurface::subsurface_stress;
+/// // Ten cells of 10 um under 1 GPa are a strip of half width 50 um: p/π at that depth.
+/// let mut pressure = vec![0.0; 31];
+/// pressure[10..20].fill(1e9);
+/// let field = subsurface_stress(&pressure, None, "10 um".parse()?, &[5e-6, 50e-6])?;
+/// let peak = field.peak(&field.max_shear()).ok_or("no field")?;
+/// assert!(peak.value.si() > 0.3e9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn subsurface_stress(
+    pressure: &[f64],
+    traction: Option<&[f64]>,
+    spacing: Length,
+    depths: &[f64],
+) -> Result<StressField, ContactError> {
+    let dx = DomainError::positive("spacing", spacing)?;
+    check(pressure, traction, depths)?;
+    let points = pressure.len();
+    let mut transform = Transform::new(points);
+    let p = transform.spectrum(|padded| padded[..points].copy_from_slice(pressure));
+    let q = traction.map(|q| transform.spectrum(|padded| padded[..points].copy_from_slice(q)));
+    let size = depths.len() * points;
+    let mut field = StressField {
+        depths: depths.to_vec(),
+        points,
+        spacing,
+        sigma_xx: Vec::with_capacity(size),
+        sigma_zz: Vec::with_capacity(size),
+        tau_xz: Vec::with_capacity(size),
+    };
+    for &depth in depths {
+        let z = depth / (0.5 * dx);
+        let column: Vec<StripStress> = (0..points).map(|lag| unit(2.0 * lag as f64, z)).collect();
+        let a = transform.kernel(1.0, |lag| column[lag].xx_of_pressure);
+        let b = transform.kernel(1.0, |lag| column[lag].zz_of_pressure);
+        let c = transform.kernel(-1.0, |lag| column[lag].xz_of_pressure);
+        match &q {
+            None => {
+                transform.convolve(&[(&a, &p)], &mut field.sigma_xx);
+                transform.convolve(&[(&b, &p)], &mut field.sigma_zz);
+                transform.convolve(&[(&c, &p)], &mut field.tau_xz);
+            }
+            Some(q) => {
+                let d = transform.kernel(-1.0, |lag| column[lag].xx_of_traction);
+                transform.convolve(&[(&a, &p), (&d, q)], &mut field.sigma_xx);
+                transform.convolve(&[(&b, &p), (&c, q)], &mut field.sigma_zz);
+                transform.convolve(&[(&c, &p), (&a, q)], &mut field.tau_xz);
+            }
+        }
+    }
+    Ok(field)
+}
+
+/// Depths for a field: a geometric row of `count` from `finest` down to three half widths.
+///
+/// # Errors
+/// When a length is not positive, `finest` is not above three half widths, or `count` is below 2.
+///
+/// ```
+/// use asperity_contact::subsurface::graded_depths;
+/// let depths = graded_depths("1 um".parse()?, "100 um".parse()?, 40)?;
+/// assert!(depths.len() == 40 && depths[0] == 1e-6 && (depths[39] - 300e-6).abs() < 1e-18);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn graded_depths(
+    finest: Length,
+    half_width: Length,
+    count: usize,
+) -> Result<Vec<f64>, ContactError> {
+    let first = DomainError::positive("finest depth", finest)?;
+    let last = REACH * DomainError::positive("half width", half_width)?;
+    DomainError::require(
+        first < last,
+        "finest depth",
+        first,
+        "m",
+        "must lie above three half widths",
+    )?;
+    DomainError::require(count > 1, "count", count as f64, "-", "must be at least 2")?;
+    let step = (last / first).ln() / (count - 1) as f64;
+    Ok((0..count)
+        .map(|i| first * (step * i as f64).exp())
+        .collect())
+}
+
+impl StressField {
+    /// Position of a point from the first.
+    pub fn position(&self, point: usize) -> Length {
+        self.spacing * point as f64
+    }
+
+    /// τ₁ \[Pa\] at every point, in the order of the stresses; see
+    /// [`PlaneStress::max_shear`](super::PlaneStress::max_shear).
+    pub fn max_shear(&self) -> Vec<f64> {
+        self.every(max_shear)
+    }
+
+    /// σ_M \[Pa\] at every point; see [`PlaneStress::von_mises`](super::PlaneStress::von_mises).
+    ///
+    /// # Errors
+    /// When ν is outside −1 < ν ≤ 0.5.
+    pub fn von_mises(&self, poisson: f64) -> Result<Vec<f64>, ContactError> {
+        let nu = check_poisson(poisson)?;
+        Ok(self.every(|stress| von_mises(stress, nu)))
+    }
+
+    /// σ_T \[Pa\] at every point; see [`PlaneStress::tresca`](super::PlaneStress::tresca).
+    ///
+    /// # Errors
+    /// When ν is outside −1 < ν ≤ 0.5.
+    pub fn tresca(&self, poisson: f64) -> Result<Vec<f64>, ContactError> {
+        let nu = check_poisson(poisson)?;
+        Ok(self.every(|stress| tresca(stress, nu)))
+    }
+
+    /// The largest of `values` \[Pa\], one per point of this field as the equivalents return them;
+    /// none when there are none.
+    pub fn peak(&self, values: &[f64]) -> Option<Peak> {
+        let (index, &value) = values
+            .iter()
+            .take(self.sigma_xx.len())
+            .enumerate()
+            .max_by(|(_, a), (_, b)| a.total_cmp(b))?;
+        Some(Peak {
+            value: Pressure::from_si(value),
+            position: self.position(index % self.points),
+            depth: Length::from_si(self.depths[index / self.points]),
+        })
+    }
+
+    /// Where von Mises passes the elastic limit; none when it does so nowhere.
+    ///
+    /// # Errors
+    /// When ν is outside −1 < ν ≤ 0.5 or the limit is not positive.
+    ///
+    /// ```
+    /// use asperity_contact::subsurface::subsurface_stress;
+    /// let field = subsurface_stress(&[1e9; 8], None, "10 um".parse()?, &[10e-6, 40e-6, 90e-6])?;
+    /// assert!(field.yield_zone(0.3, "2 GPa".parse()?)?.is_none());
+    /// let zone = field.yield_zone(0.3, "0.45 GPa".parse()?)?.ok_or("elastic")?;
+    /// assert!(zone.deepest.si() > 10e-6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn yield_zone(
+        &self,
+        poisson: f64,
+        elastic_limit: Pressure,
+    ) -> Result<Option<YieldZone>, ContactError> {
+        let limit = DomainError::positive("elastic limit", elastic_limit)?;
+        let mises = self.von_mises(poisson)?;
+        let mut zone: Option<YieldZone> = None;
+        for (index, _) in mises
+            .iter()
+            .enumerate()
+            .filter(|(_, mises)| **mises > limit)
+        {
+            let depth = Length::from_si(self.depths[index / self.points]);
+            let position = self.position(index % self.points);
+            let grown = zone.get_or_insert(YieldZone {
+                points: 0,
+                shallowest: depth,
+                deepest: depth,
+                first: position,
+                last: position,
+            });
+            grown.points += 1;
+            grown.shallowest = smaller(grown.shallowest, depth);
+            grown.deepest = larger(grown.deepest, depth);
+            grown.first = smaller(grown.first, position);
+            grown.last = larger(grown.last, position);
+        }
+        Ok(zone)
+    }
+
+    fn every(&self, equivalent: impl Fn([f64; 3]) -> f64) -> Vec<f64> {
+        (self.sigma_xx.iter().zip(&self.sigma_zz))
+            .zip(&self.tau_xz)
+            .map(|((&xx, &zz), &xz)| equivalent([xx, zz, xz]))
+            .collect()
+    }
+}
+
+fn smaller(a: Length, b: Length) -> Length {
+    Length::from_si(a.si().min(b.si()))
+}
+
+fn larger(a: Length, b: Length) -> Length {
+    Length::from_si(a.si().max(b.si()))
+}
+
+fn check(pressure: &[f64], traction: Option<&[f64]>, depths: &[f64]) -> Result<(), ContactError> {
+    for (name, values) in [("pressure", pressure), ("depths", depths)] {
+        if values.is_empty() {
+            return Err(ContactError::WrongLength {
+                name,
+                need: 1,
+                got: 0,
+            });
+        }
+    }
+    let traction = traction.unwrap_or(pressure);
+    if traction.len() != pressure.len() {
+        return Err(ContactError::WrongLength {
+            name: "traction",
+            need: pressure.len(),
+            got: traction.len(),
+        });
+    }
+    finite("pressure", pressure, "Pa")?;
+    finite("traction", traction, "Pa")?;
+    finite("depths", depths, "m")?;
+    match depths.iter().position(|&z| z < 0.0) {
+        None => Ok(()),
+        Some(index) => Err(ContactError::BadElement {
+            name: "depths",
+            index,
+            value: depths[index],
+            unit: "m",
+            rule: "must not be negative",
+        }),
+    }
+}
+
+fn finite(name: &'static str, values: &[f64], unit: &'static str) -> Result<(), ContactError> {
+    match values.iter().position(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(index) => Err(ContactError::BadElement {
+            name,
+            index,
+            value: values[index],
+            unit,
+            rule: "must be finite",
+        }),
+    }
+}
+
+type Spectrum = Vec<Complex<f64>>;
+
+/// Free-space convolution over a window, by transforms long enough that nothing wraps around.
+struct Transform {
+    points: usize,
+    forward: Arc<dyn RealToComplex<f64>>,
+    inverse: Arc<dyn ComplexToReal<f64>>,
+    padded: Vec<f64>,
+    product: Spectrum,
+    scratch: Spectrum,
+}
+
+impl Transform {
+    fn new(points: usize) -> Self {
+        let length = good_fft_length(2 * points - 1);
+        let mut planner = RealFftPlanner::new();
+        let forward = planner.plan_fft_forward(length);
+        let inverse = planner.plan_fft_inverse(length);
+        let scratch = forward.get_scratch_len().max(inverse.get_scratch_len());
+        Self {
+            points,
+            padded: forward.make_input_vec(),
+            product: forward.make_output_vec(),
+            scratch: vec![Complex::default(); scratch],
+            forward,
+            inverse,
+        }
+    }
+
+    /// The transform of what `fill` writes into zeros.
+    fn spectrum(&mut self, fill: impl FnOnce(&mut [f64])) -> Spectrum {
+        self.padded.fill(0.0);
+        fill(&mut self.padded);
+        let mut spectrum = self.forward.make_output_vec();
+        let done =
+            self.forward
+                .process_with_scratch(&mut self.padded, &mut spectrum, &mut self.scratch);
+        debug_assert!(done.is_ok(), "buffers are made by the plan");
+        spectrum
+    }
+
+    /// The transform of a kernel given for lags ≥ 0, even (`parity` 1) or odd (−1).
+    fn kernel(&mut self, parity: f64, value: impl Fn(usize) -> f64) -> Spectrum {
+        let (points, length) = (self.points, self.padded.len());
+        self.spectrum(|padded| {
+            padded[0] = value(0);
+            for lag in 1..points {
+                padded[lag] = value(lag);
+                padded[length - lag] = parity * value(lag);
+            }
+        })
+    }
+
+    /// Appends the sum of kernel ∗ load over the window to `output`.
+    fn convolve(&mut self, terms: &[(&Spectrum, &Spectrum)], output: &mut Vec<f64>) {
+        let scale = 1.0 / self.padded.len() as f64;
+        self.product.fill(Complex::default());
+        for (kernel, load) in terms {
+            for ((sum, kernel), load) in self.product.iter_mut().zip(*kernel).zip(*load) {
+                *sum += kernel * load * scale;
+            }
+        }
+        // The first and, for even lengths, the last coefficient of a real signal are real.
+        self.product[0].im = 0.0;
+        if let Some(last) = self.product.last_mut() {
+            last.im = 0.0;
+        }
+        let done = self.inverse.process_with_scratch(
+            &mut self.product,
+            &mut self.padded,
+            &mut self.scratch,
+        );
+        debug_assert!(done.is_ok(), "buffers are made by the plan");
+        output.extend_from_slice(&self.padded[..self.points]);
+    }
+}
