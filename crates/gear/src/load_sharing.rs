@@ -226,7 +226,7 @@ fn check_table(rows: &[(f64, f64)]) -> Result<(), GearError> {
         if row == 0 && place != 0.0 {
             return refuse(row, "the first place must be 0, point A");
         }
-        if row > 0 && !(place > rows[row - 1].0) {
+        if place.is_nan() || row > 0 && place <= rows[row - 1].0 {
             return refuse(row, "places must increase");
         }
     }

@@ -112,7 +112,7 @@ impl PathOfContact {
             eps_gamma,
             ..
         } = *self;
-        if !(eps_alpha > 0.0) {
+        if eps_alpha <= 0.0 {
             return Err(GearError::NoContact {
                 length: self.length,
             });

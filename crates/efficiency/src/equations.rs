@@ -1,0 +1,143 @@
+//! The equations of this crate: where each lives, what it says, what proves it.
+
+use asperity_core::{Equation, Reference};
+
+/// The paper that the model follows.
+pub const RODRIGUEZ_2022: Reference = Reference {
+    key: "rodriguez_2022",
+    text: "I. Victoria Rodríguez, Modelling of gear surface roughness impact on gear meshing efficiency, manuscript and thesis, KTH and Volvo, 2022",
+};
+
+/// Why rolling friction counts on both surfaces.
+pub const GOKSEM_1978: Reference = Reference {
+    key: "goksem_hargreaves_1978",
+    text: "P. G. Goksem and R. A. Hargreaves, The effect of viscous shear heating on both film thickness and rolling traction in an EHL line contact, Journal of Lubrication Technology 100 (1978) 346-358",
+};
+
+/// Plastic work and shakedown.
+pub const JOHNSON_1985: Reference = asperity_core::material::JOHNSON_1985;
+
+/// Equations of this crate.
+pub const EQUATIONS: &[Equation] = &[
+    Equation {
+        tag: "P16",
+        title: "Output torque",
+        formula: "M₂ = M₁ (ω₁/ω₂) η",
+        file: "crates/efficiency/src/output_torque.rs",
+        test: "torque_and_speed_of_the_driven_gear_carry_the_output_power",
+        references: &[RODRIGUEZ_2022],
+        misprint: None,
+    },
+    Equation {
+        tag: "P17",
+        title: "Sliding loss",
+        formula: "P_s = Σ w F_s |V_s|",
+        file: "crates/efficiency/src/mesh_loss.rs",
+        test: "constant_friction_on_the_reference_case_loses_mu_times_the_loss_factor",
+        references: &[RODRIGUEZ_2022],
+        misprint: None,
+    },
+    Equation {
+        tag: "P18",
+        title: "Rolling loss",
+        formula: "P_r = Σ w 2 F_r V_e",
+        file: "crates/efficiency/src/mesh_loss.rs",
+        test: "rolling_on_both_surfaces_loses_twice_what_the_paper_prints",
+        references: &[RODRIGUEZ_2022, GOKSEM_1978],
+        misprint: Some(
+            "printed F_r V_e with F_r a force; F_r is N/m on one surface (agrees with a Grubin inlet solution), so the loss is 2 F_r V_e l",
+        ),
+    },
+    Equation {
+        tag: "P19",
+        title: "Deformation loss as printed",
+        formula: "P = σ δ a²/T",
+        file: "crates/efficiency/src/deformation.rs",
+        test: "the_printed_deformation_loss_misses_the_face_width_and_the_teeth",
+        references: &[RODRIGUEZ_2022],
+        misprint: Some(
+            "printed σ δ a²/T, one a × a patch once per revolution; energy per metre times b times engagements per second is larger by b z₁/a",
+        ),
+    },
+    Equation {
+        tag: "P20",
+        title: "Efficiency",
+        formula: "η = 1 − ΣP/(M₁ω₁)",
+        file: "crates/efficiency/src/output_torque.rs",
+        test: "the_smooth_full_film_losses_give_the_efficiency_of_the_reference_case",
+        references: &[RODRIGUEZ_2022],
+        misprint: None,
+    },
+    Equation {
+        tag: "Deformation-1",
+        title: "Plastic work per engagement and metre",
+        formula: "E_pl = Σ p du_pl Δx",
+        file: "crates/efficiency/src/deformation.rs",
+        test: "plastic_work_under_a_hertz_pressure_is_load_times_uniform_indentation",
+        references: &[JOHNSON_1985],
+        misprint: None,
+    },
+    Equation {
+        tag: "Deformation-2",
+        title: "Elastic energy per metre",
+        formula: "E_el = ½ Σ p u Δx",
+        file: "crates/efficiency/src/deformation.rs",
+        test: "elastic_energy_is_half_the_load_times_a_uniform_displacement",
+        references: &[JOHNSON_1985],
+        misprint: None,
+    },
+    Equation {
+        tag: "Deformation-3",
+        title: "Time between engagements",
+        formula: "T_z = 2π/(z₁ω₁)",
+        file: "crates/efficiency/src/deformation.rs",
+        test: "fifty_teeth_at_three_thousand_turns_engage_2500_times_a_second",
+        references: &[],
+        misprint: None,
+    },
+    Equation {
+        tag: "Deformation-4",
+        title: "Running-in energy and power",
+        formula: "E_z = E_pl b, P = E_z/T_z",
+        file: "crates/efficiency/src/deformation.rs",
+        test: "running_in_power_times_its_period_is_the_energy_per_tooth",
+        references: &[JOHNSON_1985],
+        misprint: None,
+    },
+    Equation {
+        tag: "Deformation-5",
+        title: "Elastic hysteresis loss",
+        formula: "P = α_h E_el b/T_z",
+        file: "crates/efficiency/src/deformation.rs",
+        test: "without_hysteresis_the_elastic_energy_costs_nothing",
+        references: &[JOHNSON_1985],
+        misprint: None,
+    },
+    Equation {
+        tag: "Breakdown-1",
+        title: "Energy per engagement and share of a loss",
+        formula: "E_k = P_k T_z, share P_k/ΣP",
+        file: "crates/efficiency/src/breakdown.rs",
+        test: "shares_sum_to_a_hundred_percent_and_energies_to_power_times_period",
+        references: &[],
+        misprint: None,
+    },
+    Equation {
+        tag: "Breakdown-2",
+        title: "Unexplained share of the input power",
+        formula: "|P_in − P_out − ΣP_k|/P_in",
+        file: "crates/efficiency/src/breakdown.rs",
+        test: "input_is_output_and_losses_whichever_gear_drives",
+        references: &[],
+        misprint: None,
+    },
+    Equation {
+        tag: "Plausible-1",
+        title: "Equivalent friction coefficient",
+        formula: "μ_eq = (1 − η)/H_V",
+        file: "crates/efficiency/src/plausibility.rs",
+        test: "the_equivalent_friction_of_the_reference_case_is_plausible",
+        references: &[],
+        misprint: None,
+    },
+];

@@ -1,0 +1,42 @@
+//! What losses and efficiencies are refused for.
+
+use asperity_core::DomainError;
+use asperity_core::quantity::{LineEnergy, Power};
+
+/// Why there is no loss or no efficiency.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum EfficiencyError {
+    /// A single number outside its domain.
+    #[error(transparent)]
+    Domain(#[from] DomainError),
+    /// A mean over no places.
+    #[error("a mesh loss needs at least one position")]
+    NoPositions,
+    /// Arrays that should go together do not.
+    #[error("{name} has {found} points where {expected} are needed")]
+    LengthMismatch {
+        /// The array.
+        name: &'static str,
+        /// Its length.
+        found: usize,
+        /// The length of the array it goes with.
+        expected: usize,
+    },
+    /// The mesh loses all that is put in, or more.
+    #[error("the losses, {loss}, are not below the input power, {input}")]
+    LossExceedsInput {
+        /// Sum of the losses.
+        loss: Power,
+        /// Input power.
+        input: Power,
+    },
+    /// A deformation that gives energy back.
+    #[error("{name} = {energy}: a deformation cannot release more than it took")]
+    NegativeEnergy {
+        /// The energy.
+        name: &'static str,
+        /// Its value.
+        energy: LineEnergy,
+    },
+}

@@ -1,0 +1,58 @@
+//! Whether an efficiency is one that gears have.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | η | efficiency of the mesh | - |
+//! | H_V | local loss factor of the gear pair | - |
+//! | μ_eq | constant friction coefficient that would lose the same | - |
+
+use asperity_core::{Checked, DomainError, FittedRange};
+
+use crate::error::EfficiencyError;
+
+/// Mean friction coefficients of lubricated steel gears: the spread of twin-disc and back-to-back
+/// test results, from superfinished flanks in full film to ground flanks in boundary lubrication.
+pub const LUBRICATED_STEEL: FittedRange = FittedRange {
+    name: "mu_eq",
+    low: 0.01,
+    high: 0.12,
+    unit: "-",
+    correlation: "lubricated steel gears",
+};
+
+/// μ_eq = (1 − η)/H_V                                                          `[Plausible-1]`
+///
+/// # Errors
+/// When η is not within 0 ≤ η ≤ 1 or H_V is not positive.
+///
+/// ```
+/// use asperity_efficiency::equivalent_friction;
+/// let friction = equivalent_friction(0.99508, 0.073283)?;
+/// assert!((friction.value - 0.0671).abs() < 1e-4 && friction.outside.is_empty());
+/// // The 98.8 % of the 2022 paper would take more friction than oil on steel has.
+/// assert_eq!(equivalent_friction(0.988, 0.060808)?.outside.len(), 1);
+/// # Ok::<(), asperity_efficiency::EfficiencyError>(())
+/// ```
+pub fn equivalent_friction(
+    efficiency: f64,
+    loss_factor: f64,
+) -> Result<Checked<f64>, EfficiencyError> {
+    DomainError::require(
+        (0.0..=1.0).contains(&efficiency),
+        "efficiency",
+        efficiency,
+        "-",
+        "must lie between 0 and 1",
+    )?;
+    DomainError::require(
+        loss_factor.is_finite() && loss_factor > 0.0,
+        "loss factor",
+        loss_factor,
+        "-",
+        "must be finite and greater than zero",
+    )?;
+    let value = (1.0 - efficiency) / loss_factor;
+    let mut outside = Vec::new();
+    LUBRICATED_STEEL.check(value, &mut outside);
+    Ok(Checked { value, outside })
+}
