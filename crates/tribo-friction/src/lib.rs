@@ -1,1 +1,45 @@
-//! Friction coefficients, rolling resistance, mixed friction and flash temperature of lubricated gear flanks
+//! Friction coefficients, rolling resistance, mixed friction and flash temperature of lubricated
+//! gear flanks.
+//!
+//! One file a law, each with its own function in the units a reader expects; [`FrictionLaw`]
+//! chooses between them by the name in a case file and takes what it needs from
+//! [`FrictionConditions`].
+//!
+//! ```
+//! use asperity_tribo_friction::xu::{XuConditions, XuLaw};
+//! let position = XuConditions {
+//!     slide_to_roll: 0.2,
+//!     max_pressure: "1 GPa".parse()?,
+//!     viscosity: "10 mPa s".parse()?,
+//!     entrainment: "10 m/s".parse()?,
+//!     radius: "10 mm".parse()?,
+//!     combined_roughness: "0.1 um".parse()?,
+//! };
+//! let coefficient = XuLaw::default().coefficient(&position)?;
+//! assert!((coefficient.value - 0.0127168).abs() < 1e-7);
+//! assert!(coefficient.outside.is_empty());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod benedict_kelley;
+pub mod conditions;
+pub mod doleschel;
+pub mod equations;
+pub mod error;
+pub mod eyring;
+pub mod flash;
+pub mod friction_law;
+pub mod iso_14179_1;
+pub mod iso_14179_2;
+pub mod matsumoto;
+pub mod mixed;
+pub mod rolling;
+pub mod xu;
+
+pub use conditions::{FrictionConditions, MeshConditions};
+pub use error::FrictionError;
+pub use flash::{FlashConditions, flash_temperature};
+pub use friction_law::{FrictionLaw, FrictionSettings};
+pub use mixed::{MixedFriction, mixed_friction};
+pub use rolling::{RollingConditions, RollingReading, rolling_force};
+pub use xu::{RoughnessReading, XuCalibration, XuCoefficients, XuLaw};

@@ -1,0 +1,215 @@
+//! The equations of this crate, for `docs/EQUATIONS.md`.
+
+use asperity_core::{Equation, Reference};
+
+/// The friction regression.
+pub const XU_2005: Reference = Reference {
+    key: "xu_2005",
+    text: "H. Xu, Development of a generalized mechanical efficiency prediction methodology for gear pairs, dissertation, The Ohio State University, 2005",
+};
+
+/// The friction regression applied to parallel axes.
+pub const XU_2007: Reference = Reference {
+    key: "xu_2007",
+    text: "H. Xu, A. Kahraman, N. E. Anderson, D. G. Maddock, Prediction of mechanical efficiency of parallel-axis gear pairs, ASME J. Mech. Des. 129 (2007) 58-68",
+};
+
+/// Roller tests of friction.
+pub const BENEDICT_KELLEY_1961: Reference = Reference {
+    key: "benedict_kelley_1961",
+    text: "G. H. Benedict, B. W. Kelley, Instantaneous coefficients of gear tooth friction, ASLE Trans. 4 (1961) 59-70",
+};
+
+/// Metric form of Benedict and Kelley.
+pub const AGMA_925: Reference = Reference {
+    key: "agma_925",
+    text: "AGMA 925-A03, Effect of lubrication on gear surface distress, 2003, 6.2.2",
+};
+
+/// Thermal rating, part 1.
+pub const ISO_14179_1: Reference = Reference {
+    key: "iso_14179_1",
+    text: "ISO/TR 14179-1:2001, Gears - Thermal capacity - Part 1: Rating gear drives with thermal equilibrium at 95 °C sump temperature",
+};
+
+/// Thermal rating, part 2.
+pub const ISO_14179_2: Reference = Reference {
+    key: "iso_14179_2",
+    text: "ISO/TR 14179-2:2001, Gears - Thermal capacity - Part 2: Thermal load-carrying capacity",
+};
+
+/// The mean friction coefficient.
+pub const SCHLENK_1994: Reference = Reference {
+    key: "schlenk_1994",
+    text: "L. Schlenk, Untersuchungen zur Fresstragfähigkeit von Grosszahnrädern, dissertation, TU München, 1994",
+};
+
+/// Load sharing by maximum heights.
+pub const MATSUMOTO_2014: Reference = Reference {
+    key: "matsumoto_2014",
+    text: "S. Matsumoto, K. Morikawa, The new estimation formula of coefficient of friction in rolling-sliding contact surface under mixed lubrication condition for the power loss reduction of power transmission gears, International Gear Conference, Lyon, 2014",
+};
+
+/// Load sharing by the film ratio.
+pub const DOLESCHEL_2002: Reference = Reference {
+    key: "doleschel_2002",
+    text: "A. Doleschel, Wirkungsgradberechnung von Zahnradgetrieben in Abhängigkeit vom Schmierstoff, dissertation, TU München, 2002",
+};
+
+/// Eyring friction and a comparison of load sharing functions.
+pub const ARANA_2019: Reference = Reference {
+    key: "arana_2019",
+    text: "A. Arana, J. Larrañaga, I. Ulacia, Partial EHL friction coefficient model to predict power losses in cylindrical gears, Proc. IMechE J: J. Eng. Tribol. 233 (2019) 303-316, doi 10.1177/1350650118778655",
+};
+
+/// Rolling resistance of the inlet.
+pub const GOKSEM_HARGREAVES_1978: Reference = Reference {
+    key: "goksem_hargreaves_1978",
+    text: "P. G. Goksem, R. A. Hargreaves, The effect of viscous shear heating on both film thickness and rolling traction in an EHL line contact, ASME J. Lubr. Technol. 100 (1978) 346-358",
+};
+
+/// Flash temperature.
+pub const BLOK_1937: Reference = Reference {
+    key: "blok_1937",
+    text: "H. Blok, Theoretical study of temperature rise at surfaces of actual contact under oiliness lubricating conditions, Proc. General Discussion on Lubrication, IMechE 2 (1937) 222-235",
+};
+
+const fn row(
+    tag: &'static str,
+    title: &'static str,
+    formula: &'static str,
+    file: &'static str,
+    test: &'static str,
+    references: &'static [Reference],
+) -> Equation {
+    Equation {
+        tag,
+        title,
+        formula,
+        file,
+        test,
+        references,
+        misprint: None,
+    }
+}
+
+/// Every equation of this crate.
+pub const EQUATIONS: &[Equation] = &[
+    row(
+        "P7",
+        "Friction coefficient of a thermal mixed EHL contact",
+        "μ = e^f P_h^b₂ |SR|^b₃ V_e^b₆ ν₀^b₇ R^b₈, f = b₁ + b₄ q + b₅ e^(−q) + b₉ e^S, q = |SR| P_h log₁₀ ν₀",
+        "crates/tribo-friction/src/xu.rs",
+        "xu_of_the_reference_case",
+        &[XU_2005, XU_2007],
+    ),
+    row(
+        "Benedict-Kelley",
+        "Friction coefficient of roller tests",
+        "μ = 0.0127 · 1.13/(1.13 − Ra) · log₁₀(29 700 w/(η |V_s| V_Σ²))",
+        "crates/tribo-friction/src/benedict_kelley.rs",
+        "benedict_kelley_of_the_reference_case",
+        &[BENEDICT_KELLEY_1961, AGMA_925],
+    ),
+    row(
+        "ISO-14179-1",
+        "Mesh coefficient of friction",
+        "f_m = ν^−0.223 K^−0.40/(3.239 V^0.70)",
+        "crates/tribo-friction/src/iso_14179_1.rs",
+        "whole_mesh_laws_of_the_reference_case",
+        &[ISO_14179_1],
+    ),
+    row(
+        "Schlenk",
+        "Mean friction coefficient of a mesh",
+        "μ_mz = 0.048 ((F_bt/b)/(v_ΣC ρ_redC))^0.2 η^−0.05 Ra^0.25 X_L",
+        "crates/tribo-friction/src/iso_14179_2.rs",
+        "whole_mesh_laws_of_the_reference_case",
+        &[SCHLENK_1994, ISO_14179_2],
+    ),
+    row(
+        "Matsumoto-share",
+        "Load share of the asperities by maximum heights",
+        "ξ = ½ log₁₀((Rz₁ + Rz₂)/h_m), 0 ≤ ξ ≤ 1",
+        "crates/tribo-friction/src/matsumoto.rs",
+        "asperity_shares_of_the_published_functions",
+        &[MATSUMOTO_2014, ARANA_2019],
+    ),
+    row(
+        "Matsumoto",
+        "Friction coefficient by maximum heights",
+        "μ = (1 − ξ) μ_ehd + ξ μ_bdr",
+        "crates/tribo-friction/src/matsumoto.rs",
+        "shared_laws_run_from_boundary_to_fluid_friction",
+        &[MATSUMOTO_2014],
+    ),
+    row(
+        "Doleschel-share",
+        "Load share of the asperities by the film ratio",
+        "ξ = (1 − λ/2)² for λ < 2, else 0",
+        "crates/tribo-friction/src/doleschel.rs",
+        "asperity_shares_of_the_published_functions",
+        &[DOLESCHEL_2002, ARANA_2019],
+    ),
+    row(
+        "Doleschel",
+        "Friction coefficient by the film ratio",
+        "μ = (1 − ξ) μ_ehd + ξ μ_bdr",
+        "crates/tribo-friction/src/doleschel.rs",
+        "shared_laws_run_from_boundary_to_fluid_friction",
+        &[DOLESCHEL_2002],
+    ),
+    row(
+        "Eyring",
+        "Fluid friction coefficient of a full film",
+        "μ = min((τ_E/p̄) arsinh(η |V_s|/(τ_E h)), Λ), τ_E = 2 Λ/α, p̄ = π p₀/4",
+        "crates/tribo-friction/src/eyring.rs",
+        "eyring_spot_values",
+        &[ARANA_2019],
+    ),
+    row(
+        "P21",
+        "Friction force of film and asperities",
+        "F_s = ∫ (μ_m p_solid + μ p_fluid) dx",
+        "crates/tribo-friction/src/mixed.rs",
+        "mixed_friction_of_a_hertz_contact_is_the_coefficient_times_the_load",
+        &[],
+    ),
+    Equation {
+        misprint: Some(
+            "called a force; it is a force per length, on one surface (within 5 % of a numerical Grubin inlet)",
+        ),
+        ..row(
+            "P9",
+            "Rolling resistance on one surface",
+            "F_r = 4.318 φ (G U)^0.658 W^0.0126 R/α",
+            "crates/tribo-friction/src/rolling.rs",
+            "rolling_resistance_agrees_with_a_numerical_inlet",
+            &[GOKSEM_HARGREAVES_1978],
+        )
+    },
+    row(
+        "Rolling-loss",
+        "Power lost to rolling per length",
+        "P/l = 2 F_r V_e (both surfaces) or F_r V_e (one)",
+        "crates/tribo-friction/src/rolling.rs",
+        "rolling_takes_power_on_both_surfaces",
+        &[GOKSEM_HARGREAVES_1978],
+    ),
+    row(
+        "Goksem-long",
+        "Rolling resistance, longer form",
+        "F_r α/(W R) = e^(0.658228 ln D − 0.162625) e^(0.0106383 L^0.3174603 ln D)/(1 + 0.411483 L^0.707071), D = (3/4) (2π)^(3/2) G U/W^(3/2)",
+        "crates/tribo-friction/src/rolling.rs",
+        "goksem_factor_of_a_published_test_case",
+        &[GOKSEM_HARGREAVES_1978],
+    ),
+    row(
+        "Blok",
+        "Flash temperature of a line contact",
+        "ΔT = 1.11 μ w |u₁ − u₂|/((B₁ √u₁ + B₂ √u₂) √(2a)), B = √(k ρ c)",
+        "crates/tribo-friction/src/flash.rs",
+        "flash_temperature_of_the_reference_case",
+        &[BLOK_1937],
+    ),
+];

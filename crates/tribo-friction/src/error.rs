@@ -1,0 +1,38 @@
+//! What can be wrong with a friction coefficient or force.
+
+use asperity_core::DomainError;
+
+/// Why there is no friction coefficient or force.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FrictionError {
+    /// An input outside its domain.
+    #[error(transparent)]
+    Domain(#[from] DomainError),
+    /// A friction law needs a setting that was not given.
+    #[error("the friction law {law} needs the setting {setting}")]
+    MissingSetting {
+        /// The law, by its name in a case file.
+        law: &'static str,
+        /// The setting, by its field name.
+        setting: &'static str,
+    },
+    /// Two pressure fields of different size.
+    #[error("{solid} solid and {fluid} fluid pressures; both must be given at the same points")]
+    FieldLengths {
+        /// Number of solid pressures.
+        solid: usize,
+        /// Number of fluid pressures.
+        fluid: usize,
+    },
+    /// A coefficient file that does not read.
+    #[error("coefficient file: {reason}")]
+    CoefficientFile {
+        /// Line, from 1.
+        line: usize,
+        /// Column, from 1.
+        column: usize,
+        /// What the reader of JSON found, and where.
+        reason: String,
+    },
+}
