@@ -80,12 +80,12 @@ impl FilmLaw {
 
     /// The exponent X of the speed group U in the central film, which Λ* needs.
     ///
-    /// Moes' form is no power law; its elastic piezoviscous asymptote goes with U^(11/16), from
-    /// H_EP √U_Σ with M^(−1/8) and L^(3/4).
+    /// Moes' form is no power law; its elastic piezoviscous asymptote H_EP √U_Σ goes with
+    /// U^(3/4): 1/16 from M^(−1/8), 3/16 from L^(3/4) and 1/2.
     pub const fn speed_exponent(self) -> f64 {
         match self {
             Self::DowsonToyoda => film_line::DOWSON_TOYODA.speed,
-            Self::Moes => 11.0 / 16.0,
+            Self::Moes => 3.0 / 4.0,
             Self::ErtelGrubin => film_line::ERTEL_GRUBIN.speed,
             Self::HamrockDowson | Self::HamrockDowsonLine => film_elliptic::CENTRAL.speed,
         }

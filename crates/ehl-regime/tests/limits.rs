@@ -63,6 +63,31 @@ fn moes_tends_to_each_of_its_asymptotes() {
 }
 
 #[test]
+fn speed_exponents_are_those_of_the_central_films() {
+    // Deep in the elastic piezoviscous regime (M = 10⁴, L = 100), where the slope of Moes'
+    // form has come within a hundredth of its asymptote's; the others are power laws everywhere.
+    let groups = groups_of(1e4, 100.0);
+    for law in FilmLaw::ALL {
+        let central = |speed: f64| {
+            let at = FilmGroups { speed, ..groups };
+            let radius = Length::from_si(0.01);
+            let film = match law {
+                FilmLaw::DowsonToyoda => film_line::dowson_toyoda(&at, radius),
+                FilmLaw::Moes => film_line::moes(&at, radius),
+                FilmLaw::ErtelGrubin => film_line::ertel_grubin(&at, radius),
+                _ => hamrock_dowson_central(&at, radius, f64::INFINITY).map(|film| film.value),
+            };
+            film.unwrap().si()
+        };
+        let slope = (central(1.01 * groups.speed) / central(groups.speed)).ln() / 1.01_f64.ln();
+        assert!(
+            (slope - law.speed_exponent()).abs() < 1e-2,
+            "{law:?}: {slope}"
+        );
+    }
+}
+
+#[test]
 fn an_infinite_ellipticity_is_the_limit_of_a_large_one() {
     let groups = groups_of(5.0, 10.0);
     let radius = Length::from_si(0.01);

@@ -10,8 +10,9 @@
 //!
 //! Source: H. Blok (1937), as in ISO/TS 6336-20 and AGMA 925. The constant is 1.11 for a
 //! semi-elliptic heat source moving fast over both flanks (1.1115 by quadrature of Blok's
-//! integral). Fast means Péclet numbers u a ρ c/(2 k) above about 5, which gear flanks exceed by far;
-//! both surfaces must move through the contact in the same direction.
+//! integral). Fast means Péclet numbers u a ρ c/(2 k) above about 5; for slower flanks heat runs
+//! ahead of the contact and the formula reads too high. Both surfaces must move through the
+//! contact in the same direction.
 
 use asperity_core::DomainError;
 use asperity_core::material::Material;

@@ -11,10 +11,11 @@
 //! | q | \|SR\| P_h log₁₀ ν₀ | - |
 //!
 //! Source: H. Xu, dissertation, The Ohio State University, 2005, as used in H. Xu, A. Kahraman,
-//! N. E. Anderson and D. G. Maddock (2007); the nine coefficients and the pressure unit were
-//! confirmed in two independent public copies. Fitted to a 75W90 gear oil. Ranges: those over
-//! which the regression is usually applied; the table of its own cases was not at hand, so a note
-//! says that a value wants a second look, no more.
+//! N. E. Anderson and D. G. Maddock (2007). The nine coefficients agree in two independent public
+//! copies; one of them computes with P_h in GPa, the other labels it MPa, with which q would be in
+//! the hundreds and the friction vanish. Fitted to a 75W90 gear oil. Ranges: those over which
+//! the regression is usually applied; the table of its own cases was not at hand, so a note says
+//! that a value wants a second look, no more.
 //!
 //! The roughness enters as e^(b₉ e^S), a double exponential: relative to S = 0.42 um it is ×0.72
 //! at 0, ×2.1 at 1 um and ×38 at 2 um. [`RoughnessReading::Clamped`] therefore holds S at 0.6 um
