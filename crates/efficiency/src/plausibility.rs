@@ -10,8 +10,8 @@ use asperity_core::{Checked, DomainError, FittedRange};
 
 use crate::error::EfficiencyError;
 
-/// Mean friction coefficients of lubricated steel gears: the spread of twin-disc and back-to-back
-/// test results, from superfinished flanks in full film to ground flanks in boundary lubrication.
+/// Where the mean friction coefficient of a lubricated steel gear mesh lies, from full films on
+/// superfinished flanks to boundary lubrication on ground ones: a band for doubt, not a fit.
 pub const LUBRICATED_STEEL: FittedRange = FittedRange {
     name: "mu_eq",
     low: 0.01,

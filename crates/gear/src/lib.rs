@@ -33,6 +33,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod centre_distance;
 pub mod contact_length;
 pub mod equations;
 pub mod error;
@@ -47,6 +48,8 @@ pub mod pair;
 pub mod path_of_contact;
 pub mod positions;
 mod quadrature;
+mod rack;
+mod tips;
 
 pub use contact_length::ContactLengths;
 pub use equations::EQUATIONS;

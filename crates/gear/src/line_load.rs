@@ -8,7 +8,8 @@
 //! | b | width over which the faces overlap | m |
 //!
 //! Limits: on a helical pair f is the load at the mean length of the contact lines. The length
-//! changes during a mesh cycle by up to 1/(ε_α ε_β), unless an overlap ratio is a whole number.
+//! changes during a mesh cycle by less than 1/(ε_α ε_β) of its mean, and not at all when ε_α or
+//! ε_β is a whole number.
 
 use asperity_core::quantity::{Length, LineLoad, Torque};
 

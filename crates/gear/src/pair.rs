@@ -20,20 +20,12 @@ use asperity_core::DomainError;
 use asperity_core::quantity::{Angle, Length};
 use serde::Serialize;
 
-use crate::error::{Gear, GearError};
-use crate::input::{GearPairInput, Plane};
-use crate::involute::{self, ToothSection, half_angle};
-use crate::path_of_contact::PathOfContact;
-
-/// Largest helix angle accepted; drawings end near 45°, beyond 60° the pair is a pair of screws.
-const STEEPEST_HELIX_DEGREES: f64 = 60.0;
-
-/// Largest normal pressure angle accepted; beyond it a full-depth rack tooth is pointed.
-const LARGEST_PRESSURE_ANGLE_DEGREES: f64 = 45.0;
-
-/// Difference in normal modules accepted between a given centre distance and that of the given
-/// profile shifts: what rounding two coefficients to two decimals can do.
-const CENTRE_DISTANCE_TOLERANCE: f64 = 0.01;
+use crate::centre_distance::Centre;
+use crate::error::GearError;
+use crate::input::GearPairInput;
+use crate::path_of_contact::{LEAST_OVERLAP, PathOfContact};
+use crate::rack::Rack;
+use crate::tips::{tip_radii, tip_thickness};
 
 /// The working geometry of a gear pair. Index 0 is gear 1, the pinion.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -142,86 +134,9 @@ impl GearPair {
         &self.path
     }
 
-    /// Whether the teeth are straight.
+    /// Whether the teeth are straight: a helix that gives no overlap counts as none.
     pub fn is_spur(&self) -> bool {
-        self.helix.si() == 0.0
-    }
-}
-
-/// What the basic rack and the tooth numbers give, before the gears are brought together.
-struct Rack {
-    teeth: [u32; 2],
-    normal_module: Length,
-    transverse_module: Length,
-    alpha_n: f64,
-    alpha_t: f64,
-    beta: f64,
-    beta_b: f64,
-    reference_radius: [Length; 2],
-    base_radius: [Length; 2],
-}
-
-impl Rack {
-    /// mₜ = mₙ/cos β, tan αₜ = tan αₙ/cos β, sin β_b = sin β·cos αₙ,
-    /// r = mₜ z/2, r_b = r·cos αₜ                                            [Pair-1]
-    fn new(input: &GearPairInput) -> Result<Self, GearError> {
-        for z in input.teeth {
-            DomainError::require(z >= 1, "teeth", z.into(), "-", "must be at least 1")?;
-        }
-        let module = DomainError::positive("module", input.module)?;
-        let alpha_n = DomainError::positive("pressure angle", input.pressure_angle)?;
-        DomainError::require(
-            alpha_n <= LARGEST_PRESSURE_ANGLE_DEGREES.to_radians(),
-            "pressure angle",
-            alpha_n.to_degrees(),
-            "deg",
-            "must not be above 45 deg",
-        )?;
-        let beta = DomainError::finite("helix angle", input.helix)?.abs();
-        DomainError::require(
-            beta <= STEEPEST_HELIX_DEGREES.to_radians(),
-            "helix angle",
-            beta.to_degrees(),
-            "deg",
-            "must lie within 60 deg",
-        )?;
-        let (m_n, m_t) = match input.module_plane {
-            Plane::Normal => (module, module / beta.cos()),
-            Plane::Transverse => (module * beta.cos(), module),
-        };
-        let alpha_t = (alpha_n.tan() / beta.cos()).atan();
-        let r = input
-            .teeth
-            .map(|z| Length::from_si(0.5 * m_t * f64::from(z)));
-        Ok(Self {
-            teeth: input.teeth,
-            normal_module: Length::from_si(m_n),
-            transverse_module: Length::from_si(m_t),
-            alpha_n,
-            alpha_t,
-            beta,
-            beta_b: (beta.sin() * alpha_n.cos()).asin(),
-            reference_radius: r,
-            base_radius: r.map(|r| r * alpha_t.cos()),
-        })
-    }
-
-    fn tooth(&self, gear: usize, profile_shift: f64) -> ToothSection {
-        ToothSection {
-            teeth: self.teeth[gear],
-            profile_shift,
-            normal_pressure_angle: Angle::from_si(self.alpha_n),
-            transverse_pressure_angle: Angle::from_si(self.alpha_t),
-            base_radius: self.base_radius[gear],
-        }
-    }
-
-    fn tooth_sum(&self) -> f64 {
-        f64::from(self.teeth[0]) + f64::from(self.teeth[1])
-    }
-
-    fn base_radius_sum(&self) -> Length {
-        self.base_radius[0] + self.base_radius[1]
+        self.path.eps_beta < LEAST_OVERLAP
     }
 }
 
@@ -241,158 +156,4 @@ fn face_width(input: &GearPairInput) -> Result<Length, DomainError> {
         "must not be wider than the narrower face",
     )?;
     Ok(Length::from_si(width))
-}
-
-/// How the two gears are brought together.
-struct Centre {
-    distance: Length,
-    working_angle: f64,
-    shift_sum: f64,
-    profile_shift: Option<[f64; 2]>,
-}
-
-impl Centre {
-    fn new(input: &GearPairInput, rack: &Rack) -> Result<Self, GearError> {
-        let shifts = match (input.profile_shift, input.centre_distance) {
-            (None, Some(distance)) => return Self::from_distance(distance, rack),
-            (None, None) => [0.0; 2],
-            (Some(shifts), _) => shifts,
-        };
-        for x in shifts {
-            DomainError::require(x.is_finite(), "profile shift", x, "-", "must be finite")?;
-        }
-        let from_shifts = Self::from_shifts(shifts, rack)?;
-        let Some(given) = input.centre_distance else {
-            return Ok(from_shifts);
-        };
-        let tolerance = rack.normal_module * CENTRE_DISTANCE_TOLERANCE;
-        let from_distance = Self::from_distance(given, rack)?;
-        if (given - from_shifts.distance).si().abs() > tolerance.si() {
-            return Err(GearError::InconsistentCentreDistance {
-                given,
-                from_shifts: from_shifts.distance,
-                tolerance,
-            });
-        }
-        Ok(Self {
-            distance: given,
-            working_angle: from_distance.working_angle,
-            ..from_shifts
-        })
-    }
-
-    /// inv α_wt = inv αₜ + 2 tan αₙ·(x₁ + x₂)/(z₁ + z₂),  a = (r_b1 + r_b2)/cos α_wt  [Pair-2]
-    fn from_shifts(profile_shift: [f64; 2], rack: &Rack) -> Result<Self, GearError> {
-        let shift_sum = profile_shift[0] + profile_shift[1];
-        let working_angle = if shift_sum == 0.0 {
-            rack.alpha_t
-        } else {
-            let reference = involute::involute(Angle::from_si(rack.alpha_t))?;
-            let working = reference + 2.0 * rack.alpha_n.tan() * shift_sum / rack.tooth_sum();
-            DomainError::require(
-                working > 0.0,
-                "sum of the profile shifts",
-                shift_sum,
-                "-",
-                "is so low that the base circles overlap",
-            )?;
-            involute::inverse_involute(working)?.angle.si()
-        };
-        Ok(Self {
-            distance: rack.base_radius_sum() / working_angle.cos(),
-            working_angle,
-            shift_sum,
-            profile_shift: Some(profile_shift),
-        })
-    }
-
-    /// cos α_wt = (r_b1 + r_b2)/a,  x₁ + x₂ = (inv α_wt − inv αₜ)·(z₁ + z₂)/(2 tan αₙ)  [Pair-3]
-    fn from_distance(distance: Length, rack: &Rack) -> Result<Self, GearError> {
-        DomainError::positive("centre distance", distance)?;
-        if distance <= rack.base_radius_sum() {
-            return Err(GearError::CentreDistanceTooSmall {
-                given: distance,
-                base_radii: rack.base_radius_sum(),
-            });
-        }
-        let working_angle = (rack.base_radius_sum() / distance).acos();
-        let difference = involute::involute(Angle::from_si(working_angle))?
-            - involute::involute(Angle::from_si(rack.alpha_t))?;
-        Ok(Self {
-            distance,
-            working_angle,
-            shift_sum: difference * rack.tooth_sum() / (2.0 * rack.alpha_n.tan()),
-            profile_shift: None,
-        })
-    }
-}
-
-/// r_a = r + mₙ·(hₐ* + x)                                                    [Pair-4]
-fn tip_radii(
-    input: &GearPairInput,
-    rack: &Rack,
-    centre: &Centre,
-) -> Result<[Length; 2], GearError> {
-    let radii = match (input.tip_radius, centre.profile_shift) {
-        (Some(radii), _) => radii,
-        (None, None) => {
-            return Err(GearError::TipRadiusUnknown {
-                sum: centre.shift_sum,
-            });
-        }
-        (None, Some([x1, x2])) => {
-            let h = input.addendum;
-            DomainError::require(
-                h.is_finite() && h > 0.0,
-                "addendum",
-                h,
-                "-",
-                "must be finite and greater than zero",
-            )?;
-            let [r1, r2] = rack.reference_radius;
-            let m_n = rack.normal_module;
-            [r1 + m_n * (h + x1), r2 + m_n * (h + x2)]
-        }
-    };
-    for (radius, base) in radii.into_iter().zip(rack.base_radius) {
-        DomainError::require(
-            radius.si().is_finite() && radius > base,
-            "tip radius",
-            radius.si(),
-            "m",
-            "must be finite and larger than the base radius",
-        )?;
-    }
-    Ok(radii)
-}
-
-/// The tip lands, or the refusal of a pair whose teeth are pointed.
-fn tip_thickness(
-    rack: &Rack,
-    centre: &Centre,
-    tip_radius: [Length; 2],
-) -> Result<Option<[Length; 2]>, GearError> {
-    let half_angles = |x: [f64; 2]| -> Result<[f64; 2], DomainError> {
-        let angle = |gear: usize| half_angle(&rack.tooth(gear, x[gear]), tip_radius[gear]);
-        Ok([angle(0)?, angle(1)?])
-    };
-    let Some(shifts) = centre.profile_shift else {
-        // z·(half-angle) is linear in x, so the sum over both gears does not depend on the division.
-        let angles = half_angles([centre.shift_sum, 0.0])?;
-        let [z1, z2] = rack.teeth.map(f64::from);
-        let sum = z1 * angles[0] + z2 * angles[1];
-        return if sum > 0.0 {
-            Ok(None)
-        } else {
-            Err(GearError::PointedTips { sum })
-        };
-    };
-    let angles = half_angles(shifts)?;
-    let thickness = [0, 1].map(|gear| tip_radius[gear] * (2.0 * angles[gear]));
-    for (gear, thickness) in [Gear::Pinion, Gear::Wheel].into_iter().zip(thickness) {
-        if thickness.si() <= 0.0 {
-            return Err(GearError::PointedTip { gear, thickness });
-        }
-    }
-    Ok(Some(thickness))
 }

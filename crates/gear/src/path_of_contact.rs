@@ -20,6 +20,9 @@ use serde::Serialize;
 
 use crate::error::{Gear, GearError};
 
+/// Overlap ratio below which the helix is lost in rounding and the pair is a spur pair.
+pub(crate) const LEAST_OVERLAP: f64 = 1e-9;
+
 /// Overlap ratio beyond which the numbers are taken for a slip of units.
 const LARGEST_OVERLAP: f64 = 1000.0;
 
@@ -124,7 +127,7 @@ impl PathOfContact {
             "-",
             "is impossible; check face width and module",
         )?;
-        if eps_beta == 0.0 && eps_alpha <= 1.0 {
+        if eps_beta < LEAST_OVERLAP && eps_alpha <= 1.0 {
             return Err(GearError::SpurContactRatio { eps_alpha });
         }
         if eps_gamma <= 1.0 {

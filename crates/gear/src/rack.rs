@@ -1,0 +1,94 @@
+//! What the basic rack and the tooth numbers give, before the gears are brought together.
+//!
+//! Source: ISO 21771:2007. Symbols as in [`crate::pair`].
+
+use asperity_core::DomainError;
+use asperity_core::quantity::{Angle, Length};
+
+use crate::error::GearError;
+use crate::input::{GearPairInput, Plane};
+use crate::involute::ToothSection;
+
+/// Largest helix angle accepted; drawings end near 45°, beyond 60° the pair is a pair of screws.
+const STEEPEST_HELIX_DEGREES: f64 = 60.0;
+
+/// Largest normal pressure angle accepted; beyond it a full-depth rack tooth is pointed.
+const LARGEST_PRESSURE_ANGLE_DEGREES: f64 = 45.0;
+
+/// The transverse section and its radii.
+#[derive(Debug, Clone)]
+pub(crate) struct Rack {
+    pub(crate) teeth: [u32; 2],
+    pub(crate) normal_module: Length,
+    pub(crate) transverse_module: Length,
+    pub(crate) alpha_n: f64,
+    pub(crate) alpha_t: f64,
+    pub(crate) beta: f64,
+    pub(crate) beta_b: f64,
+    pub(crate) reference_radius: [Length; 2],
+    pub(crate) base_radius: [Length; 2],
+}
+
+impl Rack {
+    /// mₜ = mₙ/cos β, tan αₜ = tan αₙ/cos β, sin β_b = sin β·cos αₙ,
+    /// r = mₜ z/2, r_b = r·cos αₜ                                            [Pair-1]
+    pub(crate) fn new(input: &GearPairInput) -> Result<Self, GearError> {
+        for z in input.teeth {
+            DomainError::require(z >= 1, "teeth", z.into(), "-", "must be at least 1")?;
+        }
+        let module = DomainError::positive("module", input.module)?;
+        let alpha_n = DomainError::positive("pressure angle", input.pressure_angle)?;
+        DomainError::require(
+            alpha_n <= LARGEST_PRESSURE_ANGLE_DEGREES.to_radians(),
+            "pressure angle",
+            alpha_n.to_degrees(),
+            "deg",
+            "must not be above 45 deg",
+        )?;
+        let beta = DomainError::finite("helix angle", input.helix)?.abs();
+        DomainError::require(
+            beta <= STEEPEST_HELIX_DEGREES.to_radians(),
+            "helix angle",
+            beta.to_degrees(),
+            "deg",
+            "must lie within 60 deg",
+        )?;
+        let (m_n, m_t) = match input.module_plane {
+            Plane::Normal => (module, module / beta.cos()),
+            Plane::Transverse => (module * beta.cos(), module),
+        };
+        let alpha_t = (alpha_n.tan() / beta.cos()).atan();
+        let r = input
+            .teeth
+            .map(|z| Length::from_si(0.5 * m_t * f64::from(z)));
+        Ok(Self {
+            teeth: input.teeth,
+            normal_module: Length::from_si(m_n),
+            transverse_module: Length::from_si(m_t),
+            alpha_n,
+            alpha_t,
+            beta,
+            beta_b: (beta.sin() * alpha_n.cos()).asin(),
+            reference_radius: r,
+            base_radius: r.map(|r| r * alpha_t.cos()),
+        })
+    }
+
+    pub(crate) fn tooth(&self, gear: usize, profile_shift: f64) -> ToothSection {
+        ToothSection {
+            teeth: self.teeth[gear],
+            profile_shift,
+            normal_pressure_angle: Angle::from_si(self.alpha_n),
+            transverse_pressure_angle: Angle::from_si(self.alpha_t),
+            base_radius: self.base_radius[gear],
+        }
+    }
+
+    pub(crate) fn tooth_sum(&self) -> f64 {
+        f64::from(self.teeth[0]) + f64::from(self.teeth[1])
+    }
+
+    pub(crate) fn base_radius_sum(&self) -> Length {
+        self.base_radius[0] + self.base_radius[1]
+    }
+}

@@ -1,0 +1,408 @@
+//! What is refused and why, and what limits give.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
+
+use asperity_core::quantity::{Angle, AngularSpeed, Length, Torque};
+use asperity_gear::{Gear, GearError, GearPair, GearPairInput, LoadSharing, PositionRule};
+
+fn mm(value: f64) -> Length {
+    Length::from_si(value * 1e-3)
+}
+
+fn spur() -> GearPairInput {
+    GearPairInput::standard([25, 40], mm(3.0), Angle::from_si(0.0), mm(30.0))
+}
+
+fn helical() -> GearPairInput {
+    GearPairInput {
+        helix: Angle::from_si(25f64.to_radians()),
+        ..spur()
+    }
+}
+
+fn refusal(input: &GearPairInput) -> GearError {
+    GearPair::new(input).unwrap_err()
+}
+
+#[test]
+fn a_tip_past_the_mating_involute_is_interference() {
+    // A wheel of full depth undercuts a pinion of 8 teeth.
+    let few = GearPairInput {
+        teeth: [8, 60],
+        ..spur()
+    };
+    assert!(matches!(
+        refusal(&few),
+        GearError::Interference {
+            gear: Gear::Wheel,
+            ..
+        }
+    ));
+    assert!(matches!(
+        refusal(&few.swapped()),
+        GearError::Interference {
+            gear: Gear::Pinion,
+            ..
+        }
+    ));
+}
+
+#[test]
+fn a_spur_pair_with_a_gap_between_the_pairs_is_refused() {
+    let short = GearPairInput {
+        addendum: 0.5,
+        ..spur()
+    };
+    assert!(
+        matches!(refusal(&short), GearError::SpurContactRatio { eps_alpha } if eps_alpha < 1.0)
+    );
+    // The same teeth work when an overlap makes up for it.
+    let wide = GearPairInput {
+        addendum: 0.5,
+        ..helical()
+    };
+    let pair = GearPair::new(&wide).unwrap();
+    assert!(pair.path().eps_alpha < 1.0 && pair.path().eps_gamma > 1.0);
+    let narrow = GearPairInput {
+        overlap: Some(mm(0.5)),
+        ..wide
+    };
+    assert!(matches!(
+        refusal(&narrow),
+        GearError::TotalContactRatio { .. }
+    ));
+}
+
+#[test]
+fn pointed_teeth_are_refused() {
+    let pointed = GearPairInput {
+        profile_shift: Some([1.4, 0.0]),
+        addendum: 1.1,
+        ..spur()
+    };
+    let GearError::PointedTip { gear, thickness } = refusal(&pointed) else {
+        panic!("{:?}", refusal(&pointed));
+    };
+    assert_eq!(gear, Gear::Pinion);
+    assert!(thickness.si() <= 0.0);
+    // With the sum of the shifts alone, only what no division could save is refused.
+    let both = GearPairInput {
+        profile_shift: None,
+        centre_distance: Some(mm(99.0)),
+        tip_radius: Some([mm(37.5 + 7.0), mm(60.0 + 7.0)]),
+        ..spur()
+    };
+    assert!(matches!(refusal(&both), GearError::PointedTips { sum } if sum < 0.0));
+}
+
+#[test]
+fn tips_that_do_not_reach_each_other_are_refused() {
+    let apart = GearPairInput {
+        profile_shift: None,
+        centre_distance: Some(mm(105.0)),
+        tip_radius: Some([mm(40.5), mm(63.0)]),
+        ..spur()
+    };
+    assert!(matches!(refusal(&apart), GearError::NoContact { .. }));
+}
+
+#[test]
+fn contradicting_givens_are_refused() {
+    let shifted = GearPairInput {
+        profile_shift: Some([0.3, 0.1]),
+        ..spur()
+    };
+    let right = GearPair::new(&shifted).unwrap().centre_distance;
+    let given = |centre: Length| GearPairInput {
+        centre_distance: Some(centre),
+        ..shifted.clone()
+    };
+    // 0.01 of the module of 3 mm is accepted, and the given distance counts.
+    let rounded = right + mm(0.029);
+    assert_eq!(
+        GearPair::new(&given(rounded)).unwrap().centre_distance,
+        rounded
+    );
+    let wrong = refusal(&given(right + mm(0.031)));
+    assert!(matches!(
+        wrong,
+        GearError::InconsistentCentreDistance { .. }
+    ));
+    let overlapping = refusal(&given(mm(90.0)));
+    assert!(matches!(
+        overlapping,
+        GearError::CentreDistanceTooSmall { .. }
+    ));
+}
+
+#[test]
+fn without_shifts_the_centre_distance_does_not_give_the_tips() {
+    let input = GearPairInput {
+        centre_distance: Some(mm(98.0)),
+        ..spur()
+    };
+    assert!(matches!(refusal(&input), GearError::TipRadiusUnknown { sum } if sum > 0.0));
+}
+
+#[test]
+fn nonsense_numbers_are_named() {
+    let nan = Length::from_si(f64::NAN);
+    let bad = [
+        GearPairInput {
+            teeth: [0, 40],
+            ..spur()
+        },
+        GearPairInput {
+            module: mm(0.0),
+            ..spur()
+        },
+        GearPairInput {
+            module: nan,
+            ..spur()
+        },
+        GearPairInput {
+            helix: Angle::from_si(1.4),
+            ..spur()
+        },
+        GearPairInput {
+            pressure_angle: Angle::from_si(0.0),
+            ..spur()
+        },
+        GearPairInput {
+            pressure_angle: Angle::from_si(0.9),
+            ..spur()
+        },
+        GearPairInput {
+            face_width: [mm(30.0), mm(-1.0)],
+            ..spur()
+        },
+        GearPairInput {
+            overlap: Some(mm(31.0)),
+            ..spur()
+        },
+        GearPairInput {
+            profile_shift: Some([f64::INFINITY, 0.0]),
+            ..spur()
+        },
+        GearPairInput {
+            profile_shift: Some([-30.0, 0.0]),
+            ..spur()
+        },
+        GearPairInput {
+            centre_distance: Some(nan),
+            ..spur()
+        },
+        GearPairInput {
+            tip_radius: Some([mm(41.0), nan]),
+            ..spur()
+        },
+        GearPairInput {
+            tip_radius: Some([mm(20.0), mm(63.0)]),
+            ..spur()
+        },
+        GearPairInput {
+            addendum: f64::NAN,
+            ..spur()
+        },
+        GearPairInput {
+            face_width: [Length::from_si(1e6); 2],
+            ..helical()
+        },
+    ];
+    for input in bad {
+        let error = refusal(&input);
+        assert!(matches!(error, GearError::Domain(_)), "{error}");
+    }
+}
+
+#[test]
+fn the_overlap_of_the_faces_carries_the_load() {
+    let stepped = GearPairInput {
+        face_width: [mm(30.0), mm(24.0)],
+        ..spur()
+    };
+    assert_eq!(GearPair::new(&stepped).unwrap().face_width, mm(24.0));
+    let shifted = GearPairInput {
+        overlap: Some(mm(20.0)),
+        ..stepped
+    };
+    assert_eq!(GearPair::new(&shifted).unwrap().face_width, mm(20.0));
+}
+
+#[test]
+fn questions_off_the_path_have_no_answer() {
+    let pair = GearPair::new(&spur()).unwrap();
+    let path = *pair.path();
+    let torque = Torque::from_si(100.0);
+    let before = path.a - mm(0.001);
+    let law = LoadSharing::Uniform;
+    assert!(matches!(
+        pair.line_load(before, torque, &law),
+        Err(GearError::OffPath { .. })
+    ));
+    assert!(matches!(
+        pair.single_position(before),
+        Err(GearError::OffPath { .. })
+    ));
+    assert!(
+        pair.line_load(path.a, torque, &law).is_ok()
+            && pair.line_load(path.e, torque, &law).is_ok()
+    );
+    let speed = AngularSpeed::from_si(100.0);
+    assert!(pair.kinematics(path.t1t2 + mm(0.001), speed).is_err());
+    assert!(pair.kinematics(Length::from_si(f64::NAN), speed).is_err());
+    assert!(pair.kinematics(path.c, AngularSpeed::from_si(0.0)).is_err());
+    assert!(pair.forces(Torque::from_si(f64::NAN)).is_err());
+    assert!(pair.contact_length(f64::NAN).is_err());
+    assert!(matches!(
+        law.share(1.7, 1.6),
+        Err(GearError::CoordinateOffPath { .. })
+    ));
+    assert!(law.weight(0.1, f64::NAN).is_err());
+}
+
+#[test]
+fn sharing_laws_keep_to_the_pairs_they_were_made_for() {
+    let spur = GearPair::new(&spur()).unwrap();
+    let helical = GearPair::new(&helical()).unwrap();
+    let trapezoid = LoadSharing::Trapezoid;
+    assert!(spur.loss_factors(&trapezoid).is_ok());
+    assert!(matches!(
+        helical.loss_factors(&trapezoid),
+        Err(GearError::SpurLawOnHelical { .. })
+    ));
+    for law in [LoadSharing::Trapezoid, LoadSharing::MinPotential] {
+        assert!(matches!(
+            law.weight(0.5, 2.1),
+            Err(GearError::SharingRange { .. })
+        ));
+        assert!(matches!(
+            law.weight(0.5, 1.0),
+            Err(GearError::SharingRange { .. })
+        ));
+    }
+}
+
+#[test]
+fn tables_that_cannot_be_read_name_their_row() {
+    let cases: [(&[(f64, f64)], usize); 8] = [
+        (&[], 0),
+        (&[(0.0, 1.0)], 0),
+        (&[(0.1, 1.0), (1.0, 1.0)], 0),
+        (&[(0.0, 1.0), (0.9, 1.0)], 1),
+        (&[(0.0, 1.0), (0.5, -1.0), (1.0, 1.0)], 1),
+        (&[(0.0, 1.0), (0.5, 1.0), (0.5, 1.0), (1.0, 1.0)], 2),
+        (&[(0.0, 1.0), (f64::NAN, 1.0), (1.0, 1.0)], 1),
+        (&[(0.0, 0.0), (1.0, 0.0)], 1),
+    ];
+    for (rows, wrong) in cases {
+        let error = LoadSharing::Table(rows.to_vec())
+            .weight(0.5, 1.5)
+            .unwrap_err();
+        assert!(
+            matches!(error, GearError::SharingTable { row, .. } if row == wrong),
+            "{error}"
+        );
+    }
+}
+
+#[test]
+fn a_table_of_ones_is_uniform_sharing() {
+    let ones = LoadSharing::Table(vec![(0.0, 1.0), (0.3, 1.0), (1.0, 1.0)]);
+    for input in [spur(), helical()] {
+        let pair = GearPair::new(&input).unwrap();
+        let (table, uniform) = (
+            pair.loss_factors(&ones),
+            pair.loss_factors(&LoadSharing::Uniform),
+        );
+        let (table, uniform) = (table.unwrap(), uniform.unwrap());
+        assert!((table.local / uniform.local - 1.0).abs() < 1e-13);
+        assert!((table.local_phase_averaged / uniform.local_phase_averaged - 1.0).abs() < 1e-13);
+    }
+}
+
+#[test]
+fn positions_cover_every_segment_or_are_refused() {
+    let pair = GearPair::new(&spur()).unwrap();
+    let rule = PositionRule::GaussLegendre;
+    assert_eq!(pair.positions(4, rule).unwrap().len(), 4);
+    for count in [0, 3, usize::MAX] {
+        let refused = pair.positions(count, rule);
+        assert!(matches!(
+            refused,
+            Err(GearError::PositionCount { least: 4, .. })
+        ));
+    }
+    let path = *pair.path();
+    let ends = [path.a, path.b, path.c, path.d, path.e];
+    let places = pair.positions(32, rule).unwrap();
+    for segment in ends.windows(2) {
+        let inside = places
+            .iter()
+            .filter(|place| place.s > segment[0] && place.s < segment[1]);
+        assert!(inside.count() > 2);
+    }
+    assert!(places.is_sorted_by(|one, next| one.s < next.s));
+}
+
+#[test]
+fn a_helix_that_vanishes_leaves_the_geometry_of_the_spur_pair() {
+    let straight = GearPair::new(&spur()).unwrap();
+    let nearly = GearPair::new(&GearPairInput {
+        helix: Angle::from_si(1e-7),
+        ..spur()
+    })
+    .unwrap();
+    assert!((nearly.path().eps_alpha - straight.path().eps_alpha).abs() < 1e-12);
+    // Load shared at each instant goes over into equal shares; the mean line load does not.
+    let at = |pair: &GearPair| {
+        pair.loss_factors(&LoadSharing::Uniform)
+            .unwrap()
+            .local_phase_averaged
+    };
+    assert!((at(&nearly) / at(&straight) - 1.0).abs() < 1e-4);
+    // A helix in the last digits is none.
+    let none = GearPair::new(&GearPairInput {
+        helix: Angle::from_si(1e-17),
+        ..spur()
+    })
+    .unwrap();
+    assert!(none.is_spur());
+    assert_eq!(at(&none), at(&straight));
+}
+
+#[test]
+fn the_hand_of_the_helix_does_not_matter() {
+    let left = GearPairInput {
+        helix: -helical().helix,
+        ..helical()
+    };
+    assert_eq!(
+        GearPair::new(&left).unwrap(),
+        GearPair::new(&helical()).unwrap()
+    );
+}
+
+#[test]
+fn a_pitch_point_off_the_path_is_allowed() {
+    // Long and short addenda: all of the path is recess.
+    let input = GearPairInput {
+        profile_shift: Some([1.0, -1.0]),
+        addendum: 0.95,
+        ..GearPairInput::standard([40, 90], mm(2.0), Angle::from_si(0.0), mm(20.0))
+    };
+    let pair = GearPair::new(&input).unwrap();
+    assert!(pair.path().eps_2 < 0.0);
+    assert_eq!(
+        pair.positions(8, PositionRule::GaussLegendre)
+            .unwrap()
+            .len(),
+        8
+    );
+    let local = pair.loss_factors(&LoadSharing::Uniform).unwrap().local;
+    let path = pair.path();
+    // Nothing changes sign, so the mean sliding is that at the load-weighted middle of the path.
+    let arm = 0.5 * (path.a.si() + path.e.si()) - path.c.si();
+    let hand = (1.0 + 1.0 / pair.ratio) * arm / pair.base_radius[0].si();
+    assert!((local / hand - 1.0).abs() < 1e-12, "{local} {hand}");
+}
