@@ -1,0 +1,250 @@
+//! Removing the form of a flank before anything is called roughness.
+//!
+//! Source: least-squares fits; orthogonal polynomials on an even grid make each coefficient a plain
+//! projection, so the fit needs no system of equations and loses no digits.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | t | position on the trace, −1 at its start and 1 at its end | - |
+//! | z | height | m |
+//! | c_k | coefficient of the polynomial of degree k | m |
+//! | R | radius of the circle | m |
+
+use asperity_core::Profile;
+use asperity_core::quantity::Length;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::RoughnessError;
+
+/// The form to remove.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Form {
+    /// Nothing, not even the mean height.
+    None,
+    /// The mean height (degree 0).
+    Mean,
+    /// The least-squares line (degree 1).
+    #[default]
+    Level,
+    /// The least-squares parabola (degree 2), for flanks with crowning.
+    Poly2,
+    /// The least-squares circle, for strongly curved traces.
+    Circle,
+}
+
+/// A polynomial of degree two or less in the orthogonal basis 1, t, t² − ⟨t²⟩.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Polynomial {
+    /// Coefficients c₀, c₁, c₂ [m]; those above the degree are zero.
+    pub coefficients: [f64; 3],
+    /// Points of the grid.
+    pub points: usize,
+}
+
+impl Polynomial {
+    /// Height at point `i` [m].
+    pub fn at(&self, i: usize) -> f64 {
+        let [c0, c1, c2] = self.coefficients;
+        let t = position(i, self.points);
+        c0 + c1 * t + c2 * (t * t - mean_square(self.points))
+    }
+
+    /// Height of the parabola between its apex and the ends, |c₂| [m].
+    pub fn sag(&self) -> Length {
+        Length::from_si(self.coefficients[2].abs())
+    }
+}
+
+fn position(i: usize, n: usize) -> f64 {
+    if n < 2 {
+        0.0
+    } else {
+        (2 * i) as f64 / (n - 1) as f64 - 1.0
+    }
+}
+
+/// ⟨t²⟩ = (n + 1)/(3 (n − 1)) over n even points from −1 to 1.
+fn mean_square(n: usize) -> f64 {
+    if n < 2 {
+        0.0
+    } else {
+        (n + 1) as f64 / (3 * (n - 1)) as f64
+    }
+}
+
+/// min over c of Σ (zᵢ − Σₖ cₖ pₖ(tᵢ))², pₖ orthogonal                           [Form-1]
+///
+/// c_k = Σ zᵢ pₖ(tᵢ) / Σ pₖ(tᵢ)²; `degree` is 0, 1 or 2 (more is taken as 2).
+///
+/// # Errors
+/// When there are no more points than the degree.
+///
+/// ```
+/// use asperity_roughness::form::fit;
+/// let line = fit(&[1.0, 3.0, 5.0], 1)?;
+/// assert!((line.at(0) - 1.0).abs() < 1e-15 && (line.at(2) - 5.0).abs() < 1e-15);
+/// # Ok::<(), asperity_roughness::RoughnessError>(())
+/// ```
+pub fn fit(heights: &[f64], degree: usize) -> Result<Polynomial, RoughnessError> {
+    let n = heights.len();
+    let degree = degree.min(2);
+    if n <= degree {
+        return Err(RoughnessError::TooFewPoints {
+            points: n,
+            needed: degree + 1,
+            purpose: "fitting the form",
+        });
+    }
+    let square = mean_square(n);
+    let basis = |k: usize, t: f64| match k {
+        0 => 1.0,
+        1 => t,
+        _ => t * t - square,
+    };
+    let mut coefficients = [0.0; 3];
+    // Projecting what is left keeps the digits of small terms under a large offset.
+    let mean = heights.iter().sum::<f64>() / n as f64;
+    coefficients[0] = mean + heights.iter().map(|z| z - mean).sum::<f64>() / n as f64;
+    for k in 1..=degree {
+        let (mut product, mut norm) = (0.0, 0.0);
+        for (i, z) in heights.iter().enumerate() {
+            let p = basis(k, position(i, n));
+            product += (z - coefficients[0]) * p;
+            norm += p * p;
+        }
+        coefficients[k] = product / norm;
+    }
+    Ok(Polynomial {
+        coefficients,
+        points: n,
+    })
+}
+
+/// The profile without its form.
+///
+/// # Errors
+/// When the profile has too few points for the fit, or the circle does not converge.
+///
+/// ```
+/// use asperity_core::{Profile, quantity::Length};
+/// use asperity_roughness::form::{Form, remove};
+/// let tilted = Profile::new(Length::from_si(1e-6), (0..100).map(|i| 0.1 + 1e-9 * i as f64).collect())?;
+/// let level = remove(&tilted, Form::Level)?;
+/// assert!(level.heights().iter().all(|z| z.abs() < 1e-16));
+/// # Ok::<(), asperity_roughness::RoughnessError>(())
+/// ```
+pub fn remove(profile: &Profile, form: Form) -> Result<Profile, RoughnessError> {
+    let z = profile.heights();
+    let residual = match form {
+        Form::None => z.to_vec(),
+        Form::Mean | Form::Level | Form::Poly2 => {
+            let degree = match form {
+                Form::Mean => 0,
+                Form::Level => 1,
+                _ => 2,
+            };
+            let fitted = fit(z, degree)?;
+            z.iter()
+                .enumerate()
+                .map(|(i, z)| z - fitted.at(i))
+                .collect()
+        }
+        Form::Circle => circle_residual(profile)?,
+    };
+    Ok(Profile::new(profile.spacing(), residual)?)
+}
+
+/// z(x) = c₀ + c₁ x ± (√(R² − x²) − R), fitted to the heights by Gauss-Newton       [Form-2]
+///
+/// x runs from the middle of the trace, the curvature κ = ±1/R is the unknown, and
+/// √(R² − x²) − R = −κ x²/(1 + √(1 − κ² x²)), which holds for a flat trace too.
+fn circle_residual(profile: &Profile) -> Result<Vec<f64>, RoughnessError> {
+    const MOST: usize = 50;
+    // Relative change of the curvature at which the heights no longer change.
+    const SETTLED: f64 = 1e-12;
+    let z = profile.heights();
+    let parabola = fit(z, 2)?;
+    let half = 0.5 * profile.length().si();
+    let mut curvature = -2.0 * parabola.coefficients[2] / (half * half);
+    // The steepest circle that still spans the trace.
+    let steepest = 0.999 / half;
+    let mut residual = 1.0;
+    for _ in 0..MOST {
+        curvature = curvature.clamp(-steepest, steepest);
+        let (arc, slope) = arc_and_slope(z.len(), half, curvature);
+        // Offset and tilt follow the arc exactly; only the curvature needs steps.
+        let rest: Vec<f64> = z.iter().zip(&arc).map(|(z, arc)| z - arc).collect();
+        let line = fit(&rest, 1)?;
+        let tangent = fit(&slope, 1)?;
+        let (mut product, mut norm) = (0.0, 0.0);
+        for (i, (rest, slope)) in rest.iter().zip(&slope).enumerate() {
+            let s = slope - tangent.at(i);
+            product += (rest - line.at(i)) * s;
+            norm += s * s;
+        }
+        let step = if norm > 0.0 { product / norm } else { 0.0 };
+        residual = step.abs() / curvature.abs().max(f64::MIN_POSITIVE);
+        curvature += step;
+        // A step that moves no height by more than its rounding counts as none on a flat trace.
+        let moved = step.abs() * half * half;
+        let scale = z.iter().fold(0.0_f64, |m, z| m.max(z.abs()));
+        if residual < SETTLED || moved <= f64::EPSILON * scale {
+            return Ok(rest
+                .iter()
+                .enumerate()
+                .map(|(i, rest)| rest - line.at(i))
+                .collect());
+        }
+    }
+    Err(RoughnessError::NotConverged {
+        what: "the circle fit",
+        iterations: MOST,
+        residual,
+    })
+}
+
+/// Heights of the arc over its apex, and their derivative by the curvature.
+fn arc_and_slope(n: usize, half: f64, curvature: f64) -> (Vec<f64>, Vec<f64>) {
+    (0..n)
+        .map(|i| {
+            let x = half * position(i, n);
+            let root = (1.0 - (curvature * x).powi(2)).sqrt();
+            let arc = -curvature * x * x / (1.0 + root);
+            (arc, -x * x / (root * (1.0 + root)))
+        })
+        .unzip()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_polynomial_is_removed_to_the_last_digits() {
+        let z = |i: usize| 0.1066 + 3e-8 * i as f64 - 2e-11 * (i * i) as f64;
+        let spacing = Length::from_si(0.5e-6);
+        let profile = Profile::new(spacing, (0..5000).map(z).collect()).unwrap();
+        let left = remove(&profile, Form::Poly2).unwrap();
+        let largest = left.heights().iter().fold(0.0_f64, |m, z| m.max(z.abs()));
+        // Heights of 0.1 m carry an error of 1.4e-17 each.
+        assert!(largest < 1e-15, "{largest:e}");
+    }
+
+    #[test]
+    fn a_steep_circle_is_removed_where_a_parabola_is_not() {
+        let radius = 2e-3_f64;
+        let z = |i: usize| {
+            let x = (i as f64 - 1000.0) * 1e-6;
+            0.3e-3 + 0.05 * x + (radius * radius - x * x).sqrt()
+        };
+        let profile = Profile::new(Length::from_si(1e-6), (0..2001).map(z).collect()).unwrap();
+        let largest = |form| {
+            let left = remove(&profile, form).unwrap();
+            left.heights().iter().fold(0.0_f64, |m, z| m.max(z.abs()))
+        };
+        assert!(largest(Form::Circle) < 1e-15, "{:e}", largest(Form::Circle));
+        assert!(largest(Form::Poly2) > 1e-6);
+    }
+}

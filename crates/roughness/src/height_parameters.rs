@@ -1,0 +1,350 @@
+//! Height, spacing and slope parameters in the two ways in which they are standardised.
+//!
+//! Source: ISO 4287:1997 with ISO 4288 (per sampling length, then the mean; what testers print), and
+//! ISO 21920-2:2021 (field parameters over the evaluation length, feature parameters per section).
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | z | height over the mean line of the filter (never centred again) | m |
+//! | l_e, l_c | evaluation length, section (sampling) length | m |
+//! | n | sections, ⌊l_e/l_c⌋; section i is z[i N/n .. (i+1) N/n] | - |
+//!
+//! The two ways differ by up to a factor on surfaces with single features: the mode goes with every
+//! value.
+
+use asperity_core::quantity::Length;
+use asperity_core::{DomainError, Profile};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::RoughnessError;
+use crate::elements::{Element, elements, overlapping_elements};
+use crate::spectral::slopes;
+
+/// Share of Rz (or Rp, Rv) that a profile element must exceed on either side (ISO 4287, 21920-2).
+const DISCRIMINATION: f64 = 0.1;
+
+/// The standard whose definitions are used.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Mode {
+    /// Per sampling length, then the mean: ISO 4287, as testers print it.
+    #[default]
+    Iso4287,
+    /// Over the evaluation length: ISO 21920-2.
+    Iso21920,
+}
+
+impl std::fmt::Display for Mode {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Iso4287 => "ISO 4287",
+            Self::Iso21920 => "ISO 21920-2",
+        })
+    }
+}
+
+/// Height, spacing and slope parameters of a profile.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct HeightParameters {
+    /// The definitions used.
+    pub mode: Mode,
+    /// Sections evaluated.
+    pub sections: usize,
+    /// Arithmetic mean height.
+    pub ra: Length,
+    /// Root mean square height.
+    pub rq: Length,
+    /// Skewness; none for a flat profile.
+    pub rsk: Option<f64>,
+    /// Kurtosis, 3 for Gaussian heights; none for a flat profile.
+    pub rku: Option<f64>,
+    /// Mean peak height.
+    pub rp: Length,
+    /// Mean pit depth, positive.
+    pub rv: Length,
+    /// Rp + Rv.
+    pub rz: Length,
+    /// Largest Rz of a section (also printed as Rmax, Rz1max, Rzx).
+    pub rz1max: Length,
+    /// Total height over the evaluation length.
+    pub rt: Length,
+    /// Mean width of profile elements; none without an element.
+    pub rsm: Option<Length>,
+    /// Mean height of profile elements; none without an element.
+    pub rc: Option<Length>,
+    /// Root mean square slope, 7-point.
+    pub rdq: f64,
+    /// Sections in which no profile element was found (whole trace counted as one in ISO 21920-2).
+    pub sections_without_element: usize,
+}
+
+/// The parameters of a filtered profile, in sections of `lambda_c`.
+///
+/// # Errors
+/// When the profile is shorter than one section or has too few points for a slope.
+///
+/// ```
+/// use asperity_core::{Profile, quantity::Length};
+/// use asperity_roughness::height_parameters::{Mode, height_parameters};
+/// let wave = |i: usize| 1e-6 * (i as f64 / 100.0 * std::f64::consts::TAU).sin();
+/// let profile = Profile::new(Length::from_si(0.8e-6), (0..5000).map(wave).collect())?;
+/// let found = height_parameters(&profile, Mode::Iso4287, "0.8 mm".parse()?)?;
+/// assert_eq!(found.sections, 5);
+/// assert!((found.rq.si() - 1e-6 / 2f64.sqrt()).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn height_parameters(
+    profile: &Profile,
+    mode: Mode,
+    lambda_c: Length,
+) -> Result<HeightParameters, RoughnessError> {
+    in_sections(profile, mode, sections_in(profile, lambda_c)?)
+}
+
+/// n = ⌊l_e/l_c⌋, l_e = N dx                                                  [Section-1]
+///
+/// # Errors
+/// When the section length is not positive, or longer than the profile.
+///
+/// ```
+/// use asperity_core::{Profile, quantity::Length};
+/// let profile = Profile::new(Length::from_si(1e-6), vec![0.0; 4000])?;
+/// let n = asperity_roughness::height_parameters::sections_in(&profile, Length::from_si(0.8e-3))?;
+/// assert_eq!(n, 5);
+/// # Ok::<(), asperity_roughness::RoughnessError>(())
+/// ```
+pub fn sections_in(profile: &Profile, section_length: Length) -> Result<usize, RoughnessError> {
+    // Five sections of 0.8 mm must not become four by the rounding of dx.
+    const ROUNDING: f64 = 1e-9;
+    let lc = DomainError::positive("section length", section_length)?;
+    let evaluated = profile.spacing() * profile.len() as f64;
+    let sections = (evaluated.si() / lc * (1.0 + ROUNDING)).floor();
+    if sections < 1.0 {
+        return Err(RoughnessError::TooShort {
+            length: evaluated,
+            needed: section_length,
+            purpose: "one section",
+        });
+    }
+    Ok((sections as usize).min(profile.len()))
+}
+
+/// The parameters of a filtered profile cut into `sections` equal sections.
+///
+/// # Errors
+/// When a section has fewer than the seven points that a slope takes.
+///
+/// ```
+/// use asperity_core::{Profile, quantity::Length};
+/// use asperity_roughness::height_parameters::{Mode, in_sections};
+/// let heights = (0..500).map(|i| if i % 2 == 0 { 1e-6 } else { -1e-6 }).collect();
+/// let profile = Profile::new(Length::from_si(1e-6), heights)?;
+/// let found = in_sections(&profile, Mode::Iso21920, 5)?;
+/// assert_eq!(found.rz.si(), 2e-6);
+/// assert!((found.ra.si() - 1e-6).abs() < 1e-18);
+/// # Ok::<(), asperity_roughness::RoughnessError>(())
+/// ```
+pub fn in_sections(
+    profile: &Profile,
+    mode: Mode,
+    sections: usize,
+) -> Result<HeightParameters, RoughnessError> {
+    const LEAST: usize = 7;
+    let z = profile.heights();
+    let n = sections.max(1);
+    if z.len() / n < LEAST {
+        return Err(RoughnessError::TooFewPoints {
+            points: z.len() / n,
+            needed: LEAST,
+            purpose: "the slope of a section",
+        });
+    }
+    let parts: Vec<&[f64]> = (0..n)
+        .map(|i| &z[i * z.len() / n..(i + 1) * z.len() / n])
+        .collect();
+    let dx = profile.spacing().si();
+    let found = match mode {
+        Mode::Iso4287 => per_section(&parts, dx),
+        Mode::Iso21920 => over_the_length(z, &parts, dx),
+    };
+    let (low, high) = extremes(z);
+    Ok(found.finish(mode, n, high - low))
+}
+
+/// Lowest and highest value; (∞, −∞) for none.
+pub(crate) fn extremes(z: &[f64]) -> (f64, f64) {
+    z.iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), z| {
+            (low.min(*z), high.max(*z))
+        })
+}
+
+/// Numbers in SI on their way to [`HeightParameters`].
+struct Raw {
+    moments: Moments,
+    rp: f64,
+    rv: f64,
+    rz1max: f64,
+    element: Option<Element>,
+    empty: usize,
+    rdq: f64,
+    dx: f64,
+}
+
+impl Raw {
+    fn finish(self, mode: Mode, sections: usize, rt: f64) -> HeightParameters {
+        let length = Length::from_si;
+        HeightParameters {
+            mode,
+            sections,
+            ra: length(self.moments.ra),
+            rq: length(self.moments.rq),
+            rsk: self.moments.shape.map(|(rsk, _)| rsk),
+            rku: self.moments.shape.map(|(_, rku)| rku),
+            rp: length(self.rp),
+            rv: length(self.rv),
+            rz: length(self.rp + self.rv),
+            rz1max: length(self.rz1max),
+            rt: length(rt),
+            rsm: self.element.map(|element| length(element.width * self.dx)),
+            rc: self.element.map(|element| length(element.height)),
+            rdq: self.rdq,
+            sections_without_element: self.empty,
+        }
+    }
+}
+
+/// Ra, Rq, and (Rsk, Rku) unless the profile is flat.
+#[derive(Debug, Clone, Copy)]
+struct Moments {
+    ra: f64,
+    rq: f64,
+    shape: Option<(f64, f64)>,
+}
+
+/// Ra = ⟨|z|⟩,  Rq = √⟨z²⟩,  Rsk = ⟨z³⟩/Rq³,  Rku = ⟨z⁴⟩/Rq⁴                      [Height-1]
+fn moments(z: &[f64]) -> Moments {
+    let n = z.len() as f64;
+    let rq = (z.iter().map(|z| z * z).sum::<f64>() / n).sqrt();
+    // Heights are scaled by Rq before they are raised, so that no power underflows.
+    let shape = (rq > 0.0).then(|| {
+        let power = |p: i32| z.iter().map(|z| (z / rq).powi(p)).sum::<f64>() / n;
+        (power(3), power(4))
+    });
+    Moments {
+        ra: z.iter().map(|z| z.abs()).sum::<f64>() / n,
+        rq,
+        shape,
+    }
+}
+
+fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {
+    let (sum, count) = values.fold((0.0, 0_usize), |(sum, count), value| {
+        (sum + value, count + 1)
+    });
+    (count > 0).then(|| sum / count as f64)
+}
+
+/// X = (1/n) Σ Xᵢ over the sampling lengths; Rp = ⟨max z⟩, Rv = ⟨−min z⟩, Rz = Rp + Rv   [Height-2]
+fn per_section(parts: &[&[f64]], dx: f64) -> Raw {
+    let average = |value: &dyn Fn(&[f64]) -> f64| {
+        mean(parts.iter().map(|part| value(part))).unwrap_or_default()
+    };
+    let each: Vec<Moments> = parts.iter().map(|part| moments(part)).collect();
+    let shapes = || each.iter().filter_map(|m| m.shape);
+    let shape = mean(shapes().map(|s| s.0)).zip(mean(shapes().map(|s| s.1)));
+    let per_part: Vec<Option<Element>> = parts
+        .iter()
+        .map(|part| {
+            let (low, high) = extremes(part);
+            let threshold = DISCRIMINATION * (high - low);
+            mean_element(&elements(part, threshold, threshold))
+        })
+        .collect();
+    let found: Vec<Element> = per_part.iter().flatten().copied().collect();
+    Raw {
+        moments: Moments {
+            ra: mean(each.iter().map(|m| m.ra)).unwrap_or_default(),
+            rq: mean(each.iter().map(|m| m.rq)).unwrap_or_default(),
+            shape,
+        },
+        rp: average(&|part| extremes(part).1),
+        rv: average(&|part| -extremes(part).0),
+        rz1max: largest_range(parts),
+        empty: parts.len() - found.len(),
+        element: mean_element(&found),
+        rdq: average(&|part| root_mean_square(&slopes(part, dx))),
+        dx,
+    }
+}
+
+/// Field parameters over l_e; Rp, Rv mean over sections of the highest hill and the deepest dale
+/// whose extremum lies in the section, 0 where there is none                                         [Height-3]
+fn over_the_length(z: &[f64], parts: &[&[f64]], dx: f64) -> Raw {
+    let n = parts.len();
+    let (hills, dales) = hills_and_dales(z, n);
+    let height = |values: &[f64]| values.iter().sum::<f64>() / n as f64;
+    let (rp, rv) = (height(&hills), height(&dales));
+    let ranges = hills.iter().zip(&dales).map(|(hill, dale)| hill + dale);
+    let found = overlapping_elements(z, DISCRIMINATION * rp, DISCRIMINATION * rv);
+    Raw {
+        moments: moments(z),
+        rp,
+        rv,
+        rz1max: ranges.fold(0.0, f64::max),
+        empty: usize::from(found.is_empty()),
+        element: mean_element(&found),
+        rdq: root_mean_square(&slopes(z, dx)),
+        dx,
+    }
+}
+
+/// Highest hill and deepest dale (both positive) of each of `n` sections; a hill or dale is a run of
+/// points on one side of the mean line and belongs to the section of its extremum.
+fn hills_and_dales(z: &[f64], n: usize) -> (Vec<f64>, Vec<f64>) {
+    let (mut hills, mut dales) = (vec![0.0; n], vec![0.0; n]);
+    let mut start = 0;
+    while start < z.len() {
+        let up = z[start] > 0.0;
+        let length = z[start..].iter().take_while(|z| (**z > 0.0) == up).count();
+        let run = z[start..start + length].iter().enumerate();
+        let (at, size) = run.fold((0, f64::NEG_INFINITY), |best, (at, z)| {
+            if z.abs() > best.1 {
+                (at, z.abs())
+            } else {
+                best
+            }
+        });
+        // Section i holds the points i N/n .. (i+1) N/n, rounded down.
+        let section = ((start + at + 1) * n).div_ceil(z.len()) - 1;
+        let target = if up { &mut hills } else { &mut dales };
+        if let Some(best) = target.get_mut(section) {
+            *best = size.max(*best);
+        }
+        start += length;
+    }
+    (hills, dales)
+}
+
+fn mean_element(found: &[Element]) -> Option<Element> {
+    let width = mean(found.iter().map(|element| element.width))?;
+    let height = mean(found.iter().map(|element| element.height))?;
+    Some(Element { width, height })
+}
+
+fn largest_range(parts: &[&[f64]]) -> f64 {
+    parts
+        .iter()
+        .map(|part| {
+            let (low, high) = extremes(part);
+            high - low
+        })
+        .fold(0.0, f64::max)
+}
+
+fn root_mean_square(values: &[f64]) -> f64 {
+    mean(values.iter().map(|v| v * v))
+        .unwrap_or_default()
+        .sqrt()
+}

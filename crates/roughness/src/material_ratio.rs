@@ -1,0 +1,209 @@
+//! The material ratio (Abbott) curve and the Rk family.
+//!
+//! Source: ISO 13565-2:1996, without the height classes that makers use (their values differ by
+//! 1 to 4 % from each other).
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | s_k | heights in falling order, k = 0 .. N−1 | m |
+//! | Mr_k | material ratio at s_k, (k + ½)/N | % |
+//! | m | 40 % of the points, round(0.4 N) | - |
+//! | c(Mr) | the equivalent straight line | m |
+
+use asperity_core::DomainError;
+use asperity_core::quantity::Length;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::RoughnessError;
+
+/// Share of the curve that the line is laid through (ISO 13565-2).
+const WINDOW: f64 = 0.4;
+
+/// How the equivalent line is laid through the flattest 40 % of the curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Line {
+    /// By least squares, as the standard says.
+    #[default]
+    LeastSquares,
+    /// Through the two end points, as some instruments do.
+    Secant,
+}
+
+/// The Rk family.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct RkParameters {
+    /// Core height.
+    pub rk: Length,
+    /// Reduced peak height.
+    pub rpk: Length,
+    /// Reduced pit depth.
+    pub rvk: Length,
+    /// Material ratio where the core meets the peaks [%].
+    pub mr1: f64,
+    /// Material ratio where the core meets the pits [%].
+    pub mr2: f64,
+    /// Area of the peaks over the core line, in heights times percent/100 of the trace [m].
+    pub a1: Length,
+    /// Area of the pits under the core line, likewise [m].
+    pub a2: Length,
+    /// Height of the core's upper end c(0 %) over the zero of the heights.
+    pub upper: Length,
+    /// Height of the core's lower end c(100 %).
+    pub lower: Length,
+    /// Material ratio at which the 40 % window starts [%].
+    pub window_start: f64,
+    /// How the line was laid.
+    pub line: Line,
+}
+
+/// The Rk family of `heights` [m], with the line by least squares.
+///
+/// # Errors
+/// As [`rk_parameters_with`].
+///
+/// ```
+/// use asperity_roughness::material_ratio::rk_parameters;
+/// // A triangular profile has a straight curve: all core.
+/// let heights: Vec<f64> = (0..2000).map(|i| f64::from(i) * 1e-9).collect();
+/// let found = rk_parameters(&heights)?;
+/// assert!((found.rk.si() - 2e-6).abs() < 1e-14);
+/// assert!(found.rpk.si() < 1e-14 && found.rvk.si() < 1e-14);
+/// # Ok::<(), asperity_roughness::RoughnessError>(())
+/// ```
+pub fn rk_parameters(heights: &[f64]) -> Result<RkParameters, RoughnessError> {
+    rk_parameters_with(heights, Line::LeastSquares)
+}
+
+/// Rk = c(0) − c(100),  Rpk = 2 A₁/Mr1,  Rvk = 2 A₂/(100 − Mr2)                   [Rk-1]
+///
+/// c is the line through the 40 % of the curve with the least secant slope (the first such window);
+/// Mr1 and Mr2 are where c(0) and c(100) cut the curve; A₁ = (100/N) Σ max(s − c(0), 0),
+/// A₂ = (100/N) Σ max(c(100) − s, 0).
+///
+/// # Errors
+/// When there are fewer than ten heights, or one is not finite.
+///
+/// ```
+/// use asperity_roughness::material_ratio::{Line, rk_parameters_with};
+/// let heights: Vec<f64> = (0..1000).map(|i| (f64::from(i) * 0.1).sin() * 1e-6).collect();
+/// let secant = rk_parameters_with(&heights, Line::Secant)?;
+/// assert!(secant.rk.si() > 1.6e-6 && secant.mr2 < 80.0);
+/// # Ok::<(), asperity_roughness::RoughnessError>(())
+/// ```
+pub fn rk_parameters_with(heights: &[f64], line: Line) -> Result<RkParameters, RoughnessError> {
+    const LEAST: usize = 10;
+    if heights.len() < LEAST {
+        return Err(RoughnessError::TooFewPoints {
+            points: heights.len(),
+            needed: LEAST,
+            purpose: "the material ratio curve",
+        });
+    }
+    let s = abbott_curve(heights)?;
+    let n = s.len();
+    let ratio = |k: usize| (k as f64 + 0.5) / n as f64 * 100.0;
+    let m = (WINDOW * n as f64).round() as usize;
+    let start = flattest_window(&s, m);
+    let (c0, c100) = equivalent_line(&s, start, m, line);
+    let share = 100.0 / n as f64;
+    // Sums of heights times percent; a triangle of base Mr1 and height Rpk has the area A₁.
+    let a1 = share * s.iter().map(|s| (s - c0).max(0.0)).sum::<f64>();
+    let a2 = share * s.iter().map(|s| (c100 - s).max(0.0)).sum::<f64>();
+    let mr1 = cut(&s, c0, ratio);
+    let mr2 = cut(&s, c100, ratio);
+    let reduced = |area: f64, base: f64| if base > 0.0 { 2.0 * area / base } else { 0.0 };
+    Ok(RkParameters {
+        rk: Length::from_si(c0 - c100),
+        rpk: Length::from_si(reduced(a1, mr1)),
+        rvk: Length::from_si(reduced(a2, 100.0 - mr2)),
+        mr1,
+        mr2,
+        a1: Length::from_si(a1 / 100.0),
+        a2: Length::from_si(a2 / 100.0),
+        upper: Length::from_si(c0),
+        lower: Length::from_si(c100),
+        window_start: ratio(start),
+        line,
+    })
+}
+
+/// s: the heights [m] in falling order; point k has the material ratio (k + ½)/N        [Rk-2]
+///
+/// # Errors
+/// When a height is not finite.
+///
+/// ```
+/// let curve = asperity_roughness::material_ratio::abbott_curve(&[0.0, 2.0, 1.0])?;
+/// assert_eq!(curve, [2.0, 1.0, 0.0]);
+/// # Ok::<(), asperity_core::DomainError>(())
+/// ```
+pub fn abbott_curve(heights: &[f64]) -> Result<Vec<f64>, DomainError> {
+    if let Some(&bad) = heights.iter().find(|z| !z.is_finite()) {
+        return Err(DomainError {
+            name: "height",
+            value: bad,
+            unit: "m",
+            rule: "every height must be finite",
+        });
+    }
+    let mut s = heights.to_vec();
+    s.sort_unstable_by(|a, b| b.total_cmp(a));
+    Ok(s)
+}
+
+/// i* = argmin (s_i − s_i+m), the first of several that differ by rounding only.
+fn flattest_window(s: &[f64], m: usize) -> usize {
+    // The curve of a symmetric profile has two windows that are equal but for rounding.
+    const TIE: f64 = 1e-9;
+    let tie = TIE * (s[0] - s[s.len() - 1]);
+    let fall = |i: usize| s[i] - s[i + m];
+    let mut best = 0;
+    for i in 1..s.len() - m {
+        if fall(i) < fall(best) - tie {
+            best = i;
+        }
+    }
+    best
+}
+
+/// c(0 %) and c(100 %).
+fn equivalent_line(s: &[f64], start: usize, m: usize, line: Line) -> (f64, f64) {
+    let n = s.len() as f64;
+    let window = &s[start..=start + m];
+    let (slope, through, at) = match line {
+        Line::LeastSquares => {
+            let count = window.len() as f64;
+            let middle = 0.5 * m as f64;
+            let mean = window.iter().sum::<f64>() / count;
+            let product: f64 = window
+                .iter()
+                .enumerate()
+                .map(|(k, s)| (k as f64 - middle) * (s - mean))
+                .sum();
+            // Σ (k − m/2)² over k = 0 .. m.
+            let square = count * (count * count - 1.0) / 12.0;
+            (product / square, mean, start as f64 + middle)
+        }
+        Line::Secant => ((s[start + m] - s[start]) / m as f64, s[start], start as f64),
+    };
+    // Per point, from 0 % (half a point before the first) to 100 % (half a point after the last).
+    (
+        through + slope * (-0.5 - at),
+        through + slope * (n - 0.5 - at),
+    )
+}
+
+/// The material ratio at which the curve falls through `level`, 0 or 100 when it does not.
+fn cut(s: &[f64], level: f64, ratio: impl Fn(usize) -> f64) -> f64 {
+    let above = s.partition_point(|s| *s > level);
+    if above == 0 {
+        return 0.0;
+    }
+    if above == s.len() {
+        return 100.0;
+    }
+    let (high, low) = (s[above - 1], s[above]);
+    ratio(above - 1) + (high - level) / (high - low) * (ratio(above) - ratio(above - 1))
+}

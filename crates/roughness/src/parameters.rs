@@ -1,0 +1,68 @@
+//! All parameters of a prepared profile in one bundle.
+
+use asperity_core::Profile;
+use asperity_core::quantity::Length;
+use serde::Serialize;
+
+use crate::height_parameters::{HeightParameters, Mode, height_parameters};
+use crate::material_ratio::{RkParameters, rk_parameters};
+use crate::spectral::{SpectralMoments, moments};
+use crate::{RoughnessError, Warning};
+
+/// Sections that ISO 4288 takes as normal.
+const NORMAL_SECTIONS: usize = 5;
+
+/// The parameters of a prepared profile, with the mode they were computed in.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Parameters {
+    /// Heights, spacing and slope; carries the mode.
+    pub heights: HeightParameters,
+    /// Rk family over the whole evaluation length.
+    pub material: RkParameters,
+    /// Mean squares of height, slope and curvature.
+    pub spectral: SpectralMoments,
+    /// Section length.
+    pub lambda_c: Length,
+    /// Length evaluated.
+    pub evaluation_length: Length,
+    /// What the user should know.
+    pub warnings: Vec<Warning>,
+}
+
+impl Parameters {
+    /// The parameters of `profile`, which has its form removed and its filters applied.
+    ///
+    /// # Errors
+    /// When the profile is shorter than one `lambda_c` or has too few points.
+    ///
+    /// ```
+    /// use asperity_core::{Profile, quantity::Length};
+    /// use asperity_roughness::{Parameters, height_parameters::Mode};
+    /// let wave = |i: usize| 1e-6 * (i as f64 / 100.0 * std::f64::consts::TAU).sin();
+    /// let profile = Profile::new(Length::from_si(0.8e-6), (0..5000).map(wave).collect())?;
+    /// let found = Parameters::of(&profile, Mode::Iso4287, "0.8 mm".parse()?)?;
+    /// assert!((found.material.rk.si() / 1.7747e-6 - 1.0).abs() < 0.01);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn of(profile: &Profile, mode: Mode, lambda_c: Length) -> Result<Self, RoughnessError> {
+        let heights = height_parameters(profile, mode, lambda_c)?;
+        let evaluation_length = profile.spacing() * profile.len() as f64;
+        let mut warnings = Vec::new();
+        if heights.sections < NORMAL_SECTIONS {
+            let (sections, length) = (heights.sections, evaluation_length);
+            warnings.push(Warning::FewSections {
+                sections,
+                lambda_c,
+                length,
+            });
+        }
+        Ok(Self {
+            heights,
+            material: rk_parameters(profile.heights())?,
+            spectral: moments(profile)?,
+            lambda_c,
+            evaluation_length,
+            warnings,
+        })
+    }
+}

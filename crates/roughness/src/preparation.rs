@@ -1,0 +1,200 @@
+//! From a trace to a roughness profile, by a recipe that goes with the result.
+//!
+//! Form first, then the short-wave filter λ_s, then the roughness profile R = P − mean line(λ_c)
+//! (ISO 21920-2, ISO 16610-21). With [`Ends::Cut`] half a λ_c is dropped at both ends, none for
+//! λ_s alone.
+
+use asperity_core::Profile;
+use asperity_core::quantity::Length;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::form::{self, Form};
+use crate::gaussian_filter::{Ends, alpha, mean_line};
+use crate::{RoughnessError, Warning};
+
+/// λ_s of the default recipe [m] (ISO 3274 for λ_c = 0.8 mm).
+const LAMBDA_S: f64 = 2.5e-6;
+/// λ_c of the default recipe [m] (ISO 4288 for Ra from 0.1 to 2 um).
+const LAMBDA_C: f64 = 0.8e-3;
+
+/// The recipe.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
+pub struct Preparation {
+    /// Form to remove.
+    pub form: Form,
+    /// Cut-off of the short-wave filter; none keeps the short waves.
+    pub lambda_s: Option<Length>,
+    /// Cut-off of the roughness filter; none keeps the long waves.
+    pub lambda_c: Option<Length>,
+    /// What is done at the ends of the trace.
+    pub ends: Ends,
+}
+
+impl Default for Preparation {
+    fn default() -> Self {
+        Self {
+            form: Form::Level,
+            lambda_s: Some(Length::from_si(LAMBDA_S)),
+            lambda_c: Some(Length::from_si(LAMBDA_C)),
+            ends: Ends::Cut,
+        }
+    }
+}
+
+/// What was done to a profile.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PreparationRecord {
+    /// The recipe.
+    pub recipe: Preparation,
+    /// Spacing of the points.
+    pub spacing: Length,
+    /// Points before.
+    pub points_before: usize,
+    /// Points after.
+    pub points_after: usize,
+    /// Points dropped at each end.
+    pub dropped_each_end: usize,
+    /// Reach of the filter weights on either side, in cut-offs.
+    pub support: f64,
+}
+
+/// A profile that has been through a recipe.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Prepared {
+    /// The profile.
+    #[serde(skip)]
+    pub profile: Profile,
+    /// Index of its first point in the profile it was made from.
+    pub first_index: usize,
+    /// What was done.
+    pub record: PreparationRecord,
+    /// What the user should know.
+    pub warnings: Vec<Warning>,
+}
+
+/// The profile after form removal and filters.
+///
+/// P = S(z − form; λ_s),  R = P − w̄(P; λ_c)                                   [Prep-1]
+///
+/// # Errors
+/// When a cut-off is not positive or shorter than the spacing, or the trace is too short: with
+/// [`Ends::Cut`] at least one λ_c must remain.
+///
+/// ```
+/// use asperity_core::{Profile, quantity::Length};
+/// use asperity_roughness::preparation::{Preparation, prepare};
+/// let wave = |i: usize| 1e-6 * (i as f64 * 0.5e-6 / 50e-6 * std::f64::consts::TAU).sin();
+/// let profile = Profile::new(Length::from_si(0.5e-6), (0..11_201).map(wave).collect())?;
+/// let prepared = prepare(&profile, &Preparation::default())?;
+/// assert_eq!((prepared.first_index, prepared.profile.len()), (800, 9601));
+/// assert!(prepared.warnings.is_empty());
+/// # Ok::<(), asperity_roughness::RoughnessError>(())
+/// ```
+pub fn prepare(profile: &Profile, recipe: &Preparation) -> Result<Prepared, RoughnessError> {
+    let mut warnings = Vec::new();
+    let spacing = profile.spacing();
+    let mut current = form::remove(profile, recipe.form)?;
+    if let Some(lambda_s) = recipe.lambda_s {
+        // Five points per cut-off sample the weights to 0.1 % (the sum of the neglected aliases).
+        const POINTS_PER_LAMBDA_S: f64 = 5.0;
+        if spacing.si() * POINTS_PER_LAMBDA_S > lambda_s.si() * (1.0 + 1e-9) {
+            warnings.push(Warning::CoarseForLambdaS { spacing, lambda_s });
+        }
+        current = Profile::new(spacing, mean_line(&current, lambda_s, recipe.ends)?)?;
+    }
+    let mut dropped = 0;
+    if let Some(lambda_c) = recipe.lambda_c {
+        let line = mean_line(&current, lambda_c, recipe.ends)?;
+        let rough = current
+            .heights()
+            .iter()
+            .zip(&line)
+            .map(|(z, w)| z - w)
+            .collect();
+        current = Profile::new(spacing, rough)?;
+        if recipe.ends == Ends::Cut {
+            dropped = (0.5 * lambda_c.si() / spacing.si()).round() as usize;
+            current = cut(&current, dropped, lambda_c)?;
+        }
+    }
+    warnings.extend(form_left(profile, recipe, &current)?);
+    let record = PreparationRecord {
+        recipe: *recipe,
+        spacing,
+        points_before: profile.len(),
+        points_after: current.len(),
+        dropped_each_end: dropped,
+        support: crate::gaussian_filter::SUPPORT,
+    };
+    Ok(Prepared {
+        profile: current,
+        first_index: dropped,
+        record,
+        warnings,
+    })
+}
+
+fn cut(profile: &Profile, dropped: usize, lambda_c: Length) -> Result<Profile, RoughnessError> {
+    let points = (lambda_c / profile.spacing()).floor() as usize;
+    let kept = dropped..profile.len().saturating_sub(dropped);
+    let long_enough = kept.len() >= points;
+    profile
+        .slice(kept)
+        .filter(|_| long_enough)
+        .ok_or(RoughnessError::TooShort {
+            length: profile.length(),
+            needed: lambda_c * 2.0,
+            purpose: "one cut-off after dropping half a cut-off at both ends",
+        })
+}
+
+/// The warning that a parabola is still in the result: the filter λ_c turns one of curvature κ into
+/// an offset κ σ²/2 with σ² = (α λ_c)²/(2π), and without λ_c all of it stays.
+fn form_left(
+    profile: &Profile,
+    recipe: &Preparation,
+    result: &Profile,
+) -> Result<Option<Warning>, RoughnessError> {
+    // Behind a filter, a tenth of Rq is an offset that moves Rsk and Rp visibly; without one, long
+    // waves of the roughness itself make up to about one Rq of parabola.
+    const NOTICEABLE_OFFSET: f64 = 0.1;
+    const NOTICEABLE_SAG: f64 = 3.0;
+    if !matches!(recipe.form, Form::None | Form::Mean | Form::Level) || profile.len() < 3 {
+        return Ok(None);
+    }
+    let parabola = form::fit(profile.heights(), 2)?;
+    let sag = parabola.sag();
+    let half = 0.5 * profile.length().si();
+    let (left, noticeable) = match recipe.lambda_c {
+        None => (sag.si(), NOTICEABLE_SAG),
+        Some(lambda_c) => {
+            let variance = (alpha() * lambda_c.si()).powi(2) / std::f64::consts::TAU;
+            (sag.si() / (half * half) * variance, NOTICEABLE_OFFSET)
+        }
+    };
+    let heights = profile.heights().iter().enumerate();
+    let rough = heights
+        .map(|(i, z)| (z - parabola.at(i)).powi(2))
+        .sum::<f64>()
+        / profile.len() as f64;
+    // Rounding of heights under a large offset is no form.
+    let rounding = 1e3 * f64::EPSILON * parabola.coefficients[0].abs();
+    if left <= noticeable * rough.sqrt() + rounding {
+        return Ok(None);
+    }
+    let n = result.len() as f64;
+    let mean = result.heights().iter().sum::<f64>() / n;
+    let ra = result
+        .heights()
+        .iter()
+        .map(|z| (z - mean).abs())
+        .sum::<f64>()
+        / n;
+    Ok(Some(Warning::FormNotRemoved {
+        sag,
+        length: profile.length(),
+        ra: Length::from_si(ra),
+    }))
+}

@@ -1,0 +1,167 @@
+//! Spectral moments, slopes, curvatures and the power spectral density of a profile.
+//!
+//! Source: Nayak 1971 (moments), Chetwynd 1978 (7-point slope); Welch 1967 for the window.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | m₀, m₂, m₄ | mean squares of height, slope, curvature | m², -, 1/m² |
+//! | f | spatial frequency | 1/m |
+//! | C(f) | one-sided power spectral density | m³ |
+//!
+//! m₄ grows without bound as the spacing falls unless a λ_s filter bounds it: moments are stated with
+//! λ_s and dx. They are never taken from a periodogram without a window, whose leakage makes m₄ up to
+//! three times too large.
+
+use std::f64::consts::{PI, TAU};
+
+use asperity_core::quantity::Length;
+use asperity_core::{DomainError, Profile};
+use realfft::RealFftPlanner;
+use serde::Serialize;
+
+use crate::RoughnessError;
+
+/// Mean squares of a profile and its derivatives.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct SpectralMoments {
+    /// Mean square height [m²].
+    pub m0: f64,
+    /// Mean square slope, 7-point.
+    pub m2: f64,
+    /// Mean square curvature, 3-point [1/m²].
+    pub m4: f64,
+    /// Spacing at which the derivatives were taken.
+    pub spacing: Length,
+}
+
+/// z′ᵢ = (zᵢ₊₃ − 9 zᵢ₊₂ + 45 zᵢ₊₁ − 45 zᵢ₋₁ + 9 zᵢ₋₂ − zᵢ₋₃)/(60 dx)              [Slope-1]
+///
+/// Slopes of `heights` [m] at `dx` [m], without the three points at each end (none for fewer than 7).
+///
+/// ```
+/// let slopes = asperity_roughness::spectral::slopes(&[0.0, 2.0, 4.0, 6.0, 8.0, 10.0, 12.0], 1.0);
+/// assert_eq!(slopes, [2.0]);
+/// ```
+pub fn slopes(heights: &[f64], dx: f64) -> Vec<f64> {
+    let slope =
+        |z: &[f64]| (z[6] - z[0] - 9.0 * (z[5] - z[1]) + 45.0 * (z[4] - z[2])) / (60.0 * dx);
+    heights.windows(7).map(slope).collect()
+}
+
+/// m₀ = ⟨z²⟩,  m₂ = ⟨z′²⟩ (7-point),  m₄ = ⟨z″²⟩ (3-point)                        [Moment-1]
+///
+/// # Errors
+/// When the profile has fewer than seven points.
+///
+/// ```
+/// use asperity_core::{Profile, quantity::Length};
+/// use asperity_roughness::spectral::moments;
+/// let k = 2.0 * std::f64::consts::PI / 100e-6;
+/// let wave = |i: usize| 1e-6 * (k * 1e-6 * i as f64).sin();
+/// let profile = Profile::new(Length::from_si(1e-6), (0..10_000).map(wave).collect())?;
+/// let found = moments(&profile)?;
+/// assert!((found.m2 / (0.5e-12 * k * k) - 1.0).abs() < 1e-3);
+/// # Ok::<(), asperity_roughness::RoughnessError>(())
+/// ```
+pub fn moments(profile: &Profile) -> Result<SpectralMoments, RoughnessError> {
+    const LEAST: usize = 7;
+    let (z, dx) = (profile.heights(), profile.spacing().si());
+    if z.len() < LEAST {
+        return Err(RoughnessError::TooFewPoints {
+            points: z.len(),
+            needed: LEAST,
+            purpose: "spectral moments",
+        });
+    }
+    let mean_square = |values: &mut dyn Iterator<Item = f64>| {
+        let (sum, count) = values.fold((0.0, 0_usize), |(sum, count), v| (sum + v * v, count + 1));
+        sum / count as f64
+    };
+    let curvature = |z: &[f64]| (z[0] - 2.0 * z[1] + z[2]) / (dx * dx);
+    Ok(SpectralMoments {
+        m0: mean_square(&mut z.iter().copied()),
+        m2: mean_square(&mut slopes(z, dx).into_iter()),
+        m4: mean_square(&mut z.windows(3).map(curvature)),
+        spacing: profile.spacing(),
+    })
+}
+
+/// A one-sided power spectral density.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PowerSpectrum {
+    /// Step of the spatial frequency [1/m]; entry k of `density` is at k times this.
+    pub frequency_step: f64,
+    /// C(f) [m³]; its integral over f from 0 is the windowed mean square height.
+    pub density: Vec<f64>,
+}
+
+/// C(f_k) = 2 dx |Σ h_i (z_i − ⟨z⟩) e^(−2πi f_k x_i)|²/Σ h_i²,  f_k = k/(N dx)               [PSD-1]
+///
+/// One-sided: the ends k = 0 and, for even N, k = N/2 are not doubled. h is the Hann window,
+/// h_i = ½ (1 − cos 2πi/(N − 1)).
+///
+/// # Errors
+/// When the profile has fewer than four points.
+///
+/// ```
+/// use asperity_core::{Profile, quantity::Length};
+/// use asperity_roughness::spectral::power_spectrum;
+/// let wave = |i: usize| 1e-6 * (i as f64 / 50.0 * std::f64::consts::TAU).sin();
+/// let profile = Profile::new(Length::from_si(1e-6), (0..1000).map(wave).collect())?;
+/// let found = power_spectrum(&profile)?;
+/// let power: f64 = found.density.iter().sum::<f64>() * found.frequency_step;
+/// assert!((power / 0.5e-12 - 1.0).abs() < 1e-4);
+/// # Ok::<(), asperity_roughness::RoughnessError>(())
+/// ```
+pub fn power_spectrum(profile: &Profile) -> Result<PowerSpectrum, RoughnessError> {
+    const LEAST: usize = 4;
+    let (n, dx) = (profile.len(), profile.spacing().si());
+    if n < LEAST {
+        return Err(RoughnessError::TooFewPoints {
+            points: n,
+            needed: LEAST,
+            purpose: "a spectrum",
+        });
+    }
+    let window = |i: usize| 0.5 * (1.0 - (TAU * i as f64 / (n - 1) as f64).cos());
+    let plan = RealFftPlanner::<f64>::new().plan_fft_forward(n);
+    // The window would leak a mean height into the longest waves.
+    let mean = profile.heights().iter().sum::<f64>() / n as f64;
+    let centred = profile.heights().iter().map(|z| z - mean).enumerate();
+    let mut signal: Vec<f64> = centred.map(|(i, z)| window(i) * z).collect();
+    let mut spectrum = plan.make_output_vec();
+    let done = plan.process(&mut signal, &mut spectrum);
+    debug_assert!(done.is_ok(), "buffers are made by the plan");
+    let squares: f64 = (0..n).map(|i| window(i).powi(2)).sum();
+    let density = spectrum.iter().enumerate().map(|(k, value)| {
+        let sides = if k == 0 || 2 * k == n { 1.0 } else { 2.0 };
+        sides * dx * value.norm_sqr() / squares
+    });
+    Ok(PowerSpectrum {
+        density: density.collect(),
+        frequency_step: 1.0 / (n as f64 * dx),
+    })
+}
+
+/// κ_s = √(π m₄/2)                                                            [Nayak-1]
+///
+/// Mean curvature [1/m] of the summits of a Gaussian profile with fourth moment `m4` [1/m²].
+///
+/// # Errors
+/// When m₄ is negative or not finite.
+///
+/// ```
+/// let curvature = asperity_roughness::spectral::gaussian_summit_curvature(2.0 / std::f64::consts::PI)?;
+/// assert!((curvature - 1.0).abs() < 1e-15);
+/// # Ok::<(), asperity_core::DomainError>(())
+/// ```
+pub fn gaussian_summit_curvature(m4: f64) -> Result<f64, DomainError> {
+    let m4 = DomainError::require(
+        m4.is_finite() && m4 >= 0.0,
+        "m4",
+        m4,
+        "1/m2",
+        "must be finite and not negative",
+    )?;
+    Ok((0.5 * PI * m4).sqrt())
+}

@@ -1,0 +1,165 @@
+//! The radius of the asperities that carry the load, for the lubrication regime.
+//!
+//! Source: Hansen, Björling, Larsson 2021 (the film over one asperity); Nayak 1971 (spectral estimate).
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | z | composite profile, already filtered at λ_s | m |
+//! | κ | curvature of a summit, by a least-squares parabola over ±λ_s | 1/m |
+//! | R_xa | asperity radius along the trace, 1/⟨κ⟩ | m |
+//!
+//! A summit is a local maximum (a plateau counts once, at its middle). Those that reach above the
+//! core, c(0) of the Rk line, carry the load; when fewer than five do, those above the mean line are
+//! taken, and the result says so.
+
+use asperity_core::quantity::Length;
+use asperity_core::{DomainError, Profile};
+use serde::Serialize;
+
+use crate::RoughnessError;
+use crate::material_ratio::rk_parameters;
+use crate::spectral::{gaussian_summit_curvature, moments};
+
+/// Fewest summits in the peak zone for a mean.
+const FEWEST: usize = 5;
+
+/// Which summits were measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ReferenceLevel {
+    /// Above c(0) of the Rk line, the top of the core.
+    PeakZone,
+    /// Above the mean line, because fewer than five summits reach the peak zone.
+    MeanLine,
+}
+
+/// The asperity radius and how it was found.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct AsperityRadius {
+    /// R_xa, one over the mean curvature.
+    pub radius: Length,
+    /// Summits measured.
+    pub count: usize,
+    /// Points of the curvature window on either side of a summit.
+    pub window_points: usize,
+    /// Half width of the curvature window.
+    pub window: Length,
+    /// Which summits were measured.
+    pub level: ReferenceLevel,
+    /// Height of that level in the profile.
+    pub level_height: Length,
+    /// 1/√(π m₄/2): what a Gaussian profile of the same m₄ would have.
+    pub spectral_radius: Length,
+}
+
+/// R_xa = 1/⟨κ⟩ over the summits that reach into the peak zone                     [Summit-1]
+///
+/// `composite` must already be filtered at `lambda_s`; κ is measured over ±λ_s. Summits closer
+/// than that to an end are left out.
+///
+/// # Errors
+/// When λ_s is shorter than the spacing, no summit is found, or the mean curvature is not positive.
+///
+/// ```
+/// use asperity_core::{Profile, quantity::Length};
+/// use asperity_roughness::summits::asperity_radius;
+/// // Parabolic ridges of radius 50 um, 40 um apart.
+/// let ridge = |i: usize| { let x = ((i % 80) as f64 - 40.0) * 0.5e-6; -x * x / 100e-6 };
+/// let profile = Profile::new(Length::from_si(0.5e-6), (0..8000).map(ridge).collect())?;
+/// let found = asperity_radius(&profile, Length::from_si(2.5e-6))?;
+/// assert!((found.radius.si() - 50e-6).abs() < 1e-12);
+/// # Ok::<(), asperity_roughness::RoughnessError>(())
+/// ```
+pub fn asperity_radius(
+    composite: &Profile,
+    lambda_s: Length,
+) -> Result<AsperityRadius, RoughnessError> {
+    let (z, dx) = (composite.heights(), composite.spacing().si());
+    let window = DomainError::positive("lambda_s", lambda_s)?;
+    DomainError::require(
+        window >= 0.5 * dx,
+        "lambda_s",
+        window,
+        "m",
+        "must not be shorter than half the spacing",
+    )?;
+    let m = (window / dx).round() as usize;
+    let spectral = gaussian_summit_curvature(moments(composite)?.m4)?;
+    let all = summits(z, m);
+    let mean_height = z.iter().sum::<f64>() / z.len() as f64;
+    let core_top = rk_parameters(z)?.upper.si();
+    let above = |level: f64| {
+        all.iter()
+            .copied()
+            .filter(|&i| z[i] > level)
+            .collect::<Vec<_>>()
+    };
+    let in_peak_zone = above(core_top);
+    let (level, level_height, chosen) = if in_peak_zone.len() >= FEWEST {
+        (ReferenceLevel::PeakZone, core_top, in_peak_zone)
+    } else {
+        (ReferenceLevel::MeanLine, mean_height, above(mean_height))
+    };
+    if chosen.is_empty() {
+        return Err(RoughnessError::NoSummit {
+            window: lambda_s,
+            level: "mean line",
+        });
+    }
+    let total: f64 = chosen
+        .iter()
+        .map(|&i| parabola_curvature(&z[i - m..=i + m], dx))
+        .sum();
+    let curvature = total / chosen.len() as f64;
+    if curvature <= 0.0 {
+        return Err(RoughnessError::NoRadius {
+            count: chosen.len(),
+            curvature,
+        });
+    }
+    Ok(AsperityRadius {
+        radius: Length::from_si(1.0 / curvature),
+        count: chosen.len(),
+        window_points: m,
+        window: lambda_s,
+        level,
+        level_height: Length::from_si(level_height),
+        spectral_radius: Length::from_si(1.0 / spectral),
+    })
+}
+
+/// Indices of local maxima at least `margin` points from the ends; a plateau by its middle.
+fn summits(z: &[f64], margin: usize) -> Vec<usize> {
+    let mut found = Vec::new();
+    let mut rise = None;
+    for i in 1..z.len() {
+        if z[i] > z[i - 1] {
+            rise = Some(i);
+        } else if z[i] < z[i - 1]
+            && let Some(start) = rise.take()
+        {
+            let middle = (start + i - 1) / 2;
+            if middle >= margin && middle + margin < z.len() {
+                found.push(middle);
+            }
+        }
+    }
+    found
+}
+
+/// κ = −2 c₂ of the least-squares parabola c₀ + c₁ x + c₂ x² through 2m + 1 even points     [Summit-2]
+fn parabola_curvature(z: &[f64], dx: f64) -> f64 {
+    let m = (z.len() / 2) as f64;
+    let count = z.len() as f64;
+    // In points from the middle: ⟨k²⟩ and Σ (k² − ⟨k²⟩)².
+    let mean_square = m * (m + 1.0) / 3.0;
+    let (mut product, mut norm) = (0.0, 0.0);
+    let middle = z.iter().sum::<f64>() / count;
+    for (i, z) in z.iter().enumerate() {
+        let k = i as f64 - m;
+        let p = k * k - mean_square;
+        product += (z - middle) * p;
+        norm += p * p;
+    }
+    -2.0 * product / norm / (dx * dx)
+}
