@@ -40,8 +40,8 @@ impl Certificate {
 
 /// Without limit Σ p·(g − min(g_min, 0)); with one Σ p·g⁺ + (p_max − p)·(−g)⁺       [Duality-1]
 ///
-/// `pressure` [Pa] and `gap` [m] belong together; `limit` is p_max [Pa], infinite for none. The
-/// result [Pa m] is not below the excess of the energy over its least value.
+/// `pressure` in Pa and `gap` in m belong together; `limit` is p_max in Pa, infinite for none. The
+/// result in Pa m is not below the excess of the energy over its least value.
 ///
 /// ```
 /// use asperity_contact::certificate::duality_gap;

@@ -3,12 +3,12 @@
 use asperity_core::material::JOHNSON_1985;
 use asperity_core::{Equation, Reference};
 
-use crate::hertz_line;
+use crate::{hertz_line, subsurface};
 
 /// The paper that the model follows.
-const VICTORIA_2022: Reference = Reference {
-    key: "victoria_rodriguez_2022",
-    text: "I. Victoria Rodríguez, Modelling of gear surface roughness impact on gear meshing efficiency, manuscript, 2022",
+const RODRIGUEZ_2022: Reference = Reference {
+    key: "rodriguez_2022",
+    text: "I. Victoria Rodríguez, Modelling of gear surface roughness impact on gear meshing efficiency, manuscript and thesis, KTH and Volvo, 2022",
 };
 /// The contact with a limit of the pressure, and its plastic displacement.
 const ALMQVIST_2007: Reference = Reference {
@@ -33,9 +33,213 @@ const TABOR_1951: Reference = Reference {
 
 /// Equations of this crate but those of the Hertz contact and of the subsurface, which list their
 /// own.
-pub const EQUATIONS: &[Equation] = &[];
+pub const EQUATIONS: &[Equation] = &[
+    Equation {
+        tag: "P1",
+        title: "Gap of two deformed bodies",
+        formula: "g(x) = h(x) + u(x) − δ, u(x) = −(2/(π·E*))·∫ p(s)·ln|x − s| ds + const",
+        file: "crates/contact/src/half_plane.rs",
+        test: "the_solved_gap_is_undeformed_gap_plus_displacement_less_approach",
+        references: &[RODRIGUEZ_2022, JOHNSON_1985],
+        misprint: None,
+    },
+    Equation {
+        tag: "P2",
+        title: "Displacement by a uniformly loaded strip",
+        formula: "C(x) = (x−a)·ln[((x−a)/a)²] − (x+a)·ln[((x+a)/a)²] + C₀",
+        file: "crates/contact/src/strip_kernel.rs",
+        test: "the_kernel_has_all_digits_at_any_distance",
+        references: &[RODRIGUEZ_2022, JOHNSON_1985],
+        misprint: Some("printed: [ln(·)]²; used: ln[(·)²], since the diagonal would hold ln(−1)"),
+    },
+    Equation {
+        tag: "P3",
+        title: "Displacement by the pressure of all cells",
+        formula: "uᵢ = (1/(π·E*))·Σⱼ C_ij·p_j",
+        file: "crates/contact/src/half_plane.rs",
+        test: "the_solved_gap_is_undeformed_gap_plus_displacement_less_approach",
+        references: &[RODRIGUEZ_2022, JOHNSON_1985],
+        misprint: None,
+    },
+    Equation {
+        tag: "P4",
+        title: "Load carried by the pressure",
+        formula: "W = Σᵢ pᵢ·dx",
+        file: "crates/contact/src/half_plane.rs",
+        test: "the_solved_gap_is_undeformed_gap_plus_displacement_less_approach",
+        references: &[RODRIGUEZ_2022],
+        misprint: None,
+    },
+    Equation {
+        tag: "P6",
+        title: "Stress beyond the elastic limit",
+        formula: "σ_pl = max(0, σ_VM − σ_y)",
+        file: "crates/contact/src/plasticity.rs",
+        test: "stress_is_plastic_beyond_the_elastic_limit_only",
+        references: &[RODRIGUEZ_2022],
+        misprint: Some(
+            "printed: σ_e called the elastic stress, which is circular; used: the elastic limit",
+        ),
+    },
+    Equation {
+        tag: "Datum-1",
+        title: "Constant of the datum",
+        formula: "C₀ = −C(D)",
+        file: "crates/contact/src/strip_kernel.rs",
+        test: "the_kernel_falls_with_the_distance_and_vanishes_at_the_datum",
+        references: &[JOHNSON_1985],
+        misprint: None,
+    },
+    Equation {
+        tag: "Periodic-1",
+        title: "Kernel of a strip and all its images",
+        formula: "C(x) = (L/π)·[Cl₂(2π(x+a)/L) − Cl₂(2π(x−a)/L)]",
+        file: "crates/contact/src/strip_kernel.rs",
+        test: "the_periodic_kernel_is_the_difference_of_clausen_functions",
+        references: &[JOHNSON_1985],
+        misprint: None,
+    },
+    Equation {
+        tag: "Periodic-2",
+        title: "Displacement by a wave of pressure",
+        formula: "u_q = 2·p_q/(E*·|q|)",
+        file: "crates/contact/src/strip_kernel.rs",
+        test: "full_contact_is_the_linear_solution",
+        references: &[JOHNSON_1985],
+        misprint: None,
+    },
+    Equation {
+        tag: "Duality-1",
+        title: "Bound of the energy error",
+        formula: "Σ p·(g − min(g_min, 0)); with a limit Σ p·g⁺ + (p_max − p)·(−g)⁺",
+        file: "crates/contact/src/certificate.rs",
+        test: "the_duality_gap_bounds_the_energy_error",
+        references: &[POLONSKY_1999],
+        misprint: None,
+    },
+    Equation {
+        tag: "Plastic-1",
+        title: "Plastic displacement of the surfaces",
+        formula: "w = max(−g, 0) where p = p_flow, else 0",
+        file: "crates/contact/src/plasticity.rs",
+        test: "loading_in_steps_flows_as_much_as_loading_at_once",
+        references: &[ALMQVIST_2007],
+        misprint: None,
+    },
+    Equation {
+        tag: "Plastic-2",
+        title: "Energy dissipated by plastic displacement",
+        formula: "D = p_flow·Σ w·dx",
+        file: "crates/contact/src/plasticity.rs",
+        test: "the_dissipated_energy_is_the_area_of_the_load_approach_loop",
+        references: &[ALMQVIST_2007],
+        misprint: None,
+    },
+    Equation {
+        tag: "Plastic-3",
+        title: "Profile of a body after displacement",
+        formula: "z − s·w",
+        file: "crates/contact/src/plasticity.rs",
+        test: "flanks_pressed_again_on_their_residual_profiles_stay_elastic",
+        references: &[ALMQVIST_2007],
+        misprint: None,
+    },
+    Equation {
+        tag: "Tabor-1",
+        title: "Pressure at which a surface flows",
+        formula: "p_flow = 3·σ_y of the softer body",
+        file: "crates/contact/src/plasticity.rs",
+        test: "the_softer_body_sets_the_flow_pressure",
+        references: &[TABOR_1951],
+        misprint: None,
+    },
+    Equation {
+        tag: "Share-1",
+        title: "Shares of the elastic displacement",
+        formula: "sᵢ = cᵢ/(c₁ + c₂), c = (1 − ν²)/E",
+        file: "crates/contact/src/plasticity.rs",
+        test: "equal_bodies_share_evenly_and_the_softer_takes_more",
+        references: &[JOHNSON_1985],
+        misprint: None,
+    },
+    Equation {
+        tag: "Share-2",
+        title: "Shares of the plastic displacement",
+        formula: "s₁ = σ_y2/(σ_y1 + σ_y2), s₂ = 1 − s₁",
+        file: "crates/contact/src/plasticity.rs",
+        test: "equal_bodies_share_evenly_and_the_softer_takes_more",
+        references: &[ALMQVIST_2007],
+        misprint: None,
+    },
+    Equation {
+        tag: "Flanks-1",
+        title: "Gap of two flanks",
+        formula: "h = x²/(2·R) − z₁ − z₂",
+        file: "crates/contact/src/two_flanks.rs",
+        test: "flanks_pressed_again_on_their_residual_profiles_stay_elastic",
+        references: &[JOHNSON_1985],
+        misprint: None,
+    },
+    Equation {
+        tag: "Westergaard-1",
+        title: "Mean pressure that closes a wavy gap",
+        formula: "p* = π·E*·Δ/λ",
+        file: "crates/contact/src/westergaard.rs",
+        test: "a_wave_has_the_contact_of_westergaard",
+        references: &[WESTERGAARD_1939, JOHNSON_1985],
+        misprint: None,
+    },
+    Equation {
+        tag: "Westergaard-2",
+        title: "Contact width on a wave",
+        formula: "sin²(πb/λ) = p̄/p*",
+        file: "crates/contact/src/westergaard.rs",
+        test: "a_wave_has_the_contact_of_westergaard",
+        references: &[WESTERGAARD_1939, JOHNSON_1985],
+        misprint: None,
+    },
+    Equation {
+        tag: "Westergaard-3",
+        title: "Pressure on a wave",
+        formula: "p(x) = (2·p̄·cos ψ/sin²ψ_b)·√(sin²ψ_b − sin²ψ), ψ = πx/λ",
+        file: "crates/contact/src/westergaard.rs",
+        test: "a_wave_has_the_contact_of_westergaard",
+        references: &[WESTERGAARD_1939, JOHNSON_1985],
+        misprint: None,
+    },
+    Equation {
+        tag: "Westergaard-4",
+        title: "Mean gap over a wave",
+        formula: "ḡ = 2·Δ·(½·cos²ψ_b + sin²ψ_b·ln sin ψ_b)",
+        file: "crates/contact/src/westergaard.rs",
+        test: "a_wave_has_the_contact_of_westergaard",
+        references: &[WESTERGAARD_1939, JOHNSON_1985],
+        misprint: None,
+    },
+    Equation {
+        tag: "Punch-1",
+        title: "Pressure under a flat strip",
+        formula: "p(x) = W/(π·√(b² − x²))",
+        file: "crates/contact/src/flat_punch.rs",
+        test: "a_flat_strip_has_the_pressure_and_approach_of_the_punch",
+        references: &[JOHNSON_1985],
+        misprint: None,
+    },
+    Equation {
+        tag: "Punch-2",
+        title: "Approach of a flat strip over a datum",
+        formula: "δ(D) = (2·W/(π·E*))·ln(2·D/b)",
+        file: "crates/contact/src/flat_punch.rs",
+        test: "a_flat_strip_has_the_pressure_and_approach_of_the_punch",
+        references: &[JOHNSON_1985],
+        misprint: None,
+    },
+];
 
 /// Every equation of this crate.
 pub fn equations() -> impl Iterator<Item = &'static Equation> {
-    EQUATIONS.iter().chain(hertz_line::EQUATIONS)
+    EQUATIONS
+        .iter()
+        .chain(hertz_line::EQUATIONS)
+        .chain(subsurface::EQUATIONS)
 }

@@ -65,9 +65,9 @@ impl HalfPlane {
         })
     }
 
-    /// uᵢ = (1/(π·E*))·Σⱼ C_ij·p_j                                                      [P3]
+    /// uᵢ = (1/(π·E*))·Σⱼ C_ij·p_j                                                      `[P3]`
     ///
-    /// Writes the displacement [m] by `pressure` [Pa], with C(0) = 0 for free ends (see
+    /// Writes the displacement in m by `pressure` in Pa, with C(0) = 0 for free ends (see
     /// [`datum_constant`](crate::strip_kernel::datum_constant)) and without mean for periodic ends.
     ///
     /// # Errors
@@ -93,9 +93,9 @@ impl HalfPlane {
     }
 }
 
-/// g = h + u − δ,  u(x) = −(2/(π·E*))·∫ p(s)·ln|x − s| ds + const                         [P1]
+/// g = h + u − δ,  u(x) = −(2/(π·E*))·∫ p(s)·ln|x − s| ds + const                         `[P1]`
 ///
-/// Gap [m] at each point from undeformed gap h and displacement u [m]; the shorter array counts.
+/// Gap in m at each point from undeformed gap h and displacement u in m; the shorter array counts.
 ///
 /// ```
 /// use asperity_contact::half_plane::deformed_gap;
@@ -112,7 +112,7 @@ pub fn deformed_gap(undeformed: &[f64], displacement: &[f64], approach: Length) 
         .collect()
 }
 
-/// W = Σᵢ pᵢ·dx                                                                            [P4]
+/// W = Σᵢ pᵢ·dx                                                                            `[P4]`
 ///
 /// ```
 /// use asperity_contact::half_plane::line_load;
@@ -123,7 +123,7 @@ pub fn line_load(pressure: &[f64], spacing: Length) -> LineLoad {
     LineLoad::from_si(pressure.iter().sum::<f64>() * spacing.si())
 }
 
-/// a/(π·E*) [m/Pa]: what a dimensionless kernel is multiplied by.
+/// a/(π·E*) in m/Pa: what a dimensionless kernel is multiplied by.
 pub(crate) fn cell_compliance(spacing: Length, modulus: Pressure) -> Result<f64, ContactError> {
     let dx = DomainError::positive("spacing", spacing)?;
     let e = DomainError::positive("reduced modulus", modulus)?;

@@ -5,8 +5,10 @@
 
 mod cascade;
 pub mod certificate;
+pub mod direct;
 pub mod equations;
 pub mod error;
+pub mod flat_punch;
 pub mod half_plane;
 pub mod hertz_line;
 pub mod plasticity;
@@ -15,9 +17,12 @@ pub mod problem;
 mod projection;
 mod scene;
 pub mod solver;
+mod state;
 pub mod strip_kernel;
 pub mod subsurface;
 mod transform;
+pub mod two_flanks;
+pub mod westergaard;
 
 pub use certificate::Certificate;
 pub use error::{ContactError, SolverShape};

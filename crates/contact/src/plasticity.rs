@@ -25,7 +25,7 @@ use crate::error::ContactError;
 /// (Tabor 1951).
 pub const FLOW_OVER_YIELD: f64 = 3.0;
 
-/// σ_pl = max(0, σ_VM − σ_y)                                                                  [P6]
+/// σ_pl = max(0, σ_VM − σ_y)                                                                  `[P6]`
 ///
 /// The part of a von Mises stress beyond the elastic limit.
 ///
@@ -59,7 +59,7 @@ pub fn flow_pressure(first: &Material, second: &Material) -> Result<Pressure, Co
 
 /// w = max(−g, 0) where p = p_flow, else 0                                             [Plastic-1]
 ///
-/// `pressure` [Pa] and `gap` [m] belong together; the gap is that of the elastic displacement.
+/// `pressure` in Pa and `gap` in m belong together; the gap is that of the elastic displacement.
 ///
 /// ```
 /// use asperity_contact::plasticity::plastic_displacement;
@@ -123,7 +123,7 @@ pub fn plastic_shares(first: &Material, second: &Material) -> Result<[f64; 2], C
 
 /// z − s·w                                                                             [Plastic-3]
 ///
-/// The profile [m] of a body after it took the share s of a displacement [m], elastic or plastic;
+/// The profile in m of a body after it took the share s of a displacement in m, elastic or plastic;
 /// the shorter array counts.
 ///
 /// ```
@@ -133,4 +133,69 @@ pub fn plastic_shares(first: &Material, second: &Material) -> Result<[f64; 2], C
 pub fn displaced_profile(heights: &[f64], displacement: &[f64], share: f64) -> Vec<f64> {
     let pairs = heights.iter().zip(displacement);
     pairs.map(|(z, w)| z - share * w).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity_core::quantity::{Density, SpecificHeat, ThermalConductivity};
+
+    use super::*;
+
+    fn steel(elastic_limit: f64) -> Material {
+        Material {
+            young: Pressure::from_si(210e9),
+            poisson: 0.3,
+            elastic_limit: Pressure::from_si(elastic_limit),
+            density: Density::from_si(7830.0),
+            conductivity: ThermalConductivity::from_si(45.0),
+            heat_capacity: SpecificHeat::from_si(465.0),
+        }
+    }
+
+    #[test]
+    fn stress_is_plastic_beyond_the_elastic_limit_only() {
+        let stress = |mises: f64| {
+            plastic_stress(Pressure::from_si(mises), Pressure::from_si(235e6)).map(Pressure::si)
+        };
+        assert_eq!(stress(235e6), Ok(0.0));
+        assert_eq!(stress(0.0), Ok(0.0));
+        assert_eq!(stress(500e6), Ok(265e6));
+        assert!(stress(-1.0).is_err() && stress(f64::NAN).is_err());
+    }
+
+    #[test]
+    fn equal_bodies_share_evenly_and_the_softer_takes_more() {
+        let (hard, soft) = (steel(900e6), steel(300e6));
+        assert_eq!(elastic_shares(&hard, &soft), Ok([0.5, 0.5]));
+        assert_eq!(plastic_shares(&hard, &hard), Ok([0.5, 0.5]));
+        assert_eq!(plastic_shares(&hard, &soft), Ok([0.25, 0.75]));
+        let bronze = Material {
+            young: Pressure::from_si(105e9),
+            ..hard
+        };
+        let [stiff, compliant] = elastic_shares(&hard, &bronze).unwrap();
+        assert!((stiff - 1.0 / 3.0).abs() < 1e-15 && (stiff + compliant - 1.0).abs() < 1e-15);
+        assert!(plastic_shares(&hard, &steel(0.0)).is_err());
+        let rubber = Material {
+            poisson: 0.6,
+            ..hard
+        };
+        assert!(elastic_shares(&hard, &rubber).is_err());
+    }
+
+    #[test]
+    fn the_softer_body_sets_the_flow_pressure() {
+        assert_eq!(
+            flow_pressure(&steel(900e6), &steel(300e6)).map(Pressure::si),
+            Ok(900e6)
+        );
+        assert!(flow_pressure(&steel(900e6), &steel(f64::NAN)).is_err());
+    }
+
+    #[test]
+    fn without_a_flow_pressure_nothing_flows() {
+        let w = plastic_displacement(&[1e12], &[-1e-6], None);
+        assert_eq!(w, [0.0]);
+        assert_eq!(dissipated_energy(&w, Length::from_si(1e-6), None).si(), 0.0);
+    }
 }

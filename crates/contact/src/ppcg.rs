@@ -15,12 +15,8 @@
 //! | d, τ | direction, length of the trial step along it | Pa, - |
 //! | Δ, s | feasible step, its length by exact line search | Pa, - |
 
-use realfft::RealFftPlanner;
-
-use crate::half_plane::{displacement_filter, inverse_filter};
-use crate::problem::Boundary;
-use crate::projection::restore_load;
-use crate::transform::EvenFilter;
+use crate::projection::{clip, project, restore_load};
+use crate::state::{Assessment, Level, Task, Workspace, displace};
 
 /// Updates of the displacement after which it is computed afresh, before round-off gathers.
 const REFRESH: usize = 50;
@@ -29,71 +25,9 @@ const STALL: usize = 400;
 /// A clipped step is taken whole when the line search would go at least half as far: the energy
 /// then decreases, and the bounds are identified exactly.
 const WHOLE: f64 = 0.5;
-
-/// Operators of one grid.
-pub(crate) struct Level {
-    pub(crate) displacement: EvenFilter,
-    inverse: EvenFilter,
-}
-
-impl Level {
-    pub(crate) fn new(
-        planner: &mut RealFftPlanner<f64>,
-        points: usize,
-        boundary: Boundary,
-    ) -> Self {
-        Self {
-            displacement: displacement_filter(planner, points, boundary),
-            inverse: inverse_filter(planner, points),
-        }
-    }
-}
-
-/// What is minimised on one grid.
-pub(crate) struct Task<'a> {
-    /// h [m], with the displacement by prescribed pressures; less the approach when it is controlled.
-    pub(crate) gap: &'a [f64],
-    /// Σp [Pa], unless the approach is controlled.
-    pub(crate) sum: Option<f64>,
-    /// Limit of the pressure [Pa], infinite for none.
-    pub(crate) limit: f64,
-    /// a/(π·E*) [m/Pa].
-    pub(crate) compliance: f64,
-    /// Displacement per Σp by the datum [m/Pa]; only matters when the approach is controlled.
-    pub(crate) datum: f64,
-    pub(crate) reference_gap: f64,
-    pub(crate) tolerance: f64,
-    pub(crate) max_iterations: usize,
-}
-
-/// The arrays of an iteration; `pressure` is both start and result.
-#[derive(Default)]
-pub(crate) struct Workspace {
-    pub(crate) pressure: Vec<f64>,
-    pub(crate) displacement: Vec<f64>,
-    residual: Vec<f64>,
-    previous: Vec<f64>,
-    direction: Vec<f64>,
-    trial: Vec<f64>,
-    free: Vec<bool>,
-}
-
-/// What is known of a pressure.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Assessment {
-    /// α [m]; zero when the approach is controlled.
-    pub(crate) approach: f64,
-    pub(crate) duality_gap: f64,
-    pub(crate) penetration: f64,
-    free: usize,
-    residual_sum: f64,
-}
-
-impl Assessment {
-    pub(crate) fn within(&self, tolerance: f64) -> bool {
-        self.duality_gap <= tolerance && self.penetration <= tolerance
-    }
-}
+/// Step along the gradient, in π·E*/a: about the stiffness of pressure moved to the next cell,
+/// whose kernel differs by 6.6·a.
+const GRADIENT: f64 = 0.1;
 
 /// Memory of the search from one iteration to the next.
 struct Search {
@@ -101,121 +35,6 @@ struct Search {
     length: Option<f64>,
     /// r·z of the last direction, or zero to begin anew along z.
     descent: f64,
-}
-
-impl Workspace {
-    /// Sets the size of all arrays but the pressure, which decides it.
-    fn resize(&mut self) {
-        let points = self.pressure.len();
-        for array in [
-            &mut self.displacement,
-            &mut self.residual,
-            &mut self.previous,
-            &mut self.direction,
-            &mut self.trial,
-        ] {
-            array.clear();
-            array.resize(points, 0.0);
-        }
-        self.free.clear();
-        self.free.resize(points, false);
-    }
-
-    /// u = A p
-    pub(crate) fn refresh(&mut self, level: &mut Level, task: &Task) {
-        level.displacement.signal().copy_from_slice(&self.pressure);
-        let datum = displace(level, task);
-        let fresh = level.displacement.signal();
-        self.displacement.clear();
-        self.displacement.extend(fresh.iter().map(|u| u + datum));
-    }
-
-    /// α: mean of v = u + h between the bounds; with no such point the largest v under pressure.
-    fn approach(&self, task: &Task) -> f64 {
-        if task.sum.is_none() {
-            return 0.0;
-        }
-        let (mut sum, mut count, mut most) = (0.0, 0_usize, f64::NEG_INFINITY);
-        for ((&p, &u), &h) in self.pressure.iter().zip(&self.displacement).zip(task.gap) {
-            if p > 0.0 {
-                most = most.max(u + h);
-                if p < task.limit {
-                    sum += u + h;
-                    count += 1;
-                }
-            }
-        }
-        if count > 0 { sum / count as f64 } else { most }
-    }
-
-    /// g = u + h − α
-    pub(crate) fn gap(&self, task: &Task, approach: f64) -> impl Iterator<Item = f64> {
-        let pairs = self.displacement.iter().zip(task.gap);
-        pairs.map(move |(u, h)| u + h - approach)
-    }
-
-    /// F, after an assessment.
-    pub(crate) fn free(&self) -> &[bool] {
-        &self.free
-    }
-
-    /// Free set, residual and certificate of the present pressure and displacement.
-    pub(crate) fn assess(&mut self, task: &Task) -> Assessment {
-        let approach = self.approach(task);
-        let limited = task.limit.is_finite();
-        let (mut sum, mut energy, mut excess) = (0.0, 0.0, 0.0);
-        let (mut least, mut residual_sum, mut free) = (0.0_f64, 0.0, 0);
-        self.residual.resize(self.pressure.len(), 0.0);
-        self.free.resize(self.pressure.len(), false);
-        for (i, &p) in self.pressure.iter().enumerate() {
-            let g = self.displacement[i] + task.gap[i] - approach;
-            sum += p;
-            energy += p * if limited { g.max(0.0) } else { g };
-            let below = p < task.limit;
-            if below {
-                least = least.min(g);
-                if limited {
-                    excess += (task.limit - p) * (-g).max(0.0);
-                }
-            }
-            let is_free = if p <= 0.0 { g < 0.0 } else { below || g > 0.0 };
-            self.free[i] = is_free;
-            self.residual[i] = if is_free { g } else { 0.0 };
-            residual_sum += self.residual[i];
-            free += usize::from(is_free);
-        }
-        let bound = if limited {
-            energy + excess
-        } else {
-            energy - least * sum
-        };
-        Assessment {
-            approach,
-            duality_gap: if bound == 0.0 {
-                0.0
-            } else {
-                bound / (sum * task.reference_gap)
-            },
-            penetration: if least == 0.0 {
-                0.0
-            } else {
-                -least / task.reference_gap
-            },
-            free,
-            residual_sum,
-        }
-    }
-}
-
-/// Replaces the signal by its displacement with C(0) = 0; returns what the datum adds.
-fn displace(level: &mut Level, task: &Task) -> f64 {
-    let datum = if task.sum.is_some() || task.datum == 0.0 {
-        0.0
-    } else {
-        task.datum * level.displacement.signal().iter().sum::<f64>()
-    };
-    level.displacement.apply(task.compliance);
-    datum
 }
 
 /// Improves `work.pressure` until its certificate is within the tolerance or no progress is left;
@@ -258,13 +77,7 @@ pub(crate) fn minimise(level: &mut Level, work: &mut Workspace, task: &Task) -> 
     }
 }
 
-fn clip(pressure: &mut [f64], limit: f64) {
-    for p in pressure {
-        *p = p.clamp(0.0, limit);
-    }
-}
-
-/// One iteration; false when the energy cannot be lowered along the direction.
+/// One iteration; false when the energy cannot be lowered.
 fn advance(
     level: &mut Level,
     work: &mut Workspace,
@@ -279,30 +92,24 @@ fn advance(
         None if task.sum.is_some() => 1.0,
         None => exact_length(level, work, task),
     };
-    let clipped = try_step(work, task, reach);
-    let pairs = work.trial.iter().zip(&work.pressure);
-    let signal = level.displacement.signal();
-    for (step, (to, from)) in signal.iter_mut().zip(pairs) {
-        *step = to - from;
+    let mut clipped = try_step(work, task, reach);
+    let mut line = line_search(level, work, task, assessment.approach);
+    if !line.descends() {
+        try_gradient(work, task, assessment.approach);
+        line = line_search(level, work, task, assessment.approach);
+        search.descent = 0.0;
+        clipped = true;
     }
-    let datum = displace(level, task);
-    let change = level.displacement.signal();
-    let (mut slope, mut curvature) = (0.0, 0.0);
-    for (i, &change) in change.iter().enumerate() {
-        let step = work.trial[i] - work.pressure[i];
-        slope += step * (work.displacement[i] + task.gap[i] - assessment.approach);
-        curvature += step * (change + datum);
-    }
-    if !(curvature > 0.0 && slope.is_finite()) {
+    if !line.descends() {
         return false;
     }
-    let s = -slope / curvature;
+    let s = -line.slope / line.curvature;
     let length = if clipped {
         search.length = Some(reach * s.clamp(0.5, 2.0));
         if s < WHOLE {
             search.descent = 0.0;
         }
-        if s < WHOLE { s.max(0.0) } else { 1.0 }
+        if s < WHOLE { s } else { 1.0 }
     } else {
         search.length = Some(reach * s.clamp(0.1, 4.0));
         if s > 1.0 {
@@ -311,9 +118,10 @@ fn advance(
             s
         }
     };
+    let change = level.displacement.signal();
     for (i, &change) in change.iter().enumerate() {
         let (from, to) = (work.pressure[i], work.trial[i]);
-        work.displacement[i] += length * (change + datum);
+        work.displacement[i] += length * (change + line.datum);
         // A step that is taken whole must land on the bounds to the last bit.
         work.pressure[i] = if length == 1.0 {
             to
@@ -324,7 +132,44 @@ fn advance(
     true
 }
 
+/// The energy along Δ = q − p: slope·s + ½·curvature·s².
+struct Line {
+    slope: f64,
+    curvature: f64,
+    /// What the datum adds to the displacement by Δ.
+    datum: f64,
+}
+
+impl Line {
+    fn descends(&self) -> bool {
+        self.curvature > 0.0 && self.slope < 0.0
+    }
+}
+
+/// Leaves the displacement by q − p, but for the datum, in the signal of the level.
+fn line_search(level: &mut Level, work: &Workspace, task: &Task, approach: f64) -> Line {
+    let pairs = work.trial.iter().zip(&work.pressure);
+    let signal = level.displacement.signal();
+    for (step, (to, from)) in signal.iter_mut().zip(pairs) {
+        *step = to - from;
+    }
+    let datum = displace(level, task);
+    let change = level.displacement.signal();
+    let (mut slope, mut curvature) = (0.0, 0.0);
+    for (i, &change) in change.iter().enumerate() {
+        let step = work.trial[i] - work.pressure[i];
+        slope += step * (work.displacement[i] + task.gap[i] - approach);
+        curvature += step * (change + datum);
+    }
+    Line {
+        slope,
+        curvature,
+        datum,
+    }
+}
+
 /// d = −z + β·d on F without its mean, with Polak and Ribière's β ≥ 0; −z when that is no descent.
+/// Leaves r in `previous`.
 fn choose_direction(
     level: &mut Level,
     work: &mut Workspace,
@@ -332,32 +177,17 @@ fn choose_direction(
     assessment: &Assessment,
     search: &mut Search,
 ) {
-    let loaded = task.sum.is_some();
-    let mean = |sum: f64| {
-        if loaded {
-            sum / assessment.free as f64
-        } else {
-            0.0
-        }
-    };
-    let residual_mean = mean(assessment.residual_sum);
-    let signal = level.inverse.signal();
-    for i in 0..signal.len() {
-        if work.free[i] {
-            work.residual[i] -= residual_mean;
-        }
-        signal[i] = work.residual[i];
-    }
-    level.inverse.apply(0.5 / task.compliance);
+    // Steps of constant load have no mean, nor has what matters of the residual.
+    let count = assessment.free as f64;
+    let mean = |sum: f64| if task.sum.is_some() { sum / count } else { 0.0 };
+    precondition(level, work, task, mean(assessment.residual_sum));
     let z = level.inverse.signal();
     let (mut z_sum, mut r_z, mut old_sum, mut old_z) = (0.0, 0.0, 0.0, 0.0);
-    for i in 0..z.len() {
-        if work.free[i] {
-            z_sum += z[i];
-            r_z += work.residual[i] * z[i];
-            old_sum += work.previous[i];
-            old_z += work.previous[i] * z[i];
-        }
+    for (i, &z) in z.iter().enumerate().filter(|(i, _)| work.free[*i]) {
+        z_sum += z;
+        r_z += work.residual[i] * z;
+        old_sum += work.previous[i];
+        old_z += work.previous[i] * z;
     }
     let z_mean = mean(z_sum);
     old_z -= z_mean * old_sum;
@@ -367,9 +197,10 @@ fn choose_direction(
         0.0
     };
     let (mut d_sum, mut r_d) = (0.0, 0.0);
-    for i in 0..z.len() {
+    for (i, &z) in z.iter().enumerate() {
+        let old = work.direction[i];
         let d = if work.free[i] {
-            z_mean - z[i] + beta * work.direction[i]
+            z_mean - z + beta * old
         } else {
             0.0
         };
@@ -378,17 +209,24 @@ fn choose_direction(
         r_d += work.residual[i] * d;
     }
     let d_mean = mean(d_sum);
-    for i in 0..z.len() {
-        if work.free[i] {
-            work.direction[i] = if r_d < 0.0 {
-                work.direction[i] - d_mean
-            } else {
-                z_mean - z[i]
-            };
-        }
+    for (i, &z) in z.iter().enumerate().filter(|(i, _)| work.free[*i]) {
+        let d = work.direction[i] - d_mean;
+        work.direction[i] = if r_d < 0.0 { d } else { z_mean - z };
     }
     search.descent = r_z;
     std::mem::swap(&mut work.residual, &mut work.previous);
+}
+
+/// Takes the mean from r and leaves z = M r in the signal of the level's inverse.
+fn precondition(level: &mut Level, work: &mut Workspace, task: &Task, residual_mean: f64) {
+    let residual = work.residual.iter_mut().zip(&work.free);
+    for (signal, (r, &free)) in level.inverse.signal().iter_mut().zip(residual) {
+        if free {
+            *r -= residual_mean;
+        }
+        *signal = *r;
+    }
+    level.inverse.apply(0.5 / task.compliance);
 }
 
 /// Length of the step along d that minimises the energy without bounds; r is in `previous`.
@@ -421,6 +259,20 @@ fn try_step(work: &mut Workspace, task: &Task, reach: f64) -> bool {
         }
     }
     outside
+}
+
+/// q = nearest feasible pressure to p − τ·g. It always descends, however few points can move:
+/// clipping d and shifting the rest can lead back to p.
+fn try_gradient(work: &mut Workspace, task: &Task, approach: f64) {
+    let stiffness = GRADIENT / task.compliance;
+    for (i, q) in work.trial.iter_mut().enumerate() {
+        let g = work.displacement[i] + task.gap[i] - approach;
+        *q = work.pressure[i] - stiffness * g;
+    }
+    match task.sum {
+        Some(sum) => project(&mut work.trial, sum, task.limit),
+        None => clip(&mut work.trial, task.limit),
+    }
 }
 
 /// Length of the step to the first bound.

@@ -63,7 +63,7 @@ pub enum Control {
 /// Two elastic half-planes with a gap between them, pressed together.
 #[derive(Debug, Clone, Copy)]
 pub struct ContactProblem<'a> {
-    /// Undeformed gap h [m] at the cell centres, from any datum; may be negative.
+    /// Undeformed gap h in m at the cell centres, from any datum; may be negative.
     pub gap: &'a [f64],
     /// Distance of the cell centres.
     pub spacing: Length,
@@ -73,12 +73,12 @@ pub struct ContactProblem<'a> {
     pub boundary: Boundary,
     /// Load or approach.
     pub control: Control,
-    /// A further pressure [Pa] on both bodies (a fluid's), which deforms them but is neither part
+    /// A further pressure in Pa on both bodies (a fluid's), which deforms them but is neither part
     /// of the pressure solved for nor of the load.
     pub prescribed_pressure: Option<&'a [f64]>,
     /// Pressure at which the softer body flows: the limit of the pressure solved for.
     pub pressure_limit: Option<Pressure>,
-    /// Pressure [Pa] to start from: the solution of a neighbouring problem.
+    /// Pressure in Pa to start from: the solution of a neighbouring problem.
     pub start: Option<&'a [f64]>,
 }
 
@@ -111,12 +111,12 @@ impl Default for SolverSettings {
 /// A certified solution of a [`ContactProblem`].
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ContactSolution {
-    /// Pressure between the solids [Pa].
+    /// Pressure between the solids in Pa.
     pub pressure: Vec<f64>,
-    /// Displacement u [m] of both bodies together under pressure and prescribed pressure,
+    /// Displacement u in m of both bodies together under pressure and prescribed pressure,
     /// zero at `datum` from each loaded cell; free of its mean when periodic.
     pub displacement: Vec<f64>,
-    /// Gap [m] after elastic and plastic displacement, not negative but for the tolerance.
+    /// Gap in m after elastic and plastic displacement, not negative but for the tolerance.
     pub gap: Vec<f64>,
     /// Load Σ p·dx, without the prescribed pressure.
     pub load: LineLoad,
@@ -128,7 +128,7 @@ pub struct ContactSolution {
     pub contact_fraction: f64,
     /// Largest pressure.
     pub max_pressure: Pressure,
-    /// Plastic displacement w [m] of both bodies together, where the pressure is at its limit.
+    /// Plastic displacement w in m of both bodies together, where the pressure is at its limit.
     pub plastic_displacement: Vec<f64>,
     /// Energy dissipated by the plastic displacement.
     pub dissipated: LineEnergy,
@@ -212,17 +212,26 @@ impl ContactProblem<'_> {
                         load,
                     });
                 }
+                Ok(())
             }
-            Control::Approach { approach, datum } => {
-                DomainError::finite("approach", approach)?;
-                if self.boundary == Boundary::FreeEnds {
-                    DomainError::positive("datum distance", datum)?;
-                    let least = length * LEAST_DATUM;
-                    if datum <= least {
-                        return Err(ContactError::DatumTooNear { datum, least });
-                    }
-                }
+            Control::Approach { approach, datum } => self.validate_approach(approach, datum),
+        }
+    }
+
+    fn validate_approach(&self, approach: Length, datum: Length) -> Result<(), ContactError> {
+        DomainError::finite("approach", approach)?;
+        if self.boundary == Boundary::FreeEnds {
+            DomainError::positive("datum distance", datum)?;
+            let least = self.window_length() * LEAST_DATUM;
+            if datum <= least {
+                return Err(ContactError::DatumTooNear { datum, least });
             }
+            return Ok(());
+        }
+        // Displacements of a period have no mean, so the mean gap closes with the approach alone.
+        let mean_gap = Length::from_si(self.gap.iter().sum::<f64>() / self.gap.len() as f64);
+        if approach >= mean_gap {
+            return Err(ContactError::ApproachBeyondMeanGap { approach, mean_gap });
         }
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 /// Passes of the uniform shift before another way is tried.
 const SHIFTS: usize = 50;
-/// Halvings that bring a bracket of the size of the pressure limit below round-off.
+/// Halvings that bring any bracket below round-off.
 const HALVINGS: usize = 100;
 /// Load error that a shift cannot improve: round-off of a sum, which grows with √n.
 const ROUND_OFF: f64 = 4e-16;
@@ -43,36 +43,39 @@ pub(crate) fn restore_load(pressure: &mut [f64], sum: f64, limit: f64) {
         tally = shift_and_clip(pressure, missing / tally.interior as f64, limit);
     }
     if (tally.sum - sum).abs() > ACCEPTED * sum {
-        scale_or_lift(pressure, sum, limit);
+        // All in contact are at the limit.
+        project(pressure, sum, limit);
     }
 }
 
-/// For contacts all at the limit: all pressures in proportion, and if they cannot carry the load,
-/// a rise of every point.
-fn scale_or_lift(pressure: &mut [f64], sum: f64, limit: f64) {
-    let carried: f64 = pressure.iter().sum();
-    if carried > 0.0 {
-        for p in &mut *pressure {
-            *p = (*p * (sum / carried)).min(limit);
-        }
-    }
-    let carried: f64 = pressure.iter().sum();
-    if (carried - sum).abs() <= ACCEPTED * sum {
-        return;
-    }
-    // Without a limit a single point could need all of the missing load.
-    let (mut low, mut high) = (0.0, limit.min(sum));
+/// The nearest pressures within 0..`limit` with Σp = `sum`: all points moved by as much, and
+/// clipped.
+pub(crate) fn project(pressure: &mut [f64], sum: f64, limit: f64) {
+    let least = pressure.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = pressure.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    // The ends carry nothing and, on a single point, everything.
+    let (mut low, mut high) = (-most, sum - least);
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
-        let lifted: f64 = pressure.iter().map(|p| (p + middle).min(limit)).sum();
-        if lifted < sum {
+        let carried: f64 = pressure
+            .iter()
+            .map(|p| (p + middle).clamp(0.0, limit))
+            .sum();
+        if carried < sum {
             low = middle;
         } else {
             high = middle;
         }
     }
     for p in pressure {
-        *p = (*p + high).min(limit);
+        *p = (*p + high).clamp(0.0, limit);
+    }
+}
+
+/// Clips `pressure` to 0..`limit`.
+pub(crate) fn clip(pressure: &mut [f64], limit: f64) {
+    for p in pressure {
+        *p = p.clamp(0.0, limit);
     }
 }
 
@@ -91,6 +94,17 @@ mod tests {
         assert!((total(&pressure) - 9.0).abs() < 1e-14);
         assert_eq!((pressure[0], pressure[3], pressure[4]), (0.0, 4.0, 0.0));
         assert!((pressure[2] - pressure[1] - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn the_projection_is_the_nearest_feasible_pressure() {
+        let mut pressure = [3.0, -1.0, 1.0, 9.0];
+        project(&mut pressure, 5.0, 4.0);
+        // A shift of −1.5 gives 1.5, 0, 0 and, at its limit, 4; of −2 the load: 1 + 4.
+        let expected = [1.0, 0.0, 0.0, 4.0];
+        for (p, e) in pressure.iter().zip(expected) {
+            assert!((p - e).abs() < 1e-14, "{pressure:?}");
+        }
     }
 
     #[test]

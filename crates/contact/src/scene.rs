@@ -2,13 +2,13 @@
 
 use std::f64::consts::PI;
 
-use asperity_core::quantity::{Length, Pressure};
+use asperity_core::quantity::Pressure;
 
 use crate::cascade::Window;
 use crate::error::ContactError;
 use crate::half_plane::cell_compliance;
-use crate::ppcg::Task;
 use crate::problem::{Boundary, ContactProblem, Control, SolverSettings};
+use crate::state::Task;
 use crate::strip_kernel::datum_constant;
 use crate::transform::EvenFilter;
 
@@ -23,16 +23,16 @@ const FLAT: f64 = 1e-3;
 /// What all grids of a problem share.
 pub(crate) struct Scene<'a> {
     pub(crate) problem: &'a ContactProblem<'a>,
-    /// h with the displacement by the prescribed pressure, less a controlled approach [m].
+    /// h with the displacement by the prescribed pressure, less a controlled approach in m.
     pub(crate) gap: Vec<f64>,
     pub(crate) reference_gap: f64,
-    /// Σp [Pa] when the load is controlled.
+    /// Σp in Pa when the load is controlled.
     sum: Option<f64>,
     limit: f64,
     compliance: f64,
-    /// Displacement per Σp by the datum [m/Pa].
+    /// Displacement per Σp by the datum in m/Pa.
     datum: f64,
-    /// Σ of the prescribed pressure [Pa].
+    /// Σ of the prescribed pressure in Pa.
     prescribed_sum: f64,
 }
 
@@ -60,7 +60,6 @@ impl<'a> Scene<'a> {
                 deformation = load.si() / (PI * problem.modulus.si());
             }
             Control::Approach { approach, .. } => {
-                check_mean_gap(problem, &gap, approach)?;
                 for h in &mut gap {
                     *h += datum * prescribed_sum - approach.si();
                     deformation = f64::max(deformation, -*h);
@@ -146,12 +145,12 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// Prescribed pressure [Pa] of a cell.
+    /// Prescribed pressure in Pa of a cell.
     pub(crate) fn prescribed(&self, cell: usize) -> f64 {
         self.problem.prescribed_pressure.map_or(0.0, |p| p[cell])
     }
 
-    /// δ [m] from the datum of the problem, from the α of the iteration, which has none.
+    /// δ in m from the datum of the problem, from the α of the iteration, which has none.
     pub(crate) fn approach(&self, pressure: &[f64], iterated: f64) -> f64 {
         match self.problem.control {
             Control::Load(_) => {
@@ -169,7 +168,7 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// Displacement [m] that the datum adds per pascal of the sum of all pressures, for cells `width`
+/// Displacement in m that the datum adds per pascal of the sum of all pressures, for cells `width`
 /// times as wide as those of the problem.
 fn datum_compliance(problem: &ContactProblem, width: f64) -> Result<f64, ContactError> {
     if problem.boundary != Boundary::FreeEnds {
@@ -177,17 +176,4 @@ fn datum_compliance(problem: &ContactProblem, width: f64) -> Result<f64, Contact
     }
     let constant = datum_constant(problem.datum(), problem.spacing * (0.5 * width))?;
     Ok(constant.si() / (PI * problem.modulus.si()))
-}
-
-/// A periodic contact is closed altogether once the approach is its mean gap.
-fn check_mean_gap(
-    problem: &ContactProblem,
-    gap: &[f64],
-    approach: Length,
-) -> Result<(), ContactError> {
-    let mean_gap = Length::from_si(gap.iter().sum::<f64>() / gap.len() as f64);
-    if problem.boundary == Boundary::FreeEnds || approach < mean_gap {
-        return Ok(());
-    }
-    Err(ContactError::ApproachBeyondMeanGap { approach, mean_gap })
 }

@@ -15,9 +15,10 @@ use crate::certificate::Certificate;
 use crate::error::{ContactError, SolverShape};
 use crate::half_plane::line_load;
 use crate::plasticity::{dissipated_energy, plastic_displacement};
-use crate::ppcg::{Level, Workspace, minimise};
+use crate::ppcg::minimise;
 use crate::problem::{Boundary, ContactProblem, ContactSolution, LEAST_POINTS, SolverSettings};
 use crate::scene::Scene;
+use crate::state::{Level, Workspace};
 
 /// Windows tried before the whole grid is solved.
 const WINDOWS: usize = 3;
@@ -194,7 +195,7 @@ impl Solver {
             if self.verify(scene, settings, &pressure) {
                 break;
             }
-            touches = self.work.free().to_vec();
+            touches = self.work.free.clone();
         }
         Ok(iterations)
     }

@@ -89,7 +89,7 @@ impl EvenFilter {
         // The inverse insists on what is true but for round-off: real ends of the spectrum.
         self.spectrum[0].im = 0.0;
         if let Some(last) = self.spectrum.last_mut()
-            && self.padded.len() % 2 == 0
+            && self.padded.len().is_multiple_of(2)
         {
             last.im = 0.0;
         }
