@@ -55,7 +55,10 @@ pub(crate) fn elements(z: &[f64], above: f64, below: f64) -> Vec<Element> {
 pub(crate) fn overlapping_elements(z: &[f64], above: f64, below: f64) -> Vec<Element> {
     let backwards: Vec<f64> = z.iter().rev().copied().collect();
     let mut found = between(z, crossings(z, above, below).windows(3));
-    found.extend(between(&backwards, crossings(&backwards, above, below).windows(3)));
+    found.extend(between(
+        &backwards,
+        crossings(&backwards, above, below).windows(3),
+    ));
     found
 }
 
@@ -64,7 +67,10 @@ fn between<'a>(z: &[f64], crossings: impl Iterator<Item = &'a [f64]>) -> Vec<Ele
         let (start, end) = (three[0], three[2]);
         let inside = &z[start.ceil() as usize..=end.floor() as usize];
         let (low, high) = extremes(inside);
-        Element { width: end - start, height: high - low }
+        Element {
+            width: end - start,
+            height: high - low,
+        }
     };
     crossings.map(element).collect()
 }

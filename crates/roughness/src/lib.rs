@@ -3,7 +3,7 @@
 //! From a file to numbers: [`read`] gives a [`Profile`](asperity_core::Profile) with what was found
 //! out about the file, [`preparation`] removes form and filters by a recipe that goes with the result,
 //! [`Parameters`] bundles what standards ask for. [`composite`] lays two flanks on each other,
-//! [`summits`] finds the radius of their asperities.
+//! [`summits`] finds the radius of their asperities, [`generate`] makes profiles from a seed.
 //!
 //! ```
 //! use asperity_roughness::{Parameters, height_parameters::Mode, preparation::{Preparation, prepare}};
@@ -22,6 +22,7 @@ mod elements;
 pub mod error;
 pub mod form;
 pub mod gaussian_filter;
+pub mod generate;
 pub mod height_parameters;
 pub mod material_ratio;
 mod parameters;

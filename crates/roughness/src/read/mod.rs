@@ -140,6 +140,9 @@ pub fn read_bytes(name: &str, bytes: &[u8], options: &ReadOptions) -> Result<Rea
         return Err(refused(format));
     }
     let sniffed = sniff(name, &lines, options)?;
+    if options.separator.is_none() && options.columns.is_none() {
+        table::check_commas(name, &lines[sniffed.first..], &sniffed)?;
+    }
     let (header, _) = lines.split_at(sniffed.first);
     let labels = header::labels(header, sniffed.dialect, sniffed.columns);
     let chosen = table::choose(name, sniffed.columns, &labels, options)?;

@@ -84,9 +84,7 @@ pub(super) fn rows(
     sniffed: &Sniffed,
     chosen: Chosen,
 ) -> Result<Vec<Row>, ReadError> {
-    let table = &lines[sniffed.first..];
-    check_commas(file, table, sniffed)?;
-    table
+    lines[sniffed.first..]
         .iter()
         .map(|line| row(file, lines, line, sniffed.dialect, chosen))
         .collect()
@@ -185,8 +183,12 @@ pub(super) fn unreadable(
     }
 }
 
-/// Refuses tables like "0,0005,0,2796", where commas do both jobs and columns come in pairs.
-fn check_commas(file: &str, table: &[Line<'_>], sniffed: &Sniffed) -> Result<(), ReadError> {
+/// Refuses tables like "0,0005,0,2796", where commas do both jobs and columns come in pairs, unless stated.
+pub(super) fn check_commas(
+    file: &str,
+    table: &[Line<'_>],
+    sniffed: &Sniffed,
+) -> Result<(), ReadError> {
     let suspicious = sniffed.dialect.separator == Separator::Comma
         && sniffed.columns >= 4
         && sniffed.columns % 2 == 0

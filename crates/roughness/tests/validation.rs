@@ -1,0 +1,393 @@
+//! Closed forms and direct sums against the fast code.
+
+use std::f64::consts::{PI, SQRT_2, TAU};
+
+use asperity_core::Profile;
+use asperity_core::quantity::Length;
+use asperity_roughness::composite::{Pairing, combined_rq, compose};
+use asperity_roughness::form::Form;
+use asperity_roughness::gaussian_filter::{Ends, alpha, mean_line, transmission, weights};
+use asperity_roughness::generate::{Ground, SelfAffine, lower_envelope, truncated};
+use asperity_roughness::height_parameters::{Mode, height_parameters, in_sections};
+use asperity_roughness::material_ratio::{Line, abbott_curve, rk_parameters, rk_parameters_with};
+use asperity_roughness::preparation::{Preparation, prepare};
+use asperity_roughness::spectral::{moments, power_spectrum, slopes};
+use asperity_roughness::summits::{ReferenceLevel, asperity_radius};
+use asperity_roughness::{Parameters, Warning};
+
+fn profile(dx: f64, n: usize, z: impl Fn(f64) -> f64) -> Profile {
+    Profile::new(
+        Length::from_si(dx),
+        (0..n).map(|i| z(i as f64 * dx)).collect(),
+    )
+    .unwrap()
+}
+
+fn close(found: f64, expected: f64, relative: f64) {
+    assert!(
+        (found - expected).abs() <= relative * expected.abs(),
+        "{found} is not {expected}"
+    );
+}
+
+/// Fractional noise without a random generator, for oracles.
+fn rough(n: usize) -> Vec<f64> {
+    (0..n)
+        .map(|i| ((i * i * 7 + 13 * i) as f64 * 0.618_033_988_75).fract() - 0.4)
+        .collect()
+}
+
+#[test]
+fn a_sine_has_its_textbook_heights_in_both_modes() {
+    let amplitude = 1.5e-6;
+    // 50 whole waves, phase off the grid, 800 points a wave.
+    let wave = profile(0.1e-6, 40_000, |x| {
+        amplitude * (TAU * x / 80e-6 + 0.1).sin()
+    });
+    for mode in [Mode::Iso4287, Mode::Iso21920] {
+        let found = height_parameters(&wave, mode, Length::from_si(0.8e-3)).unwrap();
+        assert_eq!(found.sections, 5);
+        // Sums over whole waves are exact but for |sin| at its zeros, (2π/800)²/12 of Ra.
+        close(found.ra.si(), 2.0 * amplitude / PI, 1e-5);
+        close(found.rq.si(), amplitude / SQRT_2, 1e-12);
+        close(found.rku.unwrap(), 1.5, 1e-12);
+        assert!(found.rsk.unwrap().abs() < 1e-12);
+        // The crest lies up to half a point off the grid: (π/800)²/2.
+        close(found.rz.si(), 2.0 * amplitude, 1e-5);
+        close(found.rt.si(), 2.0 * amplitude, 1e-5);
+        close(found.rsm.unwrap().si(), 80e-6, 1e-6);
+        close(found.rc.unwrap().si(), 2.0 * amplitude, 1e-5);
+        // Six points of 8000 are missing at the steepest places of each section.
+        close(found.rdq, TAU / 80e-6 * amplitude / SQRT_2, 1e-3);
+    }
+}
+
+#[test]
+fn the_two_modes_differ_on_a_single_feature() {
+    // One section of five holds a block; the mean of the sections' Rq is Rq/√5 of the whole.
+    let z = |i: usize| if (100..150).contains(&i) { 1e-6 } else { 0.0 };
+    let block = Profile::new(Length::from_si(1e-6), (0..1000).map(z).collect()).unwrap();
+    let per_section = in_sections(&block, Mode::Iso4287, 5).unwrap();
+    let whole = in_sections(&block, Mode::Iso21920, 5).unwrap();
+    close(whole.rq.si(), 1e-6 * 0.05_f64.sqrt(), 1e-12);
+    close(per_section.rq.si(), whole.rq.si() / 5f64.sqrt(), 1e-12);
+    close(per_section.ra.si(), whole.ra.si(), 1e-12);
+    assert_eq!(whole.rsm, None);
+    assert_eq!(per_section.sections_without_element, 5);
+}
+
+#[test]
+fn the_rk_family_of_a_sine_and_a_triangle_has_closed_forms() {
+    // Curve of a sine of amplitude 1: cos(π Mr); line by least squares over the first 40 %... of its
+    // flattest part. Values integrated to eight digits with arbitrary precision.
+    let n = 200_000;
+    let sine: Vec<f64> = (0..n)
+        .map(|i| (PI * (f64::from(i) + 0.5) / f64::from(n)).cos())
+        .collect();
+    let found = rk_parameters(&sine).unwrap();
+    // The curve has 200 000 steps: errors of some 1e-5 at its ends, where it is steepest.
+    close(found.rk.si(), 1.774_702, 2e-5);
+    close(found.rvk.si(), 0.443_918, 5e-5);
+    close(found.mr2, 73.0689, 1e-5);
+    assert_eq!((found.rpk.si(), found.mr1), (0.0, 0.0));
+
+    let triangle: Vec<f64> = (0..n).map(|i| 2.0 * f64::from(i) / f64::from(n)).collect();
+    for line in [Line::LeastSquares, Line::Secant] {
+        let found = rk_parameters_with(&triangle, line).unwrap();
+        close(found.rk.si(), 2.0, 1e-9);
+        assert!(found.rpk.si() < 1e-9 && found.rvk.si() < 1e-9);
+    }
+}
+
+#[test]
+fn areas_of_peaks_and_pits_are_those_of_their_triangles() {
+    // A core of slope one with steep ends: straight pieces, so the reduced heights are exact.
+    let piece = |mr: f64| match mr {
+        m if m < 0.1 => 1.0 + 10.0 * (0.1 - m),
+        m if m > 0.8 => 0.3 - 5.0 * (m - 0.8),
+        m => 1.0 - (m - 0.1),
+    };
+    let n = 100_000;
+    let heights: Vec<f64> = (0..n)
+        .map(|k| piece((f64::from(k) + 0.5) / f64::from(n)))
+        .collect();
+    let found = rk_parameters(&heights).unwrap();
+    close(found.rk.si(), 1.0, 1e-6);
+    // c(0) = 1.1 cuts the peaks at 9 %, where 0.9 of height remains above.
+    close(found.mr1, 9.0, 1e-4);
+    close(found.rpk.si(), 0.9, 1e-3);
+    // c(100) = 0.1 cuts the pits at 84 %; 0.8 of depth remains below.
+    close(found.mr2, 84.0, 1e-4);
+    close(found.rvk.si(), 0.8, 1e-3);
+    close(found.a1.si(), 0.5 * 0.9 * 0.09, 1e-3);
+    assert!(abbott_curve(&heights).unwrap().is_sorted_by(|a, b| a >= b));
+}
+
+#[test]
+fn the_filter_passes_half_the_amplitude_at_its_cutoff() {
+    let cutoff = Length::from_si(0.25e-3);
+    for ratio in [0.25, 0.5, 1.0, 2.0, 4.0] {
+        let wavelength = 0.25e-3 * ratio;
+        let wave = profile(0.5e-6, 6001, |x| (TAU * x / wavelength).cos());
+        let line = mean_line(&wave, cutoff, Ends::Cut).unwrap();
+        let expected = transmission(Length::from_si(wavelength), cutoff).unwrap();
+        // The weights are cut off at ±λ_c, where they are e^−14.2 = 6e-7 of their middle.
+        assert!(
+            (line[3000] - expected * wave.heights()[3000]).abs() < 1e-6,
+            "{ratio}"
+        );
+    }
+    close(transmission(cutoff, cutoff).unwrap(), 0.5, 1e-15);
+    close(alpha(), 0.469_718_639, 1e-9);
+}
+
+#[test]
+fn regression_of_degree_one_keeps_a_line_to_its_ends() {
+    let line = profile(1e-6, 3000, |x| 0.1 + 0.3 * x);
+    let cutoff = Length::from_si(0.8e-3);
+    let largest = |ends| {
+        let filtered = mean_line(&line, cutoff, ends).unwrap();
+        let pairs = filtered.iter().zip(line.heights());
+        pairs.map(|(w, z)| (w - z).abs()).fold(0.0, f64::max)
+    };
+    // Heights of 0.1 m have an error of 1.4e-17; the transform adds a few.
+    assert!(largest(Ends::Reg1) < 1e-15, "{:e}", largest(Ends::Reg1));
+    assert!(largest(Ends::Reg0) > 1e-5);
+    assert!(largest(Ends::Reflect) > 1e-5);
+}
+
+/// Weighted mean, weighted line or mirrored mean by direct sums.
+fn direct(z: &[f64], w: &[f64], ends: Ends) -> Vec<f64> {
+    let (n, m) = (z.len() as i64, w.len() as i64 - 1);
+    let weight = |k: i64| w[k.unsigned_abs() as usize];
+    (0..n)
+        .map(|i| {
+            let inside = (i - m).max(0)..=(i + m).min(n - 1);
+            let sum =
+                |f: &dyn Fn(i64) -> f64| inside.clone().map(|j| weight(j - i) * f(j)).sum::<f64>();
+            let height = |j: i64| z[j as usize];
+            match ends {
+                Ends::Cut | Ends::Reg0 => sum(&height) / sum(&|_| 1.0),
+                Ends::Reg1 => {
+                    let lever = |j: i64| (j - i) as f64;
+                    let (s0, s1, s2) = (sum(&|_| 1.0), sum(&lever), sum(&|j| lever(j).powi(2)));
+                    let (t0, t1) = (sum(&height), sum(&|j| lever(j) * height(j)));
+                    (s2 * t0 - s1 * t1) / (s0 * s2 - s1 * s1)
+                }
+                Ends::Reflect => {
+                    let mirrored = |j: i64| match j {
+                        j if j < 0 => -1 - j,
+                        j if j >= n => 2 * n - 1 - j,
+                        j => j,
+                    };
+                    (-m..=m).map(|k| weight(k) * height(mirrored(i + k))).sum()
+                }
+            }
+        })
+        .collect()
+}
+
+#[test]
+fn the_fast_filter_equals_direct_sums_with_every_treatment_of_the_ends() {
+    let dx = Length::from_si(1e-6);
+    // The trace is shorter than two supports, just longer, and much longer.
+    for (n, reach) in [(60, 50), (110, 50), (400, 30), (40, 40)] {
+        let z = rough(n);
+        let cutoff = Length::from_si(f64::from(reach) * 1e-6);
+        let trace = Profile::new(dx, z.clone()).unwrap();
+        let w = weights(cutoff, dx).unwrap();
+        if n < w.len() {
+            assert!(mean_line(&trace, cutoff, Ends::Cut).is_err());
+            continue;
+        }
+        for ends in [Ends::Cut, Ends::Reg0, Ends::Reg1, Ends::Reflect] {
+            let fast = mean_line(&trace, cutoff, ends).unwrap();
+            for (i, (fast, slow)) in fast.iter().zip(direct(&z, &w, ends)).enumerate() {
+                // Sums of a hundred terms of size one; levers of 100 points in Reg1.
+                assert!(
+                    (fast - slow).abs() < 1e-12,
+                    "{ends:?} {n} {i}: {fast} {slow}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn preparing_drops_half_a_cutoff_and_says_what_was_done() {
+    let wave = profile(0.5e-6, 11_200, |x| {
+        1e-6 * (TAU * x / 50e-6).sin() + 0.02 * x + 0.1
+    });
+    let prepared = prepare(&wave, &Preparation::default()).unwrap();
+    assert_eq!((prepared.first_index, prepared.profile.len()), (800, 9600));
+    assert_eq!(prepared.record.dropped_each_end, 800);
+    assert_eq!(prepared.warnings, []);
+    let found = Parameters::of(&prepared.profile, Mode::Iso4287, Length::from_si(0.8e-3)).unwrap();
+    assert_eq!(found.heights.sections, 6);
+    // λ_c leaves 1 − a(50 um) = 1 of the wave, λ_s = 2.5 um takes 1 − a = 0.17 %.
+    let passed = transmission(Length::from_si(50e-6), Length::from_si(2.5e-6)).unwrap();
+    close(found.heights.rq.si(), passed * 1e-6 / SQRT_2, 2e-4);
+}
+
+#[test]
+fn form_that_was_not_removed_is_reported() {
+    let crowned = profile(0.5e-6, 6001, |x| {
+        1e-7 * (TAU * x / 40e-6).sin() - 25.0 * (x - 1.5e-3).powi(2)
+    });
+    let recipe = Preparation {
+        lambda_c: None,
+        ..Preparation::default()
+    };
+    let prepared = prepare(&crowned, &recipe).unwrap();
+    let sag = match prepared.warnings.as_slice() {
+        [Warning::FormNotRemoved { sag, .. }] => sag.si(),
+        other => panic!("{other:?}"),
+    };
+    // 25/m · (1.5 mm)² = 56 um.
+    close(sag, 56.2e-6, 2e-3);
+    let removed = prepare(
+        &crowned,
+        &Preparation {
+            form: Form::Poly2,
+            ..recipe
+        },
+    )
+    .unwrap();
+    assert_eq!(removed.warnings, []);
+}
+
+#[test]
+fn moments_of_a_sine_are_those_of_its_derivatives() {
+    let k = TAU / 50e-6;
+    let wave = profile(0.5e-6, 10_000, |x| 1e-6 * (k * x).sin());
+    let found = moments(&wave).unwrap();
+    close(found.m0, 0.5e-12, 1e-12);
+    // Six points of 10 000 are missing at the steepest places; they count double.
+    close(found.m2, 0.5e-12 * k * k, 1.2e-3);
+    // 3-point: (k dx)²/12 of the curvature.
+    close(found.m4, 0.5e-12 * k.powi(4), 1e-3);
+    assert_eq!(slopes(&[0.0; 6], 1.0), [0.0; 0]);
+}
+
+#[test]
+fn the_spectrum_holds_the_power_of_the_profile_at_its_wavelength() {
+    let wave = profile(0.5e-6, 4096, |x| 1e-6 * (TAU * x / (64.0 * 0.5e-6)).sin());
+    let found = power_spectrum(&wave).unwrap();
+    let power: f64 = found.density.iter().sum::<f64>() * found.frequency_step;
+    close(power, 0.5e-12, 1e-4);
+    let highest =
+        (0..found.density.len()).max_by(|a, b| found.density[*a].total_cmp(&found.density[*b]));
+    assert_eq!(highest, Some(64));
+}
+
+#[test]
+fn the_summits_of_parabolic_ridges_have_their_radius() {
+    let ridge = |x: f64| {
+        let from_crest = (x / 40e-6).fract() * 40e-6 - 20e-6;
+        -from_crest * from_crest / (2.0 * 80e-6)
+    };
+    let ridges = profile(0.5e-6, 8000, ridge);
+    let found = asperity_radius(&ridges, Length::from_si(2.5e-6)).unwrap();
+    close(found.radius.si(), 80e-6, 1e-6);
+    assert_eq!(found.window_points, 5);
+    // Four summits are too few for the peak zone.
+    let few = asperity_radius(&ridges.slice(0..320).unwrap(), Length::from_si(2.5e-6)).unwrap();
+    assert_eq!((few.count, few.level), (4, ReferenceLevel::MeanLine));
+}
+
+#[test]
+fn all_summits_of_a_gaussian_profile_have_nayaks_mean_curvature() {
+    let recipe = SelfAffine {
+        points: 1 << 18,
+        spacing: Length::from_si(0.2e-6),
+        rq: Length::from_si(0.2e-6),
+        hurst: 0.8,
+        roll_off: Length::from_si(40e-6),
+        short_cut: Length::from_si(8e-6),
+        seed: 4,
+    };
+    let gaussian = recipe.generate().unwrap();
+    let z = gaussian.heights();
+    let dx = recipe.spacing.si();
+    let at_summits: Vec<f64> = z
+        .windows(3)
+        .filter(|z| z[1] > z[0] && z[1] >= z[2])
+        .map(|z| (2.0 * z[1] - z[0] - z[2]) / (dx * dx))
+        .collect();
+    let mean = at_summits.iter().sum::<f64>() / at_summits.len() as f64;
+    let m4 = moments(&gaussian).unwrap().m4;
+    let nayak = asperity_roughness::spectral::gaussian_summit_curvature(m4).unwrap();
+    // Some 10⁴ summits: statistical error of one percent.
+    close(mean, nayak, 0.02);
+    // Those in the peak zone are sharper than the mean of all.
+    let found = asperity_radius(&gaussian, Length::from_si(0.2e-6)).unwrap();
+    close(found.spectral_radius.si(), 1.0 / nayak, 1e-12);
+    assert!(found.radius < found.spectral_radius && found.radius > found.spectral_radius * 0.4);
+}
+
+#[test]
+fn heights_of_uncorrelated_flanks_add_in_squares() {
+    let flank = |seed| {
+        let recipe = SelfAffine {
+            points: 1 << 16,
+            spacing: Length::from_si(0.5e-6),
+            rq: Length::from_si(0.3e-6),
+            hurst: 0.7,
+            roll_off: Length::from_si(30e-6),
+            short_cut: Length::from_si(3e-6),
+            seed,
+        };
+        recipe.generate().unwrap()
+    };
+    let (first, second) = (flank(1), flank(2));
+    let rq = |p: &Profile| (p.heights().iter().map(|z| z * z).sum::<f64>() / p.len() as f64).sqrt();
+    let together = compose(&first, &second, Pairing::default()).unwrap();
+    let expected = combined_rq(Length::from_si(0.3e-6), Length::from_si(0.3e-6)).unwrap();
+    // About 2000 independent correlation lengths.
+    close(rq(&together.profile), expected.si(), 0.03);
+    // Against itself the same flank doubles: the rule of squares does not hold.
+    let doubled = compose(&first, &first, Pairing::default()).unwrap();
+    close(rq(&doubled.profile), 0.6e-6, 1e-12);
+}
+
+#[test]
+fn composing_resamples_only_when_asked() {
+    let ramp = |dx: f64, n: usize| profile(dx, n, |x| 2.0 * x);
+    let (fine, coarse) = (ramp(0.5e-6, 201), ramp(0.8e-6, 101));
+    assert!(compose(&fine, &coarse, Pairing::default()).is_err());
+    let pairing = Pairing {
+        resample: true,
+        ..Pairing::default()
+    };
+    let both = compose(&coarse, &fine, pairing).unwrap();
+    assert_eq!(both.resampled_from, Some(Length::from_si(0.8e-6)));
+    assert_eq!(both.profile.len(), 161);
+    for (i, z) in both.profile.heights().iter().enumerate() {
+        assert!((z - 4.0 * 0.5e-6 * i as f64).abs() < 1e-16);
+    }
+}
+
+#[test]
+fn generated_profiles_have_the_asked_height_and_repeat_with_their_seed() {
+    let recipe = Ground {
+        points: 20_000,
+        spacing: Length::from_si(0.5e-6),
+        rq: Length::from_si(0.4e-6),
+        grit_spacing: Length::from_si(12e-6),
+        grit_radius: Length::from_si(60e-6),
+        grit_protrusion: Length::from_si(1e-6),
+        seed: 9,
+    };
+    let ground = recipe.generate().unwrap();
+    let found = in_sections(&ground, Mode::Iso21920, 5).unwrap();
+    close(found.rq.si(), 0.4e-6, 1e-12);
+    // Cusps point up: ground surfaces under this model lean to positive skewness.
+    assert!(found.rsk.unwrap() > 0.1, "{:?}", found.rsk);
+    assert_eq!(ground, recipe.generate().unwrap());
+    assert_ne!(ground, Ground { seed: 10, ..recipe }.generate().unwrap());
+    let (plateau, removed) = truncated(&ground, 0.3).unwrap();
+    assert!(removed.si() > 0.0);
+    let after = rk_parameters(plateau.heights()).unwrap();
+    assert!(after.rpk < rk_parameters(ground.heights()).unwrap().rpk * 0.1);
+    assert_eq!(lower_envelope(&ground, &plateau).unwrap(), plateau);
+}
