@@ -36,10 +36,13 @@ fn finite() -> impl Strategy<Value = f64> {
 
 fn survives_its_text<Q: Quantity>(value: f64) {
     let text = Q::from_si(value).to_string();
-    let back = text.parse::<Q>().map(|quantity| quantity.si().to_bits());
+    let back = text
+        .parse::<Q>()
+        .ok()
+        .map(|quantity| quantity.si().to_bits());
     assert_eq!(
         back,
-        Ok(value.to_bits()),
+        Some(value.to_bits()),
         "{} {value:e} prints as {text}",
         Q::NAME
     );
