@@ -1,0 +1,289 @@
+//! From solved positions to the result: rows, summary, warnings.
+
+use asperity_efficiency::{LossKind, MeshEfficiency, equivalent_friction};
+use asperity_tribo_friction::FrictionLaw;
+
+use crate::case::{Case, Formulation, LoadedCase};
+use crate::error::PositionError;
+use crate::losses::efficiency_at;
+use crate::position::Position;
+use crate::result::{
+    ComparisonOutcome, FrictionComparison, Outcome, PositionRow, Regime, RunResult, RunningIn,
+    SCHEMA_VERSION, Summary,
+};
+use crate::{attention, friction, provenance};
+
+/// Builds the outcome of a run from its positions and the rolling force at each.
+pub(crate) fn assemble(
+    loaded: &LoadedCase,
+    positions: Vec<Position>,
+    rolling: &[f64],
+) -> Result<Outcome, PositionError> {
+    let case = &loaded.case;
+    let offsets = positions
+        .first()
+        .map_or(0, |position| position.offsets.len());
+    let meshes = (0..offsets)
+        .map(|k| {
+            efficiency_at(case, &positions, rolling, k, |p, k| {
+                p.offsets[k].friction_force
+            })
+        })
+        .collect::<Result<Vec<_>, _>>()?;
+    let summary = summary(case, &positions, &meshes)?;
+    let touched = positions.iter().any(|position| {
+        position
+            .offsets
+            .iter()
+            .any(|offset| offset.contact.is_some())
+    });
+    let (equations, references) = provenance::used(case, touched);
+    let mut warnings = loaded.warnings.clone();
+    warnings.extend(attention::warnings(loaded, &positions, &summary)?);
+    let result = RunResult {
+        schema_version: SCHEMA_VERSION,
+        program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
+        title: case.title.clone(),
+        formulation: case.formulation,
+        friction_laws: friction_laws(case, &positions, rolling, summary.efficiency)?,
+        path: positions
+            .iter()
+            .zip(rolling)
+            .map(|(position, rolling)| row(case, position, *rolling))
+            .collect(),
+        running_in: running_in(case, &meshes),
+        summary,
+        warnings,
+        flanks: loaded.flanks.clone(),
+        gears: case.gears.clone(),
+        lubricant: case.oil,
+        inputs: case.input.clone(),
+        defaults: case.defaults.clone(),
+        equations,
+        references,
+    };
+    let fields = positions.into_iter().filter_map(|position| position.fields);
+    Ok(Outcome {
+        result,
+        fields: fields.collect(),
+    })
+}
+
+fn summary(
+    case: &Case,
+    positions: &[Position],
+    meshes: &[MeshEfficiency],
+) -> Result<Summary, PositionError> {
+    let efficiencies: Vec<f64> = meshes.iter().map(|mesh| mesh.flow.efficiency).collect();
+    let efficiency = mean(efficiencies.iter().copied());
+    let power = |kind| mean(meshes.iter().map(|mesh| mesh.breakdown.power(kind).si()));
+    let factors = case.gears.loss_factors(&case.model.load_sharing)?;
+    // One position stands for the mesh in the paper's reading; its loss factor is of the whole path.
+    let equivalent = equivalent_friction(efficiency, factors.local)?;
+    let contacts = || {
+        positions
+            .iter()
+            .flat_map(|position| &position.offsets)
+            .filter_map(|offset| offset.contact)
+    };
+    let total: f64 = positions
+        .iter()
+        .map(|position| position.station.weight)
+        .sum();
+    let mixed: f64 = positions
+        .iter()
+        .map(|position| position.station.weight * mixed_share(position))
+        .sum();
+    Ok(Summary {
+        efficiency,
+        efficiency_deviation: deviation(&efficiencies),
+        offsets: meshes.len(),
+        power_in_w: mean(meshes.iter().map(|mesh| mesh.flow.input_power.si())),
+        torque_out_nm: mean(meshes.iter().map(|mesh| mesh.flow.output_torque.si())),
+        loss_w: mean(meshes.iter().map(|mesh| mesh.flow.loss.si())),
+        sliding_w: power(LossKind::Sliding),
+        rolling_w: power(LossKind::Rolling),
+        deformation_w: [
+            power(LossKind::DeformationPinion),
+            power(LossKind::DeformationWheel),
+        ],
+        hysteresis_w: power(LossKind::Hysteresis),
+        mu_equivalent: equivalent.value,
+        loss_factor: factors.ohlendorf,
+        loss_factor_local: factors.local,
+        mixed_share: mixed / total,
+        positions: positions.len(),
+        worst_load_error: contacts().map(|c| c.load_error).fold(0.0, f64::max),
+        worst_duality_gap: contacts().map(|c| c.duality_gap).fold(0.0, f64::max),
+    })
+}
+
+/// Efficiency with other laws in the film, everything else equal.
+fn friction_laws(
+    case: &Case,
+    positions: &[Position],
+    rolling: &[f64],
+    own: f64,
+) -> Result<Vec<FrictionComparison>, PositionError> {
+    let mut laws = vec![FrictionComparison {
+        law: case.model.friction.name().to_owned(),
+        outcome: ComparisonOutcome::Efficiency(own),
+    }];
+    let others = [
+        FrictionLaw::Xu,
+        FrictionLaw::Iso14179Part2,
+        FrictionLaw::BenedictKelley,
+    ];
+    for law in others.into_iter().filter(|law| *law != case.model.friction) {
+        let outcome = match with_law(case, positions, rolling, law) {
+            Ok(value) => ComparisonOutcome::Efficiency(value),
+            // A law that refuses these conditions must not stop the run: it was not asked for.
+            Err(error) => ComparisonOutcome::Refused(error.to_string()),
+        };
+        laws.push(FrictionComparison {
+            law: law.name().to_owned(),
+            outcome,
+        });
+    }
+    Ok(laws)
+}
+
+fn with_law(
+    case: &Case,
+    positions: &[Position],
+    rolling: &[f64],
+    law: FrictionLaw,
+) -> Result<f64, PositionError> {
+    let mut forces = Vec::with_capacity(positions.len());
+    for position in positions {
+        let load = position.station.load.si();
+        let mut of_offsets = Vec::with_capacity(position.offsets.len());
+        for offset in &position.offsets {
+            let mu = friction::by_law(law, case, &position.station, &offset.roughness)?.mu;
+            // The film's part of the force changes in proportion to its coefficient.
+            let film = offset.friction_force
+                - case.model.boundary_friction * (1.0 - offset.film_share) * load;
+            let ratio = if offset.friction.mu > 0.0 {
+                film * mu / offset.friction.mu
+            } else {
+                mu * offset.film_share * load
+            };
+            of_offsets.push((offset.friction_force - film + ratio).max(0.0));
+        }
+        forces.push(of_offsets);
+    }
+    let number = |position: &Position| position.station.number - 1;
+    let offsets = positions
+        .first()
+        .map_or(0, |position| position.offsets.len());
+    let efficiencies = (0..offsets)
+        .map(|k| {
+            let mesh = efficiency_at(case, positions, rolling, k, |p, k| forces[number(p)][k])?;
+            Ok(mesh.flow.efficiency)
+        })
+        .collect::<Result<Vec<_>, PositionError>>()?;
+    Ok(mean(efficiencies.into_iter()))
+}
+
+fn row(case: &Case, position: &Position, rolling: f64) -> PositionRow {
+    let station = &position.station;
+    let motion = &station.motion;
+    let offsets = &position.offsets;
+    let path = case.gears.path();
+    let over = |value: fn(&crate::position::Offset) -> f64| mean(offsets.iter().map(value));
+    let contacts: Vec<_> = offsets.iter().filter_map(|offset| offset.contact).collect();
+    let touching = |value: fn(&crate::position::ContactNumbers) -> f64| {
+        (!contacts.is_empty()).then(|| mean(contacts.iter().map(value)))
+    };
+    let known: Vec<f64> = offsets
+        .iter()
+        .filter_map(|offset| offset.lambda_star)
+        .collect();
+    let force = over(|offset| offset.friction_force);
+    let share = mixed_share(position);
+    let surfaces = match case.formulation {
+        Formulation::Corrected => 2.0,
+        Formulation::Paper => 1.0,
+    };
+    PositionRow {
+        position: station.number,
+        s_mm: station.s.si() * 1e3,
+        path_fraction: (station.s - path.a) / (path.e - path.a),
+        weight_m: station.weight,
+        line_load_n_per_mm: station.load.si() * 1e-3,
+        radius_mm: motion.radius.si() * 1e3,
+        u1_m_per_s: motion.u1.si(),
+        u2_m_per_s: motion.u2.si(),
+        sliding_m_per_s: motion.sliding.si(),
+        entrainment_m_per_s: motion.entrainment.si(),
+        slide_to_roll: motion.slide_to_roll,
+        half_width_um: station.hertz.half_width.si() * 1e6,
+        hertz_pressure_mpa: station.hertz.max_pressure.si() * 1e-6,
+        thermal_reduction: station.thermal_reduction,
+        film_central_um: station.film.central.si() * 1e6,
+        film_minimum_um: station.film.minimum.si() * 1e6,
+        lambda_star: (!known.is_empty()).then(|| mean(known.iter().copied())),
+        film_ratio: over(|offset| offset.film_ratio),
+        mixed_share: share,
+        regime: if share >= 0.5 {
+            Regime::Mixed
+        } else {
+            Regime::FullFilm
+        },
+        film_share: over(|offset| offset.film_share),
+        mu_film: over(|offset| offset.friction.mu),
+        mu: force / station.load.si(),
+        flash_k: over(|offset| offset.friction.flash),
+        sliding_w_per_m: force * motion.sliding.si().abs(),
+        rolling_w_per_m: surfaces * rolling * motion.entrainment.si(),
+        contact_fraction: touching(|contact| contact.contact_fraction),
+        p_max_mpa: touching(|contact| contact.p_max * 1e-6),
+        plastic_work_j_per_m: touching(|contact| contact.plastic_work),
+        von_mises_max_mpa: position.von_mises.map(|(stress, _)| stress.si() * 1e-6),
+        von_mises_depth_um: position.von_mises.map(|(_, depth)| depth.si() * 1e6),
+        iterations: contacts.iter().map(|contact| contact.iterations).sum(),
+        load_error: contacts.iter().map(|c| c.load_error).fold(0.0, f64::max),
+    }
+}
+
+fn running_in(case: &Case, meshes: &[MeshEfficiency]) -> RunningIn {
+    let included = case.model.include_running_in;
+    let of = |mesh: &MeshEfficiency| {
+        if included {
+            mesh.breakdown.power(LossKind::RunningIn).si()
+        } else {
+            mesh.apart.power(LossKind::RunningIn).si()
+        }
+    };
+    let power = mean(meshes.iter().map(of));
+    let period = meshes
+        .first()
+        .map_or(0.0, |mesh| mesh.engagement_period.si());
+    RunningIn {
+        energy_per_engagement_j: power * period,
+        first_pass_w: power,
+        included,
+    }
+}
+
+/// Share of the offsets of a position that are in the mixed regime.
+pub(crate) fn mixed_share(position: &Position) -> f64 {
+    let is_mixed = |offset: &crate::position::Offset| f64::from(offset.regime == Regime::Mixed);
+    mean(position.offsets.iter().map(is_mixed))
+}
+
+fn mean(values: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) = values.fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
+    sum / count
+}
+
+/// Sample standard deviation; none for fewer than two values.
+fn deviation(values: &[f64]) -> Option<f64> {
+    let n = values.len();
+    if n < 2 {
+        return None;
+    }
+    let middle = mean(values.iter().copied());
+    let squares: f64 = values.iter().map(|value| (value - middle).powi(2)).sum();
+    Some((squares / (n - 1) as f64).sqrt())
+}

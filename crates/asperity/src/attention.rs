@@ -1,0 +1,248 @@
+//! What about a result calls for attention.
+
+use std::collections::BTreeMap;
+
+use asperity_core::OutOfRange;
+use asperity_efficiency::equivalent_friction;
+
+use crate::case::LoadedCase;
+use crate::encounter::FEW_ASPERITIES;
+use crate::error::PositionError;
+use crate::message::Warning;
+use crate::position::Position;
+use crate::result::{Regime, Summary};
+use crate::surfaces::Texture;
+
+/// p₀ at which a Hertz line contact begins to yield below its surface, over the elastic limit in
+/// tension (Johnson 1985, von Mises, ν = 0.3).
+const YIELD_BELOW: f64 = 1.79;
+
+/// Warnings about the positions and the summary.
+pub(crate) fn warnings(
+    loaded: &LoadedCase,
+    positions: &[Position],
+    summary: &Summary,
+) -> Result<Vec<Warning>, PositionError> {
+    let mut found = Vec::new();
+    for note in &loaded.case.oil_notes {
+        found.push(Warning::new("W401", note.to_string()));
+    }
+    ranges(positions, &mut found);
+    let equivalent = equivalent_friction(summary.efficiency, summary.loss_factor_local)?;
+    if !equivalent.outside.is_empty() {
+        found.push(Warning::new(
+            "W402",
+            format!(
+                "mu_eq {:.3} is outside 0.01-0.12 for lubricated steel",
+                equivalent.value
+            ),
+        ));
+    }
+    if loaded.surfaces.same_trace {
+        found.push(Warning::new(
+            "W404",
+            "both flanks come from one trace, so their roughness is correlated and S = sqrt(Rq1^2 + Rq2^2) is not exact",
+        ));
+    }
+    stress(loaded, positions, &mut found);
+    roughness(loaded, positions, &mut found);
+    Ok(found)
+}
+
+/// W401 and W403: one line for each correlation and input, over all positions.
+fn ranges(positions: &[Position], found: &mut Vec<Warning>) {
+    struct Seen<'a> {
+        note: &'a OutOfRange,
+        least: f64,
+        most: f64,
+        positions: usize,
+    }
+    let mut seen: BTreeMap<(&str, &str), Seen<'_>> = BTreeMap::new();
+    let mut add = |note, is_new: &mut std::collections::BTreeSet<(&str, &str)>| {
+        let note: &OutOfRange = note;
+        let key = (note.correlation, note.name);
+        let entry = seen.entry(key).or_insert(Seen {
+            note,
+            least: note.value,
+            most: note.value,
+            positions: 0,
+        });
+        entry.least = entry.least.min(note.value);
+        entry.most = entry.most.max(note.value);
+        if is_new.insert(key) {
+            entry.positions += 1;
+        }
+    };
+    for position in positions {
+        let mut here = std::collections::BTreeSet::new();
+        let offsets = position.offsets.iter().flat_map(|offset| offset.outside());
+        for note in position.station.outside.iter().chain(offsets) {
+            add(note, &mut here);
+        }
+    }
+    for entry in seen.values() {
+        let note = entry.note;
+        let code = if note.correlation.contains("held") {
+            "W403"
+        } else {
+            "W401"
+        };
+        let value = if entry.least == entry.most {
+            short(entry.least)
+        } else {
+            format!("{} .. {}", short(entry.least), short(entry.most))
+        };
+        let unit = if note.unit == "-" {
+            String::new()
+        } else {
+            format!(" {}", note.unit)
+        };
+        found.push(Warning::new(
+            code,
+            format!(
+                "{}: {} {value}{unit} is outside {} .. {}{unit} at {} of {} positions",
+                note.correlation,
+                note.name,
+                short(note.low),
+                short(note.high),
+                entry.positions,
+                positions.len(),
+            ),
+        ));
+    }
+}
+
+/// Four digits that mean something, without trailing zeros.
+fn short(value: f64) -> String {
+    let size = value.abs();
+    if size != 0.0 && !(1e-3..1e6).contains(&size) {
+        return format!("{value:.2e}");
+    }
+    let text = format!("{value:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// W405, W409, W410: yield below the surface, and flow of the asperities.
+fn stress(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warning>) {
+    let materials = &loaded.case.materials;
+    let limit = materials[0]
+        .elastic_limit
+        .si()
+        .min(materials[1].elastic_limit.si());
+    let highest = positions
+        .iter()
+        .map(|position| position.station.hertz.max_pressure.si())
+        .fold(0.0, f64::max);
+    if highest > YIELD_BELOW * limit {
+        found.push(Warning::new(
+            "W405",
+            format!(
+                "p0 {:.0} MPa passes {YIELD_BELOW} x the elastic limit {:.0} MPa: the flanks yield below the surface, which is not modelled",
+                highest * 1e-6,
+                limit * 1e-6
+            ),
+        ));
+    }
+    let flowing = |position: &&Position| {
+        let mut contacts = position.offsets.iter().filter_map(|offset| offset.contact);
+        contacts.any(|contact| contact.plastic_work > 0.0)
+    };
+    let count = positions.iter().filter(flowing).count();
+    if count > 0 {
+        found.push(Warning::new(
+            "W409",
+            format!(
+                "asperities flow at {count} of {} positions: the flanks run in",
+                positions.len()
+            ),
+        ));
+    }
+    let strained = positions
+        .iter()
+        .filter(|position| {
+            position
+                .von_mises
+                .is_some_and(|(stress, _)| stress.si() > limit)
+        })
+        .count();
+    if strained > 0 && highest <= YIELD_BELOW * limit {
+        found.push(Warning::new(
+            "W410",
+            format!(
+                "von Mises stress under the asperities passes the elastic limit {:.0} MPa at {strained} of {} positions",
+                limit * 1e-6,
+                positions.len()
+            ),
+        ));
+    }
+}
+
+/// W406, W407, W408: what the traces do not tell.
+fn roughness(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warning>) {
+    if !loaded.surfaces.are_measured() {
+        let known = positions.iter().all(|position| {
+            position
+                .offsets
+                .iter()
+                .all(|offset| offset.lambda_star.is_some())
+        });
+        found.push(Warning::new(
+            "W408",
+            if known {
+                "a flank is given by roughness values: losses follow from the load share, the rough contact was not computed"
+            } else {
+                "a flank is given by roughness values without rpk and asperity_radius: full film was assumed all along the path"
+            },
+        ));
+        return;
+    }
+    let mixed = |offset: &&crate::position::Offset| offset.regime == Regime::Mixed;
+    let offsets = || {
+        positions
+            .iter()
+            .flat_map(|position| &position.offsets)
+            .filter(mixed)
+    };
+    let few = offsets()
+        .filter(|offset| offset.roughness.asperities < FEW_ASPERITIES)
+        .count();
+    if few > 0 {
+        found.push(Warning::new(
+            "W406",
+            format!(
+                "fewer than {FEW_ASPERITIES} asperities reach into the peak zone in {few} of {} mixed contacts; their radius is uncertain",
+                offsets().count()
+            ),
+        ));
+    }
+    overlap(loaded, positions, found);
+}
+
+fn overlap(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warning>) {
+    let count = positions
+        .first()
+        .map_or(0, |position| position.offsets.len());
+    let widest = positions
+        .iter()
+        .map(|position| position.station.hertz.half_width.si())
+        .fold(0.0, f64::max);
+    let window = 2.0 * widest * loaded.case.model.window;
+    let shortest = loaded
+        .surfaces
+        .textures()
+        .iter()
+        .filter_map(|texture| match texture {
+            Texture::Trace(profile) => Some(profile.length().si()),
+            Texture::Values { .. } => None,
+        })
+        .fold(f64::INFINITY, f64::min);
+    let room = (shortest / window).floor();
+    if count > 1 && (count as f64) > room {
+        found.push(Warning::new(
+            "W407",
+            format!(
+                "{count} offsets on a trace that holds {room:.0} contact windows side by side: they overlap, so the spread is a lower bound"
+            ),
+        ));
+    }
+}

@@ -1,0 +1,85 @@
+//! Displacement of each body, from the displacement of both together.
+
+use asperity_contact::ContactSolution;
+use asperity_contact::plasticity::{elastic_shares, plastic_shares};
+use asperity_core::material::Material;
+
+use crate::case::Case;
+use crate::error::PositionError;
+use crate::station::Station;
+
+/// Elastic displacement and plastic displacement of pinion and wheel [m].
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Bodies {
+    /// Elastic displacement of each body.
+    pub elastic: [Vec<f64>; 2],
+    /// Plastic displacement of each body.
+    pub plastic: [Vec<f64>; 2],
+}
+
+impl Bodies {
+    /// Bodies that keep their shape, at `n` points.
+    pub(crate) fn none(n: usize) -> Self {
+        let zero = || [vec![0.0; n], vec![0.0; n]];
+        Self {
+            elastic: zero(),
+            plastic: zero(),
+        }
+    }
+
+    /// Shares the solution's displacements: the elastic part by compliance (1 − ν²)/E, the plastic
+    /// part by yield: the softer body takes it all, equal bodies half each.
+    pub(crate) fn new(case: &Case, solution: &ContactSolution) -> Result<Self, PositionError> {
+        let [pinion, wheel] = &case.materials;
+        let [elastic_share, _] = elastic_shares(pinion, wheel)?;
+        // What flows first is decided by the pressure it flows at.
+        let flowing = |body: usize| Material {
+            elastic_limit: case.flow_pressure[body],
+            ..case.materials[body]
+        };
+        let [plastic_share, _] = plastic_shares(&flowing(0), &flowing(1))?;
+        let split = |field: &[f64], share: f64| {
+            [
+                field.iter().map(|v| v * share).collect(),
+                field.iter().map(|v| v * (1.0 - share)).collect(),
+            ]
+        };
+        Ok(Self {
+            elastic: split(&solution.displacement, elastic_share),
+            plastic: split(&solution.plastic_displacement, plastic_share),
+        })
+    }
+
+    /// Displacement inside the contact from its edge, so that it does not depend on a datum: the
+    /// least displacement under pressure counts as zero, and so does all that lies outside.
+    pub(crate) fn from_the_edge(mut self, pressure: &[f64]) -> Self {
+        for field in &mut self.elastic {
+            let loaded = || pressure.iter().map(|&p| p > 0.0);
+            let edge = field
+                .iter()
+                .zip(loaded())
+                .filter(|(_, loaded)| *loaded)
+                .map(|(u, _)| *u)
+                .fold(f64::INFINITY, f64::min);
+            for (u, loaded) in field.iter_mut().zip(loaded()) {
+                *u = if loaded { *u - edge } else { 0.0 };
+            }
+        }
+        self
+    }
+
+    /// Displacement of smooth bodies under Hertz's pressure, (a² − x²)/2R from the edge.
+    pub(crate) fn hertz(case: &Case, station: &Station, x: &[f64]) -> Result<Self, PositionError> {
+        let a = station.hertz.half_width.si();
+        let r = station.motion.radius.si();
+        let shares = elastic_shares(&case.materials[0], &case.materials[1])?;
+        let elastic = shares.map(|share| {
+            let depth = |x: &f64| share * (a * a - x * x).max(0.0) / (2.0 * r);
+            x.iter().map(depth).collect()
+        });
+        Ok(Self {
+            elastic,
+            plastic: [vec![0.0; x.len()], vec![0.0; x.len()]],
+        })
+    }
+}

@@ -1,0 +1,32 @@
+//! The film alone: its pressure is Hertz's and carries the whole load.
+
+use crate::error::PositionError;
+use crate::station::Station;
+
+use super::Carried;
+
+/// The film's pressure at the points `x` [m]: that of the smooth dry contact, which a full film
+/// takes over all but its inlet and its outlet.
+pub(crate) fn full_film(station: &Station, x: &[f64]) -> Result<Carried, PositionError> {
+    Ok(Carried {
+        fluid: hertz_pressure(station, x, 1.0)?,
+        solids: None,
+        history: Vec::new(),
+    })
+}
+
+/// `share` of the Hertz pressure at the points `x` [m].
+pub(super) fn hertz_pressure(
+    station: &Station,
+    x: &[f64],
+    share: f64,
+) -> Result<Vec<f64>, PositionError> {
+    x.iter()
+        .map(|&x| {
+            let pressure = station
+                .hertz
+                .pressure(asperity_core::quantity::Length::from_si(x))?;
+            Ok(share * pressure.si())
+        })
+        .collect()
+}

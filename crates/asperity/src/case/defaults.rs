@@ -1,0 +1,58 @@
+//! Defaults, each written down when it is used.
+
+use asperity_core::lubricant::Assumption;
+use serde::Serialize;
+
+/// A default that was used, as the case file would have said it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DefaultUsed {
+    /// Key of the case file: `gears.helix`.
+    pub key: &'static str,
+    /// The value, as it would be written.
+    pub value: String,
+    /// Where the value comes from, when it is an estimate.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub source: Option<&'static str>,
+}
+
+/// The defaults used so far.
+#[derive(Debug, Default)]
+pub(super) struct Defaults(Vec<DefaultUsed>);
+
+impl Defaults {
+    /// The given value, or the default, which is written down.
+    pub(super) fn take<T: Serialize>(
+        &mut self,
+        key: &'static str,
+        given: Option<T>,
+        default: T,
+    ) -> T {
+        given.unwrap_or_else(|| {
+            self.note(key, &default);
+            default
+        })
+    }
+
+    /// Writes down that `value` was used for `key`.
+    pub(super) fn note<T: Serialize>(&mut self, key: &'static str, value: &T) {
+        let value = serde_json::to_string(value).unwrap_or_default();
+        self.0.push(DefaultUsed {
+            key,
+            value,
+            source: None,
+        });
+    }
+
+    /// Writes down what was assumed of the oil.
+    pub(super) fn assume(&mut self, assumption: &Assumption) {
+        self.0.push(DefaultUsed {
+            key: assumption.key,
+            value: assumption.value.clone(),
+            source: Some(assumption.source),
+        });
+    }
+
+    pub(super) fn into_list(self) -> Vec<DefaultUsed> {
+        self.0
+    }
+}

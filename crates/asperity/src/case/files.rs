@@ -1,0 +1,283 @@
+//! Files of a case: the case itself and the traces it names.
+
+use std::path::{Path, PathBuf};
+
+use asperity_core::DomainError;
+use asperity_core::Profile;
+use asperity_core::quantity::Length;
+use asperity_roughness::Parameters;
+use asperity_roughness::composite::resampled;
+use asperity_roughness::height_parameters::Mode;
+use asperity_roughness::preparation::prepare;
+use asperity_roughness::read::{ReadOptions, read_bytes};
+use asperity_tribo_friction::XuCalibration;
+use sha2::{Digest, Sha256};
+
+use super::error::CaseError;
+use super::input::{CaseInput, FlankInput, Formulation, schema};
+use super::known_keys::first_unknown;
+use super::resolve::{Case, resolve};
+use super::source::Source;
+use crate::message::Warning;
+use crate::surfaces::{FlankReport, Surfaces, Texture};
+
+/// A case with its traces, ready to run.
+#[derive(Debug, Clone)]
+pub struct LoadedCase {
+    /// The case.
+    pub case: Case,
+    /// The flanks.
+    pub surfaces: Surfaces,
+    /// How each flank was read and prepared.
+    pub flanks: [FlankReport; 2],
+    /// What about the files calls for attention.
+    pub warnings: Vec<Warning>,
+}
+
+/// Reads the case file `path` and the traces it names; `formulation` wins over the file's.
+///
+/// # Errors
+/// When a file cannot be read or says something that cannot be. The source, where it could be
+/// read, goes with the error so that the place can be shown.
+pub fn load(
+    path: &Path,
+    formulation: Option<Formulation>,
+) -> Result<LoadedCase, (Box<CaseError>, Option<Box<Source>>)> {
+    let text = std::fs::read_to_string(path).map_err(|reason| {
+        let file = path.display().to_string();
+        (Box::new(CaseError::Open { file, reason }), None)
+    })?;
+    let source =
+        Source::new(&path.display().to_string(), &text).map_err(|error| (Box::new(error), None))?;
+    let folder = path.parent().unwrap_or(Path::new("."));
+    from_source(&source, folder, formulation)
+        .map_err(|error| (Box::new(error), Some(Box::new(source.clone()))))
+}
+
+fn from_source(
+    source: &Source,
+    folder: &Path,
+    formulation: Option<Formulation>,
+) -> Result<LoadedCase, CaseError> {
+    let schema = schema();
+    if let Some((key, nearest)) = first_unknown(&schema, source.key_paths()) {
+        return Err(CaseError::UnknownKey {
+            place: source.place_of_key(key),
+            key: key.to_owned(),
+            nearest,
+        });
+    }
+    let mut input: CaseInput = source.read()?;
+    if formulation.is_some() {
+        input.formulation = formulation;
+    }
+    let mut case = resolve(input, source)?;
+    if let Some(file) = &case.input.model.xu_coefficients {
+        let calibration = xu_calibration(&folder.join(file), source)?;
+        case.model.friction_settings.xu.coefficients = calibration.coefficients;
+    }
+    load_flanks(case, source, folder)
+}
+
+fn xu_calibration(path: &Path, source: &Source) -> Result<XuCalibration, CaseError> {
+    let key = "model.xu_coefficients";
+    let text = std::fs::read_to_string(path).map_err(|reason| CaseError::Open {
+        file: path.display().to_string(),
+        reason,
+    })?;
+    XuCalibration::from_json(&text).map_err(|error| CaseError::Value {
+        place: source.place_of(key),
+        key: Some(key.to_owned()),
+        message: error.to_string(),
+    })
+}
+
+fn load_flanks(case: Case, source: &Source, folder: &Path) -> Result<LoadedCase, CaseError> {
+    let mut warnings = Vec::new();
+    let pinion_input = &case.input.surface.pinion;
+    // Flanks face each other: without a trace of its own the wheel is the pinion's, mirrored.
+    let wheel_input = case.input.surface.wheel.clone().unwrap_or(FlankInput {
+        mirrored: Some(!pinion_input.mirrored.unwrap_or(false)),
+        ..pinion_input.clone()
+    });
+    let (first, pinion) = flank(
+        pinion_input,
+        "surface.pinion",
+        &case,
+        source,
+        folder,
+        &mut warnings,
+    )?;
+    let (second, wheel) = flank(
+        &wheel_input,
+        "surface.wheel",
+        &case,
+        source,
+        folder,
+        &mut warnings,
+    )?;
+    let same_trace = pinion.sha256.is_some() && pinion.sha256 == wheel.sha256;
+    if same_trace {
+        // Said once, for the file they share.
+        warnings.dedup();
+        let mut seen = std::collections::BTreeSet::new();
+        warnings.retain(|warning| seen.insert(warning.to_string()));
+    }
+    let textures = on_common_spacing([first, second], &mut warnings)?;
+    let surfaces = Surfaces::new(textures, case.preparation.lambda_s, same_trace);
+    Ok(LoadedCase {
+        case,
+        surfaces,
+        flanks: [pinion, wheel],
+        warnings,
+    })
+}
+
+fn flank(
+    input: &FlankInput,
+    key: &'static str,
+    case: &Case,
+    source: &Source,
+    folder: &Path,
+    warnings: &mut Vec<Warning>,
+) -> Result<(Texture, FlankReport), CaseError> {
+    match (&input.file, input.rq) {
+        (Some(_), Some(_)) => Err(CaseError::Conflict {
+            place: source.place_of(key),
+            key,
+            rule: "give either file or rq, not both",
+        }),
+        (None, None) => Err(CaseError::Conflict {
+            place: source.place_of_key(key),
+            key,
+            rule: "give file, the trace of the flank, or rq when there is none",
+        }),
+        (None, Some(rq)) => values(input, rq, key, source),
+        (Some(file), None) => trace(input, file, case, folder, warnings),
+    }
+}
+
+fn values(
+    input: &FlankInput,
+    rq: Length,
+    key: &'static str,
+    source: &Source,
+) -> Result<(Texture, FlankReport), CaseError> {
+    let checked = |name, length: Option<Length>| match length {
+        None => Ok(None),
+        Some(length) => DomainError::positive(name, length)
+            .map(Some)
+            .map_err(|error| CaseError::Domain {
+                place: source.place_of(key),
+                key,
+                source: error,
+            }),
+    };
+    let rq = checked("Rq", Some(rq))?.unwrap_or_default();
+    /// Ra of a Gaussian surface is Rq·√(2/π).
+    const GAUSSIAN_RA: f64 = 0.797_884_560_802_865_4;
+    /// Rz of a Gaussian surface over five cut-offs is near six times its Rq.
+    const GAUSSIAN_RZ: f64 = 6.0;
+    let texture = Texture::Values {
+        rq,
+        ra: checked("Ra", input.ra)?.unwrap_or(GAUSSIAN_RA * rq),
+        rz: checked("Rz", input.rz)?.unwrap_or(GAUSSIAN_RZ * rq),
+        rpk: checked("Rpk", input.rpk)?,
+        asperity_radius: checked("asperity radius", input.asperity_radius)?.map(Length::from_si),
+    };
+    Ok((texture, FlankReport::default()))
+}
+
+fn trace(
+    input: &FlankInput,
+    file: &PathBuf,
+    case: &Case,
+    folder: &Path,
+    warnings: &mut Vec<Warning>,
+) -> Result<(Texture, FlankReport), CaseError> {
+    let path = folder.join(file);
+    let bytes = std::fs::read(&path).map_err(|reason| CaseError::OpenProfile {
+        file: path.display().to_string(),
+        reason,
+    })?;
+    // As the case names it: that is what the user looks for.
+    let name = file.display().to_string();
+    let options = ReadOptions {
+        x_unit: input.x_unit,
+        z_unit: input.z_unit,
+        dx: input.dx,
+        columns: input.columns,
+        decimal: input.decimal,
+        separator: input.separator,
+        encoding: input.encoding,
+        gaps: input.gaps.unwrap_or_default(),
+    };
+    let reading = read_bytes(&name, &bytes, &options)?;
+    let mirrored = input.mirrored.unwrap_or(false);
+    let raw = if mirrored {
+        reading.profile.mirrored()
+    } else {
+        reading.profile.clone()
+    };
+    let refused = |source| CaseError::Preparation {
+        file: name.clone(),
+        source,
+    };
+    let prepared = prepare(&raw, &case.preparation).map_err(refused)?;
+    for warning in reading.warnings.iter().chain(&prepared.warnings) {
+        warnings.push(Warning::new(warning.code(), format!("{name}: {warning}")));
+    }
+    // Without a cut-off the whole trace is one evaluation of five sections.
+    let section = case
+        .preparation
+        .lambda_c
+        .unwrap_or_else(|| prepared.profile.length() / 5.0);
+    let parameters = Parameters::of(&prepared.profile, Mode::Iso4287, section).map_err(refused)?;
+    for warning in &parameters.warnings {
+        warnings.push(Warning::new(warning.code(), format!("{name}: {warning}")));
+    }
+    let report = FlankReport {
+        file: Some(file.display().to_string()),
+        sha256: Some(hex(&Sha256::digest(&bytes))),
+        mirrored,
+        preparation: Some(prepared.record),
+        parameters: Some(parameters),
+        reading: Some(reading),
+    };
+    Ok((Texture::Trace(prepared.profile), report))
+}
+
+/// Brings two traces to the finer spacing of both.
+fn on_common_spacing(
+    textures: [Texture; 2],
+    warnings: &mut Vec<Warning>,
+) -> Result<[Texture; 2], CaseError> {
+    /// Spacings that differ by less shift a window of 10⁴ points by less than a point.
+    const SAME: f64 = 1e-5;
+    let [Texture::Trace(first), Texture::Trace(second)] = &textures else {
+        return Ok(textures);
+    };
+    let (a, b) = (first.spacing(), second.spacing());
+    if (a / b - 1.0).abs() <= SAME {
+        return Ok(textures);
+    }
+    let finer = if a < b { a } else { b };
+    let bring = |profile: &Profile| -> Result<Profile, CaseError> {
+        resampled(profile, finer).map_err(|source| CaseError::Preparation {
+            file: "surface".to_owned(),
+            source: source.into(),
+        })
+    };
+    warnings.push(Warning::new(
+        "W119",
+        format!("the flanks are spaced {a} and {b}; the coarser was resampled linearly to {finer}"),
+    ));
+    Ok([
+        Texture::Trace(bring(first)?),
+        Texture::Trace(bring(second)?),
+    ])
+}
+
+fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}

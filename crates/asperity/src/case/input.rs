@@ -1,0 +1,282 @@
+//! The case file as the user writes it: every key optional that has a default.
+//!
+//! Quantities are text with a unit. The same structure is read from TOML and JSON, and printed as
+//! a JSON schema by [`schema`].
+
+use std::path::PathBuf;
+
+use asperity_core::lubricant::LubricantInput;
+use asperity_core::quantity::{
+    Angle, AngularSpeed, Density, Length, Pressure, Ratio, SpecificHeat, Temperature,
+    ThermalConductivity, Torque,
+};
+use asperity_ehl_regime::{FilmLaw, LoadShareLaw, ThermalLaw};
+use asperity_gear::{LoadSharing, Plane};
+use asperity_ns_film::FluidModel;
+use asperity_roughness::form::Form;
+use asperity_roughness::gaussian_filter::Ends;
+use asperity_roughness::read::{Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator};
+use asperity_tribo_friction::FrictionLaw;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A case: gears, steel, oil, operation, two measured flanks, and the model to use.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CaseInput {
+    /// A line that names the case in every output.
+    pub title: Option<String>,
+    /// Which reading of the model: `corrected` (default) or `paper`.
+    pub formulation: Option<Formulation>,
+    /// The gear pair.
+    pub gears: GearsInput,
+    /// Steel of the pinion, and of the wheel unless `material.wheel` says otherwise.
+    #[serde(default)]
+    pub material: MaterialInput,
+    /// Torque, speed, temperature.
+    pub operation: OperationInput,
+    /// The oil.
+    pub lubricant: LubricantInput,
+    /// The measured flanks and how they are prepared.
+    pub surface: SurfaceInput,
+    /// Choices of the model.
+    #[serde(default)]
+    pub model: ModelInput,
+}
+
+/// Which reading of the 2022 model is used.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Formulation {
+    /// Dimensionally and physically consistent.
+    #[default]
+    Corrected,
+    /// The paper's reading, only its misprints mended.
+    Paper,
+}
+
+/// One value for both gears, or one each: `"50 mm"` or `["35 mm", "32 mm"]`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum OneOrTwo<T> {
+    /// `[pinion, wheel]`.
+    Two([T; 2]),
+    /// The same for both.
+    One(T),
+}
+
+impl<T: Copy> OneOrTwo<T> {
+    /// The values of pinion and wheel.
+    pub fn both(self) -> [T; 2] {
+        match self {
+            Self::Two(both) => both,
+            Self::One(one) => [one, one],
+        }
+    }
+}
+
+/// The gear pair; names as in ISO 21771.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GearsInput {
+    /// Numbers of teeth z, pinion then wheel.
+    pub teeth: [u32; 2],
+    /// Module m.
+    pub module: Length,
+    /// The plane the module is measured in; default `normal`.
+    pub module_plane: Option<Plane>,
+    /// Helix angle β; default 0 deg.
+    pub helix: Option<Angle>,
+    /// Normal pressure angle α_n; default 20 deg.
+    pub pressure_angle: Option<Angle>,
+    /// Face width b, one for both or `[pinion, wheel]`.
+    pub face_width: OneOrTwo<Length>,
+    /// Profile shift coefficients x, pinion then wheel; default `[0, 0]`.
+    pub profile_shift: Option<[f64; 2]>,
+    /// Working centre distance a; derived from the profile shifts when not given.
+    pub centre_distance: Option<Length>,
+    /// Tip diameters d_a, pinion then wheel; derived from the addendum when not given.
+    pub tip_diameter: Option<[Length; 2]>,
+    /// Addendum h_a* in modules; default 1.
+    pub addendum: Option<f64>,
+}
+
+/// Elastic and thermal constants; all have the values of case-hardened steel by default.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BodyInput {
+    /// Young's modulus E.
+    pub young: Option<Pressure>,
+    /// Poisson's ratio ν.
+    pub poisson: Option<f64>,
+    /// Elastic limit in tension.
+    pub elastic_limit: Option<Pressure>,
+    /// Pressure at which asperities flow (indentation hardness); default 3 × the elastic limit.
+    pub flow_pressure: Option<Pressure>,
+    /// Density.
+    pub density: Option<Density>,
+    /// Thermal conductivity.
+    pub conductivity: Option<ThermalConductivity>,
+    /// Specific heat capacity.
+    pub heat_capacity: Option<SpecificHeat>,
+}
+
+/// Steel of both gears.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MaterialInput {
+    /// The pinion; also the wheel unless given.
+    #[serde(default)]
+    pub pinion: BodyInput,
+    /// The wheel, where it differs.
+    pub wheel: Option<BodyInput>,
+}
+
+/// Torque, speed, temperature.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OperationInput {
+    /// Torque at the pinion; negative when the wheel drives.
+    pub torque: Torque,
+    /// Speed of the pinion.
+    pub speed: AngularSpeed,
+    /// Bulk temperature of the flanks, which is the temperature of the oil at the inlet.
+    pub temperature: Temperature,
+}
+
+/// The two flanks and how their traces are prepared.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SurfaceInput {
+    /// Trace of the pinion's flank.
+    pub pinion: FlankInput,
+    /// Trace of the wheel's flank; default: the pinion's trace, mirrored.
+    pub wheel: Option<FlankInput>,
+    /// Form removed from each trace; default `level` (a straight line).
+    pub form: Option<Form>,
+    /// Cut-off λc that separates waviness from roughness; default 0.8 mm, "0 mm" keeps the
+    /// waviness.
+    pub cutoff: Option<Length>,
+    /// Cut-off λs below which detail is noise; default 2.5 um, "0 um" for none.
+    pub noise_cutoff: Option<Length>,
+    /// What the filters do at the ends of a trace; default `cut`.
+    pub ends: Option<Ends>,
+}
+
+/// One flank: a file with its trace, or roughness values alone.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FlankInput {
+    /// File of the trace, relative to the case file.
+    pub file: Option<PathBuf>,
+    /// Run the trace from its other end (flanks face each other).
+    pub mirrored: Option<bool>,
+    /// Unit of the positions where the file does not say.
+    pub x_unit: Option<LengthUnit>,
+    /// Unit of the heights where the file does not say.
+    pub z_unit: Option<LengthUnit>,
+    /// Spacing of the points where the file does not say.
+    pub dx: Option<Length>,
+    /// Columns of position and height, counted from 1: `{ x = 1, z = 2 }`, or `{ z = 1 }`.
+    pub columns: Option<Columns>,
+    /// Decimal sign: `point` or `comma`.
+    pub decimal: Option<DecimalSign>,
+    /// Column separator.
+    pub separator: Option<Separator>,
+    /// Text encoding.
+    pub encoding: Option<Encoding>,
+    /// Missing points: `refuse` (default) or `interpolate`.
+    pub gaps: Option<Gaps>,
+    /// Rq of a flank without a file; the rough contact is then not computed.
+    pub rq: Option<Length>,
+    /// Ra of a flank without a file; default Rq·√(2/π), a Gaussian surface.
+    pub ra: Option<Length>,
+    /// Rz of a flank without a file.
+    pub rz: Option<Length>,
+    /// Rpk of a flank without a file.
+    pub rpk: Option<Length>,
+    /// Mean radius of the asperities of a flank without a file.
+    pub asperity_radius: Option<Length>,
+}
+
+/// Choices of the model.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ModelInput {
+    /// Mesh positions along the path of contact; default 32 (`paper`: one).
+    pub positions: Option<usize>,
+    /// The single position of the `paper` formulation: 0 at A, 1 at E, or `A` … `E`; default `C`.
+    pub position: Option<PathPoint>,
+    /// Offsets along the traces at which the flanks meet; default 16 (`paper`: 1).
+    pub offsets: Option<usize>,
+    /// Half width of the contact window in Hertz half-widths; default 3.
+    pub window: Option<f64>,
+    /// How the pairs of teeth in contact share the load; default `uniform`.
+    pub load_sharing: Option<LoadSharing>,
+    /// Friction coefficient in the film; default `xu`.
+    pub friction: Option<FrictionLaw>,
+    /// Factor on the friction coefficient of the film (lubricant factor); default 1.
+    pub friction_scale: Option<f64>,
+    /// The coefficient of `friction = "constant"`.
+    pub constant_friction: Option<f64>,
+    /// Coefficients of Xu's law from an own calibration: a JSON file, relative to the case file.
+    pub xu_coefficients: Option<PathBuf>,
+    /// Lubricant factor X_L of `iso-14179-2`; default 1 (mineral oil).
+    pub lubricant_factor: Option<f64>,
+    /// Friction coefficient of touching asperities μ_m; default 0.1 (`paper`: 0.3).
+    pub boundary_friction: Option<f64>,
+    /// Film thickness law; default `dowson-toyoda` (`paper`: `hamrock-dowson`).
+    pub film: Option<FilmLaw>,
+    /// Thermal reduction of the film and of rolling; default `gupta` (`paper`: `none`).
+    pub thermal: Option<ThermalLaw>,
+    /// Feed the flash temperature back into the viscosity of the friction law; default false.
+    pub flash_feedback: Option<bool>,
+    /// Share of the load that the film carries; default `lambda-star`.
+    pub load_share: Option<LoadShareLaw>,
+    /// Model of the fluid pressure across the film; default `reynolds-cross` (`paper`: `paper`).
+    pub fluid_pressure: Option<FluidModel>,
+    /// Clamp the roughness in Xu's law at 0.6 um; default true (`paper`: false).
+    pub clamp_roughness: Option<bool>,
+    /// Step by which `paper` lowers the surfaces into each other; default 80 nm.
+    pub delta_step: Option<Length>,
+    /// Load error at which `paper` stops; default 1 %.
+    pub numerical_error: Option<Ratio>,
+    /// Tolerance of the contact solver's certificate; default 1e-8.
+    pub tolerance: Option<f64>,
+    /// Count the plastic work of running-in among the losses; default false.
+    pub include_running_in: Option<bool>,
+    /// Fraction of the elastic energy lost in hysteresis; default 0.
+    pub hysteresis: Option<Ratio>,
+    /// Depths at which subsurface stress is computed; default 24.
+    pub depths: Option<usize>,
+}
+
+/// A point on the path of contact.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum PathPoint {
+    /// One of the five points every gear book names.
+    Named(NamedPoint),
+    /// 0 at A (start of contact), 1 at E (end).
+    Fraction(f64),
+}
+
+/// The points A to E of the path of contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub enum NamedPoint {
+    /// Start of contact (tip of the wheel).
+    A,
+    /// Start of single contact.
+    B,
+    /// Pitch point.
+    C,
+    /// End of single contact.
+    D,
+    /// End of contact (tip of the pinion).
+    E,
+}
+
+/// The JSON schema of a case file.
+pub fn schema() -> serde_json::Value {
+    schemars::schema_for!(CaseInput).to_value()
+}

@@ -1,0 +1,79 @@
+//! Unknown keys and the known key nearest to each, read off the schema of the case file.
+
+use serde_json::Value;
+
+/// The first key of `paths` that the schema does not have, with the nearest it does have.
+///
+/// A path is checked from its first segment; below an unknown key nothing is reported twice.
+pub(super) fn first_unknown<'a>(
+    schema: &Value,
+    paths: impl Iterator<Item = &'a str>,
+) -> Option<(&'a str, Option<String>)> {
+    paths.filter_map(|path| unknown_at(schema, path)).next()
+}
+
+fn unknown_at<'a>(schema: &Value, path: &'a str) -> Option<(&'a str, Option<String>)> {
+    let mut nodes = vec![schema];
+    for segment in path.split('.') {
+        let candidates: Vec<&Value> = nodes
+            .iter()
+            .flat_map(|node| objects(schema, node))
+            .collect();
+        if candidates.is_empty() {
+            // The value is free-form here (a table of a law with parameters): serde judges it.
+            return None;
+        }
+        let next: Vec<&Value> = candidates
+            .iter()
+            .filter_map(|object| object.get("properties")?.get(segment))
+            .collect();
+        if next.is_empty() {
+            let known = candidates.iter().flat_map(|object| properties(object));
+            return Some((path, nearest(segment, known)));
+        }
+        nodes = next;
+    }
+    None
+}
+
+/// The object schemas that `node` can stand for, through references and alternatives.
+fn objects<'a>(schema: &'a Value, node: &'a Value) -> Vec<&'a Value> {
+    if node.get("properties").is_some() {
+        return vec![node];
+    }
+    if let Some(name) = node
+        .get("$ref")
+        .and_then(Value::as_str)
+        .and_then(|reference| reference.strip_prefix("#/$defs/"))
+    {
+        return schema["$defs"]
+            .get(name)
+            .map(|definition| objects(schema, definition))
+            .unwrap_or_default();
+    }
+    ["anyOf", "oneOf", "allOf"]
+        .iter()
+        .filter_map(|key| node.get(*key)?.as_array())
+        .flatten()
+        .flat_map(|alternative| objects(schema, alternative))
+        .collect()
+}
+
+fn properties(object: &Value) -> impl Iterator<Item = &str> {
+    object
+        .get("properties")
+        .and_then(Value::as_object)
+        .into_iter()
+        .flat_map(|map| map.keys().map(String::as_str))
+}
+
+/// The known key most like `seen`, if any is like it at all.
+pub(super) fn nearest<'a>(seen: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
+    /// Below this Jaro-Winkler likeness a suggestion confuses more than it helps.
+    const LIKE: f64 = 0.75;
+    known
+        .map(|key| (strsim::jaro_winkler(seen, key), key))
+        .filter(|(likeness, _)| *likeness >= LIKE)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, key)| key.to_owned())
+}

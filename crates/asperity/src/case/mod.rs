@@ -1,0 +1,22 @@
+//! The case: what is to be computed, read from a file and completed with defaults.
+//!
+//! [`CaseInput`] is the file as the user writes it; [`Case`] is the same with every choice made and
+//! checked, ready for [`pipeline::run`](crate::pipeline::run). Every default used is listed.
+
+mod defaults;
+mod error;
+mod files;
+mod input;
+mod known_keys;
+mod resolve;
+mod source;
+
+pub use defaults::DefaultUsed;
+pub use error::CaseError;
+pub use files::{LoadedCase, load};
+pub use input::{
+    BodyInput, CaseInput, FlankInput, Formulation, GearsInput, MaterialInput, ModelInput,
+    NamedPoint, OneOrTwo, OperationInput, PathPoint, SurfaceInput, schema,
+};
+pub use resolve::{Case, Model, resolve};
+pub use source::{Place, Source, Syntax};

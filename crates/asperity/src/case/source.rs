@@ -1,0 +1,208 @@
+//! The text of a case file, and where each key of it stands.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use toml::de::{DeTable, DeValue};
+
+use super::error::CaseError;
+
+/// A place in a case file.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Place {
+    /// Name of the file as the user gave it.
+    pub file: String,
+    /// Line, counted from 1; `None` where the format does not tell.
+    pub line: Option<usize>,
+    /// Byte range in the text; `None` where the format does not tell.
+    #[serde(skip)]
+    pub span: Option<Range<usize>>,
+}
+
+impl std::fmt::Display for Place {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.line {
+            Some(line) => write!(f, "{}:{line}", self.file),
+            None => write!(f, "{}", self.file),
+        }
+    }
+}
+
+/// How the text of a case is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Syntax {
+    /// TOML.
+    Toml,
+    /// JSON with the same keys.
+    Json,
+}
+
+/// A case file's text with an index of its keys.
+#[derive(Debug, Clone)]
+pub struct Source {
+    name: String,
+    text: String,
+    syntax: Syntax,
+    values: BTreeMap<String, Range<usize>>,
+    keys: BTreeMap<String, Range<usize>>,
+}
+
+impl Source {
+    /// Indexes `text`; JSON when the name ends in `.json`, TOML otherwise.
+    ///
+    /// # Errors
+    /// When the text is not TOML (or JSON), with the place.
+    pub fn new(name: &str, text: &str) -> Result<Self, CaseError> {
+        let is_json = std::path::Path::new(name)
+            .extension()
+            .is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
+        let mut source = Self {
+            name: name.to_owned(),
+            text: text.to_owned(),
+            syntax: if is_json { Syntax::Json } else { Syntax::Toml },
+            values: BTreeMap::new(),
+            keys: BTreeMap::new(),
+        };
+        if is_json {
+            let value: serde_json::Value =
+                serde_json::from_str(text).map_err(|error| CaseError::Syntax {
+                    place: source.at_line(error.line()),
+                    message: error.to_string(),
+                })?;
+            source.index_json("", &value);
+        } else {
+            let table = DeTable::parse(text).map_err(|error| CaseError::Syntax {
+                place: source.at_span(error.span()),
+                message: error.message().to_owned(),
+            })?;
+            let (mut values, mut keys) = (BTreeMap::new(), BTreeMap::new());
+            index_toml("", table.get_ref(), &mut values, &mut keys);
+            source.values = values;
+            source.keys = keys;
+        }
+        Ok(source)
+    }
+
+    /// The whole text.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Name of the file as the user gave it.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Every key path in the file: `gears.module`.
+    pub fn key_paths(&self) -> impl Iterator<Item = &str> {
+        self.keys.keys().map(String::as_str)
+    }
+
+    /// Where the value of `key` stands; the nearest enclosing table when the key is not there.
+    pub fn place_of(&self, key: &str) -> Place {
+        self.nearest(&self.values, key)
+    }
+
+    /// Where the name of `key` stands.
+    pub fn place_of_key(&self, key: &str) -> Place {
+        self.nearest(&self.keys, key)
+    }
+
+    /// Reads the text into a value.
+    ///
+    /// # Errors
+    /// When a value is missing or of the wrong kind, with its place.
+    pub fn read<T: DeserializeOwned>(&self) -> Result<T, CaseError> {
+        match self.syntax {
+            Syntax::Toml => toml::from_str(&self.text).map_err(|error| CaseError::Value {
+                place: self.at_span(error.span()),
+                key: error.span().and_then(|span| self.key_at(&span)),
+                message: error.message().to_owned(),
+            }),
+            Syntax::Json => serde_json::from_str(&self.text).map_err(|error| CaseError::Value {
+                place: self.at_line(error.line()),
+                key: None,
+                message: error.to_string(),
+            }),
+        }
+    }
+
+    fn nearest(&self, index: &BTreeMap<String, Range<usize>>, key: &str) -> Place {
+        let mut path = key;
+        loop {
+            if let Some(span) = index.get(path) {
+                return self.at_span((!span.is_empty()).then(|| span.clone()));
+            }
+            match path.rfind('.') {
+                Some(at) => path = &path[..at],
+                None => return self.at_span(None),
+            }
+        }
+    }
+
+    fn key_at(&self, span: &Range<usize>) -> Option<String> {
+        let covers = |range: &Range<usize>| range.start <= span.start && span.end <= range.end;
+        self.values
+            .iter()
+            .filter(|(_, range)| covers(range))
+            .min_by_key(|(_, range)| range.len())
+            .map(|(key, _)| key.clone())
+    }
+
+    fn at_span(&self, span: Option<Range<usize>>) -> Place {
+        let line = span
+            .as_ref()
+            .and_then(|span| self.text.get(..span.start))
+            .map(|before| 1 + before.matches('\n').count());
+        Place {
+            file: self.name.clone(),
+            line,
+            span,
+        }
+    }
+
+    fn at_line(&self, line: usize) -> Place {
+        Place {
+            file: self.name.clone(),
+            line: (line > 0).then_some(line),
+            span: None,
+        }
+    }
+
+    fn index_json(&mut self, path: &str, value: &serde_json::Value) {
+        if let serde_json::Value::Object(fields) = value {
+            for (name, field) in fields {
+                let path = join(path, name);
+                self.keys.insert(path.clone(), 0..0);
+                self.values.insert(path.clone(), 0..0);
+                self.index_json(&path, field);
+            }
+        }
+    }
+}
+
+fn join(path: &str, name: &str) -> String {
+    if path.is_empty() {
+        name.to_owned()
+    } else {
+        format!("{path}.{name}")
+    }
+}
+
+fn index_toml(
+    path: &str,
+    table: &DeTable<'_>,
+    values: &mut BTreeMap<String, Range<usize>>,
+    keys: &mut BTreeMap<String, Range<usize>>,
+) {
+    for (name, value) in table {
+        let path = join(path, name.get_ref());
+        keys.insert(path.clone(), name.span());
+        values.insert(path.clone(), value.span());
+        if let DeValue::Table(inner) = value.get_ref() {
+            index_toml(&path, inner, values, keys);
+        }
+    }
+}

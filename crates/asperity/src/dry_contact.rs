@@ -1,0 +1,58 @@
+//! The rough contact alone: both flanks pressed dry against each other at one position.
+
+use asperity_contact::ContactSolution;
+use asperity_contact::hertz_line::HertzLine;
+use asperity_core::quantity::Length;
+
+use crate::branch::{Mixed, mixed};
+use crate::case::LoadedCase;
+use crate::encounter::Encounter;
+use crate::error::{PositionError, RunError};
+use crate::station::Station;
+
+/// A dry rough contact.
+#[derive(Debug, Clone)]
+pub struct DryContact {
+    /// Place on the path, 0 at A and 1 at E.
+    pub path_fraction: f64,
+    /// The smooth contact to compare with.
+    pub hertz: HertzLine,
+    /// Position across the contact, 0 at its middle [m].
+    pub x: Vec<f64>,
+    /// Undeformed gap [m].
+    pub undeformed: Vec<f64>,
+    /// The solution.
+    pub solution: ContactSolution,
+}
+
+/// The flanks of `loaded` at their middle offset under the whole line load, without a film.
+///
+/// # Errors
+/// When a flank has no trace, or the contact no solution.
+pub fn dry_contact(loaded: &LoadedCase, path_fraction: f64) -> Result<DryContact, RunError> {
+    solve(loaded, path_fraction).map_err(|error| RunError::Whole(Box::new(error)))
+}
+
+fn solve(loaded: &LoadedCase, path_fraction: f64) -> Result<DryContact, PositionError> {
+    let case = &loaded.case;
+    let path = case.gears.path();
+    let s: Length = path.a + (path.e - path.a) * path_fraction;
+    let station = Station::new(case, 1, s, 0.0)?;
+    let encounter = Encounter::new(&loaded.surfaces, &station, case.model.window, 0, 1)?
+        .ok_or(PositionError::NoProfile)?;
+    let problem = Mixed {
+        case,
+        station: &station,
+        encounter: &encounter,
+        film_share: 0.0,
+    };
+    let carried = mixed(&problem, &mut problem.solver()?)?;
+    let solution = carried.solids.ok_or(PositionError::NoProfile)?;
+    Ok(DryContact {
+        path_fraction,
+        hertz: station.hertz,
+        x: encounter.x,
+        undeformed: encounter.gap,
+        solution,
+    })
+}

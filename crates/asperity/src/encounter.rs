@@ -1,0 +1,144 @@
+//! Two rough windows that meet at a mesh position: their gap and what the film sees of them.
+
+use asperity_core::Profile;
+use asperity_core::quantity::Length;
+use asperity_roughness::RoughnessError;
+use asperity_roughness::material_ratio::rk_parameters;
+use asperity_roughness::summits::{AsperityRadius, asperity_radius};
+
+use crate::error::PositionError;
+use crate::station::Station;
+use crate::surfaces::{Surfaces, Texture};
+
+/// Least points per Hertz half-width at which a contact is resolved.
+pub const LEAST_POINTS_PER_HALF_WIDTH: f64 = 20.0;
+
+/// Below this number of asperities their mean radius is uncertain.
+pub const FEW_ASPERITIES: usize = 5;
+
+/// The golden section: multiples of it, less their whole part, fill an interval evenly.
+const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
+
+/// Roughness as the film and friction laws see it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Roughness {
+    /// Rq of both flanks [m].
+    pub rq: [f64; 2],
+    /// Ra of both flanks [m].
+    pub ra: [f64; 2],
+    /// Rz of both flanks [m].
+    pub rz: [f64; 2],
+    /// Reduced peak height of the composite profile [m]; none when it is not known.
+    pub reduced_peak: Option<f64>,
+    /// Mean radius of the asperities of the composite profile; none when it is not known.
+    pub asperity_radius: Option<Length>,
+    /// Asperities measured.
+    pub asperities: usize,
+}
+
+impl Roughness {
+    /// S = √(Rq₁² + Rq₂²) [m].
+    pub fn combined_rq(&self) -> f64 {
+        self.rq[0].hypot(self.rq[1])
+    }
+}
+
+/// The two flanks under the contact at one offset.
+#[derive(Debug, Clone)]
+pub struct Encounter {
+    /// Position across the contact, 0 at its middle [m].
+    pub x: Vec<f64>,
+    /// Distance of the points.
+    pub spacing: Length,
+    /// Heights of pinion and wheel under the contact [m].
+    pub heights: [Vec<f64>; 2],
+    /// Undeformed gap x²/2R − z₁ − z₂ [m].
+    pub gap: Vec<f64>,
+    /// Roughness under the contact.
+    pub roughness: Roughness,
+}
+
+impl Encounter {
+    /// What meets at `station` when both flanks are at offset `k` of `count`; `None` when a flank
+    /// is known by its roughness values only.
+    ///
+    /// # Errors
+    /// When the traces are too coarse or too short for the contact.
+    pub fn new(
+        surfaces: &Surfaces,
+        station: &Station,
+        window: f64,
+        k: usize,
+        count: usize,
+    ) -> Result<Option<Self>, PositionError> {
+        let [Texture::Trace(first), Texture::Trace(second)] = surfaces.textures() else {
+            return Ok(None);
+        };
+        let spacing = first.spacing();
+        let half_width = station.hertz.half_width;
+        let points = half_width / spacing;
+        if points < LEAST_POINTS_PER_HALF_WIDTH {
+            return Err(PositionError::TooCoarse {
+                spacing_um: spacing.si() * 1e6,
+                points,
+                least: LEAST_POINTS_PER_HALF_WIDTH,
+            });
+        }
+        let reach = (window * points).ceil() as usize;
+        let n = 2 * reach + 1;
+        // Evenly along the pinion; along the wheel in another order, so that the pairs differ.
+        let along = (k as f64 + 0.5) / count as f64;
+        let across = (0.5 + k as f64 * GOLDEN_SECTION).fract();
+        let heights = [part(first, n, along)?, part(second, n, across)?];
+        let dx = spacing.si();
+        let x: Vec<f64> = (0..n).map(|i| (i as f64 - reach as f64) * dx).collect();
+        let curvature = 1.0 / station.motion.radius.si();
+        let gap = x
+            .iter()
+            .zip(heights[0].iter().zip(&heights[1]))
+            .map(|(x, (z1, z2))| 0.5 * curvature * x * x - z1 - z2)
+            .collect();
+        let roughness = surfaces.roughness_of(&heights, spacing)?;
+        Ok(Some(Self {
+            x,
+            spacing,
+            heights,
+            gap,
+            roughness,
+        }))
+    }
+}
+
+/// `n` neighbouring heights of `profile`, from the fraction `place` of where they can start.
+fn part(profile: &Profile, n: usize, place: f64) -> Result<Vec<f64>, PositionError> {
+    let free = profile
+        .len()
+        .checked_sub(n)
+        .ok_or(PositionError::TraceTooShort {
+            available_um: profile.length().si() * 1e6,
+            needed_um: profile.spacing().si() * (n - 1) as f64 * 1e6,
+        })?;
+    let start = (place * free as f64).round() as usize;
+    Ok(profile.heights()[start..start + n].to_vec())
+}
+
+/// Reduced peak height [m] of the composite of two windows, and its asperities if it has any.
+pub(crate) fn peaks(
+    heights: &[Vec<f64>; 2],
+    spacing: Length,
+    lambda_s: Length,
+) -> Result<(f64, Option<AsperityRadius>), PositionError> {
+    let composite: Vec<f64> = heights[0]
+        .iter()
+        .zip(&heights[1])
+        .map(|(a, b)| a + b)
+        .collect();
+    let peak = rk_parameters(&composite)?.rpk.si();
+    let profile = Profile::new(spacing, composite)?;
+    match asperity_radius(&profile, lambda_s) {
+        Ok(found) => Ok((peak, Some(found))),
+        // A window without summits is smooth: its asperities lift no film of their own.
+        Err(RoughnessError::NoSummit { .. } | RoughnessError::NoRadius { .. }) => Ok((peak, None)),
+        Err(error) => Err(error.into()),
+    }
+}

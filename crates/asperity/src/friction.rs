@@ -1,0 +1,171 @@
+//! Friction at one mesh position: in the film by the law chosen, of the whole contact, of rolling.
+
+use asperity_core::OutOfRange;
+use asperity_core::lubricant::{LubricantState, roelands};
+use asperity_core::quantity::{Length, LineLoad, Pressure, Temperature};
+use asperity_tribo_friction::{
+    FlashConditions, FrictionConditions, FrictionLaw, MeshConditions, RollingConditions,
+    flash_temperature, mixed_friction, rolling_force,
+};
+
+use crate::branch::Carried;
+use crate::case::Case;
+use crate::encounter::{Encounter, Roughness};
+use crate::error::PositionError;
+use crate::station::Station;
+
+/// Friction coefficient in the film.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct FilmFriction {
+    pub mu: f64,
+    /// Flash temperature with this coefficient [K].
+    pub flash: f64,
+    /// What left its fitted range.
+    pub outside: Vec<OutOfRange>,
+}
+
+/// Flash temperatures closer than this [K] are the same.
+const FLASH_SETTLED: f64 = 1e-6;
+/// Most passes of the flash feedback; each pass shrinks the change about tenfold.
+const FLASH_PASSES: usize = 50;
+
+/// Friction in the film by the case's law.
+pub(crate) fn in_film(
+    case: &Case,
+    station: &Station,
+    roughness: &Roughness,
+) -> Result<FilmFriction, PositionError> {
+    by_law(case.model.friction, case, station, roughness)
+}
+
+/// Friction in the film by `law`. With flash feedback the oil is taken at bulk plus flash
+/// temperature, found by repeated substitution.
+pub(crate) fn by_law(
+    law: FrictionLaw,
+    case: &Case,
+    station: &Station,
+    roughness: &Roughness,
+) -> Result<FilmFriction, PositionError> {
+    let mut oil = case.oil;
+    let mut before = 0.0;
+    for _ in 0..FLASH_PASSES {
+        let conditions = conditions(case, station, roughness, &oil)?;
+        let found = law.coefficient(&case.model.friction_settings, &conditions)?;
+        let mu = case.model.friction_scale * found.value;
+        let flash = flash(case, station, mu)?;
+        let settled = (flash - before).abs() <= FLASH_SETTLED;
+        if settled || !case.model.flash_feedback {
+            return Ok(FilmFriction {
+                mu,
+                flash,
+                outside: found.outside,
+            });
+        }
+        before = flash;
+        let temperature = Temperature::from_si(case.temperature.si() + flash);
+        oil = case.lubricant.at(temperature)?.value;
+    }
+    Err(PositionError::FlashNotSettled {
+        flash_kelvin: before,
+        passes: FLASH_PASSES,
+    })
+}
+
+fn flash(case: &Case, station: &Station, mu: f64) -> Result<f64, PositionError> {
+    Ok(flash_temperature(&FlashConditions {
+        friction: mu,
+        load: station.load,
+        first_speed: station.motion.u1,
+        second_speed: station.motion.u2,
+        half_width: station.hertz.half_width,
+        first: case.materials[0],
+        second: case.materials[1],
+    })?)
+}
+
+fn conditions(
+    case: &Case,
+    station: &Station,
+    roughness: &Roughness,
+    oil: &LubricantState,
+) -> Result<FrictionConditions, PositionError> {
+    /// Mean over maximum pressure of a Hertz line contact, π/4.
+    const MEAN_OVER_MAXIMUM: f64 = std::f64::consts::FRAC_PI_4;
+    let mean_pressure = Pressure::from_si(MEAN_OVER_MAXIMUM * station.hertz.max_pressure.si());
+    Ok(FrictionConditions {
+        load: station.load,
+        radius: station.motion.radius,
+        entrainment: station.motion.entrainment,
+        sliding: station.motion.sliding,
+        max_pressure: station.hertz.max_pressure,
+        viscosity: oil.dynamic_viscosity,
+        contact_viscosity: roelands(oil.dynamic_viscosity, oil.pressure_viscosity, mean_pressure)?,
+        kinematic_viscosity: oil.kinematic_viscosity,
+        pressure_viscosity: oil.pressure_viscosity,
+        central_film: station.film.central,
+        minimum_film: station.film.minimum,
+        combined_roughness: Length::from_si(roughness.combined_rq()),
+        mean_ra: Length::from_si(0.5 * (roughness.ra[0] + roughness.ra[1])),
+        sum_rz: Length::from_si(roughness.rz[0] + roughness.rz[1]),
+        boundary_coefficient: case.model.boundary_friction,
+        mesh: mesh_conditions(case)?,
+    })
+}
+
+/// What the laws for the whole mesh take: everything at the pitch point.
+fn mesh_conditions(case: &Case) -> Result<MeshConditions, PositionError> {
+    let gears = &case.gears;
+    let forces = gears.forces(case.torque)?;
+    let pitch = gears.kinematics(gears.path().c, case.speed)?;
+    let width = gears.face_width.si();
+    let pitch_radius = gears.working_pitch_radius[0].si();
+    let ratio = gears.ratio;
+    Ok(MeshConditions {
+        base_line_load: LineLoad::from_si(forces.transverse_base.si() / width),
+        sum_speed: pitch.u1 + pitch.u2,
+        reduced_radius: pitch.radius,
+        lubricant_factor: case.model.lubricant_factor,
+        load_intensity: Pressure::from_si(
+            forces.tangential.si() / (width * 2.0 * pitch_radius) * (ratio + 1.0) / ratio,
+        ),
+        pitch_line_speed: asperity_core::quantity::Speed::from_si(case.speed.si() * pitch_radius),
+    })
+}
+
+/// Friction force per metre of contact line [N/m], summed over the pressures of the window.
+pub(crate) fn force_of(
+    case: &Case,
+    encounter: &Encounter,
+    carried: &Carried,
+    mu_film: f64,
+) -> Result<f64, PositionError> {
+    let none = vec![0.0; carried.fluid.len()];
+    let solid = carried
+        .solids
+        .as_ref()
+        .map_or(&none, |solids| &solids.pressure);
+    // Below ambient pressure the film has cavitated and drags nothing.
+    let fluid: Vec<f64> = carried.fluid.iter().map(|p| p.max(0.0)).collect();
+    let friction = mixed_friction(
+        encounter.spacing,
+        solid,
+        &fluid,
+        case.model.boundary_friction,
+        mu_film,
+    )?;
+    Ok(friction.total.si())
+}
+
+/// Rolling friction force per metre of contact line on one surface [N/m].
+pub(crate) fn rolling(case: &Case, station: &Station) -> Result<f64, PositionError> {
+    Ok(rolling_force(&RollingConditions {
+        entrainment: station.motion.entrainment,
+        radius: station.motion.radius,
+        load: station.load,
+        modulus: case.modulus,
+        viscosity: case.oil.dynamic_viscosity,
+        pressure_viscosity: case.oil.pressure_viscosity,
+        thermal_factor: station.thermal_reduction,
+    })?
+    .si())
+}

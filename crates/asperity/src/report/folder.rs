@@ -1,0 +1,115 @@
+//! The result folder, written beside its place and moved there whole.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::tables;
+use crate::result::Outcome;
+
+/// Why a result was not written; nothing is left half-written.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReportError {
+    /// The system refused.
+    #[error("{path}: cannot be written: {source}")]
+    Io {
+        /// The file or folder.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// The folder holds something that is not a result.
+    #[error("{path}: exists and is not a result folder; choose another with -o, or remove it")]
+    NotOurs {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// A value that JSON cannot hold.
+    #[error("result.json: {0}")]
+    Json(#[from] serde_json::Error),
+    /// A row that CSV cannot hold.
+    #[error("{path}: {source}")]
+    Csv {
+        /// The file.
+        path: PathBuf,
+        /// What the writer says.
+        source: csv::Error,
+    },
+}
+
+/// The file that marks a folder as a result.
+const MARK: &str = "result.json";
+
+/// Writes `outcome` as folder `target`: `result.json`, `path.csv`, `convergence.csv` where a
+/// rough contact was solved, and a folder `position_NN` with the fields of each position. An older result there is replaced; anything
+/// else there is left alone and reported.
+///
+/// # Errors
+/// When the system refuses, or `target` holds something else.
+pub fn write_folder(outcome: &Outcome, target: &Path) -> Result<(), ReportError> {
+    if target.exists() && !target.join(MARK).is_file() && !is_empty_folder(target) {
+        return Err(ReportError::NotOurs {
+            path: target.to_owned(),
+        });
+    }
+    let parent = match target.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    fs::create_dir_all(parent).map_err(io_at(parent))?;
+    // Removed with everything in it when anything below fails.
+    let draft = tempfile::Builder::new()
+        .prefix(".asperity-")
+        .tempdir_in(parent)
+        .map_err(io_at(parent))?;
+    let made = draft.path().join("result");
+    fs::create_dir(&made).map_err(io_at(&made))?;
+    fill(outcome, &made)?;
+    if target.exists() {
+        let old = draft.path().join("old");
+        fs::rename(target, &old).map_err(io_at(target))?;
+        if let Err(source) = fs::rename(&made, target) {
+            // Put the older result back rather than lose it; the first error is the one to tell.
+            let _ = fs::rename(&old, target);
+            return Err(io_at(target)(source));
+        }
+        return Ok(());
+    }
+    fs::rename(&made, target).map_err(io_at(target))
+}
+
+fn fill(outcome: &Outcome, folder: &Path) -> Result<(), ReportError> {
+    let json = folder.join(MARK);
+    let mut text = serde_json::to_string_pretty(&outcome.result)?;
+    text.push('\n');
+    fs::write(&json, text).map_err(io_at(&json))?;
+    tables::path(&outcome.result.path, &folder.join("path.csv"))?;
+    if outcome
+        .fields
+        .iter()
+        .any(|fields| !fields.history.is_empty())
+    {
+        tables::convergence(&outcome.fields, &folder.join("convergence.csv"))?;
+    }
+    for fields in &outcome.fields {
+        let place = folder.join(format!("position_{:02}", fields.position));
+        fs::create_dir(&place).map_err(io_at(&place))?;
+        tables::surface(fields, &place.join("surface.csv"))?;
+        if let Some(below) = &fields.subsurface {
+            tables::subsurface(&fields.x, below, &place.join("subsurface.csv"))?;
+        }
+    }
+    Ok(())
+}
+
+fn is_empty_folder(path: &Path) -> bool {
+    fs::read_dir(path).is_ok_and(|mut entries| entries.next().is_none())
+}
+
+fn io_at(path: &Path) -> impl Fn(std::io::Error) -> ReportError {
+    let path = path.to_owned();
+    move |source| ReportError::Io {
+        path: path.clone(),
+        source,
+    }
+}

@@ -1,0 +1,284 @@
+//! What a run gives: plain data, units in the names, ready to be written as JSON.
+
+use asperity_core::Reference;
+use asperity_core::lubricant::LubricantState;
+use asperity_gear::GearPair;
+use serde::Serialize;
+
+use crate::case::{CaseInput, DefaultUsed, Formulation};
+use crate::message::Warning;
+use crate::surfaces::FlankReport;
+
+/// Version of the structure of `result.json`; raised when a field changes its meaning.
+pub const SCHEMA_VERSION: u32 = 1;
+
+/// The result of a run, without the fields of single positions.
+#[derive(Debug, Clone, Serialize)]
+pub struct RunResult {
+    /// Version of this structure.
+    pub schema_version: u32,
+    /// The program and its version.
+    pub program: String,
+    /// The case's title.
+    pub title: String,
+    /// Which reading of the model.
+    pub formulation: Formulation,
+    /// Efficiency and losses.
+    pub summary: Summary,
+    /// The same with other friction laws.
+    pub friction_laws: Vec<FrictionComparison>,
+    /// One row per mesh position.
+    pub path: Vec<PositionRow>,
+    /// Plastic work of the first engagement.
+    pub running_in: RunningIn,
+    /// Everything that calls for attention.
+    pub warnings: Vec<Warning>,
+    /// The flanks as read and prepared.
+    pub flanks: [FlankReport; 2],
+    /// Derived gear geometry.
+    pub gears: GearPair,
+    /// The oil at the temperature of the flanks.
+    pub lubricant: LubricantState,
+    /// The case as read.
+    pub inputs: CaseInput,
+    /// Every default that was used.
+    pub defaults: Vec<DefaultUsed>,
+    /// Tags of the equations used, with their titles and keys of their sources.
+    pub equations: Vec<EquationUse>,
+    /// The sources.
+    pub references: Vec<Reference>,
+}
+
+/// Efficiency and losses of the mesh, mean over the offsets of the traces.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Summary {
+    /// η = 1 − ΣP/(M₁ω₁).
+    pub efficiency: f64,
+    /// Standard deviation of η over the offsets; absent with one offset.
+    pub efficiency_deviation: Option<f64>,
+    /// Number of offsets.
+    pub offsets: usize,
+    /// Power into the mesh [W].
+    pub power_in_w: f64,
+    /// Torque out of the mesh [N m].
+    pub torque_out_nm: f64,
+    /// All losses [W].
+    pub loss_w: f64,
+    /// Sliding loss [W].
+    pub sliding_w: f64,
+    /// Rolling loss [W].
+    pub rolling_w: f64,
+    /// Deformation loss of pinion and wheel [W], where the formulation counts it.
+    pub deformation_w: [f64; 2],
+    /// Elastic energy not given back [W].
+    pub hysteresis_w: f64,
+    /// Friction coefficient that explains the loss with the local loss factor.
+    pub mu_equivalent: f64,
+    /// Loss factor of Ohlendorf.
+    pub loss_factor: f64,
+    /// Loss factor of the load sharing used.
+    pub loss_factor_local: f64,
+    /// Share of the path (by mesh time) in mixed or boundary lubrication.
+    pub mixed_share: f64,
+    /// Mesh positions computed.
+    pub positions: usize,
+    /// Largest relative load error of a contact solution.
+    pub worst_load_error: f64,
+    /// Largest certified duality gap of a contact solution.
+    pub worst_duality_gap: f64,
+}
+
+/// Efficiency with another friction law in the film, everything else equal.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FrictionComparison {
+    /// Name as in the case file.
+    pub law: String,
+    /// Efficiency, or why there is none.
+    #[serde(flatten)]
+    pub outcome: ComparisonOutcome,
+}
+
+/// What a friction law gave.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ComparisonOutcome {
+    /// Mesh efficiency with this law.
+    Efficiency(f64),
+    /// Why the law cannot be used here.
+    Refused(String),
+}
+
+/// Lubrication regime.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Regime {
+    /// Λ* ≥ 1: the film parts the flanks.
+    FullFilm,
+    /// Λ* < 1: asperities carry part of the load.
+    Mixed,
+}
+
+/// One mesh position; values that vary with the offset are means over the offsets.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PositionRow {
+    /// Number of the position from A.
+    pub position: usize,
+    /// Coordinate along the line of action from T1 [mm].
+    pub s_mm: f64,
+    /// 0 at A, 1 at E.
+    pub path_fraction: f64,
+    /// Weight of the position in the cycle mean [m of contact line].
+    pub weight_m: f64,
+    /// Line load [N/mm].
+    pub line_load_n_per_mm: f64,
+    /// Relative radius of curvature [mm].
+    pub radius_mm: f64,
+    /// Surface speed of the pinion [m/s].
+    pub u1_m_per_s: f64,
+    /// Surface speed of the wheel [m/s].
+    pub u2_m_per_s: f64,
+    /// Sliding speed [m/s].
+    pub sliding_m_per_s: f64,
+    /// Entrainment speed [m/s].
+    pub entrainment_m_per_s: f64,
+    /// Slide-to-roll ratio.
+    pub slide_to_roll: f64,
+    /// Hertz half width [µm].
+    pub half_width_um: f64,
+    /// Hertz pressure [MPa].
+    pub hertz_pressure_mpa: f64,
+    /// Thermal reduction of the film.
+    pub thermal_reduction: f64,
+    /// Central film with thermal reduction [µm].
+    pub film_central_um: f64,
+    /// Minimum film with thermal reduction [µm].
+    pub film_minimum_um: f64,
+    /// Λ*; absent when the peaks of the flanks are not known.
+    pub lambda_star: Option<f64>,
+    /// Minimum film over composite Rq.
+    pub film_ratio: f64,
+    /// Share of the offsets in the mixed regime.
+    pub mixed_share: f64,
+    /// Regime of most offsets.
+    pub regime: Regime,
+    /// Share of the load the film carries.
+    pub film_share: f64,
+    /// Friction coefficient in the film.
+    pub mu_film: f64,
+    /// Friction coefficient of the whole contact.
+    pub mu: f64,
+    /// Flash temperature [K].
+    pub flash_k: f64,
+    /// Sliding loss per metre of contact line [W/m].
+    pub sliding_w_per_m: f64,
+    /// Rolling loss per metre of contact line [W/m].
+    pub rolling_w_per_m: f64,
+    /// Share of the window in solid contact (mixed offsets).
+    pub contact_fraction: Option<f64>,
+    /// Largest total pressure of fluid and solids [MPa] (mixed offsets).
+    pub p_max_mpa: Option<f64>,
+    /// Plastic work of the first engagement per metre [J/m] (mixed offsets).
+    pub plastic_work_j_per_m: Option<f64>,
+    /// Largest von Mises stress below the surface at the first offset [MPa].
+    pub von_mises_max_mpa: Option<f64>,
+    /// Its depth [µm].
+    pub von_mises_depth_um: Option<f64>,
+    /// Iterations of the contact solver, summed over the offsets.
+    pub iterations: usize,
+    /// Largest relative load error of a contact solution.
+    pub load_error: f64,
+}
+
+/// Plastic work of the first engagement, which decays as the flanks run in.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RunningIn {
+    /// Plastic work per tooth engagement [J].
+    pub energy_per_engagement_j: f64,
+    /// The same as a power at the first pass [W]; it decays to nothing.
+    pub first_pass_w: f64,
+    /// Whether it was counted among the losses.
+    pub included: bool,
+}
+
+/// An equation the result rests on.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct EquationUse {
+    /// Tag as in the sources.
+    pub tag: &'static str,
+    /// What it gives.
+    pub title: &'static str,
+    /// Keys of its sources.
+    pub references: Vec<&'static str>,
+}
+
+/// Fields along the contact at one position, of its first offset.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PositionFields {
+    /// Number of the position from A.
+    pub position: usize,
+    /// Position across the contact, 0 at its middle [m].
+    pub x: Vec<f64>,
+    /// Heights of the pinion's flank before contact [m].
+    pub height_pinion: Vec<f64>,
+    /// Heights of the wheel's flank before contact [m].
+    pub height_wheel: Vec<f64>,
+    /// Elastic and plastic displacement of the pinion in contact [m].
+    pub displacement_pinion: Vec<f64>,
+    /// Elastic and plastic displacement of the wheel in contact [m].
+    pub displacement_wheel: Vec<f64>,
+    /// Plastic displacement of the pinion, which stays after contact [m].
+    pub plastic_pinion: Vec<f64>,
+    /// Plastic displacement of the wheel, which stays after contact [m].
+    pub plastic_wheel: Vec<f64>,
+    /// Gap in contact [m].
+    pub gap: Vec<f64>,
+    /// Pressure of touching asperities [Pa].
+    pub pressure_solid: Vec<f64>,
+    /// Pressure in the film [Pa].
+    pub pressure_fluid: Vec<f64>,
+    /// Shear stress on the surface [Pa].
+    pub shear: Vec<f64>,
+    /// Stress below the surface, where it was computed.
+    pub subsurface: Option<SubsurfaceFields>,
+    /// How the solution was approached.
+    pub history: Vec<HistoryRow>,
+}
+
+/// Stress below the surface, row by row from the surface down.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SubsurfaceFields {
+    /// Depths [m].
+    pub depths: Vec<f64>,
+    /// Normal stress along the surface [Pa].
+    pub sigma_xx: Vec<f64>,
+    /// Normal stress into the surface [Pa].
+    pub sigma_zz: Vec<f64>,
+    /// Shear stress [Pa].
+    pub tau_xz: Vec<f64>,
+    /// Von Mises stress [Pa].
+    pub von_mises: Vec<f64>,
+}
+
+/// A step on the way to the solution.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct HistoryRow {
+    /// Number of the step.
+    pub step: usize,
+    /// Approach of the bodies from first touch [m]; negative while apart.
+    pub approach: f64,
+    /// Load on the asperities [N/m].
+    pub load_solid: f64,
+    /// Load on the film [N/m].
+    pub load_fluid: f64,
+    /// |F − F_target|/F_target.
+    pub load_error: f64,
+}
+
+/// A run: the result and the fields of its positions.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    /// Summary and path.
+    pub result: RunResult,
+    /// Fields of every position, of its first offset.
+    pub fields: Vec<PositionFields>,
+}

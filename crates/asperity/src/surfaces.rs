@@ -1,0 +1,149 @@
+//! The two flanks as the pipeline sees them, and as the result reports them.
+
+use asperity_core::Profile;
+use asperity_core::quantity::Length;
+use asperity_roughness::Parameters;
+use asperity_roughness::preparation::PreparationRecord;
+use asperity_roughness::read::Reading;
+use serde::Serialize;
+
+use crate::encounter::{Roughness, peaks};
+use crate::error::PositionError;
+
+/// λs at which summits are measured when no noise filter was asked for: the usual stylus filter.
+const SUMMIT_WINDOW: Length = Length::from_si(2.5e-6);
+
+/// What is known of one flank's surface.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Texture {
+    /// A prepared trace.
+    Trace(Profile),
+    /// Roughness values alone.
+    Values {
+        /// Rq [m].
+        rq: f64,
+        /// Ra [m].
+        ra: f64,
+        /// Rz [m].
+        rz: f64,
+        /// Rpk [m].
+        rpk: Option<f64>,
+        /// Mean radius of the asperities.
+        asperity_radius: Option<Length>,
+    },
+}
+
+/// Both flanks on a common spacing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Surfaces {
+    textures: [Texture; 2],
+    noise_cutoff: Option<Length>,
+    /// Both flanks come from the same trace.
+    pub same_trace: bool,
+}
+
+impl Surfaces {
+    /// Pinion and wheel; two traces must share their spacing. `noise_cutoff` is the λs that was
+    /// applied to the traces.
+    pub fn new(textures: [Texture; 2], noise_cutoff: Option<Length>, same_trace: bool) -> Self {
+        Self {
+            textures,
+            noise_cutoff,
+            same_trace,
+        }
+    }
+
+    /// Pinion and wheel.
+    pub fn textures(&self) -> &[Texture; 2] {
+        &self.textures
+    }
+
+    /// Whether both flanks were measured.
+    pub fn are_measured(&self) -> bool {
+        self.textures
+            .iter()
+            .all(|texture| matches!(texture, Texture::Trace(_)))
+    }
+
+    /// Roughness of two windows [m] of the traces.
+    pub(crate) fn roughness_of(
+        &self,
+        heights: &[Vec<f64>; 2],
+        spacing: Length,
+    ) -> Result<Roughness, PositionError> {
+        let (peak, summits) = peaks(heights, spacing, self.noise_cutoff.unwrap_or(SUMMIT_WINDOW))?;
+        Ok(Roughness {
+            rq: [rms(&heights[0]), rms(&heights[1])],
+            ra: [
+                mean_of(&heights[0], f64::abs),
+                mean_of(&heights[1], f64::abs),
+            ],
+            rz: [range(&heights[0]), range(&heights[1])],
+            reduced_peak: Some(peak),
+            asperities: summits.map_or(0, |found| found.count),
+            asperity_radius: summits.map(|found| found.radius),
+        })
+    }
+
+    /// Roughness from values, where a flank has no trace; a trace counts with its whole length.
+    pub(crate) fn roughness_of_values(&self) -> Roughness {
+        let each = |texture: &Texture| match texture {
+            Texture::Trace(profile) => {
+                let z = profile.heights();
+                (rms(z), mean_of(z, f64::abs), range(z), None, None)
+            }
+            Texture::Values {
+                rq,
+                ra,
+                rz,
+                rpk,
+                asperity_radius,
+            } => (*rq, *ra, *rz, *rpk, *asperity_radius),
+        };
+        let (a, b) = (each(&self.textures[0]), each(&self.textures[1]));
+        Roughness {
+            rq: [a.0, b.0],
+            ra: [a.1, b.1],
+            rz: [a.2, b.2],
+            // Peaks of uncorrelated flanks add like their Rq.
+            reduced_peak: a.3.zip(b.3).map(|(p, q)| p.hypot(q)),
+            asperities: 0,
+            // Curvatures of uncorrelated flanks add like their Rq, too.
+            asperity_radius: a
+                .4
+                .zip(b.4)
+                .map(|(p, q)| Length::from_si(1.0 / (1.0 / p.si()).hypot(1.0 / q.si()))),
+        }
+    }
+}
+
+fn mean_of(values: &[f64], of: impl Fn(f64) -> f64) -> f64 {
+    values.iter().map(|&value| of(value)).sum::<f64>() / values.len() as f64
+}
+
+fn rms(values: &[f64]) -> f64 {
+    mean_of(values, |z| z * z).sqrt()
+}
+
+fn range(values: &[f64]) -> f64 {
+    let highest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let lowest = values.iter().copied().fold(f64::INFINITY, f64::min);
+    highest - lowest
+}
+
+/// A flank as the result reports it.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct FlankReport {
+    /// File of the trace as the case names it; none for roughness values.
+    pub file: Option<String>,
+    /// SHA-256 of the file.
+    pub sha256: Option<String>,
+    /// How the file was read.
+    pub reading: Option<Reading>,
+    /// Whether the trace was run from its other end.
+    pub mirrored: bool,
+    /// What was done to the trace.
+    pub preparation: Option<PreparationRecord>,
+    /// Parameters of the prepared trace.
+    pub parameters: Option<Parameters>,
+}

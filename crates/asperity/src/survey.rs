@@ -1,0 +1,165 @@
+//! Film and regime along the path of contact alone: what the paper evaluates before it branches.
+
+use asperity_core::quantity::Length;
+use asperity_ns_film::{FluidModel, pressure_difference_across};
+use serde::Serialize;
+
+use crate::case::LoadedCase;
+use crate::encounter::Encounter;
+use crate::error::{PositionError, RunError};
+use crate::fluid::film_at;
+use crate::pipeline::stations;
+use crate::position::decide;
+use crate::result::Regime;
+use crate::station::Station;
+
+/// Film and regime at one mesh position, mean over the offsets.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RegimeRow {
+    /// 0 at A, 1 at E.
+    pub path_fraction: f64,
+    /// Line load [N/mm].
+    pub line_load_n_per_mm: f64,
+    /// Hertz pressure [MPa].
+    pub hertz_pressure_mpa: f64,
+    /// Sliding speed [m/s].
+    pub sliding_m_per_s: f64,
+    /// Entrainment speed [m/s].
+    pub entrainment_m_per_s: f64,
+    /// Central film with thermal reduction [µm].
+    pub film_central_um: f64,
+    /// Minimum film with thermal reduction [µm].
+    pub film_minimum_um: f64,
+    /// Thermal reduction φ.
+    pub thermal_reduction: f64,
+    /// Λ*; absent when the peaks of the flanks are not known.
+    pub lambda_star: Option<f64>,
+    /// Minimum film over composite Rq.
+    pub film_ratio: f64,
+    /// Share of the load the film carries.
+    pub film_share: f64,
+    /// Share of the offsets in the mixed regime.
+    pub mixed_share: f64,
+}
+
+/// Film and regime at every mesh position of a case.
+///
+/// # Errors
+/// When an equation refuses the numbers at a position.
+pub fn survey(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, RunError> {
+    rows(loaded).map_err(|error| RunError::Whole(Box::new(error)))
+}
+
+fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
+    let case = &loaded.case;
+    let path = case.gears.path();
+    let count = match loaded.surfaces.are_measured() {
+        true => case.model.offsets,
+        false => 1,
+    };
+    let mut rows = Vec::new();
+    for station in stations(case)? {
+        let mut decisions = Vec::with_capacity(count);
+        for k in 0..count {
+            let met = Encounter::new(&loaded.surfaces, &station, case.model.window, k, count)?;
+            let roughness = match met {
+                Some(encounter) => encounter.roughness,
+                None => loaded.surfaces.roughness_of_values(),
+            };
+            decisions.push(decide(case, &station, &roughness)?);
+        }
+        let n = count as f64;
+        let known: Vec<f64> = decisions.iter().filter_map(|d| d.lambda_star).collect();
+        rows.push(RegimeRow {
+            path_fraction: (station.s - path.a) / (path.e - path.a),
+            line_load_n_per_mm: station.load.si() * 1e-3,
+            hertz_pressure_mpa: station.hertz.max_pressure.si() * 1e-6,
+            sliding_m_per_s: station.motion.sliding.si(),
+            entrainment_m_per_s: station.motion.entrainment.si(),
+            film_central_um: station.film.central.si() * 1e6,
+            film_minimum_um: station.film.minimum.si() * 1e6,
+            thermal_reduction: station.thermal_reduction,
+            lambda_star: (!known.is_empty())
+                .then(|| known.iter().sum::<f64>() / known.len() as f64),
+            film_ratio: decisions.iter().map(|d| d.film_ratio).sum::<f64>() / n,
+            film_share: decisions.iter().map(|d| d.film_share).sum::<f64>() / n,
+            mixed_share: decisions
+                .iter()
+                .filter(|d| d.regime == Regime::Mixed)
+                .count() as f64
+                / n,
+        });
+    }
+    Ok(rows)
+}
+
+/// Pressure difference across a film of one thickness: a point of the paper's Fig. 8.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FilmRow {
+    /// Film thickness on the line of centres [m].
+    pub thickness_m: f64,
+    /// Difference of the wall pressures with Reynolds and the cross-film term [Pa].
+    pub reynolds_cross_pa: f64,
+    /// The same with the paper's radial momentum equation [Pa].
+    pub paper_pa: f64,
+    /// The larger of both over the Hertz pressure.
+    pub ratio_to_hertz: f64,
+    /// Thickness over the radius of the wheel's flank.
+    pub thickness_over_radius: f64,
+}
+
+/// The film of a case at one place: the paper's Fig. 8.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FilmSurvey {
+    /// Place on the path, 0 at A and 1 at E.
+    pub path_fraction: f64,
+    /// Hertz pressure there [Pa].
+    pub hertz_pressure_pa: f64,
+    /// Central film of the case there [m].
+    pub film_central_m: f64,
+    /// Differences by thickness.
+    pub rows: Vec<FilmRow>,
+}
+
+/// Pressure difference across films from 1 nm to 1 mm at the place of `model.position`.
+///
+/// # Errors
+/// When an equation refuses the numbers there.
+pub fn film(loaded: &LoadedCase) -> Result<FilmSurvey, RunError> {
+    film_rows(loaded).map_err(|error| RunError::Whole(Box::new(error)))
+}
+
+fn film_rows(loaded: &LoadedCase) -> Result<FilmSurvey, PositionError> {
+    /// Four thicknesses a decade over six decades from 1 nm.
+    const PER_DECADE: i32 = 4;
+    const DECADES: i32 = 6;
+    const THINNEST: f64 = 1e-9;
+    let case = &loaded.case;
+    let path = case.gears.path();
+    let s = path.a + (path.e - path.a) * case.model.position;
+    let station = Station::new(case, 1, s, 0.0)?;
+    let hertz = station.hertz.max_pressure.si();
+    let mut rows = Vec::new();
+    for step in 0..=PER_DECADE * DECADES {
+        let thickness = THINNEST * 10f64.powf(f64::from(step) / f64::from(PER_DECADE));
+        let film = film_at(case, &station, Length::from_si(thickness));
+        let across = |model| pressure_difference_across(model, &film).map(|p| p.si());
+        let (reynolds, paper) = (
+            across(FluidModel::ReynoldsCross)?,
+            across(FluidModel::Paper)?,
+        );
+        rows.push(FilmRow {
+            thickness_m: thickness,
+            reynolds_cross_pa: reynolds,
+            paper_pa: paper,
+            ratio_to_hertz: reynolds.abs().max(paper.abs()) / hertz,
+            thickness_over_radius: thickness / station.motion.rho2.si(),
+        });
+    }
+    Ok(FilmSurvey {
+        path_fraction: case.model.position,
+        hertz_pressure_pa: hertz,
+        film_central_m: station.film.central.si(),
+        rows,
+    })
+}
