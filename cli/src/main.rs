@@ -1,2 +1,45 @@
 //! The `asperity` command.
-fn main() {}
+
+mod args;
+mod commands;
+mod failure;
+mod output;
+
+use std::process::ExitCode;
+
+use args::{Cli, Command, ProfileCommand};
+use clap::Parser;
+use failure::Failure;
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    match start_threads(cli.common.threads).and_then(|()| dispatch(&cli)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(cli.common.json),
+    }
+}
+
+fn start_threads(threads: Option<u16>) -> Result<(), Failure> {
+    let Some(threads) = threads else {
+        return Ok(());
+    };
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.into())
+        .build_global()
+        .map_err(|error| Failure::new("E501", format!("cannot start {threads} threads: {error}")))
+}
+
+fn dispatch(cli: &Cli) -> Result<(), Failure> {
+    let common = &cli.common;
+    match &cli.command {
+        Command::Run(args) => commands::run::run(args, common),
+        Command::Regime(args) => commands::regime::regime(args, common),
+        Command::Contact(args) => commands::contact::contact(args, common),
+        Command::Film(args) => commands::film::film(args, common),
+        Command::Profile(ProfileCommand::Info(args)) => commands::profile::info(args, common),
+        Command::Equations(args) => commands::reference::equations(args, common),
+        Command::Explain { code } => commands::reference::explain(code.as_deref(), common),
+        Command::Schema => commands::reference::schema(),
+        Command::Demo { folder } => commands::demo::demo(folder, common),
+    }
+}

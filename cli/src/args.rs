@@ -1,0 +1,241 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use asperity_core::quantity::{Length, LineLoad, Pressure};
+use asperity_roughness::form::Form;
+use asperity_roughness::gaussian_filter::Ends;
+use asperity_roughness::read::{Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// Mesh efficiency of a gear pair from the measured roughness of its tooth flanks.
+#[derive(Debug, Parser)]
+#[command(
+    name = "asperity",
+    version,
+    propagate_version = true,
+    max_term_width = 100
+)]
+#[command(
+    after_help = "Start with `asperity demo`, then `asperity run demo/case.toml`.\n\
+    Exit status: 0 done, 2 bad input, 3 not converged, 4 outside the model, 5 internal fault."
+)]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+    /// Options of every command.
+    #[command(flatten)]
+    pub common: Common,
+}
+
+/// Options of every command.
+#[derive(Debug, Clone, Args)]
+pub struct Common {
+    /// Print machine-readable JSON on standard output
+    #[arg(long, global = true)]
+    pub json: bool,
+    /// Print nothing but errors
+    #[arg(long, short, global = true)]
+    pub quiet: bool,
+    /// Number of threads [default: all cores]; the result does not depend on it
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub threads: Option<u16>,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// The main job: from a case file to efficiency, losses and a result folder
+    #[command(
+        after_help = "Example:\n  asperity run fixtures/cases/e-drive.toml -o results/e-drive"
+    )]
+    Run(RunArgs),
+    /// Film thickness, Lambda* and regime along the path of contact, without the rough contact
+    Regime(CaseArgs),
+    /// The rough contact alone: of a case at one position, or of a bare gap file
+    #[command(after_help = "Examples:\n  asperity contact case.toml\n  \
+        asperity contact --gap gap.csv --e-star \"115.4 GPa\" --load \"300000 N/m\" -o out.csv")]
+    Contact(ContactArgs),
+    /// Fluid pressure across the film against its thickness (the paper's Fig. 8)
+    Film(CaseArgs),
+    /// Look at a profile file
+    #[command(subcommand)]
+    Profile(ProfileCommand),
+    /// Where each equation lives, its source and its test
+    Equations(EquationsArgs),
+    /// What a message code means and what to do
+    Explain {
+        /// The code, such as W402; all codes when left out
+        code: Option<String>,
+    },
+    /// Print the JSON schema of the case file
+    Schema,
+    /// Write a worked case with synthetic profiles into a new folder
+    Demo {
+        /// The folder to make
+        #[arg(default_value = "demo")]
+        folder: PathBuf,
+    },
+}
+
+/// A case and where its result goes.
+#[derive(Debug, Args)]
+pub struct RunArgs {
+    /// Case file, TOML (or JSON with the same keys)
+    pub case: PathBuf,
+    /// Result folder [default: results/<name of the case>]
+    #[arg(long, short)]
+    pub output: Option<PathBuf>,
+    /// Which reading of the model, whatever the case says
+    #[arg(long, value_enum)]
+    pub formulation: Option<FormulationArg>,
+    /// List every default that was used
+    #[arg(long)]
+    pub explain_defaults: bool,
+    /// Do not write a result folder
+    #[arg(long, conflicts_with = "output")]
+    pub no_output: bool,
+}
+
+/// A case.
+#[derive(Debug, Args)]
+pub struct CaseArgs {
+    /// Case file, TOML (or JSON with the same keys)
+    pub case: PathBuf,
+    /// Which reading of the model, whatever the case says
+    #[arg(long, value_enum)]
+    pub formulation: Option<FormulationArg>,
+}
+
+/// Which reading of the model is used.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum FormulationArg {
+    /// Dimensionally and physically consistent
+    Corrected,
+    /// The paper's reading, only its misprints mended
+    Paper,
+}
+
+/// A rough contact.
+#[derive(Debug, Args)]
+pub struct ContactArgs {
+    /// Case file; the contact at its position with the largest sliding is computed
+    #[arg(required_unless_present = "gap", conflicts_with = "gap")]
+    pub case: Option<PathBuf>,
+    /// Position along the path of contact, 0 at A and 1 at E [default: the case's]
+    #[arg(long, conflicts_with = "gap")]
+    pub position: Option<f64>,
+    /// Gap of the undeformed bodies: CSV with columns x and h, units in the header
+    #[arg(long, requires = "e_star", requires = "load")]
+    pub gap: Option<PathBuf>,
+    /// Reduced modulus E*, as "115.4 GPa"
+    #[arg(long, value_name = "E*")]
+    pub e_star: Option<Pressure>,
+    /// Load per length, as "300000 N/m" (per period when periodic)
+    #[arg(long)]
+    pub load: Option<LineLoad>,
+    /// The gap repeats itself; otherwise both ends are free
+    #[arg(long)]
+    pub periodic: bool,
+    /// Pressure at which the surface flows, as "3 GPa"
+    #[arg(long)]
+    pub pressure_limit: Option<Pressure>,
+    /// Tolerance of the certificate: duality gap, penetration and load error
+    #[arg(long, default_value_t = 1e-8)]
+    pub tolerance: f64,
+    /// Write pressure, gap and displacement per point
+    #[arg(long, short)]
+    pub output: Option<PathBuf>,
+}
+
+/// What to do with a profile.
+#[derive(Debug, Subcommand)]
+pub enum ProfileCommand {
+    /// Format, units, spacing, and roughness parameters of profile files
+    Info(ProfileInfoArgs),
+}
+
+/// Profiles and how to read and prepare them.
+#[derive(Debug, Args)]
+pub struct ProfileInfoArgs {
+    /// Profile files
+    #[arg(required = true)]
+    pub files: Vec<PathBuf>,
+    /// Take the heights as they are: no form removal, no filter
+    #[arg(long)]
+    pub as_is: bool,
+    /// Remove a straight line only, no filter
+    #[arg(long, conflicts_with = "as_is")]
+    pub level: bool,
+    /// Form removed: none, level, poly2
+    #[arg(long, value_parser = choice::<Form>)]
+    pub form: Option<Form>,
+    /// Cut-off lambda_c [default: 0.8 mm]
+    #[arg(long)]
+    pub lambda_c: Option<Length>,
+    /// Cut-off lambda_s [default: 2.5 um]
+    #[arg(long)]
+    pub lambda_s: Option<Length>,
+    /// What the filter does at the ends: cut, reg0, reg1, reflect
+    #[arg(long, value_parser = choice::<Ends>)]
+    pub ends: Option<Ends>,
+    /// How the file is read.
+    #[command(flatten)]
+    pub reading: ReadingArgs,
+}
+
+/// What the file does not say; an option wins over what the file seems to say.
+#[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "Reading the file")]
+pub struct ReadingArgs {
+    /// Unit of the positions: um, mm, nm, m
+    #[arg(long)]
+    pub x_unit: Option<LengthUnit>,
+    /// Unit of the heights: um, mm, nm, m
+    #[arg(long)]
+    pub z_unit: Option<LengthUnit>,
+    /// Spacing of the points, as "0.5 um"
+    #[arg(long)]
+    pub dx: Option<Length>,
+    /// Columns of position and height, counted from 1: "1,2", or the height alone: "2"
+    #[arg(long)]
+    pub columns: Option<Columns>,
+    /// Decimal sign: point or comma
+    #[arg(long)]
+    pub decimal: Option<DecimalSign>,
+    /// Column separator: comma, semicolon, tab, blank, none
+    #[arg(long)]
+    pub separator: Option<Separator>,
+    /// Text encoding: utf-8, utf-16le, utf-16be, windows-1252
+    #[arg(long)]
+    pub encoding: Option<Encoding>,
+    /// Missing points: refuse or interpolate
+    #[arg(long)]
+    pub gaps: Option<Gaps>,
+}
+
+/// Which equations to print.
+#[derive(Debug, Args)]
+pub struct EquationsArgs {
+    /// Tag of one equation, such as P7
+    pub tag: Option<String>,
+    /// Print the page docs/EQUATIONS.md
+    #[arg(long, conflicts_with = "tag")]
+    pub markdown: bool,
+}
+
+/// Reads a choice by its name in the case file.
+fn choice<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, serde::de::value::Error> {
+    use serde::de::IntoDeserializer;
+    T::deserialize(text.into_deserializer())
+}
+
+/// The name of a choice in the case file.
+pub fn name_of<T: serde::Serialize>(choice: &T) -> String {
+    match serde_json::to_value(choice) {
+        Ok(serde_json::Value::String(name)) => name,
+        Ok(other) => other.to_string(),
+        Err(_) => String::new(),
+    }
+}

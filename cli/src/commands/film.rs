@@ -1,0 +1,45 @@
+//! `asperity film`: fluid pressure across the film against its thickness, the paper's Fig. 8.
+
+use asperity::survey::{FilmSurvey, film as survey};
+
+use super::load_case;
+use crate::args::{CaseArgs, Common};
+use crate::failure::Failure;
+use crate::output::{print_json, print_text};
+
+/// `asperity film`
+pub fn film(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
+    let loaded = load_case(&args.case, args.formulation)?;
+    let found = survey(&loaded)
+        .map_err(|error| Failure::new(error.code(), format!("{}: {error}", args.case.display())))?;
+    if common.json {
+        return print_json(&found);
+    }
+    print_text(&table(&found))
+}
+
+fn table(found: &FilmSurvey) -> String {
+    let mut text = format!(
+        "pressure difference across the film at {:.4} of the path (p0 {:.0} MPa, central film {:.3} um)\n\
+         {:>12} {:>20} {:>12} {:>14} {:>10}\n",
+        found.path_fraction,
+        found.hertz_pressure_pa * 1e-6,
+        found.film_central_m * 1e6,
+        "film um",
+        "reynolds-cross Pa",
+        "paper Pa",
+        "ratio to p0",
+        "h/R"
+    );
+    for row in &found.rows {
+        text.push_str(&format!(
+            "{:>12.4} {:>20.4e} {:>12.4e} {:>14.2e} {:>10.1e}\n",
+            row.thickness_m * 1e6,
+            row.reynolds_cross_pa,
+            row.paper_pa,
+            row.ratio_to_hertz,
+            row.thickness_over_radius
+        ));
+    }
+    text
+}

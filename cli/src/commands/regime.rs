@@ -1,0 +1,48 @@
+//! `asperity regime`: film thickness and regime along the path, without the rough contact.
+
+use asperity::survey::{RegimeRow, survey};
+
+use super::load_case;
+use crate::args::{CaseArgs, Common};
+use crate::failure::Failure;
+use crate::output::{print_json, print_text};
+
+/// `asperity regime`
+pub fn regime(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
+    let loaded = load_case(&args.case, args.formulation)?;
+    let rows = survey(&loaded)
+        .map_err(|error| Failure::new(error.code(), format!("{}: {error}", args.case.display())))?;
+    if common.json {
+        return print_json(&rows);
+    }
+    print_text(&table(&rows))
+}
+
+fn table(rows: &[RegimeRow]) -> String {
+    let mut text = format!(
+        "{:>8} {:>9} {:>7} {:>9} {:>9} {:>9} {:>7} {:>8} {:>7}  regime\n",
+        "A-E", "f N/mm", "p0 MPa", "Vs m/s", "hc um", "hm um", "phi", "Lambda*", "film %"
+    );
+    for row in rows {
+        let lambda = row
+            .lambda_star
+            .map_or("-".to_owned(), |value| format!("{value:.3}"));
+        let regime = if row.mixed_share >= 0.5 {
+            "mixed"
+        } else {
+            "full film"
+        };
+        text.push_str(&format!(
+            "{:>8.4} {:>9.2} {:>7.0} {:>9.4} {:>9.4} {:>9.4} {:>7.3} {lambda:>8} {:>7.1}  {regime}\n",
+            row.path_fraction,
+            row.line_load_n_per_mm,
+            row.hertz_pressure_mpa,
+            row.sliding_m_per_s,
+            row.film_central_um,
+            row.film_minimum_um,
+            row.thermal_reduction,
+            100.0 * row.film_share,
+        ));
+    }
+    text
+}

@@ -1,0 +1,79 @@
+//! `asperity run`: the main job.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use asperity::pipeline;
+use asperity::report;
+use asperity::result::{Outcome, RunResult};
+
+use super::load_case;
+use crate::args::{Common, RunArgs};
+use crate::failure::Failure;
+use crate::output::{PATIENCE, print_json, print_text, progress};
+
+/// `asperity run`
+pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
+    let begin = Instant::now();
+    let loaded = load_case(&args.case, args.formulation)?;
+    let bar = progress(common.quiet);
+    let shown = |done: usize, total: usize| {
+        if begin.elapsed() >= PATIENCE {
+            bar.set_length(total as u64);
+            bar.set_position(done as u64);
+        }
+    };
+    let outcome = pipeline::run(&loaded, &shown);
+    bar.finish_and_clear();
+    let outcome = outcome
+        .map_err(|error| Failure::new(error.code(), format!("{}: {error}", args.case.display())))?;
+    let folder = (!args.no_output).then(|| result_folder(args));
+    if let Some(folder) = &folder {
+        write(&outcome, folder)?;
+    }
+    if common.json {
+        return print_json(&outcome.result);
+    }
+    if common.quiet {
+        return Ok(());
+    }
+    print_text(&text(&outcome.result, args, folder.as_deref(), begin))
+}
+
+fn text(result: &RunResult, args: &RunArgs, folder: Option<&Path>, begin: Instant) -> String {
+    let mut text = report::summary(result);
+    if args.explain_defaults {
+        text.push_str("defaults used\n");
+        for default in &result.defaults {
+            let source = default
+                .source
+                .map(|s| format!("  ({s})"))
+                .unwrap_or_default();
+            text.push_str(&format!("  {} = {}{source}\n", default.key, default.value));
+        }
+    } else {
+        text.push_str(&format!(
+            "defaults used: {} (--explain-defaults)\n",
+            result.defaults.len()
+        ));
+    }
+    let seconds = begin.elapsed().as_secs_f64();
+    match folder {
+        Some(folder) => {
+            text.push_str(&format!("wrote {} in {seconds:.1} s\n", folder.display()));
+        }
+        None => text.push_str(&format!("in {seconds:.1} s\n")),
+    }
+    text
+}
+
+fn write(outcome: &Outcome, folder: &Path) -> Result<(), Failure> {
+    report::write_folder(outcome, folder).map_err(|error| Failure::new("E401", error.to_string()))
+}
+
+fn result_folder(args: &RunArgs) -> PathBuf {
+    args.output.clone().unwrap_or_else(|| {
+        let stem = args.case.file_stem().unwrap_or_default();
+        Path::new("results").join(stem)
+    })
+}

@@ -1,0 +1,102 @@
+//! Errors as the user sees them: a code, a place, what to do; a picture of the line on a terminal.
+
+use std::io::IsTerminal;
+use std::process::ExitCode;
+
+use asperity::case::{Place, Source};
+use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource};
+
+/// An error with its stable code.
+#[derive(Debug, thiserror::Error)]
+#[error("{code} {message}")]
+pub struct Failure {
+    code: &'static str,
+    message: String,
+    snippet: Option<Snippet>,
+}
+
+#[derive(Debug)]
+struct Snippet {
+    text: NamedSource<String>,
+    label: LabeledSpan,
+}
+
+impl Failure {
+    /// An error of this code.
+    pub fn new(code: &'static str, message: impl Into<String>) -> Self {
+        Self {
+            code,
+            message: message.into(),
+            snippet: None,
+        }
+    }
+
+    /// The same error with the place in the case file that it is about.
+    pub fn at(mut self, place: Option<&Place>, source: &Source) -> Self {
+        self.snippet = place.and_then(|place| {
+            let span = place.span.clone()?;
+            Some(Snippet {
+                text: NamedSource::new(source.name(), source.text().to_owned()),
+                label: LabeledSpan::at(span, "here"),
+            })
+        });
+        self
+    }
+
+    /// The exit status: 2 bad input, 3 not converged, 4 outside the model, 5 internal fault.
+    fn status(&self) -> u8 {
+        match self.code {
+            "E301" | "E304" => 3,
+            "E302" | "E303" | "E305" => 4,
+            "E501" => 5,
+            _ => 2,
+        }
+    }
+
+    /// Prints the error and gives the exit status.
+    pub fn report(&self, json: bool) -> ExitCode {
+        if json {
+            let value = serde_json::json!({
+                "error": { "code": self.code, "message": self.message, "exit_status": self.status() }
+            });
+            println!("{value:#}");
+        }
+        eprintln!("{}", self.rendered());
+        ExitCode::from(self.status())
+    }
+
+    /// With the line of the case file on a terminal, on one line otherwise.
+    fn rendered(&self) -> String {
+        let plain = self.to_string();
+        if self.snippet.is_none() || !std::io::stderr().is_terminal() {
+            return plain;
+        }
+        let theme = match std::env::var_os("NO_COLOR") {
+            Some(_) => GraphicalTheme::unicode_nocolor(),
+            None => GraphicalTheme::unicode(),
+        };
+        let mut picture = String::new();
+        match GraphicalReportHandler::new_themed(theme).render_report(&mut picture, self) {
+            Ok(()) => picture,
+            Err(_) => plain,
+        }
+    }
+}
+
+impl Diagnostic for Failure {
+    fn help<'a>(&'a self) -> Option<Box<dyn std::fmt::Display + 'a>> {
+        let remedy = asperity::message::explain(self.code)?.remedy;
+        Some(Box::new(remedy))
+    }
+
+    fn source_code(&self) -> Option<&dyn miette::SourceCode> {
+        self.snippet
+            .as_ref()
+            .map(|snippet| &snippet.text as &dyn miette::SourceCode)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        let snippet = self.snippet.as_ref()?;
+        Some(Box::new(std::iter::once(snippet.label.clone())))
+    }
+}
