@@ -20,3 +20,8 @@ pub use citation::{Equation, Reference};
 pub use error::DomainError;
 pub use profile::Profile;
 pub use quantity::Quantity;
+
+/// Every equation of this crate.
+pub fn equations() -> impl Iterator<Item = &'static Equation> {
+    material::EQUATIONS.iter().chain(lubricant::EQUATIONS)
+}

@@ -12,6 +12,8 @@
 //! assert_eq!("285 N·m".parse::<Torque>()?, "285 Nm".parse()?);
 //! assert!("285".parse::<Torque>().is_err());
 //! assert_eq!(Pressure::from_si(210e9).to_string(), "210 GPa");
+//! // A precision asks for that many digits, for messages.
+//! assert_eq!(format!("{:.4}", Length::from_si(0.002_200_499_999_9)), "2.2 mm");
 //! # Ok::<(), asperity_core::quantity::QuantityError>(())
 //! ```
 
@@ -206,6 +208,17 @@ fn text_in(value: f64, unit: &Unit) -> Option<String> {
     })
 }
 
+/// The value in a unit with this many significant digits, without trailing zeros.
+fn rounded(value: f64, unit: &Unit, digits: usize) -> Option<String> {
+    let in_unit = match unit.scale {
+        Scale::Decimal(shift) => value / 10f64.powi(shift),
+        Scale::Factor(factor) => value / factor,
+        Scale::Celsius => value - 273.15,
+    };
+    let text = format!("{in_unit:.*e}", digits.max(1) - 1);
+    Some(unit_text::format_shifted(text.parse().ok()?, 0))
+}
+
 fn print<Q: Quantity>(quantity: Q, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
     let value = quantity.si();
     let size = |unit: &Unit| match unit.scale {
@@ -218,7 +231,11 @@ fn print<Q: Quantity>(quantity: Q, f: &mut std::fmt::Formatter<'_>) -> std::fmt:
     let chosen = printing()
         .find(|unit| value == 0.0 || size(unit) >= 1.0)
         .or_else(|| printing().next_back());
-    match chosen.and_then(|unit| Some((text_in(value, unit)?, unit.symbol))) {
+    let text = |unit: &Unit| match f.precision() {
+        None => text_in(value, unit),
+        Some(digits) => rounded(value, unit, digits),
+    };
+    match chosen.and_then(|unit| Some((text(unit)?, unit.symbol))) {
         Some((text, symbol)) => write!(f, "{text} {symbol}"),
         None => write!(f, "{} {}", unit_text::format_shifted(value, 0), Q::SI_UNIT),
     }

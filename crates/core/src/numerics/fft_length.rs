@@ -31,7 +31,7 @@ mod tests {
     fn the_length_is_the_smallest_that_is_smooth_and_even() {
         let smooth = |mut n: usize| {
             for p in [2, 3, 5] {
-                while n % p == 0 {
+                while n.is_multiple_of(p) {
                     n /= p;
                 }
             }
@@ -39,7 +39,9 @@ mod tests {
         };
         for n in 1..3000 {
             let found = good_fft_length(n);
-            let expected = (n.max(2)..).find(|m| m % 2 == 0 && smooth(*m)).unwrap();
+            let expected = (n.max(2)..)
+                .find(|m| m.is_multiple_of(2) && smooth(*m))
+                .unwrap();
             assert_eq!(found, expected, "for {n}");
         }
     }

@@ -73,7 +73,8 @@ pub fn find_root(
             });
         }
     }
-    if !(fa * fb < 0.0) {
+    let is_bracketed = fa * fb < 0.0;
+    if !is_bracketed {
         return Err(RootError::NotBracketed {
             low,
             high,
@@ -140,7 +141,8 @@ mod tests {
 
     #[test]
     fn hard_roots_are_found_within_the_width() {
-        let cases: [(fn(f64) -> f64, f64, f64, f64); 4] = [
+        type Case = (fn(f64) -> f64, f64, f64, f64);
+        let cases: [Case; 4] = [
             (|x| x.powi(9), -1.0, 1.5, 0.0),
             (|x| x.exp() - 1e4, 0.0, 100.0, 1e4f64.ln()),
             (

@@ -1,0 +1,25 @@
+# Short names for the commands of the README and of .ci/run.
+
+# The main job on the shipped e-drive stage.
+run case="fixtures/cases/e-drive.toml":
+    cargo run --release -- run {{ case }}
+
+# All tests.
+test:
+    cargo test --workspace
+
+# Format, lint, tests, documentation: what must hold before a change lands.
+ci:
+    .ci/run
+
+# Benches; the table of results is in docs/PERFORMANCE.md.
+bench:
+    cargo bench --workspace
+
+# Make the synthetic profiles and cases in fixtures/ anew.
+fixtures:
+    cargo run --release -p asperity-fixtures
+
+# Write docs/EQUATIONS.md anew from the sources.
+equations:
+    cargo run --release -- equations --markdown > docs/EQUATIONS.md

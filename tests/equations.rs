@@ -1,0 +1,102 @@
+//! The table of equations, the tags in the sources and the tests that prove them agree.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// Every Rust source of the workspace with its path from the root.
+fn sources() -> Vec<(String, String)> {
+    let mut found = Vec::new();
+    let mut folders: Vec<PathBuf> = ["crates", "cli", "fixtures", "tests"]
+        .iter()
+        .map(|name| root().join(name))
+        .collect();
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|ending| ending == "rs") {
+                let name = path
+                    .strip_prefix(root())
+                    .unwrap()
+                    .to_string_lossy()
+                    .into_owned();
+                found.push((name, fs::read_to_string(&path).unwrap()));
+            }
+        }
+    }
+    found
+}
+
+/// Tags of a source: `[P7]` at the end of a doc line, parted from the formula by two blanks.
+fn tags(text: &str) -> BTreeSet<String> {
+    text.lines()
+        .map(str::trim)
+        .filter(|line| line.starts_with("///") || line.starts_with("//!"))
+        .filter_map(|line| {
+            // Rustdoc would take a bare [P7] for a link, so most tags stand in backticks.
+            let line = line.strip_suffix('`').unwrap_or(line);
+            let (before, tag) = line.strip_suffix(']')?.rsplit_once('[')?;
+            let before = before.strip_suffix('`').unwrap_or(before);
+            let is_tag =
+                !tag.is_empty() && tag.chars().all(|c| c.is_ascii_alphanumeric() || c == '-');
+            (before.ends_with("  ") && is_tag).then(|| tag.to_owned())
+        })
+        .collect()
+}
+
+#[test]
+fn every_row_points_at_a_tagged_formula_and_a_test_that_exist() {
+    let sources = sources();
+    for equation in asperity::equations::all() {
+        let (_, text) = sources
+            .iter()
+            .find(|(name, _)| name == equation.file)
+            .unwrap_or_else(|| panic!("{}: no file {}", equation.tag, equation.file));
+        assert!(
+            tags(text).contains(equation.tag),
+            "{}: no doc line ending in [{}] in {}",
+            equation.tag,
+            equation.tag,
+            equation.file
+        );
+        let definition = format!("fn {}(", equation.test);
+        assert!(
+            sources.iter().any(|(_, text)| text.contains(&definition)),
+            "{}: no test {}",
+            equation.tag,
+            equation.test
+        );
+        assert!(
+            !equation.references.is_empty(),
+            "{}: no source",
+            equation.tag
+        );
+    }
+}
+
+#[test]
+fn every_tag_in_the_sources_has_a_row_and_no_row_is_double() {
+    let rows: Vec<&str> = asperity::equations::all().iter().map(|e| e.tag).collect();
+    let unique: BTreeSet<&str> = rows.iter().copied().collect();
+    assert_eq!(rows.len(), unique.len(), "a tag has two rows");
+    for (name, text) in sources() {
+        for tag in tags(&text) {
+            assert!(unique.contains(tag.as_str()), "{name}: [{tag}] has no row");
+        }
+    }
+}
+
+#[test]
+fn the_page_of_equations_is_what_the_program_prints() {
+    let page = fs::read_to_string(root().join("docs/EQUATIONS.md")).unwrap();
+    assert!(
+        page == asperity::equations::markdown(),
+        "docs/EQUATIONS.md is stale: run `asperity equations --markdown > docs/EQUATIONS.md`"
+    );
+}
