@@ -4,7 +4,7 @@ use asperity_core::{Equation, Reference};
 
 const RODRIGUEZ_2022: Reference = Reference {
     key: "rodriguez_2022",
-    text: "I. V. Rodríguez, Modelling of gear surface roughness impact on gear meshing efficiency, 2022",
+    text: "I. Victoria Rodríguez, Modelling of gear surface roughness impact on gear meshing efficiency, manuscript and thesis, KTH and Volvo, 2022",
 };
 const REYNOLDS_1886: Reference = Reference {
     key: "reynolds_1886",

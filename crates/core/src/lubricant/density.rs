@@ -16,9 +16,9 @@ use serde::Serialize;
 use crate::error::DomainError;
 use crate::quantity::{Density, PerKelvin, Pressure, Temperature};
 
-/// Coefficient of the numerator (Dowson and Higginson 1966) [1/Pa].
+/// Coefficient of the numerator (Dowson and Higginson 1966) \[1/Pa\].
 const DOWSON_HIGGINSON_RISE: f64 = 0.6e-9;
-/// Coefficient of the denominator (Dowson and Higginson 1966) [1/Pa].
+/// Coefficient of the denominator (Dowson and Higginson 1966) \[1/Pa\].
 const DOWSON_HIGGINSON_BEND: f64 = 1.7e-9;
 
 /// Density of an oil at ambient pressure as a line over temperature.

@@ -38,11 +38,11 @@ pub enum LubricantError {
     /// α far from every oil: as good as always a slip of the unit.
     #[error("alpha = {value:e} m2/N is {}", verdict(*.value, *.low, *.shift))]
     ImplausiblePressureViscosity {
-        /// The coefficient seen [1/Pa].
+        /// The coefficient seen \[1/Pa\].
         value: f64,
-        /// Lowest plausible coefficient [1/Pa].
+        /// Lowest plausible coefficient \[1/Pa\].
         low: f64,
-        /// Highest plausible coefficient [1/Pa].
+        /// Highest plausible coefficient \[1/Pa\].
         high: f64,
         /// Power of ten that makes the coefficient plausible, when a slip of the unit explains it.
         shift: Option<i32>,

@@ -32,9 +32,9 @@ pub enum ViscosityLaw {
     Vogel {
         /// Limit K of the viscosity at high temperature.
         limit_viscosity: DynamicViscosity,
-        /// Constant b [K].
+        /// Constant b \[K\].
         slope_kelvin: f64,
-        /// Pole θ [K].
+        /// Pole θ \[K\].
         pole_kelvin: f64,
     },
     /// One dynamic viscosity; the lubricant then needs a `temperature_coefficient`.

@@ -30,10 +30,10 @@ const GOLD_RANGE: FittedRange = FittedRange {
     unit: "mm2/s",
     correlation: "Gold",
 };
-/// Lowest plausible α [1/Pa]. Own choice: lubricants lie between about 5 and 50 1/GPa, and the
+/// Lowest plausible α \[1/Pa\]. Own choice: lubricants lie between about 5 and 50 1/GPa, and the
 /// window leaves a factor of two on either side.
 pub const LOWEST_PLAUSIBLE: PressureViscosity = PressureViscosity::from_si(2e-9);
-/// Highest plausible α [1/Pa]; see [`LOWEST_PLAUSIBLE`].
+/// Highest plausible α \[1/Pa\]; see [`LOWEST_PLAUSIBLE`].
 pub const HIGHEST_PLAUSIBLE: PressureViscosity = PressureViscosity::from_si(1e-7);
 /// Slips of the unit, as powers of ten: mm²/N for m²/N, 1/GPa for 1/Pa, and a factor thousand.
 const UNIT_SLIPS: [i32; 6] = [6, -6, 9, -9, 3, -3];
@@ -53,7 +53,7 @@ pub enum BaseOil {
 }
 
 impl BaseOil {
-    /// Gold's s [1/GPa] and t (Fernandes and others 2013, α at 0.2 GPa).
+    /// Gold's s \[1/GPa\] and t (Fernandes and others 2013, α at 0.2 GPa).
     const fn gold(self) -> (f64, f64) {
         match self {
             Self::Mineral => (9.904, 0.1390),

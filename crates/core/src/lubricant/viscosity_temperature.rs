@@ -26,7 +26,7 @@ use crate::quantity::{DynamicViscosity, KinematicViscosity, PerKelvin, Temperatu
 const ASTM_C: f64 = 0.7;
 /// mm²/s in a m²/s: the unit of the ASTM formula.
 const MM2_PER_M2: f64 = 1e6;
-/// The two temperatures of a data sheet, 40 °C and 100 °C [K].
+/// The two temperatures of a data sheet, 40 °C and 100 °C \[K\].
 const DATA_SHEET: [Temperature; 2] = [Temperature::from_si(313.15), Temperature::from_si(373.15)];
 /// Where the short form of ASTM D341 (constant 0.7) holds.
 const ASTM_RANGE: FittedRange = FittedRange {
@@ -165,9 +165,9 @@ fn ordinate(name: &'static str, viscosity: KinematicViscosity) -> Result<f64, Do
 pub struct Vogel {
     /// Limit K of the viscosity at high temperature.
     pub limit_viscosity: DynamicViscosity,
-    /// Constant b [K].
+    /// Constant b \[K\].
     pub slope_kelvin: f64,
-    /// Temperature θ of the pole, where the oil would freeze [K]; zero is Andrade's law.
+    /// Temperature θ of the pole, where the oil would freeze \[K\]; zero is Andrade's law.
     pub pole_kelvin: f64,
 }
 
