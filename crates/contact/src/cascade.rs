@@ -3,8 +3,6 @@
 //! The solution on a grid of half as many cells tells nearly which points will touch on the finer
 //! one. With free ends only these and a margin need be solved; the rest is verified afterwards.
 
-use asperity_core::numerics::good_fft_length;
-
 /// Fewest cells of a coarser grid.
 const COARSEST: usize = 128;
 /// Margin on either side of a window, over the width of the contact, and in cells.
@@ -31,6 +29,16 @@ pub(crate) fn prolong(coarse: &[f64], points: usize) -> Vec<f64> {
     coarse.iter().flat_map(|&p| [p, p]).take(points).collect()
 }
 
+/// Lengths of windows over powers of two: five to an octave, with fast transforms and few enough
+/// for a solver to keep all their plans.
+const LENGTHS: [usize; 5] = [8, 9, 10, 12, 15];
+
+/// The smallest length of a window that is not below `least`.
+fn window_length(least: usize) -> usize {
+    let lengths = LENGTHS.map(|length| length * least.div_ceil(length).next_power_of_two());
+    lengths.into_iter().fold(usize::MAX, usize::min)
+}
+
 /// A range of cells to solve on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Window {
@@ -44,8 +52,8 @@ impl Window {
         Self { first: 0, points }
     }
 
-    /// The range of cells where `touches` holds, with a margin and grown to a length whose
-    /// transform is fast; the whole grid when that is most of it or nothing touches.
+    /// The range of cells where `touches` holds, with a margin and grown to one of few lengths;
+    /// the whole grid when that is most of it or nothing touches.
     pub(crate) fn around(points: usize, touches: impl Fn(usize) -> bool) -> Self {
         let Some(first) = (0..points).find(|&i| touches(i)) else {
             return Self::whole(points);
@@ -53,7 +61,7 @@ impl Window {
         let last = (first..points).rfind(|&i| touches(i)).unwrap_or(first);
         let width = last - first + 1;
         let margin = ((MARGIN * width as f64).ceil() as usize).max(LEAST_MARGIN);
-        let wide = good_fft_length(2 * (width + 2 * margin)) / 2;
+        let wide = window_length(width + 2 * margin);
         if wide as f64 > WORTHWHILE * points as f64 {
             return Self::whole(points);
         }

@@ -85,52 +85,17 @@ pub fn solve_direct(problem: &ContactProblem) -> Result<DirectSolution, ContactE
     }
     let compliance = cell_compliance(problem.spacing, problem.modulus)?;
     let dense = Dense::new(problem, compliance);
-    let range = dense
-        .gap
-        .iter()
-        .fold(0.0, |m, h| f64::max(m, (h - dense.gap[0]).abs()));
-    let overlap = ROUND_OFF * range.max(f64::MIN_POSITIVE);
-    let mut states: Vec<State> = match dense.sum {
-        Some(_) => vec![State::Touching; points],
-        None => dense
-            .gap
-            .iter()
-            .map(|&h| {
-                if h < 0.0 {
-                    State::Touching
-                } else {
-                    State::Apart
-                }
-            })
-            .collect(),
-    };
+    let mut states = dense.first_states();
     let mut changes = points;
     for steps in 1..=MOST_STEPS {
         let Some((y, alpha)) = dense.pressures(&states) else {
             return Err(ContactError::ActiveSetUnsettled { steps, changes });
         };
-        let displaced = dense.displacement(&y);
-        changes = 0;
-        for (i, state) in states.iter_mut().enumerate() {
-            let g = displaced[i] + dense.gap[i] - alpha;
-            let next = match *state {
-                State::Touching if y[i] < 0.0 => State::Apart,
-                State::Touching if y[i] >= dense.limit => State::Flowing,
-                State::Apart if g < -overlap => State::Touching,
-                State::Flowing if g > overlap => State::Touching,
-                same => same,
-            };
-            changes += usize::from(next != *state);
-            *state = next;
-        }
+        changes = dense.update(&mut states, &y, alpha);
         if changes == 0 {
-            let approach = match problem.control {
-                Control::Load(_) => dense.approach(problem, compliance, alpha),
-                Control::Approach { approach, .. } => approach,
-            };
             return Ok(DirectSolution {
                 pressure: y.iter().map(|y| y / compliance).collect(),
-                approach,
+                approach: dense.approach(problem, compliance, alpha),
                 steps,
             });
         }
@@ -175,6 +140,39 @@ impl Dense {
             }
         }
         dense
+    }
+
+    /// All points touching, or those that overlap before deformation.
+    fn first_states(&self) -> Vec<State> {
+        let first = |&h: &f64| {
+            if self.sum.is_some() || h < 0.0 {
+                State::Touching
+            } else {
+                State::Apart
+            }
+        };
+        self.gap.iter().map(first).collect()
+    }
+
+    /// Moves points whose pressure or gap has the wrong sign to another set; returns how many.
+    fn update(&self, states: &mut [State], y: &[f64], alpha: f64) -> usize {
+        let displaced = self.displacement(y);
+        let range = |m: f64, h: &f64| m.max((h - self.gap[0]).abs());
+        let overlap = ROUND_OFF * self.gap.iter().fold(f64::MIN_POSITIVE, range);
+        let mut changes = 0;
+        for (i, state) in states.iter_mut().enumerate() {
+            let g = displaced[i] + self.gap[i] - alpha;
+            let next = match *state {
+                State::Touching if y[i] < 0.0 => State::Apart,
+                State::Touching if y[i] >= self.limit => State::Flowing,
+                State::Apart if g < -overlap => State::Touching,
+                State::Flowing if g > overlap => State::Touching,
+                same => same,
+            };
+            changes += usize::from(next != *state);
+            *state = next;
+        }
+        changes
     }
 
     /// A y
@@ -234,12 +232,15 @@ impl Dense {
 
     /// The approach from the datum of the problem, which for periodic ends has no mean.
     fn approach(&self, problem: &ContactProblem, compliance: f64, alpha: f64) -> Length {
-        if problem.boundary == Boundary::FreeEnds {
-            return Length::from_si(alpha);
+        match (problem.control, problem.boundary) {
+            (Control::Approach { approach, .. }, _) => approach,
+            (Control::Load(_), Boundary::FreeEnds) => Length::from_si(alpha),
+            (Control::Load(_), Boundary::Periodic(_)) => {
+                let prescribed: f64 = problem.prescribed_pressure.unwrap_or(&[]).iter().sum();
+                let total = self.sum.unwrap_or(0.0) + prescribed * compliance;
+                Length::from_si(alpha - datum_term(problem) * total)
+            }
         }
-        let prescribed: f64 = problem.prescribed_pressure.unwrap_or(&[]).iter().sum();
-        let total = self.sum.unwrap_or(0.0) + prescribed * compliance;
-        Length::from_si(alpha - datum_term(problem) * total)
     }
 }
 

@@ -118,8 +118,13 @@ fn advance(
             s
         }
     };
-    let change = level.displacement.signal();
-    for (i, &change) in change.iter().enumerate() {
+    take_step(level, work, task, &line, length);
+    true
+}
+
+/// p + s·Δ, and its displacement.
+fn take_step(level: &mut Level, work: &mut Workspace, task: &Task, line: &Line, length: f64) {
+    for (i, &change) in level.displacement.signal().iter().enumerate() {
         let (from, to) = (work.pressure[i], work.trial[i]);
         work.displacement[i] += length * (change + line.datum);
         // A step that is taken whole must land on the bounds to the last bit.
@@ -129,7 +134,6 @@ fn advance(
             (from + length * (to - from)).clamp(0.0, task.limit)
         };
     }
-    true
 }
 
 /// The energy along Δ = q − p: slope·s + ½·curvature·s².

@@ -2,13 +2,14 @@
 
 use std::f64::consts::PI;
 
-use asperity_core::quantity::Pressure;
+use asperity_core::quantity::{Length, Pressure};
 
 use crate::cascade::Window;
+use crate::certificate::Certificate;
 use crate::error::ContactError;
 use crate::half_plane::cell_compliance;
 use crate::problem::{Boundary, ContactProblem, Control, SolverSettings};
-use crate::state::Task;
+use crate::state::{Assessment, Task};
 use crate::strip_kernel::datum_constant;
 use crate::transform::EvenFilter;
 
@@ -161,10 +162,15 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// |Σp·dx − W|/W, zero when the approach is controlled.
-    pub(crate) fn load_error(&self, pressure: &[f64]) -> f64 {
-        self.sum
-            .map_or(0.0, |sum| (pressure.iter().sum::<f64>() / sum - 1.0).abs())
+    /// What is certified of a pressure on the finest grid.
+    pub(crate) fn certificate(&self, pressure: &[f64], assessment: &Assessment) -> Certificate {
+        let carried: f64 = pressure.iter().sum();
+        Certificate {
+            duality_gap: assessment.duality_gap,
+            penetration: assessment.penetration,
+            load_error: self.sum.map_or(0.0, |sum| (carried / sum - 1.0).abs()),
+            reference_gap: Length::from_si(self.reference_gap),
+        }
     }
 }
 

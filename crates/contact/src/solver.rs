@@ -11,7 +11,6 @@ use asperity_core::quantity::{Length, LineEnergy, Pressure};
 use realfft::RealFftPlanner;
 
 use crate::cascade::{Window, grids, prolong, restrict};
-use crate::certificate::Certificate;
 use crate::error::{ContactError, SolverShape};
 use crate::half_plane::line_load;
 use crate::plasticity::{dissipated_energy, plastic_displacement};
@@ -218,13 +217,7 @@ impl Solver {
     ) -> Result<ContactSolution, ContactError> {
         let task = scene.task(Window::whole(self.shape.points), settings, 0);
         let assessment = self.work.assess(&task);
-        let pressure = std::mem::take(&mut self.work.pressure);
-        let certificate = Certificate {
-            duality_gap: assessment.duality_gap,
-            penetration: assessment.penetration,
-            load_error: scene.load_error(&pressure),
-            reference_gap: Length::from_si(scene.reference_gap),
-        };
+        let certificate = scene.certificate(&self.work.pressure, &assessment);
         if !certificate.within(settings.tolerance) {
             return Err(ContactError::NotConverged {
                 iterations,
@@ -232,6 +225,7 @@ impl Solver {
                 tolerance: settings.tolerance,
             });
         }
+        let pressure = std::mem::take(&mut self.work.pressure);
         let (problem, dx) = (scene.problem, scene.problem.spacing.si());
         let approach = scene.approach(&pressure, assessment.approach);
         let mut gap: Vec<f64> = self.work.gap(&task, assessment.approach).collect();

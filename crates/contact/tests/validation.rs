@@ -5,13 +5,11 @@ mod common;
 
 use asperity_contact::direct::solve_direct;
 use asperity_contact::hertz_line::HertzLine;
-use asperity_contact::two_flanks::TwoFlanks;
 use asperity_contact::westergaard::Wave;
 use asperity_contact::{
     Boundary, ContactProblem, ContactSolution, Control, PeriodicKernel, Solver, SolverSettings,
     certificate::duality_gap, flat_punch, hertz_line, solve,
 };
-use asperity_core::Profile;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 use common::{
     CYLINDER, hertz_problem, largest, periodic_problem, relative_difference, rough_gap, rough_wave,
@@ -302,73 +300,6 @@ fn a_prescribed_share_of_the_hertz_pressure_leaves_the_rest_to_the_solids() {
     }
 }
 
-/// Approach under each load of a path, with plastic displacement carried on; and that displacement
-/// with the energy of its steps.
-fn load_path(gap: &mut [f64], spacing: Length, limit: Pressure, loads: &[f64]) -> (Vec<f64>, f64) {
-    let mut solver = Solver::new(gap.len(), Boundary::FreeEnds).unwrap();
-    let (mut approaches, mut dissipated) = (vec![], 0.0);
-    let mut start: Option<Vec<f64>> = None;
-    for &load in loads {
-        let problem = ContactProblem {
-            control: Control::Load(LineLoad::from_si(load)),
-            pressure_limit: Some(limit),
-            start: start.as_deref(),
-            ..hertz_problem(gap, spacing)
-        };
-        let solution = solver.solve(&problem, &tight()).unwrap();
-        approaches.push(solution.approach.si());
-        dissipated += solution.dissipated.si();
-        for (h, w) in gap.iter_mut().zip(&solution.plastic_displacement) {
-            *h += w;
-        }
-        start = Some(solution.pressure);
-    }
-    (approaches, dissipated)
-}
-
-#[test]
-fn loading_in_steps_flows_as_much_as_loading_at_once() {
-    let limit = Pressure::from_si(4e9);
-    let (gap, spacing) = rough_gap(1_000);
-    let path = |steps: u32| {
-        let loads: Vec<f64> = (1..=steps)
-            .map(|k| CYLINDER.load.si() * f64::from(k) / f64::from(steps))
-            .collect();
-        let mut after = gap.clone();
-        let (_, dissipated) = load_path(&mut after, spacing, limit, &loads);
-        (after, dissipated)
-    };
-    let (once, energy) = path(1);
-    let (stepwise, sum) = path(10);
-    let flow: Vec<f64> = once.iter().zip(&gap).map(|(a, h)| a - h).collect();
-    let steps: Vec<f64> = stepwise.iter().zip(&gap).map(|(a, h)| a - h).collect();
-    // A certificate of 1e-12 of a gap range of 15 µm, on a flow of 0.3 µm.
-    assert!(largest(&flow) > 1e-7);
-    assert!(relative_difference(&steps, &flow) < 1e-8);
-    assert!((sum / energy - 1.0).abs() < 1e-8);
-}
-
-#[test]
-fn the_dissipated_energy_is_the_area_of_the_load_approach_loop() {
-    let steps = 40_u32;
-    let load = |k: u32| CYLINDER.load.si() * f64::from(k) / f64::from(steps);
-    let loads: Vec<f64> = (1..=steps).chain((1..steps).rev()).map(load).collect();
-    let (mut gap, spacing) = CYLINDER.gap(1_000);
-    let limit = Pressure::from_si(1.5e9);
-    let (approaches, dissipated) = load_path(&mut gap, spacing, limit, &loads);
-    let area: f64 = loads
-        .windows(2)
-        .zip(approaches.windows(2))
-        .map(|(w, d)| 0.5 * (w[0] + w[1]) * (d[1] - d[0]))
-        .sum();
-    // The trapezoids miss 0.3 % with 20 steps and 0.02 % with 80.
-    assert!(
-        (area / dissipated - 1.0).abs() < 2e-3,
-        "{}",
-        area / dissipated
-    );
-}
-
 #[test]
 fn the_elastic_energy_is_the_work_of_the_load() {
     let (gap, spacing) = rough_gap(1_000);
@@ -453,47 +384,4 @@ fn the_duality_gap_bounds_the_energy_error() {
             assert!((again / bound - 1.0).abs() < 1e-9);
         }
     }
-}
-
-#[test]
-fn flanks_pressed_again_on_their_residual_profiles_stay_elastic() {
-    let points = 1_500;
-    let x: Vec<f64> = (0..points).map(|i| i as f64 / points as f64).collect();
-    let flank = |seed: u64| {
-        let heights = common::self_affine(&x, 6..=200, seed);
-        let heights = heights.iter().map(|z| 1e-6 * z).collect();
-        Profile::new(Length::from_si(0.4e-6), heights).unwrap()
-    };
-    let (pinion, wheel) = (flank(3), flank(4));
-    let flanks = TwoFlanks {
-        first: &pinion,
-        second: &wheel,
-        radius: CYLINDER.radius,
-        load: CYLINDER.load,
-        modulus: CYLINDER.modulus,
-        pressure_limit: Some(Pressure::from_si(4e9)),
-    };
-    let first = flanks.press(&tight()).unwrap();
-    assert!(first.dissipated.si() > 1e-3);
-    let [one, other] = flanks.residual(&first, [0.25, 0.75]).unwrap();
-    let again = TwoFlanks {
-        first: &one,
-        second: &other,
-        ..flanks
-    };
-    let second = again.press(&tight()).unwrap();
-    assert!(second.dissipated.si() < 1e-8 * first.dissipated.si());
-    assert!(relative_difference(&second.pressure, &first.pressure) < 1e-7);
-    // Height is lost where there was flow and nowhere else, in the shares asked for.
-    let lost = |before: &Profile, after: &Profile| -> f64 {
-        before
-            .heights()
-            .iter()
-            .zip(after.heights())
-            .map(|(z, r)| z - r)
-            .sum()
-    };
-    let flow: f64 = first.plastic_displacement.iter().sum();
-    assert!((lost(&pinion, &one) / (0.25 * flow) - 1.0).abs() < 1e-9);
-    assert!((lost(&wheel, &other) / (0.75 * flow) - 1.0).abs() < 1e-9);
 }
