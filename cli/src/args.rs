@@ -58,7 +58,7 @@ pub enum Command {
         asperity contact --gap gap.csv --e-star \"115.4 GPa\" --load \"300000 N/m\" -o out.csv")]
     Contact(ContactArgs),
     /// Fluid pressure across the film against its thickness (the paper's Fig. 8)
-    Film(CaseArgs),
+    Film(FilmArgs),
     /// Look at a profile file
     #[command(subcommand)]
     Profile(ProfileCommand),
@@ -106,6 +106,16 @@ pub struct CaseArgs {
     /// Which reading of the model, whatever the case says
     #[arg(long, value_enum)]
     pub formulation: Option<FormulationArg>,
+}
+
+/// A case and a place on its path of contact.
+#[derive(Debug, Args)]
+pub struct FilmArgs {
+    /// Case file, TOML (or JSON with the same keys)
+    pub case: PathBuf,
+    /// Position along the path of contact, 0 at A and 1 at E [default: the pitch point]
+    #[arg(long)]
+    pub position: Option<f64>,
 }
 
 /// Which reading of the model is used.

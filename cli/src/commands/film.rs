@@ -2,15 +2,16 @@
 
 use asperity::survey::{FilmSurvey, film as survey};
 
-use super::load_case;
-use crate::args::{CaseArgs, Common};
+use super::{load_case, on_the_path};
+use crate::args::{Common, FilmArgs};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 
 /// `asperity film`
-pub fn film(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
-    let loaded = load_case(&args.case, args.formulation)?;
-    let found = survey(&loaded)
+pub fn film(args: &FilmArgs, common: &Common) -> Result<(), Failure> {
+    let loaded = load_case(&args.case, None)?;
+    let place = on_the_path(args.position)?;
+    let found = survey(&loaded, place)
         .map_err(|error| Failure::new(error.code(), format!("{}: {error}", args.case.display())))?;
     if common.json {
         return print_json(&found);

@@ -29,3 +29,14 @@ fn load_case(path: &Path, formulation: Option<FormulationArg>) -> Result<LoadedC
         }
     })
 }
+
+/// A place on the path of contact as the user gave it, checked.
+fn on_the_path(place: Option<f64>) -> Result<Option<f64>, Failure> {
+    match place {
+        Some(value) if !(0.0..=1.0).contains(&value) => Err(Failure::new(
+            "E209",
+            format!("--position {value}: must lie between 0 (A) and 1 (E)"),
+        )),
+        _ => Ok(place),
+    }
+}

@@ -121,22 +121,24 @@ pub struct FilmSurvey {
     pub rows: Vec<FilmRow>,
 }
 
-/// Pressure difference across films from 1 nm to 1 mm at the place of `model.position`.
+/// Pressure difference across films from 1 nm to 1 mm at `place` on the path, 0 at A and 1 at E; at
+/// the pitch point when none is given, where the flanks roll without sliding and both models agree.
 ///
 /// # Errors
 /// When an equation refuses the numbers there.
-pub fn film(loaded: &LoadedCase) -> Result<FilmSurvey, RunError> {
-    film_rows(loaded).map_err(|error| RunError::Whole(Box::new(error)))
+pub fn film(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, RunError> {
+    film_rows(loaded, place).map_err(|error| RunError::Whole(Box::new(error)))
 }
 
-fn film_rows(loaded: &LoadedCase) -> Result<FilmSurvey, PositionError> {
+fn film_rows(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, PositionError> {
     /// Four thicknesses a decade over six decades from 1 nm.
     const PER_DECADE: i32 = 4;
     const DECADES: i32 = 6;
     const THINNEST: f64 = 1e-9;
     let case = &loaded.case;
     let path = case.gears.path();
-    let s = path.a + (path.e - path.a) * case.model.position;
+    let place = place.unwrap_or((path.c - path.a) / (path.e - path.a));
+    let s = path.a + (path.e - path.a) * place;
     let station = Station::new(case, 1, s, 0.0)?;
     let hertz = station.hertz.max_pressure.si();
     let mut rows = Vec::new();
@@ -157,7 +159,7 @@ fn film_rows(loaded: &LoadedCase) -> Result<FilmSurvey, PositionError> {
         });
     }
     Ok(FilmSurvey {
-        path_fraction: case.model.position,
+        path_fraction: place,
         hertz_pressure_pa: hertz,
         film_central_m: station.film.central.si(),
         rows,

@@ -11,7 +11,7 @@ use asperity_contact::{
 };
 use serde_json::{Value, json};
 
-use super::load_case;
+use super::{load_case, on_the_path};
 use crate::args::{Common, ContactArgs};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
@@ -84,13 +84,7 @@ fn of_gap(path: &Path, args: &ContactArgs) -> Result<Found, Failure> {
 fn of_case(path: &Path, args: &ContactArgs) -> Result<Found, Failure> {
     let mut loaded = load_case(path, None)?;
     loaded.case.model.tolerance = args.tolerance;
-    let place = args.position.unwrap_or(loaded.case.model.position);
-    if !(0.0..=1.0).contains(&place) {
-        return Err(Failure::new(
-            "E209",
-            format!("--position {place}: must lie between 0 (A) and 1 (E)"),
-        ));
-    }
+    let place = on_the_path(args.position)?.unwrap_or(loaded.case.model.position);
     let DryContact {
         path_fraction,
         hertz,
