@@ -113,7 +113,7 @@ pub fn resampled(profile: &Profile, spacing: Length) -> Result<Profile, DomainEr
     Profile::new(spacing, (0..count).map(at).collect())
 }
 
-/// S = √(Rq₁² + Rq₂²)                                                          [P8]
+/// S = √(Rq₁² + Rq₂²)                                                          `[P8]`
 ///
 /// Exact for uncorrelated flanks; for a profile against its own mirror image the Rq of the
 /// composite profile says what really meets.

@@ -37,21 +37,21 @@ pub enum Form {
 /// A polynomial of degree two or less in the orthogonal basis 1, t, t² − ⟨t²⟩.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Polynomial {
-    /// Coefficients c₀, c₁, c₂ [m]; those above the degree are zero.
+    /// Coefficients c₀, c₁, c₂ `[m]`; those above the degree are zero.
     pub coefficients: [f64; 3],
     /// Points of the grid.
     pub points: usize,
 }
 
 impl Polynomial {
-    /// Height at point `i` [m].
+    /// Height at point `i` `[m]`.
     pub fn at(&self, i: usize) -> f64 {
         let [c0, c1, c2] = self.coefficients;
         let t = position(i, self.points);
         c0 + c1 * t + c2 * (t * t - mean_square(self.points))
     }
 
-    /// Height of the parabola between its apex and the ends, |c₂| [m].
+    /// Height of the parabola between its apex and the ends, |c₂| `[m]`.
     pub fn sag(&self) -> Length {
         Length::from_si(self.coefficients[2].abs())
     }

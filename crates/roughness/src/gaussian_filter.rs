@@ -118,7 +118,7 @@ pub fn weights(cutoff: Length, spacing: Length) -> Result<Vec<f64>, DomainError>
     Ok(w)
 }
 
-/// The mean line of `profile` at `cutoff` [m], one height per point of the profile.
+/// The mean line of `profile` at `cutoff` `[m]`, one height per point of the profile.
 ///
 /// w̄ᵢ = Σₖ w_k zᵢ₊ₖ inside; the ends as `ends` says ([`Ends::Cut`] computes them as
 /// [`Ends::Reg0`]; dropping them is left to [`prepare`](crate::preparation::prepare)).        [Gauss-4]

@@ -19,6 +19,7 @@
 
 pub mod composite;
 mod elements;
+pub mod equations;
 pub mod error;
 pub mod form;
 pub mod gaussian_filter;
@@ -32,6 +33,7 @@ pub mod spectral;
 pub mod summits;
 mod warning;
 
+pub use equations::EQUATIONS;
 pub use error::RoughnessError;
 pub use parameters::Parameters;
 pub use warning::Warning;

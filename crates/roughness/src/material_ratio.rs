@@ -40,25 +40,25 @@ pub struct RkParameters {
     pub rpk: Length,
     /// Reduced pit depth.
     pub rvk: Length,
-    /// Material ratio where the core meets the peaks [%].
+    /// Material ratio where the core meets the peaks `[%]`.
     pub mr1: f64,
-    /// Material ratio where the core meets the pits [%].
+    /// Material ratio where the core meets the pits `[%]`.
     pub mr2: f64,
-    /// Area of the peaks over the core line, in heights times percent/100 of the trace [m].
+    /// Area of the peaks over the core line, in heights times percent/100 of the trace `[m]`.
     pub a1: Length,
-    /// Area of the pits under the core line, likewise [m].
+    /// Area of the pits under the core line, likewise `[m]`.
     pub a2: Length,
     /// Height of the core's upper end c(0 %) over the zero of the heights.
     pub upper: Length,
     /// Height of the core's lower end c(100 %).
     pub lower: Length,
-    /// Material ratio at which the 40 % window starts [%].
+    /// Material ratio at which the 40 % window starts `[%]`.
     pub window_start: f64,
     /// How the line was laid.
     pub line: Line,
 }
 
-/// The Rk family of `heights` [m], with the line by least squares.
+/// The Rk family of `heights` `[m]`, with the line by least squares.
 ///
 /// # Errors
 /// As [`rk_parameters_with`].
@@ -129,7 +129,7 @@ pub fn rk_parameters_with(heights: &[f64], line: Line) -> Result<RkParameters, R
     })
 }
 
-/// s: the heights [m] in falling order; point k has the material ratio (k + ½)/N        [Rk-2]
+/// s: the heights `[m]` in falling order; point k has the material ratio (k + ½)/N        [Rk-2]
 ///
 /// # Errors
 /// When a height is not finite.

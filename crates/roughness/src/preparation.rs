@@ -13,9 +13,9 @@ use crate::form::{self, Form};
 use crate::gaussian_filter::{Ends, alpha, mean_line};
 use crate::{RoughnessError, Warning};
 
-/// λ_s of the default recipe [m] (ISO 3274 for λ_c = 0.8 mm).
+/// λ_s of the default recipe `[m]` (ISO 3274 for λ_c = 0.8 mm).
 const LAMBDA_S: f64 = 2.5e-6;
-/// λ_c of the default recipe [m] (ISO 4288 for Ra from 0.1 to 2 um).
+/// λ_c of the default recipe `[m]` (ISO 4288 for Ra from 0.1 to 2 um).
 const LAMBDA_C: f64 = 0.8e-3;
 
 /// The recipe.

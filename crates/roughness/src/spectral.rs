@@ -24,7 +24,7 @@ use crate::RoughnessError;
 /// Mean squares of a profile and its derivatives.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SpectralMoments {
-    /// Mean square height [m²].
+    /// Mean square height `[m²]`.
     pub m0: f64,
     /// Mean square slope, 7-point.
     pub m2: f64,
@@ -36,7 +36,7 @@ pub struct SpectralMoments {
 
 /// z′ᵢ = (zᵢ₊₃ − 9 zᵢ₊₂ + 45 zᵢ₊₁ − 45 zᵢ₋₁ + 9 zᵢ₋₂ − zᵢ₋₃)/(60 dx)              [Slope-1]
 ///
-/// Slopes of `heights` [m] at `dx` [m], without the three points at each end (none for fewer than 7).
+/// Slopes of `heights` `[m]` at `dx` `[m]`, without the three points at each end (none for fewer than 7).
 ///
 /// ```
 /// let slopes = asperity_roughness::spectral::slopes(&[0.0, 2.0, 4.0, 6.0, 8.0, 10.0, 12.0], 1.0);
@@ -91,7 +91,7 @@ pub fn moments(profile: &Profile) -> Result<SpectralMoments, RoughnessError> {
 pub struct PowerSpectrum {
     /// Step of the spatial frequency [1/m]; entry k of `density` is at k times this.
     pub frequency_step: f64,
-    /// C(f) [m³]; its integral over f from 0 is the windowed mean square height.
+    /// C(f) `[m³]`; its integral over f from 0 is the windowed mean square height.
     pub density: Vec<f64>,
 }
 

@@ -1,5 +1,7 @@
 //! Every dialect of delimited text that labs send, made in memory and read back.
 
+#![allow(clippy::unwrap_used, clippy::panic)]
+
 use asperity_core::quantity::Length;
 use asperity_roughness::Warning;
 use asperity_roughness::read::{

@@ -1,5 +1,7 @@
 //! Closed forms and direct sums against the fast code.
 
+#![allow(clippy::unwrap_used, clippy::panic)]
+
 use std::f64::consts::{PI, SQRT_2, TAU};
 
 use asperity_core::Profile;

@@ -148,3 +148,44 @@ fn add(
     }
     Profile::new(profile.spacing(), z)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pit_and_a_scratch_have_their_depth_and_area() {
+        let flat = Profile::new(Length::from_si(0.01e-6), vec![0.0; 100_001]).unwrap();
+        let (width, depth) = (Length::from_si(60e-6), Length::from_si(2e-6));
+        // cos² covers half of width times depth; of a scratch, 0.25 less 0.15 in its shoulders.
+        let pit = Pits {
+            count: 1,
+            width,
+            depth,
+            seed: 1,
+        }
+        .add_to(&flat)
+        .unwrap();
+        let scratch = Scratches {
+            count: 1,
+            width,
+            depth,
+            seed: 1,
+        }
+        .add_to(&flat)
+        .unwrap();
+        for (damaged, share) in [(pit, 0.5), (scratch, 0.1)] {
+            let z = damaged.heights();
+            let deepest = -z.iter().copied().fold(f64::INFINITY, f64::min);
+            let count = z.iter().filter(|z| **z != 0.0).count();
+            let area = -z.iter().sum::<f64>();
+            assert!((1e-6..3e-6).contains(&deepest), "{deepest}");
+            assert!((3000..9002).contains(&count), "{count}");
+            // Sums over some thousand points.
+            assert!(
+                (area / (deepest * count as f64) - share).abs() < 1e-3,
+                "{share} {area}"
+            );
+        }
+    }
+}

@@ -104,7 +104,7 @@ pub(super) enum Cell {
 
 impl Dialect {
     /// The cells of a line, trimmed. Empty cells at the end are kept: they may be missing heights.
-    pub(super) fn cells<'a>(self, line: &'a str) -> Vec<&'a str> {
+    pub(super) fn cells(self, line: &str) -> Vec<&str> {
         let split = |sign: char| line.split(sign).map(trim_cell).collect();
         match self.separator {
             Separator::Semicolon => split(';'),

@@ -134,7 +134,7 @@ pub enum ReadError {
     },
     /// A row with too few or too many columns.
     #[error(
-        "{file}:{line}: {found} columns where the rows before have {expected}: \"{text}\". Correct or remove this line"
+        "{file}:{line}: {found} columns where other rows have {expected}: \"{text}\". Correct or remove this line"
     )]
     RaggedRow {
         /// Name of the file.

@@ -140,6 +140,7 @@ pub fn read_bytes(name: &str, bytes: &[u8], options: &ReadOptions) -> Result<Rea
         return Err(refused(format));
     }
     let sniffed = sniff(name, &lines, options)?;
+    table::check_line_above(name, &lines, &sniffed)?;
     if options.separator.is_none() && options.columns.is_none() {
         table::check_commas(name, &lines[sniffed.first..], &sniffed)?;
     }
@@ -226,7 +227,7 @@ struct Found<'a> {
     options: &'a ReadOptions,
 }
 
-/// Spacing [m] with its origin, and the units.
+/// Spacing `[m]` with its origin, and the units.
 struct Measured {
     spacing: f64,
     source: SpacingSource,

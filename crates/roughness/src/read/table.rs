@@ -77,6 +77,52 @@ pub(super) fn choose(
     Ok(Chosen { x, z, valid, count })
 }
 
+/// Refuses a table whose first row is damaged: it would pass for a header and be lost in silence.
+///
+/// A row is told from a header by cells that all start as numbers do; a single number over several
+/// columns is a count.
+pub(super) fn check_line_above(
+    file: &str,
+    lines: &[Line<'_>],
+    sniffed: &Sniffed,
+) -> Result<(), ReadError> {
+    let Some(line) = sniffed.first.checked_sub(1).map(|above| &lines[above]) else {
+        return Ok(());
+    };
+    let cells = sniffed.dialect.cells(line.text);
+    let filled = count_filled(&cells);
+    let cells = &cells[..filled];
+    let starts = |cell: &&str| cell.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
+    if (filled == 1 && sniffed.columns > 1) || !cells.iter().all(starts) {
+        return Ok(());
+    }
+    let damaged = cells
+        .iter()
+        .find(|cell| sniffed.dialect.cell(cell) == Cell::Other);
+    match damaged {
+        Some(cell) => Err(unreadable(file, lines, line, cell, sniffed.dialect)),
+        None => Err(ragged(file, line, filled, sniffed.columns)),
+    }
+}
+
+/// Number of cells up to the last that is not empty.
+fn count_filled(cells: &[&str]) -> usize {
+    cells
+        .iter()
+        .rposition(|cell| !cell.is_empty())
+        .map_or(0, |last| last + 1)
+}
+
+fn ragged(file: &str, line: &Line<'_>, found: usize, expected: usize) -> ReadError {
+    ReadError::RaggedRow {
+        file: file.to_owned(),
+        line: line.number,
+        text: shortened(line.text),
+        found,
+        expected,
+    }
+}
+
 /// All rows, or the error for the first cell that does not read.
 pub(super) fn rows(
     file: &str,
@@ -109,18 +155,9 @@ fn row(
     // The cells are read before they are counted: a text line is reported by its text.
     let x = chosen.x.map(number).transpose()?;
     let mut z = number(chosen.z)?;
-    let filled = cells
-        .iter()
-        .rposition(|cell| !cell.is_empty())
-        .map_or(0, |last| last + 1);
+    let filled = count_filled(&cells);
     if cells.len() < chosen.count || filled > chosen.count {
-        return Err(ReadError::RaggedRow {
-            file: file.to_owned(),
-            line: line.number,
-            text: shortened(line.text),
-            found: cells.len().max(filled),
-            expected: chosen.count,
-        });
+        return Err(ragged(file, line, cells.len().max(filled), chosen.count));
     }
     if chosen
         .valid
@@ -191,7 +228,7 @@ pub(super) fn check_commas(
 ) -> Result<(), ReadError> {
     let suspicious = sniffed.dialect.separator == Separator::Comma
         && sniffed.columns >= 4
-        && sniffed.columns % 2 == 0
+        && sniffed.columns.is_multiple_of(2)
         && !table.iter().any(|line| line.text.contains('.'));
     match table.first() {
         Some(line) if suspicious => Err(ReadError::AmbiguousComma {

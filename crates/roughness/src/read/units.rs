@@ -8,16 +8,16 @@ use super::options::LengthUnit;
 
 use LengthUnit::{Metre, Micrometre, Millimetre};
 
-/// Shortest trace [m]: step profilers scan some tens of micrometres.
+/// Shortest trace `[m]`: step profilers scan some tens of micrometres.
 const SHORTEST: f64 = 25e-6;
-/// Longest trace [m]: drive length of common contour instruments.
+/// Longest trace `[m]`: drive length of common contour instruments.
 const LONGEST: f64 = 0.2;
-/// Smallest height span [m] when the trace is in the same unit: an atomic step of some layers.
+/// Smallest height span `[m]` when the trace is in the same unit: an atomic step of some layers.
 const SMALLEST: f64 = 1e-9;
-/// Smallest height span [m] when the heights would have a finer unit than the trace, or stand alone:
+/// Smallest height span `[m]` when the heights would have a finer unit than the trace, or stand alone:
 /// superfinished flanks (Ra 0.02 um) span more than this.
 const SMALLEST_ALONE: f64 = 0.1e-6;
-/// Largest height span [m]: range of roughness pick-ups, form included.
+/// Largest height span `[m]`: range of roughness pick-ups, form included.
 const LARGEST: f64 = 1e-3;
 /// Steepest overall aspect, span over length: a trace that rises by more is no flank.
 const STEEPEST: f64 = 0.5;
@@ -68,7 +68,7 @@ pub(super) fn pair(
     }
 }
 
-/// The only possible unit of heights over a trace of `length` [m].
+/// The only possible unit of heights over a trace of `length` `[m]`.
 pub(super) fn heights_only(span: f64, length: f64) -> Option<LengthUnit> {
     let possible = |unit: &LengthUnit| {
         let span = unit.metres(span);

@@ -1,0 +1,82 @@
+//! Reading, filtering and parameters at the sizes labs send.
+
+#![allow(clippy::expect_used)]
+
+use std::hint::black_box;
+
+use asperity_core::Profile;
+use asperity_core::quantity::Length;
+use asperity_roughness::Parameters;
+use asperity_roughness::gaussian_filter::{Ends, mean_line};
+use asperity_roughness::generate::SelfAffine;
+use asperity_roughness::height_parameters::Mode;
+use asperity_roughness::preparation::{Preparation, prepare};
+use asperity_roughness::read::{ReadOptions, read_bytes};
+use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
+
+fn recipe(points: usize) -> SelfAffine {
+    SelfAffine {
+        points,
+        spacing: Length::from_si(0.5e-6),
+        rq: Length::from_si(0.3e-6),
+        hurst: 0.8,
+        roll_off: Length::from_si(100e-6),
+        short_cut: Length::from_si(2.5e-6),
+        seed: 1,
+    }
+}
+
+fn rough(points: usize) -> Profile {
+    recipe(points).generate().expect("the recipe is valid")
+}
+
+fn reading(c: &mut Criterion) {
+    let mut text = String::from("x [mm];z [um]\n");
+    for (i, z) in rough(100_000).heights().iter().enumerate() {
+        text += &format!("{:.4};{:.5}\n", 0.0005 * i as f64, z * 1e6);
+    }
+    c.bench_function("read 1e5 points", |b| {
+        b.iter(|| {
+            read_bytes(
+                "flank.csv",
+                black_box(text.as_bytes()),
+                &ReadOptions::default(),
+            )
+        });
+    });
+    c.bench_function("read, prepare and evaluate 1e5 points", |b| {
+        b.iter(|| {
+            let reading =
+                read_bytes("flank.csv", text.as_bytes(), &ReadOptions::default()).expect("valid");
+            let prepared = prepare(&reading.profile, &Preparation::default()).expect("long enough");
+            Parameters::of(&prepared.profile, Mode::Iso4287, Length::from_si(0.8e-3))
+        });
+    });
+}
+
+fn filtering(c: &mut Criterion) {
+    let mut group = c.benchmark_group("gaussian filter");
+    group.sample_size(20);
+    for points in [10_000, 100_000, 1_000_000] {
+        let profile = rough(points);
+        for ends in [Ends::Cut, Ends::Reg1] {
+            let id = BenchmarkId::new(format!("{ends:?}"), points);
+            group.bench_with_input(id, &profile, |b, profile| {
+                b.iter(|| mean_line(black_box(profile), Length::from_si(0.8e-3), ends));
+            });
+        }
+    }
+    group.finish();
+}
+
+fn generating(c: &mut Criterion) {
+    let mut group = c.benchmark_group("generate");
+    group.sample_size(10);
+    group.bench_function("self-affine 1e6 points", |b| {
+        b.iter(|| recipe(1_000_000).generate())
+    });
+    group.finish();
+}
+
+criterion_group!(benches, reading, filtering, generating);
+criterion_main!(benches);

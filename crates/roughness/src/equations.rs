@@ -1,0 +1,303 @@
+//! The equations of this crate: where each lives, what it says, what proves it.
+
+use asperity_core::{Equation, Reference};
+
+/// The linear Gaussian filter.
+pub const ISO_16610_21: Reference = Reference {
+    key: "iso_16610_21_2011",
+    text: "ISO 16610-21:2011, Geometrical product specifications - Filtration - Linear profile filters: Gaussian filters",
+};
+
+/// What filters do at the ends.
+pub const ISO_16610_28: Reference = Reference {
+    key: "iso_16610_28_2016",
+    text: "ISO 16610-28:2016, Geometrical product specifications - Filtration - Profile filters: End effects",
+};
+
+/// Parameters per sampling length.
+pub const ISO_4287: Reference = Reference {
+    key: "iso_4287_1997",
+    text: "ISO 4287:1997, Geometrical product specifications - Surface texture: Profile method - Terms, definitions and surface texture parameters",
+};
+
+/// Parameters over the evaluation length.
+pub const ISO_21920_2: Reference = Reference {
+    key: "iso_21920_2_2021",
+    text: "ISO 21920-2:2021, Geometrical product specifications - Surface texture: Profile - Part 2: Terms, definitions and surface texture parameters",
+};
+
+/// The Rk family.
+pub const ISO_13565_2: Reference = Reference {
+    key: "iso_13565_2_1996",
+    text: "ISO 13565-2:1996, Geometrical product specifications - Surface texture: Profile method; Surfaces having stratified functional properties - Part 2: Height characterization using the linear material ratio curve",
+};
+
+/// Spectral moments and summits of Gaussian surfaces.
+pub const NAYAK_1971: Reference = Reference {
+    key: "nayak_1971",
+    text: "P. R. Nayak, Random process model of rough surfaces, Journal of Lubrication Technology 93 (1971) 398-407, doi:10.1115/1.3451608",
+};
+
+/// Spectra by windowed transforms.
+pub const WELCH_1967: Reference = Reference {
+    key: "welch_1967",
+    text: "P. D. Welch, The use of fast Fourier transform for the estimation of power spectra, IEEE Transactions on Audio and Electroacoustics 15 (1967) 70-73, doi:10.1109/TAU.1967.1161901",
+};
+
+/// Spectra of self-affine surfaces.
+pub const JACOBS_2017: Reference = Reference {
+    key: "jacobs_2017",
+    text: "T. D. B. Jacobs, T. Junge and L. Pastewka, Quantitative characterization of surface topography using spectral analysis, Surface Topography: Metrology and Properties 5 (2017) 013001, doi:10.1088/2051-672X/aa51f8",
+};
+
+/// Lower envelopes of parabolas in linear time.
+pub const FELZENSZWALB_2012: Reference = Reference {
+    key: "felzenszwalb_2012",
+    text: "P. F. Felzenszwalb and D. P. Huttenlocher, Distance transforms of sampled functions, Theory of Computing 8 (2012) 415-428, doi:10.4086/toc.2012.v008a019",
+};
+
+/// The film over an asperity, for which the radius is needed.
+pub const HANSEN_2021: Reference = Reference {
+    key: "hansen_2021",
+    text: "J. Hansen, M. Björling and R. Larsson, A new film parameter for rough surface EHL contacts with anisotropic and isotropic structures, Tribology Letters 69 (2021) 37, doi:10.1007/s11249-021-01411-3",
+};
+
+/// The model this project follows.
+pub const RODRIGUEZ_2022: Reference = Reference {
+    key: "rodriguez_2022",
+    text: "I. Victoria Rodríguez, Modelling of gear surface roughness impact on gear meshing efficiency, manuscript, 2022",
+};
+
+macro_rules! equation {
+    ($tag:literal, $title:literal, $formula:literal, $file:literal, $test:literal, [$($reference:ident),*]) => {
+        Equation {
+            tag: $tag,
+            title: $title,
+            formula: $formula,
+            file: concat!("crates/roughness/src/", $file),
+            test: $test,
+            references: &[$($reference),*],
+            misprint: None,
+        }
+    };
+}
+
+/// Equations of this crate.
+pub const EQUATIONS: &[Equation] = &[
+    equation!(
+        "P8",
+        "Composite root mean square height",
+        "S = √(Rq₁² + Rq₂²)",
+        "composite.rs",
+        "heights_of_uncorrelated_flanks_add_in_squares",
+        [RODRIGUEZ_2022]
+    ),
+    equation!(
+        "Composite-1",
+        "Composite profile",
+        "z(x) = z₁(x) + z₂(x)",
+        "composite.rs",
+        "composing_resamples_only_when_asked",
+        [RODRIGUEZ_2022]
+    ),
+    equation!(
+        "Form-1",
+        "Least-squares polynomial",
+        "min Σ (zᵢ − Σₖ cₖ pₖ(tᵢ))²",
+        "form.rs",
+        "a_polynomial_is_removed_to_the_last_digits",
+        []
+    ),
+    equation!(
+        "Form-2",
+        "Least-squares circle",
+        "z(x) = c₀ + c₁ x ± (√(R² − x²) − R)",
+        "form.rs",
+        "a_steep_circle_is_removed_where_a_parabola_is_not",
+        []
+    ),
+    equation!(
+        "Gauss-1",
+        "Constant of the Gaussian filter",
+        "α = √(ln 2/π)",
+        "gaussian_filter.rs",
+        "the_filter_passes_half_the_amplitude_at_its_cutoff",
+        [ISO_16610_21]
+    ),
+    equation!(
+        "Gauss-2",
+        "Transmission of the mean line",
+        "a(λ) = exp(−π (α λ_c/λ)²)",
+        "gaussian_filter.rs",
+        "the_filter_passes_half_the_amplitude_at_its_cutoff",
+        [ISO_16610_21]
+    ),
+    equation!(
+        "Gauss-3",
+        "Gaussian weights",
+        "s(x) = exp(−π (x/(α λ_c))²)/(α λ_c)",
+        "gaussian_filter.rs",
+        "the_fast_filter_equals_direct_sums_with_every_treatment_of_the_ends",
+        [ISO_16610_21]
+    ),
+    equation!(
+        "Gauss-4",
+        "Mean line and its ends",
+        "w̄ᵢ = Σₖ w_k zᵢ₊ₖ",
+        "gaussian_filter.rs",
+        "the_fast_filter_equals_direct_sums_with_every_treatment_of_the_ends",
+        [ISO_16610_21, ISO_16610_28]
+    ),
+    equation!(
+        "Prep-1",
+        "Roughness profile",
+        "P = S(z − form; λ_s),  R = P − w̄(P; λ_c)",
+        "preparation.rs",
+        "preparing_drops_half_a_cutoff_and_says_what_was_done",
+        [ISO_21920_2]
+    ),
+    equation!(
+        "Section-1",
+        "Number of sections",
+        "n = ⌊l_e/l_c⌋",
+        "height_parameters.rs",
+        "a_sine_has_its_textbook_heights_in_both_modes",
+        [ISO_4287]
+    ),
+    equation!(
+        "Height-1",
+        "Moments of the heights",
+        "Ra = ⟨|z|⟩, Rq = √⟨z²⟩, Rsk = ⟨z³⟩/Rq³, Rku = ⟨z⁴⟩/Rq⁴",
+        "height_parameters.rs",
+        "a_sine_has_its_textbook_heights_in_both_modes",
+        [ISO_4287, ISO_21920_2]
+    ),
+    equation!(
+        "Height-2",
+        "Parameters per sampling length",
+        "X = (1/n) Σ Xᵢ",
+        "height_parameters.rs",
+        "the_two_modes_differ_on_a_single_feature",
+        [ISO_4287]
+    ),
+    equation!(
+        "Height-3",
+        "Parameters over the evaluation length",
+        "Rp = mean over sections of the highest hill",
+        "height_parameters.rs",
+        "the_two_modes_differ_on_a_single_feature",
+        [ISO_21920_2]
+    ),
+    equation!(
+        "Rk-1",
+        "Core, peak and pit heights",
+        "Rk = c(0) − c(100), Rpk = 2 A₁/Mr1, Rvk = 2 A₂/(100 − Mr2)",
+        "material_ratio.rs",
+        "the_rk_family_of_a_sine_and_a_triangle_has_closed_forms",
+        [ISO_13565_2]
+    ),
+    equation!(
+        "Rk-2",
+        "Material ratio curve",
+        "Mr_k = (k + ½)/N at the k-th highest point",
+        "material_ratio.rs",
+        "areas_of_peaks_and_pits_are_those_of_their_triangles",
+        [ISO_13565_2]
+    ),
+    equation!(
+        "Slope-1",
+        "Seven-point slope",
+        "z′ᵢ = (zᵢ₊₃ − 9 zᵢ₊₂ + 45 zᵢ₊₁ − 45 zᵢ₋₁ + 9 zᵢ₋₂ − zᵢ₋₃)/(60 dx)",
+        "spectral.rs",
+        "moments_of_a_sine_are_those_of_its_derivatives",
+        [ISO_4287]
+    ),
+    equation!(
+        "Moment-1",
+        "Spectral moments",
+        "m₀ = ⟨z²⟩, m₂ = ⟨z′²⟩, m₄ = ⟨z″²⟩",
+        "spectral.rs",
+        "moments_of_a_sine_are_those_of_its_derivatives",
+        [NAYAK_1971]
+    ),
+    equation!(
+        "PSD-1",
+        "Power spectral density",
+        "C(f_k) = 2 dx |Σ h_i (z_i − ⟨z⟩) e^(−2πi f_k x_i)|²/Σ h_i²",
+        "spectral.rs",
+        "the_spectrum_holds_the_power_of_the_profile_at_its_wavelength",
+        [WELCH_1967]
+    ),
+    equation!(
+        "Nayak-1",
+        "Summit curvature of a Gaussian profile",
+        "κ_s = √(π m₄/2)",
+        "spectral.rs",
+        "all_summits_of_a_gaussian_profile_have_nayaks_mean_curvature",
+        [NAYAK_1971]
+    ),
+    equation!(
+        "Summit-1",
+        "Asperity radius",
+        "R_xa = 1/⟨κ⟩",
+        "summits.rs",
+        "the_summits_of_parabolic_ridges_have_their_radius",
+        [HANSEN_2021]
+    ),
+    equation!(
+        "Summit-2",
+        "Curvature of a summit",
+        "κ = −2 c₂ of the least-squares parabola",
+        "summits.rs",
+        "the_summits_of_parabolic_ridges_have_their_radius",
+        []
+    ),
+    equation!(
+        "Affine-1",
+        "Self-affine spectrum",
+        "C(q) = C₀ (q/q_r)^−(1+2H) between q_r and q_s",
+        "generate/self_affine.rs",
+        "the_spectrum_falls_with_the_hurst_exponent_between_its_cut_offs",
+        [JACOBS_2017]
+    ),
+    equation!(
+        "Ground-1",
+        "Ground flank",
+        "z(x) = min (d_j + (x − x_j)²/(2ρ))",
+        "generate/ground.rs",
+        "the_envelope_is_the_least_of_all_grooves",
+        [FELZENSZWALB_2012]
+    ),
+    equation!(
+        "Pit-1",
+        "Pit",
+        "z − d cos²(π (x − x_c)/w)",
+        "generate/damage.rs",
+        "a_pit_and_a_scratch_have_their_depth_and_area",
+        []
+    ),
+    equation!(
+        "Scratch-1",
+        "Scratch with shoulders",
+        "z − d (1 − 4|u|)",
+        "generate/damage.rs",
+        "a_pit_and_a_scratch_have_their_depth_and_area",
+        []
+    ),
+    equation!(
+        "Plateau-1",
+        "Lower envelope",
+        "z = min(z₁, z₂)",
+        "generate/plateau.rs",
+        "generated_profiles_have_the_asked_height_and_repeat_with_their_seed",
+        []
+    ),
+    equation!(
+        "Plateau-2",
+        "Truncation",
+        "z = min(z, s(Mr))",
+        "generate/plateau.rs",
+        "generated_profiles_have_the_asked_height_and_repeat_with_their_seed",
+        []
+    ),
+];
