@@ -41,11 +41,7 @@ struct Search {
 /// returns the iterations.
 pub(crate) fn minimise(level: &mut Level, work: &mut Workspace, task: &Task) -> usize {
     work.resize();
-    match task.sum {
-        Some(sum) => restore_load(&mut work.pressure, sum, task.limit),
-        None => clip(&mut work.pressure, task.limit),
-    }
-    work.refresh(level, task);
+    settle(level, work, task);
     let mut search = Search {
         length: None,
         descent: 0.0,
@@ -54,7 +50,7 @@ pub(crate) fn minimise(level: &mut Level, work: &mut Workspace, task: &Task) -> 
     loop {
         let mut assessment = work.assess(task);
         if updates > 0 && (assessment.within(task.tolerance) || updates >= REFRESH) {
-            work.refresh(level, task);
+            settle(level, work, task);
             updates = 0;
             assessment = work.assess(task);
         }
@@ -74,6 +70,20 @@ pub(crate) fn minimise(level: &mut Level, work: &mut Workspace, task: &Task) -> 
         }
         iterations += 1;
         updates += 1;
+    }
+}
+
+/// Makes the pressure feasible and computes its displacement afresh: both drift by round-off.
+fn settle(level: &mut Level, work: &mut Workspace, task: &Task) {
+    make_feasible(&mut work.pressure, task);
+    work.refresh(level, task);
+}
+
+/// Clips to the bounds, and restores the load when it is given.
+fn make_feasible(pressure: &mut [f64], task: &Task) {
+    match task.sum {
+        Some(sum) => restore_load(pressure, sum, task.limit),
+        None => clip(pressure, task.limit),
     }
 }
 
@@ -257,10 +267,7 @@ fn try_step(work: &mut Workspace, task: &Task, reach: f64) -> bool {
         outside |= *q < 0.0 || *q > task.limit;
     }
     if outside {
-        match task.sum {
-            Some(sum) => restore_load(&mut work.trial, sum, task.limit),
-            None => clip(&mut work.trial, task.limit),
-        }
+        make_feasible(&mut work.trial, task);
     }
     outside
 }
