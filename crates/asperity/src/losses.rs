@@ -155,7 +155,7 @@ pub(crate) fn printed_deformation(
         asperity_core::quantity::Time::from_si(2.0 * std::f64::consts::PI / case.speed.si());
     let n = encounter.x.len();
     let bodies = match &carried.solids {
-        Some(solids) => Bodies::new(case, solids)?.from_the_edge(&solids.pressure),
+        Some(solids) => Bodies::new(case, solids)?.measured_from_edge(&solids.pressure),
         None => Bodies::hertz(case, station, &encounter.x)?,
     };
     let mut powers = [0.0; 2];

@@ -52,7 +52,7 @@ impl Bodies {
 
     /// Displacement inside the contact from its edge, so that it does not depend on a datum: the
     /// least displacement under pressure counts as zero, and so does all that lies outside.
-    pub(crate) fn from_the_edge(mut self, pressure: &[f64]) -> Self {
+    pub(crate) fn measured_from_edge(mut self, pressure: &[f64]) -> Self {
         for field in &mut self.elastic {
             let loaded = || pressure.iter().map(|&p| p > 0.0);
             let edge = field

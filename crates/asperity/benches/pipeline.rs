@@ -1,0 +1,78 @@
+//! Time of the main job: one position, and whole runs of the paper's Table 2 in both formulations.
+#![allow(clippy::expect_used, clippy::panic, missing_docs)] // a bench stops when its case does not run
+
+use std::hint::black_box;
+use std::path::{Path, PathBuf};
+
+use asperity::case::{Formulation, LoadedCase, load};
+use asperity::dry_contact::dry_contact;
+use asperity::pipeline::run;
+use criterion::{Criterion, criterion_group, criterion_main};
+
+fn case(name: &str, formulation: Formulation) -> LoadedCase {
+    let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../fixtures/cases")
+        .join(name);
+    match load(&path, Some(formulation)) {
+        Ok(loaded) => loaded,
+        Err((error, _)) => panic!("{error}"),
+    }
+}
+
+fn whole_runs(criterion: &mut Criterion) {
+    for (name, file, formulation) in [
+        (
+            "table2 corrected, 32 positions x 16 offsets",
+            "table2.toml",
+            Formulation::Corrected,
+        ),
+        (
+            "table2 paper, marching at one position",
+            "table2.toml",
+            Formulation::Paper,
+        ),
+        (
+            "e-drive corrected, 32 positions x 16 offsets",
+            "e-drive.toml",
+            Formulation::Corrected,
+        ),
+    ] {
+        let loaded = case(file, formulation);
+        criterion.bench_function(&format!("run/{name}"), |bencher| {
+            bencher.iter(|| run(black_box(&loaded), &|_, _| {}).expect("the case runs"));
+        });
+    }
+}
+
+fn one_position(criterion: &mut Criterion) {
+    let loaded = case("table2.toml", Formulation::Corrected);
+    let place = loaded.case.model.position;
+    criterion.bench_function("position/table2 dry contact of both flanks", |bencher| {
+        bencher.iter(|| dry_contact(black_box(&loaded), place).expect("the contact is solved"));
+    });
+    let mut single = case("table2.toml", Formulation::Corrected);
+    single.case.model.positions = 2;
+    single.case.model.offsets = 1;
+    criterion.bench_function(
+        "position/table2 corrected, two positions, one offset, with fields",
+        |bencher| {
+            bencher.iter(|| run(black_box(&single), &|_, _| {}).expect("the case runs"));
+        },
+    );
+}
+
+fn reading(criterion: &mut Criterion) {
+    criterion.bench_function(
+        "case/table2 read, resolved, traces read and prepared",
+        |bencher| {
+            bencher.iter(|| case("table2.toml", Formulation::Corrected));
+        },
+    );
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default().sample_size(20);
+    targets = reading, one_position, whole_runs
+}
+criterion_main!(benches);
