@@ -1,8 +1,7 @@
 //! The solver of rough line contacts: cascade, window, iteration, verification.
 //!
-//! A coarse solution tells where the bodies touch; the finest grid is solved there by
-//! the projected conjugate gradients of `ppcg`, and the result is certified on the whole window with one
-//! more displacement.
+//! A coarse solution tells where the bodies touch; the finest grid is solved there by projected
+//! conjugate gradients, and the result is certified on the whole grid with one more displacement.
 
 use std::collections::BTreeMap;
 
@@ -21,6 +20,7 @@ use crate::state::{Level, Workspace};
 
 /// Windows tried before the whole grid is solved.
 const WINDOWS: usize = 3;
+
 /// Solves one problem.
 ///
 /// # Errors
@@ -194,7 +194,8 @@ impl Solver {
             if self.verify(scene, settings, &pressure) {
                 break;
             }
-            touches = self.work.free.clone();
+            let free = self.work.free.iter().zip(&pressure);
+            touches = free.map(|(&free, &p)| free || p > 0.0).collect();
         }
         Ok(iterations)
     }

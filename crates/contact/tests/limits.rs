@@ -247,3 +247,32 @@ fn the_load_does_not_drift_from_step_to_step() {
     let solution = solve(&problem, &tight()).unwrap();
     assert!(solution.certificate.load_error < 1e-14);
 }
+
+#[test]
+fn a_solver_can_move_between_threads() {
+    fn shared<T: Send + Sync>() {}
+    shared::<Solver>();
+    shared::<ContactSolution>();
+    shared::<ContactError>();
+}
+
+#[test]
+fn a_contact_far_outside_the_start_is_found() {
+    // The start touches on the left where the gap is wide, so the first window is a wrong one.
+    let (gap, spacing) = rough_gap(2_000);
+    let mut start = vec![0.0; gap.len()];
+    start[100..110].fill(1e9);
+    for limit in [None, Some(Pressure::from_si(4e9))] {
+        let problem = ContactProblem {
+            pressure_limit: limit,
+            ..hertz_problem(&gap, spacing)
+        };
+        let expected = solve(&problem, &tight()).unwrap();
+        let misled = ContactProblem {
+            start: Some(&start),
+            ..problem
+        };
+        let solution = solve(&misled, &tight()).unwrap();
+        assert!(relative_difference(&solution.pressure, &expected.pressure) < 1e-8);
+    }
+}
