@@ -17,9 +17,9 @@ pub struct DryContact {
     pub path_fraction: f64,
     /// The smooth contact to compare with.
     pub hertz: HertzLine,
-    /// Position across the contact, 0 at its middle [m].
+    /// Position across the contact, 0 at its middle \[m\].
     pub x: Vec<f64>,
-    /// Undeformed gap [m].
+    /// Undeformed gap \[m\].
     pub undeformed: Vec<f64>,
     /// The solution.
     pub solution: ContactSolution,

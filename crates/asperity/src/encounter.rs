@@ -22,13 +22,13 @@ const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
 /// Roughness as the film and friction laws see it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Roughness {
-    /// Rq of both flanks [m].
+    /// Rq of both flanks \[m\].
     pub rq: [f64; 2],
-    /// Ra of both flanks [m].
+    /// Ra of both flanks \[m\].
     pub ra: [f64; 2],
-    /// Rz of both flanks [m].
+    /// Rz of both flanks \[m\].
     pub rz: [f64; 2],
-    /// Reduced peak height of the composite profile [m]; none when it is not known.
+    /// Reduced peak height of the composite profile \[m\]; none when it is not known.
     pub reduced_peak: Option<f64>,
     /// Mean radius of the asperities of the composite profile; none when it is not known.
     pub asperity_radius: Option<Length>,
@@ -37,7 +37,7 @@ pub struct Roughness {
 }
 
 impl Roughness {
-    /// S = √(Rq₁² + Rq₂²) [m].
+    /// S = √(Rq₁² + Rq₂²) \[m\].
     pub fn combined_rq(&self) -> f64 {
         self.rq[0].hypot(self.rq[1])
     }
@@ -46,13 +46,13 @@ impl Roughness {
 /// The two flanks under the contact at one offset.
 #[derive(Debug, Clone)]
 pub struct Encounter {
-    /// Position across the contact, 0 at its middle [m].
+    /// Position across the contact, 0 at its middle \[m\].
     pub x: Vec<f64>,
     /// Distance of the points.
     pub spacing: Length,
-    /// Heights of pinion and wheel under the contact [m].
+    /// Heights of pinion and wheel under the contact \[m\].
     pub heights: [Vec<f64>; 2],
-    /// Undeformed gap x²/2R − z₁ − z₂ [m].
+    /// Undeformed gap x²/2R − z₁ − z₂ \[m\].
     pub gap: Vec<f64>,
     /// Roughness under the contact.
     pub roughness: Roughness,
@@ -122,7 +122,7 @@ fn part(profile: &Profile, n: usize, place: f64) -> Result<Vec<f64>, PositionErr
     Ok(profile.heights()[start..start + n].to_vec())
 }
 
-/// Reduced peak height [m] of the composite of two windows, and its asperities if it has any.
+/// Reduced peak height \[m\] of the composite of two windows, and its asperities if it has any.
 pub(crate) fn peaks(
     heights: &[Vec<f64>; 2],
     spacing: Length,

@@ -5,6 +5,7 @@ use asperity_core::{Equation, Reference};
 /// Every equation, those of the 2022 paper first and by number, the others by tag.
 pub fn all() -> Vec<&'static Equation> {
     let mut equations: Vec<&'static Equation> = asperity_core::equations()
+        .chain(asperity_roughness::equations::EQUATIONS)
         .chain(asperity_gear::equations::EQUATIONS)
         .chain(asperity_contact::equations::equations())
         .chain(asperity_ehl_regime::equations::EQUATIONS)
@@ -65,7 +66,11 @@ pub fn markdown() -> String {
             equation.file,
             equation.file,
             equation.test,
-            keys.join(", "),
+            if keys.is_empty() {
+                "own definition".to_owned()
+            } else {
+                keys.join(", ")
+            },
         ));
     }
     page.push_str("\n## Misprints of the paper\n\n| equation | printed, and what is used instead |\n|---|---|\n");

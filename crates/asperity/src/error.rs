@@ -33,7 +33,7 @@ pub enum PositionError {
         "the flash temperature did not settle in {passes} passes (last {flash_kelvin:.1} K); leave model.flash_feedback out"
     )]
     FlashNotSettled {
-        /// Last flash temperature [K].
+        /// Last flash temperature \[K\].
         flash_kelvin: f64,
         /// Passes made.
         passes: usize,
@@ -49,7 +49,7 @@ pub enum PositionError {
         "dx {spacing_um:.3} um gives {points:.1} points per Hertz half-width (at least {least} needed)"
     )]
     TooCoarse {
-        /// Spacing [µm].
+        /// Spacing \[µm\].
         spacing_um: f64,
         /// Points per half width.
         points: f64,
@@ -62,9 +62,9 @@ pub enum PositionError {
          measure longer, choose a shorter cut-off, or reduce model.window"
     )]
     TraceTooShort {
-        /// Prepared length [µm].
+        /// Prepared length \[µm\].
         available_um: f64,
-        /// Window [µm].
+        /// Window \[µm\].
         needed_um: f64,
     },
     /// The formulation presses measured profiles together and a flank has none.
@@ -78,9 +78,9 @@ pub enum PositionError {
          (allowed {allowed_percent:.2} %)"
     )]
     Marching {
-        /// Load error [%].
+        /// Load error \[%\].
         load_error_percent: f64,
-        /// Allowed load error [%].
+        /// Allowed load error \[%\].
         allowed_percent: f64,
         /// Steps made.
         steps: usize,

@@ -9,7 +9,7 @@ use crate::case::Case;
 use crate::error::PositionError;
 use crate::station::Station;
 
-/// Pressure of the fluid [Pa] at the points `x` [m] where the current gap is `gap` [m].
+/// Pressure of the fluid \[Pa\] at the points `x` \[m\] where the current gap is `gap` \[m\].
 ///
 /// The paper's model gives the pressure difference across the film at each point, zero where the
 /// flanks touch and where the difference draws them together. The consistent model gives the full

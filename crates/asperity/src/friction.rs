@@ -18,13 +18,13 @@ use crate::station::Station;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct FilmFriction {
     pub mu: f64,
-    /// Flash temperature with this coefficient [K].
+    /// Flash temperature with this coefficient \[K\].
     pub flash: f64,
     /// What left its fitted range.
     pub outside: Vec<OutOfRange>,
 }
 
-/// Flash temperatures closer than this [K] are the same.
+/// Flash temperatures closer than this \[K\] are the same.
 const FLASH_SETTLED: f64 = 1e-6;
 /// Most passes of the flash feedback; each pass shrinks the change about tenfold.
 const FLASH_PASSES: usize = 50;
@@ -132,7 +132,7 @@ fn mesh_conditions(case: &Case) -> Result<MeshConditions, PositionError> {
     })
 }
 
-/// Friction force per metre of contact line [N/m], summed over the pressures of the window.
+/// Friction force per metre of contact line \[N/m\], summed over the pressures of the window.
 pub(crate) fn force_of(
     case: &Case,
     encounter: &Encounter,
@@ -156,7 +156,7 @@ pub(crate) fn force_of(
     Ok(friction.total.si())
 }
 
-/// Rolling friction force per metre of contact line on one surface [N/m].
+/// Rolling friction force per metre of contact line on one surface \[N/m\].
 pub(crate) fn rolling(case: &Case, station: &Station) -> Result<f64, PositionError> {
     Ok(rolling_force(&RollingConditions {
         entrainment: station.motion.entrainment,

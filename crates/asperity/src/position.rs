@@ -39,11 +39,11 @@ pub(crate) struct Offset {
     pub film_share: f64,
     /// Friction in the film.
     pub friction: FilmFriction,
-    /// Friction force per metre of contact line [N/m].
+    /// Friction force per metre of contact line \[N/m\].
     pub friction_force: f64,
     /// Numbers of the rough contact.
     pub contact: Option<ContactNumbers>,
-    /// Deformation loss of the paper's reading, per surface [W].
+    /// Deformation loss of the paper's reading, per surface \[W\].
     pub deformation: [f64; 2],
 }
 
@@ -52,7 +52,7 @@ pub(crate) struct Offset {
 pub(crate) struct ContactNumbers {
     pub contact_fraction: f64,
     pub p_max: f64,
-    /// Plastic work [J/m].
+    /// Plastic work \[J/m\].
     pub plastic_work: f64,
     pub iterations: usize,
     pub load_error: f64,
@@ -314,7 +314,7 @@ fn carry(
     }
 }
 
-/// μ_m (1 − c_f) f + μ c_f f [N/m]
+/// μ_m (1 − c_f) f + μ c_f f \[N/m\]
 fn shared_force(case: &Case, station: &Station, decision: &Decision, mu: f64) -> f64 {
     let share = decision.film_share;
     station.load.si() * (case.model.boundary_friction * (1.0 - share) + mu * share)

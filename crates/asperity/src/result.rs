@@ -58,19 +58,19 @@ pub struct Summary {
     pub efficiency_deviation: Option<f64>,
     /// Number of offsets.
     pub offsets: usize,
-    /// Power into the mesh [W].
+    /// Power into the mesh \[W\].
     pub power_in_w: f64,
-    /// Torque out of the mesh [N m].
+    /// Torque out of the mesh \[N m\].
     pub torque_out_nm: f64,
-    /// All losses [W].
+    /// All losses \[W\].
     pub loss_w: f64,
-    /// Sliding loss [W].
+    /// Sliding loss \[W\].
     pub sliding_w: f64,
-    /// Rolling loss [W].
+    /// Rolling loss \[W\].
     pub rolling_w: f64,
-    /// Deformation loss of pinion and wheel [W], where the formulation counts it.
+    /// Deformation loss of pinion and wheel \[W\], where the formulation counts it.
     pub deformation_w: [f64; 2],
-    /// Elastic energy not given back [W].
+    /// Elastic energy not given back \[W\].
     pub hysteresis_w: f64,
     /// Friction coefficient that explains the loss with the local loss factor.
     pub mu_equivalent: f64,
@@ -123,35 +123,35 @@ pub enum Regime {
 pub struct PositionRow {
     /// Number of the position from A.
     pub position: usize,
-    /// Coordinate along the line of action from T1 [mm].
+    /// Coordinate along the line of action from T1 \[mm\].
     pub s_mm: f64,
     /// 0 at A, 1 at E.
     pub path_fraction: f64,
-    /// Weight of the position in the cycle mean [m of contact line].
+    /// Weight of the position in the cycle mean \[m of contact line\].
     pub weight_m: f64,
-    /// Line load [N/mm].
+    /// Line load \[N/mm\].
     pub line_load_n_per_mm: f64,
-    /// Relative radius of curvature [mm].
+    /// Relative radius of curvature \[mm\].
     pub radius_mm: f64,
-    /// Surface speed of the pinion [m/s].
+    /// Surface speed of the pinion \[m/s\].
     pub u1_m_per_s: f64,
-    /// Surface speed of the wheel [m/s].
+    /// Surface speed of the wheel \[m/s\].
     pub u2_m_per_s: f64,
-    /// Sliding speed [m/s].
+    /// Sliding speed \[m/s\].
     pub sliding_m_per_s: f64,
-    /// Entrainment speed [m/s].
+    /// Entrainment speed \[m/s\].
     pub entrainment_m_per_s: f64,
     /// Slide-to-roll ratio.
     pub slide_to_roll: f64,
-    /// Hertz half width [µm].
+    /// Hertz half width \[µm\].
     pub half_width_um: f64,
-    /// Hertz pressure [MPa].
+    /// Hertz pressure \[MPa\].
     pub hertz_pressure_mpa: f64,
     /// Thermal reduction of the film.
     pub thermal_reduction: f64,
-    /// Central film with thermal reduction [µm].
+    /// Central film with thermal reduction \[µm\].
     pub film_central_um: f64,
-    /// Minimum film with thermal reduction [µm].
+    /// Minimum film with thermal reduction \[µm\].
     pub film_minimum_um: f64,
     /// Λ*; absent when the peaks of the flanks are not known.
     pub lambda_star: Option<f64>,
@@ -167,21 +167,21 @@ pub struct PositionRow {
     pub mu_film: f64,
     /// Friction coefficient of the whole contact.
     pub mu: f64,
-    /// Flash temperature [K].
+    /// Flash temperature \[K\].
     pub flash_k: f64,
-    /// Sliding loss per metre of contact line [W/m].
+    /// Sliding loss per metre of contact line \[W/m\].
     pub sliding_w_per_m: f64,
-    /// Rolling loss per metre of contact line [W/m].
+    /// Rolling loss per metre of contact line \[W/m\].
     pub rolling_w_per_m: f64,
     /// Share of the window in solid contact (mixed offsets).
     pub contact_fraction: Option<f64>,
-    /// Largest total pressure of fluid and solids [MPa] (mixed offsets).
+    /// Largest total pressure of fluid and solids \[MPa\] (mixed offsets).
     pub p_max_mpa: Option<f64>,
-    /// Plastic work of the first engagement per metre [J/m] (mixed offsets).
+    /// Plastic work of the first engagement per metre \[J/m\] (mixed offsets).
     pub plastic_work_j_per_m: Option<f64>,
-    /// Largest von Mises stress below the surface at the first offset [MPa].
+    /// Largest von Mises stress below the surface at the first offset \[MPa\].
     pub von_mises_max_mpa: Option<f64>,
-    /// Its depth [µm].
+    /// Its depth \[µm\].
     pub von_mises_depth_um: Option<f64>,
     /// Iterations of the contact solver, summed over the offsets.
     pub iterations: usize,
@@ -192,9 +192,9 @@ pub struct PositionRow {
 /// Plastic work of the first engagement, which decays as the flanks run in.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RunningIn {
-    /// Plastic work per tooth engagement [J].
+    /// Plastic work per tooth engagement \[J\].
     pub energy_per_engagement_j: f64,
-    /// The same as a power at the first pass [W]; it decays to nothing.
+    /// The same as a power at the first pass \[W\]; it decays to nothing.
     pub first_pass_w: f64,
     /// Whether it was counted among the losses.
     pub included: bool,
@@ -216,27 +216,27 @@ pub struct EquationUse {
 pub struct PositionFields {
     /// Number of the position from A.
     pub position: usize,
-    /// Position across the contact, 0 at its middle [m].
+    /// Position across the contact, 0 at its middle \[m\].
     pub x: Vec<f64>,
-    /// Heights of the pinion's flank before contact [m].
+    /// Heights of the pinion's flank before contact \[m\].
     pub height_pinion: Vec<f64>,
-    /// Heights of the wheel's flank before contact [m].
+    /// Heights of the wheel's flank before contact \[m\].
     pub height_wheel: Vec<f64>,
-    /// Elastic and plastic displacement of the pinion in contact [m].
+    /// Elastic and plastic displacement of the pinion in contact \[m\].
     pub displacement_pinion: Vec<f64>,
-    /// Elastic and plastic displacement of the wheel in contact [m].
+    /// Elastic and plastic displacement of the wheel in contact \[m\].
     pub displacement_wheel: Vec<f64>,
-    /// Plastic displacement of the pinion, which stays after contact [m].
+    /// Plastic displacement of the pinion, which stays after contact \[m\].
     pub plastic_pinion: Vec<f64>,
-    /// Plastic displacement of the wheel, which stays after contact [m].
+    /// Plastic displacement of the wheel, which stays after contact \[m\].
     pub plastic_wheel: Vec<f64>,
-    /// Gap in contact [m].
+    /// Gap in contact \[m\].
     pub gap: Vec<f64>,
-    /// Pressure of touching asperities [Pa].
+    /// Pressure of touching asperities \[Pa\].
     pub pressure_solid: Vec<f64>,
-    /// Pressure in the film [Pa].
+    /// Pressure in the film \[Pa\].
     pub pressure_fluid: Vec<f64>,
-    /// Shear stress on the surface [Pa].
+    /// Shear stress on the surface \[Pa\].
     pub shear: Vec<f64>,
     /// Stress below the surface, where it was computed.
     pub subsurface: Option<SubsurfaceFields>,
@@ -247,15 +247,15 @@ pub struct PositionFields {
 /// Stress below the surface, row by row from the surface down.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SubsurfaceFields {
-    /// Depths [m].
+    /// Depths \[m\].
     pub depths: Vec<f64>,
-    /// Normal stress along the surface [Pa].
+    /// Normal stress along the surface \[Pa\].
     pub sigma_xx: Vec<f64>,
-    /// Normal stress into the surface [Pa].
+    /// Normal stress into the surface \[Pa\].
     pub sigma_zz: Vec<f64>,
-    /// Shear stress [Pa].
+    /// Shear stress \[Pa\].
     pub tau_xz: Vec<f64>,
-    /// Von Mises stress [Pa].
+    /// Von Mises stress \[Pa\].
     pub von_mises: Vec<f64>,
 }
 
@@ -264,11 +264,11 @@ pub struct SubsurfaceFields {
 pub struct HistoryRow {
     /// Number of the step.
     pub step: usize,
-    /// Approach of the bodies from first touch [m]; negative while apart.
+    /// Approach of the bodies from first touch \[m\]; negative while apart.
     pub approach: f64,
-    /// Load on the asperities [N/m].
+    /// Load on the asperities \[N/m\].
     pub load_solid: f64,
-    /// Load on the film [N/m].
+    /// Load on the film \[N/m\].
     pub load_fluid: f64,
     /// |F − F_target|/F_target.
     pub load_error: f64,

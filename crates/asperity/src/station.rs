@@ -16,7 +16,7 @@ pub struct Station {
     pub number: usize,
     /// Coordinate along the line of action from T₁.
     pub s: Length,
-    /// Weight in the cycle mean [m of contact line].
+    /// Weight in the cycle mean \[m of contact line\].
     pub weight: f64,
     /// Radii and speeds.
     pub motion: Kinematics,

@@ -20,13 +20,13 @@ pub enum Texture {
     Trace(Profile),
     /// Roughness values alone.
     Values {
-        /// Rq [m].
+        /// Rq \[m\].
         rq: f64,
-        /// Ra [m].
+        /// Ra \[m\].
         ra: f64,
-        /// Rz [m].
+        /// Rz \[m\].
         rz: f64,
-        /// Rpk [m].
+        /// Rpk \[m\].
         rpk: Option<f64>,
         /// Mean radius of the asperities.
         asperity_radius: Option<Length>,
@@ -65,7 +65,7 @@ impl Surfaces {
             .all(|texture| matches!(texture, Texture::Trace(_)))
     }
 
-    /// Roughness of two windows [m] of the traces.
+    /// Roughness of two windows \[m\] of the traces.
     pub(crate) fn roughness_of(
         &self,
         heights: &[Vec<f64>; 2],

@@ -18,17 +18,17 @@ use crate::station::Station;
 pub struct RegimeRow {
     /// 0 at A, 1 at E.
     pub path_fraction: f64,
-    /// Line load [N/mm].
+    /// Line load \[N/mm\].
     pub line_load_n_per_mm: f64,
-    /// Hertz pressure [MPa].
+    /// Hertz pressure \[MPa\].
     pub hertz_pressure_mpa: f64,
-    /// Sliding speed [m/s].
+    /// Sliding speed \[m/s\].
     pub sliding_m_per_s: f64,
-    /// Entrainment speed [m/s].
+    /// Entrainment speed \[m/s\].
     pub entrainment_m_per_s: f64,
-    /// Central film with thermal reduction [µm].
+    /// Central film with thermal reduction \[µm\].
     pub film_central_um: f64,
-    /// Minimum film with thermal reduction [µm].
+    /// Minimum film with thermal reduction \[µm\].
     pub film_minimum_um: f64,
     /// Thermal reduction φ.
     pub thermal_reduction: f64,
@@ -96,11 +96,11 @@ fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
 /// Pressure difference across a film of one thickness: a point of the paper's Fig. 8.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FilmRow {
-    /// Film thickness on the line of centres [m].
+    /// Film thickness on the line of centres \[m\].
     pub thickness_m: f64,
-    /// Difference of the wall pressures with Reynolds and the cross-film term [Pa].
+    /// Difference of the wall pressures with Reynolds and the cross-film term \[Pa\].
     pub reynolds_cross_pa: f64,
-    /// The same with the paper's radial momentum equation [Pa].
+    /// The same with the paper's radial momentum equation \[Pa\].
     pub paper_pa: f64,
     /// The larger of both over the Hertz pressure.
     pub ratio_to_hertz: f64,
@@ -113,9 +113,9 @@ pub struct FilmRow {
 pub struct FilmSurvey {
     /// Place on the path, 0 at A and 1 at E.
     pub path_fraction: f64,
-    /// Hertz pressure there [Pa].
+    /// Hertz pressure there \[Pa\].
     pub hertz_pressure_pa: f64,
-    /// Central film of the case there [m].
+    /// Central film of the case there \[m\].
     pub film_central_m: f64,
     /// Differences by thickness.
     pub rows: Vec<FilmRow>,

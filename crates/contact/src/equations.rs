@@ -1,15 +1,11 @@
 //! The equations of this crate, for `docs/EQUATIONS.md`.
 
+use asperity_core::citation::RODRIGUEZ_2022;
 use asperity_core::material::JOHNSON_1985;
 use asperity_core::{Equation, Reference};
 
 use crate::{hertz_line, subsurface};
 
-/// The paper that the model follows.
-const RODRIGUEZ_2022: Reference = Reference {
-    key: "rodriguez_2022",
-    text: "I. Victoria Rodríguez, Modelling of gear surface roughness impact on gear meshing efficiency, manuscript and thesis, KTH and Volvo, 2022",
-};
 /// The contact with a limit of the pressure, and its plastic displacement.
 const ALMQVIST_2007: Reference = Reference {
     key: "almqvist_2007",

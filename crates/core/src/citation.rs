@@ -27,8 +27,14 @@ pub struct Equation {
     pub file: &'static str,
     /// Name of a test function that proves it.
     pub test: &'static str,
-    /// Where it was published.
+    /// Where it was published; none for a definition of this project.
     pub references: &'static [Reference],
     /// What the 2022 paper prints where that cannot be right, and what is used instead.
     pub misprint: Option<&'static str>,
 }
+
+/// The paper whose model this workspace builds.
+pub const RODRIGUEZ_2022: Reference = Reference {
+    key: "rodriguez_2022",
+    text: "I. Victoria Rodríguez, Modelling of gear surface roughness impact on gear meshing efficiency, manuscript and thesis, KTH and Volvo, 2022",
+};

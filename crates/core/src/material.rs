@@ -49,7 +49,7 @@ pub struct Material {
 }
 
 impl Material {
-    /// Plane-strain compliance (1 − ν²)/E [1/Pa].
+    /// Plane-strain compliance (1 − ν²)/E \[1/Pa\].
     ///
     /// # Errors
     /// When E is not positive or ν is outside −1 < ν ≤ 0.5.

@@ -36,7 +36,7 @@ impl TryFrom<RawProfile> for Profile {
 }
 
 impl Profile {
-    /// A profile of `heights` [m] with `spacing` between neighbours.
+    /// A profile of `heights` \[m\] with `spacing` between neighbours.
     ///
     /// # Errors
     /// When the spacing is not positive, there is no point, or a height is not finite.
@@ -65,12 +65,12 @@ impl Profile {
         self.spacing
     }
 
-    /// Heights [m], out of the material.
+    /// Heights \[m\], out of the material.
     pub fn heights(&self) -> &[f64] {
         &self.heights
     }
 
-    /// Heights [m], given away.
+    /// Heights \[m\], given away.
     pub fn into_heights(self) -> Vec<f64> {
         self.heights
     }

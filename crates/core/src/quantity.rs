@@ -417,61 +417,61 @@ const fn spelt(
 use Scale::{Celsius, Decimal, Factor};
 
 quantities! {
-    /// A length [m].
+    /// A length \[m\].
     Length, "length", "m": [
         shown("mm", Decimal(-3)), spelt("um", &["micron", "micrometer", "micrometre"], Decimal(-6), true), shown("nm", Decimal(-9)), read("m", Decimal(0)), read("cm", Decimal(-2)),
     ];
-    /// A plane angle [rad].
+    /// A plane angle \[rad\].
     Angle, "angle", "rad": [
         spelt("deg", &["degree", "degrees"], Factor(PI / 180.0), true), read("rad", Decimal(0)),
     ];
-    /// A time [s].
+    /// A time \[s\].
     Time, "time", "s": [shown("s", Decimal(0)), shown("ms", Decimal(-3)), read("min", Factor(60.0)), read("h", Factor(3600.0))];
-    /// A speed [m/s].
+    /// A speed \[m/s\].
     Speed, "speed", "m/s": [shown("m/s", Decimal(0)), read("mm/s", Decimal(-3)), read("km/h", Factor(1.0 / 3.6))];
-    /// A rotational speed [rad/s].
+    /// A rotational speed \[rad/s\].
     AngularSpeed, "rotational speed", "rad/s": [
         spelt("1/min", &["rpm", "min-1", "r/min", "rev/min", "U/min"], Factor(PI / 30.0), true), read("rad/s", Decimal(0)), read("1/s", Factor(2.0 * PI)),
     ];
-    /// A force [N].
+    /// A force \[N\].
     Force, "force", "N": [shown("kN", Decimal(3)), shown("N", Decimal(0))];
-    /// A force per length of contact line [N/m].
+    /// A force per length of contact line \[N/m\].
     LineLoad, "line load", "N/m": [
         shown("N/mm", Decimal(3)), shown("N/m", Decimal(0)), read("kN/m", Decimal(3)),
     ];
-    /// A torque [N m].
+    /// A torque \[N m\].
     Torque, "torque", "N m": [shown("N m", Decimal(0)), read("kN m", Decimal(3)), read("N mm", Decimal(-3))];
-    /// A power [W].
+    /// A power \[W\].
     Power, "power", "W": [shown("kW", Decimal(3)), shown("W", Decimal(0)), read("MW", Decimal(6))];
-    /// An energy [J].
+    /// An energy \[J\].
     Energy, "energy", "J": [shown("J", Decimal(0)), shown("mJ", Decimal(-3)), read("kJ", Decimal(3))];
-    /// An energy per length of contact line [J/m].
+    /// An energy per length of contact line \[J/m\].
     LineEnergy, "energy per length", "J/m": [shown("J/m", Decimal(0)), shown("mJ/m", Decimal(-3))];
-    /// A pressure, stress or elastic modulus [Pa].
+    /// A pressure, stress or elastic modulus \[Pa\].
     Pressure, "pressure", "Pa": [
         shown("GPa", Decimal(9)), spelt("MPa", &["N/mm2"], Decimal(6), true), shown("kPa", Decimal(3)), spelt("Pa", &["N/m2"], Decimal(0), true), read("bar", Decimal(5)),
     ];
-    /// A dynamic viscosity [Pa s].
+    /// A dynamic viscosity \[Pa s\].
     DynamicViscosity, "dynamic viscosity", "Pa s": [
         spelt("mPa s", &["cP"], Decimal(-3), true), read("Pa s", Decimal(0)),
     ];
-    /// A kinematic viscosity [m²/s].
+    /// A kinematic viscosity \[m²/s\].
     KinematicViscosity, "kinematic viscosity", "m2/s": [
         spelt("mm2/s", &["cSt"], Decimal(-6), true), read("m2/s", Decimal(0)),
     ];
-    /// A density [kg/m³].
+    /// A density \[kg/m³\].
     Density, "density", "kg/m3": [shown("kg/m3", Decimal(0)), spelt("g/cm3", &["g/ml", "kg/l"], Decimal(3), false)];
-    /// A pressure-viscosity coefficient [1/Pa].
+    /// A pressure-viscosity coefficient \[1/Pa\].
     PressureViscosity, "pressure-viscosity coefficient", "1/Pa": [
         spelt("1/GPa", &["GPa-1"], Decimal(-9), true), spelt("1/Pa", &["m2/N", "Pa-1"], Decimal(0), false), spelt("mm2/N", &["1/MPa"], Decimal(-6), false),
     ];
-    /// A temperature [K]; text may say °C.
+    /// A temperature \[K\]; text may say °C.
     Temperature, "temperature", "K": [spelt("°C", &["C"], Celsius, true), read("K", Decimal(0))];
-    /// A thermal conductivity [W/(m K)].
+    /// A thermal conductivity \[W/(m K)\].
     ThermalConductivity, "thermal conductivity", "W/(m K)": [spelt("W/(m K)", &["W/m/K"], Decimal(0), true)];
-    /// A specific heat capacity [J/(kg K)].
+    /// A specific heat capacity \[J/(kg K)\].
     SpecificHeat, "specific heat capacity", "J/(kg K)": [spelt("J/(kg K)", &["J/kg/K"], Decimal(0), true), spelt("kJ/(kg K)", &["kJ/kg/K"], Decimal(3), false)];
-    /// A relative change per kelvin [1/K].
+    /// A relative change per kelvin \[1/K\].
     PerKelvin, "temperature coefficient", "1/K": [spelt("1/K", &["K-1", "1/degC"], Decimal(0), true)];
 }
 

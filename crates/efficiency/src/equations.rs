@@ -1,12 +1,7 @@
 //! The equations of this crate: where each lives, what it says, what proves it.
 
+use asperity_core::citation::RODRIGUEZ_2022;
 use asperity_core::{Equation, Reference};
-
-/// The paper that the model follows.
-pub const RODRIGUEZ_2022: Reference = Reference {
-    key: "rodriguez_2022",
-    text: "I. Victoria Rodríguez, Modelling of gear surface roughness impact on gear meshing efficiency, manuscript and thesis, KTH and Volvo, 2022",
-};
 
 /// Why rolling friction counts on both surfaces.
 pub const GOKSEM_1978: Reference = Reference {

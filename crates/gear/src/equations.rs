@@ -176,7 +176,7 @@ pub const EQUATIONS: &[Equation] = &[
         &[ISO_6336_1],
     ),
     equation(
-        "Share-1",
+        "Load-share-1",
         "Equal shares",
         "v = 1",
         "crates/gear/src/load_sharing.rs",
@@ -184,7 +184,7 @@ pub const EQUATIONS: &[Equation] = &[
         &[NIEMANN_WINTER],
     ),
     equation(
-        "Share-2",
+        "Load-share-2",
         "Trapezoidal shares",
         "v = 1/3 + ξ/(3(ε_α − 1)) in double contact, 1 in single contact",
         "crates/gear/src/load_sharing.rs",
@@ -192,7 +192,7 @@ pub const EQUATIONS: &[Equation] = &[
         &[ISO_TR_13989_1],
     ),
     equation(
-        "Share-3",
+        "Load-share-3",
         "Weights of least elastic energy",
         "v = cos(b₀(ξ − ε_α/2)), b₀ = (½(1 + ε_α/2)² − 1)^(−1/2)",
         "crates/gear/src/load_sharing.rs",
@@ -200,7 +200,7 @@ pub const EQUATIONS: &[Equation] = &[
         &[PEDRERO_2010],
     ),
     equation(
-        "Share-4",
+        "Load-share-4",
         "Share of a pair",
         "R(ξ) = v(ξ)/Σⱼ v(ξ + j)",
         "crates/gear/src/load_sharing.rs",

@@ -56,12 +56,12 @@ impl LoadSharing {
         }
     }
 
-    /// uniform: v = 1                                                           [Share-1]
+    /// uniform: v = 1                                                           [Load-share-1]
     ///
     /// trapezoid: v = 1/3 + ξ/(3(ε_α − 1)) for ξ < ε_α − 1, the mirror image for ξ > 1, and
-    /// 1 between                                                                [Share-2]
+    /// 1 between                                                                [Load-share-2]
     ///
-    /// min-potential: v = cos(b₀(ξ − ε_α/2)), b₀ = (½(1 + ε_α/2)² − 1)^(−1/2)   [Share-3]
+    /// min-potential: v = cos(b₀(ξ − ε_α/2)), b₀ = (½(1 + ε_α/2)² − 1)^(−1/2)   [Load-share-3]
     ///
     /// # Errors
     /// When ξ is not on the path, or the law does not hold for ε_α.
@@ -78,7 +78,7 @@ impl LoadSharing {
         Ok(weights.at(xi))
     }
 
-    /// R(ξ) = v(ξ)/Σⱼ v(ξ + j), over all pairs in contact                       [Share-4]
+    /// R(ξ) = v(ξ)/Σⱼ v(ξ + j), over all pairs in contact                       [Load-share-4]
     ///
     /// # Errors
     /// When ξ is not on the path, or the law does not hold for ε_α.
@@ -101,7 +101,7 @@ impl LoadSharing {
 pub(crate) struct Weights<'a> {
     law: &'a LoadSharing,
     eps_alpha: f64,
-    /// b₀ of `[Share-3]`; unused by the other laws.
+    /// b₀ of `[Load-share-3]`; unused by the other laws.
     b0: f64,
 }
 

@@ -1,11 +1,8 @@
 //! The equations of this crate, for `docs/EQUATIONS.md`.
 
+use asperity_core::citation::RODRIGUEZ_2022;
 use asperity_core::{Equation, Reference};
 
-const RODRIGUEZ_2022: Reference = Reference {
-    key: "rodriguez_2022",
-    text: "I. Victoria Rodríguez, Modelling of gear surface roughness impact on gear meshing efficiency, manuscript and thesis, KTH and Volvo, 2022",
-};
 const REYNOLDS_1886: Reference = Reference {
     key: "reynolds_1886",
     text: "O. Reynolds, On the theory of lubrication, Phil. Trans. R. Soc. London 177, 157-234, 1886",

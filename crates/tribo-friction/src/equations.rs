@@ -1,5 +1,6 @@
 //! The equations of this crate, for `docs/EQUATIONS.md`.
 
+use asperity_core::citation::RODRIGUEZ_2022;
 use asperity_core::{Equation, Reference};
 
 /// The friction regression.
@@ -173,7 +174,7 @@ pub const EQUATIONS: &[Equation] = &[
         "F_s = ∫ (μ_m p_solid + μ p_fluid) dx",
         "crates/tribo-friction/src/mixed.rs",
         "mixed_friction_of_a_hertz_contact_is_the_coefficient_times_the_load",
-        &[],
+        &[RODRIGUEZ_2022],
     ),
     Equation {
         misprint: Some(

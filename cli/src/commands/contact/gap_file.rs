@@ -11,9 +11,9 @@ use crate::failure::Failure;
 pub struct GapFile {
     /// Distance of the points.
     pub spacing: Length,
-    /// Positions [m].
+    /// Positions \[m\].
     pub x: Vec<f64>,
-    /// Gap [m].
+    /// Gap \[m\].
     pub gap: Vec<f64>,
 }
 

@@ -8,7 +8,7 @@ use crate::case::Case;
 use crate::error::PositionError;
 use crate::station::Station;
 
-/// Elastic displacement and plastic displacement of pinion and wheel [m].
+/// Elastic displacement and plastic displacement of pinion and wheel \[m\].
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Bodies {
     /// Elastic displacement of each body.

@@ -15,7 +15,7 @@ pub(crate) fn full_film(station: &Station, x: &[f64]) -> Result<Carried, Positio
     })
 }
 
-/// `share` of the Hertz pressure at the points `x` [m].
+/// `share` of the Hertz pressure at the points `x` \[m\].
 pub(super) fn hertz_pressure(
     station: &Station,
     x: &[f64],

@@ -13,7 +13,7 @@ use crate::checked::{Checked, FittedRange};
 use crate::error::DomainError;
 use crate::quantity::{Density, SpecificHeat, Temperature, ThermalConductivity};
 
-/// Density of water at 15.6 °C [kg/m³].
+/// Density of water at 15.6 °C \[kg/m³\].
 const WATER: f64 = 999.0;
 /// 0 °C in kelvin.
 const CELSIUS: f64 = 273.15;
@@ -40,9 +40,9 @@ pub fn cragoe_conductivity(
     density_15: Density,
     temperature: Temperature,
 ) -> Result<Checked<ThermalConductivity>, DomainError> {
-    /// Cragoe's 0.813 BTU in/(h ft² °F) [W/(m K)].
+    /// Cragoe's 0.813 BTU in/(h ft² °F) \[W/(m K)\].
     const SCALE: f64 = 0.1172;
-    /// Cragoe's 0.0003 1/°F [1/K].
+    /// Cragoe's 0.0003 1/°F \[1/K\].
     const FALL: f64 = 0.00054;
     let (d, t, outside) = gravity_and_celsius(density_15, temperature)?;
     Ok(Checked {
@@ -66,7 +66,7 @@ pub fn cragoe_heat_capacity(
     density_15: Density,
     temperature: Temperature,
 ) -> Result<Checked<SpecificHeat>, DomainError> {
-    /// Cragoe's 0.388 + 0.00045·32 BTU/(lb °F) [J/(kg K)].
+    /// Cragoe's 0.388 + 0.00045·32 BTU/(lb °F) \[J/(kg K)\].
     const SCALE: f64 = 1685.0;
     /// Cragoe's 0.00045 BTU/(lb °F²) [J/(kg K²)].
     const RISE: f64 = 3.39;
