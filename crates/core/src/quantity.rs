@@ -267,8 +267,27 @@ impl<Q: Quantity> serde::de::Visitor<'_> for QuantityVisitor<Q> {
     }
 }
 
+/// What a quantity is called and which units it reads.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Description {
+    /// Name in messages: "torque".
+    pub name: &'static str,
+    /// SI unit.
+    pub si_unit: &'static str,
+    /// Accepted units.
+    pub units: &'static [Unit],
+}
+
 macro_rules! quantities {
-    ($($(#[$doc:meta])* $type:ident, $name:literal, $si:literal: [$($unit:expr),+ $(,)?];)+) => {$(
+    ($($(#[$doc:meta])* $type:ident, $name:literal, $si:literal: [$($unit:expr),+ $(,)?];)+) => {
+    /// Every quantity, for the page of units.
+    pub const QUANTITIES: &[Description] = &[$(Description {
+        name: $name,
+        si_unit: $si,
+        units: $type::UNITS,
+    }),+];
+
+    $(
         $(#[$doc])*
         #[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Default)]
         pub struct $type(f64);
