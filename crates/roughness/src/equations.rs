@@ -8,6 +8,12 @@ pub const ISO_16610_21: Reference = Reference {
     text: "ISO 16610-21:2011, Geometrical product specifications - Filtration - Linear profile filters: Gaussian filters",
 };
 
+/// The robust filter.
+pub const ISO_16610_31: Reference = Reference {
+    key: "iso_16610_31_2016",
+    text: "ISO 16610-31:2016, Geometrical product specifications - Filtration - Robust profile filters: Gaussian regression filters",
+};
+
 /// What filters do at the ends.
 pub const ISO_16610_28: Reference = Reference {
     key: "iso_16610_28_2016",
@@ -65,7 +71,7 @@ pub const HANSEN_2021: Reference = Reference {
 /// The model this project follows.
 pub const RODRIGUEZ_2022: Reference = Reference {
     key: "rodriguez_2022",
-    text: "I. Victoria Rodríguez, Modelling of gear surface roughness impact on gear meshing efficiency, manuscript, 2022",
+    text: "I. Victoria Rodríguez, Modelling of gear surface roughness impact on gear meshing efficiency, manuscript and thesis, KTH and Volvo, 2022",
 };
 
 macro_rules! equation {
@@ -147,6 +153,14 @@ pub const EQUATIONS: &[Equation] = &[
         "gaussian_filter.rs",
         "the_fast_filter_equals_direct_sums_with_every_treatment_of_the_ends",
         [ISO_16610_21, ISO_16610_28]
+    ),
+    equation!(
+        "Robust-1",
+        "Robust mean line",
+        "min Σ s_k δ_i+k (z_i+k − a − b u − c u²)², δ = (1 − (r/c)²)²",
+        "robust_filter.rs",
+        "the_robust_line_of_a_damaged_flank_is_that_of_the_sound_one",
+        [ISO_16610_31]
     ),
     equation!(
         "Prep-1",

@@ -57,6 +57,12 @@ pub enum RoughnessError {
         /// Spacing of the second profile.
         second: Length,
     },
+    /// All points around a place are outliers.
+    #[error("at {place} the robust filter finds no points that are not outliers")]
+    NoSupport {
+        /// Distance from the start of the profile.
+        place: Length,
+    },
     /// An iteration did not settle.
     #[error(
         "{what} did not converge in {iterations} iterations: last relative change {residual:e}"

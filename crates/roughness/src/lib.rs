@@ -29,6 +29,7 @@ pub mod material_ratio;
 mod parameters;
 pub mod preparation;
 pub mod read;
+pub mod robust_filter;
 pub mod spectral;
 pub mod summits;
 mod warning;

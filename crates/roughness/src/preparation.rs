@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::form::{self, Form};
 use crate::gaussian_filter::{Ends, alpha, mean_line};
+use crate::robust_filter::{RobustEvidence, robust_mean_line};
 use crate::{RoughnessError, Warning};
 
 /// λ_s of the default recipe `[m]` (ISO 3274 for λ_c = 0.8 mm).
@@ -43,6 +44,18 @@ impl Default for Preparation {
     }
 }
 
+/// The filter that gives the mean line at λ_c.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum RoughnessFilter {
+    /// The linear Gaussian filter (ISO 16610-21).
+    #[default]
+    Gaussian,
+    /// The robust Gaussian regression filter (ISO 16610-31), for damaged flanks. It keeps to the ends by
+    /// regression, whatever the recipe says about them, except that `cut` drops the same points.
+    RobustGaussian,
+}
+
 /// What was done to a profile.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PreparationRecord {
@@ -56,8 +69,10 @@ pub struct PreparationRecord {
     pub points_after: usize,
     /// Points dropped at each end.
     pub dropped_each_end: usize,
-    /// Reach of the filter weights on either side, in cut-offs.
-    pub support: f64,
+    /// The filter that gave the mean line at λ_c.
+    pub filter: RoughnessFilter,
+    /// How its iteration ended, when it iterates.
+    pub robust: Option<RobustEvidence>,
 }
 
 /// A profile that has been through a recipe.
@@ -93,6 +108,28 @@ pub struct Prepared {
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn prepare(profile: &Profile, recipe: &Preparation) -> Result<Prepared, RoughnessError> {
+    prepare_with(profile, recipe, RoughnessFilter::Gaussian)
+}
+
+/// As [`prepare`], with the mean line at λ_c by `filter`.
+///
+/// # Errors
+/// As [`prepare`], and when the robust filter does not converge.
+///
+/// ```
+/// use asperity_core::{Profile, quantity::Length};
+/// use asperity_roughness::preparation::{Preparation, RoughnessFilter, prepare_with};
+/// let wave = |i: usize| 1e-6 * (i as f64 * 0.5e-6 / 50e-6 * std::f64::consts::TAU).sin();
+/// let profile = Profile::new(Length::from_si(0.5e-6), (0..8000).map(wave).collect())?;
+/// let prepared = prepare_with(&profile, &Preparation::default(), RoughnessFilter::RobustGaussian)?;
+/// assert!(prepared.record.robust.is_some_and(|evidence| evidence.residual < 1e-8));
+/// # Ok::<(), asperity_roughness::RoughnessError>(())
+/// ```
+pub fn prepare_with(
+    profile: &Profile,
+    recipe: &Preparation,
+    filter: RoughnessFilter,
+) -> Result<Prepared, RoughnessError> {
     let mut warnings = Vec::new();
     let spacing = profile.spacing();
     let mut current = form::remove(profile, recipe.form)?;
@@ -104,9 +141,16 @@ pub fn prepare(profile: &Profile, recipe: &Preparation) -> Result<Prepared, Roug
         }
         current = Profile::new(spacing, mean_line(&current, lambda_s, recipe.ends)?)?;
     }
-    let mut dropped = 0;
+    let (mut dropped, mut robust) = (0, None);
     if let Some(lambda_c) = recipe.lambda_c {
-        let line = mean_line(&current, lambda_c, recipe.ends)?;
+        let line = match filter {
+            RoughnessFilter::Gaussian => mean_line(&current, lambda_c, recipe.ends)?,
+            RoughnessFilter::RobustGaussian => {
+                let found = robust_mean_line(&current, lambda_c)?;
+                robust = Some(found.evidence);
+                found.heights
+            }
+        };
         let rough = current
             .heights()
             .iter()
@@ -126,7 +170,8 @@ pub fn prepare(profile: &Profile, recipe: &Preparation) -> Result<Prepared, Roug
         points_before: profile.len(),
         points_after: current.len(),
         dropped_each_end: dropped,
-        support: crate::gaussian_filter::SUPPORT,
+        filter,
+        robust,
     };
     Ok(Prepared {
         profile: current,

@@ -509,6 +509,22 @@ fn x_that_counts_points_is_no_length() {
 }
 
 #[test]
+fn a_stated_spacing_wins_over_the_column_and_says_so() {
+    let options = ReadOptions {
+        dx: Some(Length::from_si(0.4e-6)),
+        ..ReadOptions::default()
+    };
+    let reading = read_bytes("flank.csv", PLAIN.text().as_bytes(), &options).unwrap();
+    assert_eq!(reading.spacing, Length::from_si(0.4e-6));
+    match reading.warnings.as_slice() {
+        [Warning::SpacingOverridden { column, .. }] => {
+            assert!((column.si() - 0.5e-6).abs() < 1e-15);
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
 fn an_unreadable_cell_is_shown_with_what_the_file_looks_like() {
     let german = Dialect {
         header: "x [um];z [um]",

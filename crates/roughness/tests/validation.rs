@@ -9,10 +9,11 @@ use asperity_core::quantity::Length;
 use asperity_roughness::composite::{Pairing, combined_rq, compose};
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::{Ends, alpha, mean_line, transmission, weights};
-use asperity_roughness::generate::{Ground, SelfAffine, lower_envelope, truncated};
+use asperity_roughness::generate::{Ground, Pits, SelfAffine, lower_envelope, truncated};
 use asperity_roughness::height_parameters::{Mode, height_parameters, in_sections};
 use asperity_roughness::material_ratio::{Line, abbott_curve, rk_parameters, rk_parameters_with};
-use asperity_roughness::preparation::{Preparation, prepare};
+use asperity_roughness::preparation::{Preparation, RoughnessFilter, prepare, prepare_with};
+use asperity_roughness::robust_filter::robust_mean_line;
 use asperity_roughness::spectral::{moments, power_spectrum, slopes};
 use asperity_roughness::summits::{ReferenceLevel, asperity_radius};
 use asperity_roughness::{Parameters, Warning};
@@ -229,6 +230,56 @@ fn preparing_drops_half_a_cutoff_and_says_what_was_done() {
     // λ_c leaves 1 − a(50 um) = 1 of the wave, λ_s = 2.5 um takes 1 − a = 0.17 %.
     let passed = transmission(Length::from_si(50e-6), Length::from_si(2.5e-6)).unwrap();
     close(found.heights.rq.si(), passed * 1e-6 / SQRT_2, 2e-4);
+}
+
+#[test]
+fn the_robust_line_of_a_damaged_flank_is_that_of_the_sound_one() {
+    let recipe = SelfAffine {
+        points: 8000,
+        spacing: Length::from_si(0.5e-6),
+        rq: Length::from_si(0.4e-6),
+        hurst: 0.8,
+        roll_off: Length::from_si(60e-6),
+        short_cut: Length::from_si(4e-6),
+        seed: 12,
+    };
+    let sound = recipe.generate().unwrap();
+    let pit = Pits {
+        count: 1,
+        width: Length::from_si(80e-6),
+        depth: Length::from_si(12e-6),
+        seed: 5,
+    };
+    let damaged = pit.add_to(&sound).unwrap();
+    let recipe = Preparation::default();
+    let rpk = |profile: &Profile, filter| {
+        let prepared = prepare_with(profile, &recipe, filter).unwrap();
+        rk_parameters(prepared.profile.heights()).unwrap().rpk.si()
+    };
+    let (plain, robust) = (RoughnessFilter::Gaussian, RoughnessFilter::RobustGaussian);
+    // The pit raises false shoulders under the plain filter only.
+    assert!((rpk(&damaged, robust) / rpk(&sound, robust) - 1.0).abs() < 0.03);
+    assert!(rpk(&damaged, plain) > 1.2 * rpk(&sound, plain));
+
+    // Regression of degree two keeps a parabola, to the ends, in the least number of passes.
+    let parabola = profile(1e-6, 3000, |x| 0.1 + 0.2 * x - 30.0 * x * x);
+    let kept = robust_mean_line(&parabola, Length::from_si(0.8e-3)).unwrap();
+    for (w, z) in kept.heights.iter().zip(parabola.heights()) {
+        assert!((w - z).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_sine_at_the_cutoff_passes_half_of_the_robust_filter_too() {
+    let cutoff = 0.25e-3;
+    let wave = profile(0.5e-6, 6001, |x| (TAU * x / cutoff).cos());
+    let line = robust_mean_line(&wave, Length::from_si(cutoff)).unwrap();
+    // Tukey's weights on a sine move the share a little from the ½ of equal weights.
+    assert!(
+        (line.heights[3000] / wave.heights()[3000] - 0.5).abs() < 0.1,
+        "{}",
+        line.heights[3000]
+    );
 }
 
 #[test]

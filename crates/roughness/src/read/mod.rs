@@ -40,6 +40,7 @@ pub use options::{
 };
 
 use crate::Warning;
+use crate::height_parameters::extremes;
 use dialect::{Line, Sniffed};
 use header::Label;
 use single_column::Special;
@@ -314,6 +315,15 @@ impl Found<'_> {
         }
     }
 
+    fn no_unit(&self, axis: Axis, span: f64) -> ReadError {
+        ReadError::NoUnit {
+            file: self.name.to_owned(),
+            axis,
+            span,
+        }
+    }
+
+    /// Spacing and units: stated, from the header, or the only possible ones.
     fn measure(
         &self,
         rows: &[Row],
@@ -322,35 +332,24 @@ impl Found<'_> {
         format_unit: Option<LengthUnit>,
         warnings: &mut Vec<Warning>,
     ) -> Result<Measured, ReadError> {
-        let (low, high) = heights
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), z| {
-                (low.min(*z), high.max(*z))
-            });
+        let (low, high) = extremes(heights);
         let span = high - low;
-        let no_unit = |axis, span| ReadError::NoUnit {
-            file: self.name.to_owned(),
-            axis,
-            span,
-        };
         let z_stated = self.unit(Axis::Height, self.chosen.z)?.or(format_unit);
         if let Some(dx) = self.options.dx {
             let length = dx.si() * (heights.len() - 1) as f64;
-            let z_unit = match z_stated {
-                Some(unit) => unit,
-                None => {
-                    let unit = units::heights_only(span, length)
-                        .ok_or_else(|| no_unit(Axis::Height, span))?;
-                    warnings.push(Warning::UnitAssumed {
-                        axis: Axis::Height,
-                        unit,
-                    });
-                    unit
-                }
-            };
+            let z_unit = z_stated.or_else(|| units::heights_only(span, length));
+            let z_unit = z_unit.ok_or_else(|| self.no_unit(Axis::Height, span))?;
+            if z_stated.is_none() {
+                warnings.push(Warning::UnitAssumed {
+                    axis: Axis::Height,
+                    unit: z_unit,
+                });
+            }
+            warnings.extend(self.overridden(rows, dx));
+            let (spacing, source) = (dx.si(), SpacingSource::Stated);
             return Ok(Measured {
-                spacing: dx.si(),
-                source: SpacingSource::Stated,
+                spacing,
+                source,
                 x_unit: None,
                 z_unit,
             });
@@ -364,11 +363,11 @@ impl Found<'_> {
         }
         let length = column * (rows.len() - 1) as f64;
         let extent = units::Extent { length, span };
-        let (x_unit, z_unit) =
-            units::pair(extent, x_stated, z_stated).ok_or_else(|| match z_stated {
-                None => no_unit(Axis::Height, span),
-                Some(_) => no_unit(Axis::Trace, length),
-            })?;
+        let found = units::pair(extent, x_stated, z_stated);
+        let (x_unit, z_unit) = found.ok_or_else(|| match z_stated {
+            None => self.no_unit(Axis::Height, span),
+            Some(_) => self.no_unit(Axis::Trace, length),
+        })?;
         for (axis, stated, unit) in [
             (Axis::Trace, x_stated, x_unit),
             (Axis::Height, z_stated, z_unit),
@@ -377,12 +376,23 @@ impl Found<'_> {
                 warnings.push(Warning::UnitAssumed { axis, unit });
             }
         }
+        let (spacing, source) = (x_unit.metres(column), SpacingSource::XColumn);
         Ok(Measured {
-            spacing: x_unit.metres(column),
-            source: SpacingSource::XColumn,
+            spacing,
+            source,
             x_unit: Some(x_unit),
             z_unit,
         })
+    }
+
+    /// The warning that a stated spacing differs from what the x column says, where it says anything.
+    fn overridden(&self, rows: &[Row], stated: Length) -> Option<Warning> {
+        const DIFFERS: f64 = 0.01;
+        let unit = self.unit(Axis::Trace, self.chosen.x?).ok().flatten()?;
+        let (first, last) = (rows.first()?.x?, rows.last()?.x?);
+        let column = Length::from_si(unit.metres((last - first).abs() / (rows.len() - 1) as f64));
+        let differs = (column / stated - 1.0).abs() > DIFFERS;
+        differs.then_some(Warning::SpacingOverridden { stated, column })
     }
 
     fn profile(&self, heights: &[f64], measured: &Measured) -> Result<Profile, ReadError> {
