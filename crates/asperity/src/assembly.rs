@@ -233,7 +233,7 @@ fn row(case: &Case, position: &Position, rolling: f64) -> PositionRow {
         film_share: over(|offset| offset.film_share),
         mu_film: over(|offset| offset.friction.mu),
         mu: force / station.load.si(),
-        flash_k: over(|offset| offset.friction.flash),
+        flash_k: over(|offset| offset.flash),
         sliding_w_per_m: force * motion.sliding.si().abs(),
         rolling_w_per_m: surfaces * rolling * motion.entrainment.si(),
         contact_fraction: touching(|contact| contact.contact_fraction),

@@ -18,8 +18,6 @@ use crate::station::Station;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct FilmFriction {
     pub mu: f64,
-    /// Flash temperature with this coefficient \[K\].
-    pub flash: f64,
     /// What left its fitted range.
     pub outside: Vec<OutOfRange>,
 }
@@ -57,7 +55,6 @@ pub(crate) fn by_law(
         if settled || !case.model.flash_feedback {
             return Ok(FilmFriction {
                 mu,
-                flash,
                 outside: found.outside,
             });
         }
@@ -71,7 +68,8 @@ pub(crate) fn by_law(
     })
 }
 
-fn flash(case: &Case, station: &Station, mu: f64) -> Result<f64, PositionError> {
+/// Flash temperature \[K\] of a contact whose whole friction coefficient is `mu`.
+pub(crate) fn flash(case: &Case, station: &Station, mu: f64) -> Result<f64, PositionError> {
     Ok(flash_temperature(&FlashConditions {
         friction: mu,
         load: station.load,

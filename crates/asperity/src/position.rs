@@ -41,6 +41,8 @@ pub(crate) struct Offset {
     pub friction: FilmFriction,
     /// Friction force per metre of contact line \[N/m\].
     pub friction_force: f64,
+    /// Flash temperature of film and asperities together \[K\].
+    pub flash: f64,
     /// Numbers of the rough contact.
     pub contact: Option<ContactNumbers>,
     /// Deformation loss of the paper's reading, per surface \[W\].
@@ -119,6 +121,7 @@ impl Position {
             Formulation::Corrected => shared_force(case, station, &decision, friction.mu),
             Formulation::Paper => friction::force_of(case, &encounter, &carried, friction.mu)?,
         };
+        let flash = friction::flash(case, station, force / station.load.si())?;
         let deformation = match case.formulation {
             Formulation::Corrected => [0.0; 2],
             Formulation::Paper => {
@@ -157,6 +160,7 @@ impl Position {
             film_share: decision.film_share,
             friction,
             friction_force: force,
+            flash,
             contact,
             deformation,
         });
@@ -327,13 +331,15 @@ fn without_fields(
 ) -> Result<Offset, PositionError> {
     let decision = decide(case, station, &roughness)?;
     let friction = friction::in_film(case, station, &roughness)?;
+    let force = shared_force(case, station, &decision, friction.mu);
     Ok(Offset {
         roughness,
         lambda_star: decision.lambda_star,
         film_ratio: decision.film_ratio,
         regime: decision.regime,
         film_share: decision.film_share,
-        friction_force: shared_force(case, station, &decision, friction.mu),
+        friction_force: force,
+        flash: friction::flash(case, station, force / station.load.si())?,
         friction,
         contact: None,
         deformation: [0.0; 2],

@@ -1,0 +1,229 @@
+//! Axes: the range they show, where their ticks stand and how these are written.
+
+use serde::Serialize;
+
+/// How an axis runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Scale {
+    /// Equal steps.
+    Linear,
+    /// Equal ratios; only positive values are shown.
+    Log,
+}
+
+/// An axis before its range is known.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// What runs along it.
+    pub label: String,
+    /// Its unit; empty for a pure number.
+    pub unit: String,
+    /// How it runs.
+    pub scale: Scale,
+    /// Whether zero must be seen.
+    pub zero: bool,
+    /// Larger values lower down, for depths.
+    pub downward: bool,
+    /// A range to show rather than that of the data.
+    pub limits: Option<[f64; 2]>,
+}
+
+impl Axis {
+    /// An axis in equal steps.
+    pub fn new(label: &str, unit: &str) -> Self {
+        Self {
+            label: label.to_owned(),
+            unit: unit.to_owned(),
+            scale: Scale::Linear,
+            zero: false,
+            downward: false,
+            limits: None,
+        }
+    }
+
+    /// The same from zero.
+    pub fn from_zero(mut self) -> Self {
+        self.zero = true;
+        self
+    }
+
+    /// The same in equal ratios.
+    pub fn log(mut self) -> Self {
+        self.scale = Scale::Log;
+        self
+    }
+
+    /// The same with larger values lower down.
+    pub fn downward(mut self) -> Self {
+        self.downward = true;
+        self
+    }
+
+    /// The same with a range of its own.
+    pub fn within(mut self, low: f64, high: f64) -> Self {
+        self.limits = Some([low, high]);
+        self
+    }
+
+    /// Label with unit.
+    pub fn text(&self) -> String {
+        if self.unit.is_empty() {
+            self.label.clone()
+        } else {
+            format!("{} [{}]", self.label, self.unit)
+        }
+    }
+
+    /// The range that shows all of `values`, with a little air where zero is not the edge.
+    pub(super) fn range(&self, values: impl Iterator<Item = f64>) -> Range {
+        /// Air beside the data, of the range.
+        const AIR: f64 = 0.04;
+        if let Some([low, high]) = self.limits {
+            return Range { low, high, scale: self.scale };
+        }
+        let shown = values.filter(|v| v.is_finite() && (self.scale == Scale::Linear || *v > 0.0));
+        let (mut low, mut high) = shown.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
+            (a.min(v), b.max(v))
+        });
+        if low > high {
+            (low, high) = (if self.scale == Scale::Log { 0.1 } else { 0.0 }, 1.0);
+        }
+        if self.scale == Scale::Log {
+            let (a, b) = (low.log10().floor(), high.log10().ceil());
+            let high = if b > a { b } else { a + 1.0 };
+            return Range { low: 10f64.powf(a), high: 10f64.powf(high), scale: Scale::Log };
+        }
+        if self.zero {
+            (low, high) = (low.min(0.0), high.max(0.0));
+        }
+        if high == low {
+            let half = if low == 0.0 { 1.0 } else { 0.5 * low.abs() };
+            (low, high) = if self.zero { (low.min(0.0), low + half) } else { (low - half, high + half) };
+        }
+        let air = AIR * (high - low);
+        if !(self.zero && low == 0.0) {
+            low -= air;
+        }
+        if !(self.zero && high == 0.0) {
+            high += air;
+        }
+        Range { low, high, scale: Scale::Linear }
+    }
+}
+
+/// The part of an axis that is shown.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Range {
+    pub low: f64,
+    pub high: f64,
+    pub scale: Scale,
+}
+
+impl Range {
+    /// Where `value` stands, 0 at the low end and 1 at the high end.
+    pub fn share(&self, value: f64) -> f64 {
+        match self.scale {
+            Scale::Linear => (value - self.low) / (self.high - self.low),
+            Scale::Log => (value / self.low).ln() / (self.high / self.low).ln(),
+        }
+    }
+
+    /// About `wanted` ticks at round numbers, with their labels.
+    pub fn ticks(&self, wanted: usize) -> Vec<(f64, String)> {
+        match self.scale {
+            Scale::Linear => linear_ticks(self.low, self.high, wanted),
+            Scale::Log => log_ticks(self.low, self.high, wanted),
+        }
+    }
+}
+
+/// Rounding of a tick at the edge of the range.
+const EDGE: f64 = 1e-9;
+
+fn linear_ticks(low: f64, high: f64, wanted: usize) -> Vec<(f64, String)> {
+    let raw = (high - low) / wanted.max(1) as f64;
+    let power = 10f64.powf(raw.log10().floor());
+    let step = [1.0, 2.0, 5.0, 10.0]
+        .into_iter()
+        .map(|factor| factor * power)
+        .find(|step| *step >= raw * (1.0 - EDGE))
+        .unwrap_or(10.0 * power);
+    let first = (low / step - EDGE).ceil();
+    let last = (high / step + EDGE).floor();
+    let decimals = (-step.log10().floor()).max(0.0) as usize;
+    let large = low.abs().max(high.abs());
+    let mut ticks = Vec::new();
+    let mut k = first;
+    while k <= last {
+        let value = k * step;
+        let label = if large >= 1e6 || large < 1e-4 {
+            format!("{value:.1e}")
+        } else {
+            minus(&format!("{:.decimals$}", if k == 0.0 { 0.0 } else { value }))
+        };
+        ticks.push((value, label));
+        k += 1.0;
+    }
+    ticks
+}
+
+fn log_ticks(low: f64, high: f64, wanted: usize) -> Vec<(f64, String)> {
+    let (a, b) = ((low.log10() - EDGE).ceil() as i32, (high.log10() + EDGE).floor() as i32);
+    let stride = ((b - a + 1) as usize).div_ceil(wanted.max(1)).max(1);
+    (a..=b)
+        .step_by(stride)
+        .map(|power| (10f64.powi(power), power_of_ten(power)))
+        .collect()
+}
+
+/// 10⁻³ as people write it.
+fn power_of_ten(power: i32) -> String {
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let digits = power.unsigned_abs().to_string();
+    let raised = digits.bytes().map(|digit| RAISED[usize::from(digit - b'0')]);
+    let sign = if power < 0 { "⁻" } else { "" };
+    format!("10{sign}{}", raised.collect::<String>())
+}
+
+/// A true minus sign.
+fn minus(text: &str) -> String {
+    text.replace('-', "−")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_stand_at_round_numbers_inside_the_range() {
+        let range = Range { low: -0.07, high: 1.03, scale: Scale::Linear };
+        let labels: Vec<String> = range.ticks(6).into_iter().map(|(_, label)| label).collect();
+        assert_eq!(labels, ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
+    }
+
+    #[test]
+    fn log_axes_show_whole_decades() {
+        let range = Axis::new("error", "").log().range([3e-3, 0.7].into_iter());
+        assert_eq!((range.low, range.high), (1e-3, 1.0));
+        let labels: Vec<String> = range.ticks(6).into_iter().map(|(_, label)| label).collect();
+        assert_eq!(labels, ["10⁻³", "10⁻²", "10⁻¹", "10⁰"]);
+        assert!((range.share(1e-2) - 1.0 / 3.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn an_axis_from_zero_keeps_zero_at_its_edge() {
+        let range = Axis::new("loss", "W").from_zero().range([3.0, 5.0].into_iter());
+        assert_eq!(range.low, 0.0);
+        assert!(range.high > 5.0);
+    }
+
+    #[test]
+    fn a_range_without_extent_is_still_drawn() {
+        for value in [0.0, 143.8, -2.0] {
+            let range = Axis::new("load", "N").range([value].into_iter());
+            assert!(range.low < value && value < range.high);
+            assert!(!range.ticks(5).is_empty());
+        }
+    }
+}

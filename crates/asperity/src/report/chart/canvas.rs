@@ -1,0 +1,94 @@
+//! SVG as text.
+
+use std::fmt::Write as _;
+
+/// Text safe between tags and in attributes.
+pub(crate) fn escaped(text: &str) -> String {
+    let mut safe = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => safe.push_str("&amp;"),
+            '<' => safe.push_str("&lt;"),
+            '>' => safe.push_str("&gt;"),
+            '"' => safe.push_str("&quot;"),
+            other => safe.push(other),
+        }
+    }
+    safe
+}
+
+/// A drawing in the making. Writing into a string cannot fail.
+#[derive(Debug, Default)]
+pub(super) struct Canvas {
+    text: String,
+}
+
+/// Where a text is held.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+impl Canvas {
+    /// Markup as it is.
+    pub fn raw(&mut self, markup: &str) {
+        self.text.push_str(markup);
+    }
+
+    pub fn open(&mut self, class: &str) {
+        let _ = write!(self.text, "<g class=\"{class}\">");
+    }
+
+    pub fn close(&mut self) {
+        self.text.push_str("</g>");
+    }
+
+    pub fn line(&mut self, class: &str, from: [f64; 2], to: [f64; 2]) {
+        let ([x1, y1], [x2, y2]) = (from, to);
+        let _ = write!(
+            self.text,
+            "<line class=\"{class}\" x1=\"{x1:.1}\" y1=\"{y1:.1}\" x2=\"{x2:.1}\" y2=\"{y2:.1}\"/>"
+        );
+    }
+
+    pub fn rect(&mut self, class: &str, corner: [f64; 2], size: [f64; 2]) {
+        let ([x, y], [w, h]) = (corner, size);
+        let _ = write!(
+            self.text,
+            "<rect class=\"{class}\" x=\"{x:.1}\" y=\"{y:.1}\" width=\"{w:.1}\" height=\"{h:.1}\"/>"
+        );
+    }
+
+    pub fn label(&mut self, class: &str, at: [f64; 2], anchor: Anchor, text: &str) {
+        let anchor = match anchor {
+            Anchor::Start => "start",
+            Anchor::Middle => "middle",
+            Anchor::End => "end",
+        };
+        let [x, y] = at;
+        let _ = write!(
+            self.text,
+            "<text class=\"{class}\" x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{}</text>",
+            escaped(text)
+        );
+    }
+
+    pub fn upright(&mut self, class: &str, at: [f64; 2], text: &str) {
+        let [x, y] = at;
+        let _ = write!(
+            self.text,
+            "<text class=\"{class}\" transform=\"translate({x:.1} {y:.1}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
+            escaped(text)
+        );
+    }
+
+    pub fn path(&mut self, class: &str, d: &str) {
+        let _ = write!(self.text, "<path class=\"{class}\" d=\"{d}\"/>");
+    }
+
+    pub fn into_text(self) -> String {
+        self.text
+    }
+}
