@@ -67,15 +67,15 @@ pub enum PositionError {
         /// Window \[µm\].
         needed_um: f64,
     },
-    /// The formulation presses measured profiles together and a flank has none.
+    /// The rough contact presses measured profiles together and a flank has none.
     #[error(
-        "the paper formulation presses two measured profiles together; give surface.pinion.file (and surface.wheel.file)"
+        "the rough contact presses two measured profiles together; give surface.pinion.file (and surface.wheel.file)"
     )]
     NoProfile,
     /// Marching did not meet the load.
     #[error(
-        "lowering the surfaces step by step left a load error of {load_error_percent:.2} % after {steps} steps \
-         (allowed {allowed_percent:.2} %)"
+        "lowering the surfaces step by step left a load error of {} % after {steps} steps (allowed {} %)",
+        digits(*load_error_percent), digits(*allowed_percent)
     )]
     Marching {
         /// Load error \[%\].
@@ -106,9 +106,19 @@ pub enum RunError {
     Whole(#[from] Box<PositionError>),
 }
 
+/// Digits that mean something, however small the value.
+fn digits(value: f64) -> String {
+    if value >= 0.01 {
+        format!("{value:.2}")
+    } else {
+        format!("{value:.1e}")
+    }
+}
+
 fn advice(source: &PositionError) -> &'static str {
     match source {
         PositionError::Contact(ContactError::NotConverged { .. })
+        | PositionError::FlashNotSettled { .. }
         | PositionError::Marching { .. } => ". No efficiency is reported",
         _ => "",
     }

@@ -10,12 +10,26 @@ use super::source::Place;
 #[non_exhaustive]
 pub enum CaseError {
     /// The file cannot be opened.
-    #[error("{file}: cannot be read: {reason}")]
+    #[error(
+        "{file}: cannot be opened: {reason}; check the path, or let asperity demo write a case to start from"
+    )]
     Open {
         /// Name of the file.
         file: String,
         /// What the system says.
         reason: std::io::Error,
+    },
+    /// A folder where a case file is due.
+    #[error("{file}: is a folder; name the case file in it, as {file}/case.toml")]
+    Folder {
+        /// Name of the folder.
+        file: String,
+    },
+    /// Not text in UTF-8.
+    #[error("{place}: is not text in UTF-8 from this line on; save the case file as UTF-8")]
+    Encoding {
+        /// Where.
+        place: Place,
     },
     /// Not TOML, or not JSON.
     #[error("{place}: {message}")]
@@ -56,14 +70,26 @@ pub enum CaseError {
         rule: &'static str,
     },
     /// A number outside its domain.
-    #[error("{place}: {key}: {source}")]
+    #[error("{place}: {key}{}: {}", as_written(written.as_deref()), rule(source, written.is_some()))]
     Domain {
         /// Where.
         place: Place,
         /// The key, with its table.
         key: &'static str,
+        /// The value as it stands in the file, where it does.
+        written: Option<String>,
         /// The number and the rule.
         source: DomainError,
+    },
+    /// A choice that these gears do not take.
+    #[error("{place}: {key}: {source}")]
+    NotForTheseGears {
+        /// Where.
+        place: Place,
+        /// The key, with its table.
+        key: &'static str,
+        /// The reason.
+        source: asperity_gear::GearError,
     },
     /// A gear pair that cannot mesh.
     #[error("{place}: {source}")]
@@ -74,24 +100,35 @@ pub enum CaseError {
         source: asperity_gear::GearError,
     },
     /// A lubricant that lacks something or cannot be.
-    #[error("{place}: {source}")]
+    #[error("{place}: lubricant{}: {source}", written.as_deref().unwrap_or_default())]
     Lubricant {
         /// Where.
         place: Place,
+        /// The key and the value as they stand in the file, where one value is to blame.
+        written: Option<String>,
         /// The reason.
         source: asperity_core::lubricant::LubricantError,
     },
-    /// A trace that cannot be opened.
-    #[error("{file}: cannot be opened: {reason}")]
-    OpenProfile {
+    /// A file that the case names and that cannot be opened.
+    #[error("{file}: cannot be opened: {reason} (named at {place}, {key})")]
+    OpenNamed {
         /// Name of the file.
         file: String,
+        /// Where it is named.
+        place: Place,
+        /// The key that names it.
+        key: &'static str,
         /// What the system says.
         reason: std::io::Error,
     },
     /// A profile that cannot be read.
-    #[error(transparent)]
-    Profile(#[from] ReadError),
+    #[error("{source} (named at {place}{})", options_are_keys(source))]
+    Profile {
+        /// Where it is named.
+        place: Place,
+        /// The reason.
+        source: Box<ReadError>,
+    },
     /// A profile that cannot be prepared.
     #[error("{file}: {source}")]
     Preparation {
@@ -100,6 +137,28 @@ pub enum CaseError {
         /// The reason.
         source: asperity_roughness::RoughnessError,
     },
+}
+
+fn as_written(written: Option<&str>) -> String {
+    written.map(|text| format!(" = {text}")).unwrap_or_default()
+}
+
+/// The rule, after the number where the text does not show it.
+fn rule(source: &DomainError, is_shown: bool) -> String {
+    if is_shown {
+        source.rule.to_owned()
+    } else {
+        source.to_string()
+    }
+}
+
+/// The reader speaks of options of the command; in a case they are keys.
+fn options_are_keys(source: &ReadError) -> &'static str {
+    if source.to_string().contains("--") {
+        "; there an option is a key, --z-unit um is z_unit = \"um\""
+    } else {
+        ""
+    }
 }
 
 fn did_you_mean(nearest: Option<&str>) -> String {
@@ -113,8 +172,8 @@ impl CaseError {
     pub fn code(&self) -> &'static str {
         use asperity_core::lubricant::LubricantError;
         match self {
-            Self::Open { .. } => "E201",
-            Self::Syntax { .. } => "E202",
+            Self::Open { .. } | Self::Folder { .. } => "E201",
+            Self::Encoding { .. } | Self::Syntax { .. } => "E202",
             Self::UnknownKey { .. } => "E203",
             Self::Value { .. } => "E204",
             Self::Conflict { .. } => "E205",
@@ -124,27 +183,28 @@ impl CaseError {
                 ..
             } => "E207",
             Self::Lubricant { .. } => "E208",
-            Self::Domain { .. } => "E209",
-            Self::OpenProfile { .. } => "E103",
-            Self::Profile(error) => error.code(),
-            Self::Preparation { .. } => "E110",
+            Self::Domain { .. } | Self::NotForTheseGears { .. } => "E209",
+            Self::OpenNamed { .. } => "E103",
+            Self::Profile { source, .. } => source.code(),
+            Self::Preparation { .. } => "E120",
         }
     }
 
     /// Where in the case file, when the error is about a place in it.
     pub fn place(&self) -> Option<&Place> {
         match self {
-            Self::Syntax { place, .. }
+            Self::Encoding { place }
+            | Self::Syntax { place, .. }
             | Self::UnknownKey { place, .. }
             | Self::Value { place, .. }
             | Self::Conflict { place, .. }
             | Self::Domain { place, .. }
             | Self::Gears { place, .. }
-            | Self::Lubricant { place, .. } => Some(place),
-            Self::Open { .. }
-            | Self::OpenProfile { .. }
-            | Self::Profile(_)
-            | Self::Preparation { .. } => None,
+            | Self::NotForTheseGears { place, .. }
+            | Self::Lubricant { place, .. }
+            | Self::OpenNamed { place, .. }
+            | Self::Profile { place, .. } => Some(place),
+            Self::Open { .. } | Self::Folder { .. } | Self::Preparation { .. } => None,
         }
     }
 }

@@ -8,8 +8,10 @@ mod error;
 mod files;
 mod input;
 mod known_keys;
+mod model;
 mod resolve;
 mod source;
+mod steel;
 
 pub use defaults::DefaultUsed;
 pub use error::CaseError;
@@ -18,5 +20,6 @@ pub use input::{
     BodyInput, CaseInput, FlankInput, Formulation, GearsInput, MaterialInput, ModelInput,
     NamedPoint, OneOrTwo, OperationInput, PathPoint, SurfaceInput, schema,
 };
-pub use resolve::{Case, Model, resolve};
+pub use model::Model;
+pub use resolve::{Case, resolve};
 pub use source::{Place, Source, Syntax};
