@@ -4,6 +4,8 @@ use asperity_core::DomainError;
 use asperity_core::quantity::Length;
 use serde::Serialize;
 
+use crate::warning::rounded;
+
 /// Why a filter, a parameter or a generator gave no answer.
 #[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
 #[non_exhaustive]
@@ -12,7 +14,7 @@ pub enum RoughnessError {
     #[error(transparent)]
     Domain(#[from] DomainError),
     /// The trace is shorter than the evaluation needs.
-    #[error("the profile is {length} long, {purpose} needs at least {needed}")]
+    #[error("the profile is {} long, {purpose} needs at least {}", rounded(*length), rounded(*needed))]
     TooShort {
         /// Length at hand.
         length: Length,
@@ -49,7 +51,8 @@ pub enum RoughnessError {
     },
     /// Two profiles that must share a grid do not.
     #[error(
-        "the profiles are spaced {first} and {second}; resample one, or allow linear resampling"
+        "the profiles are spaced {} and {}; resample one, or allow linear resampling",
+        rounded(*first), rounded(*second)
     )]
     SpacingDiffers {
         /// Spacing of the first profile.
@@ -58,7 +61,7 @@ pub enum RoughnessError {
         second: Length,
     },
     /// All points around a place are outliers.
-    #[error("at {place} the robust filter finds no points that are not outliers")]
+    #[error("at {} the robust filter finds no points that are not outliers", rounded(*place))]
     NoSupport {
         /// Distance from the start of the profile.
         place: Length,

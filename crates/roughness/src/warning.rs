@@ -27,7 +27,7 @@ pub enum Warning {
     },
     /// The trace still has its form.
     #[error(
-        "form not removed (parabola of {sag} over {length}); Ra {ra} is not roughness. Try --form poly2"
+        "form not removed (parabola of {} over {}); Ra {} is not roughness. Try --form poly2", rounded(*sag), rounded(*length), rounded(*ra)
     )]
     FormNotRemoved {
         /// Height of the parabola between its apex and the ends.
@@ -39,7 +39,7 @@ pub enum Warning {
     },
     /// The grid is too coarse for the short-wave filter.
     #[error(
-        "spacing {spacing} is more than a fifth of lambda_s {lambda_s}: the filter is poorly sampled. Measure finer, or choose a longer lambda_s"
+        "spacing {} is more than a fifth of lambda_s {lambda_s}: the filter is poorly sampled. Measure finer, or choose a longer lambda_s", rounded(*spacing)
     )]
     CoarseForLambdaS {
         /// Spacing of the profile.
@@ -48,7 +48,7 @@ pub enum Warning {
         lambda_s: Length,
     },
     /// Fewer sampling lengths than the five that ISO 4288 takes as normal.
-    #[error("{sections} sampling lengths of {lambda_c} in {length}; five are normal")]
+    #[error("{sections} sampling lengths of {lambda_c} in {}; five are normal", rounded(*length))]
     FewSections {
         /// Sections evaluated.
         sections: usize,
@@ -73,7 +73,7 @@ pub enum Warning {
     #[error("x falls along the file; the trace was turned round")]
     Reversed,
     /// The stated spacing overrides another one.
-    #[error("spacing {stated} was stated, the x column says {column}; the stated one is used")]
+    #[error("spacing {stated} was stated, the x column says {}; the stated one is used", rounded(*column))]
     SpacingOverridden {
         /// As stated.
         stated: Length,
@@ -85,6 +85,12 @@ pub enum Warning {
         "the file says it holds an already filtered roughness profile; filtering it again changes it. Use --lambda-c none"
     )]
     AlreadyFiltered,
+}
+
+/// A length as a message shows it: four digits, "38.12 um".
+pub(crate) fn rounded(length: Length) -> Length {
+    let text = format!("{:.3e}", length.si());
+    Length::from_si(text.parse().unwrap_or(length.si()))
 }
 
 impl Warning {
