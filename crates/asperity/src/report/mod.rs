@@ -1,5 +1,6 @@
 //! Results for people and for other programs: a folder of files, and a summary for the terminal.
 
+pub mod chart;
 mod folder;
 mod summary;
 mod tables;

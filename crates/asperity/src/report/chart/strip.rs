@@ -40,9 +40,9 @@ impl Strip {
         let place = |value: f64| LEFT + range.share(value) * (RIGHT - LEFT);
         let bottom = top + 2.0 * THICK + GAP;
         let mut canvas = Canvas::default();
-        for (row, (name, lower, upper, shares)) in [
-            ("offsets", "mixed", "full film", &self.mixed),
-            ("load on", "film", "asperities", &self.film),
+        for (row, (lower, upper, shares)) in [
+            ("mixed", "full film", &self.mixed),
+            ("load on film", "on asperities", &self.film),
         ]
         .into_iter()
         .enumerate()
@@ -56,7 +56,7 @@ impl Strip {
                 let class = if row == 0 { "mixed" } else { "film" };
                 canvas.rect(class, [x, y + THICK - tall], [place(after) - x, tall]);
             }
-            canvas.label("letter", [LEFT - 8.0, y + 12.0], Anchor::End, &format!("{name} {upper} ▒").replace(" ▒", ""));
+            canvas.label("letter", [LEFT - 8.0, y + 12.0], Anchor::End, upper);
             canvas.label("letter", [LEFT - 8.0, y + 26.0], Anchor::End, lower);
         }
         for mark in &self.marks {
