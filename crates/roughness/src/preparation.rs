@@ -143,21 +143,7 @@ pub fn prepare_with(
     }
     let (mut dropped, mut robust) = (0, None);
     if let Some(lambda_c) = recipe.lambda_c {
-        let line = match filter {
-            RoughnessFilter::Gaussian => mean_line(&current, lambda_c, recipe.ends)?,
-            RoughnessFilter::RobustGaussian => {
-                let found = robust_mean_line(&current, lambda_c)?;
-                robust = Some(found.evidence);
-                found.heights
-            }
-        };
-        let rough = current
-            .heights()
-            .iter()
-            .zip(&line)
-            .map(|(z, w)| z - w)
-            .collect();
-        current = Profile::new(spacing, rough)?;
+        (current, robust) = roughness(&current, lambda_c, recipe.ends, filter)?;
         if recipe.ends == Ends::Cut {
             dropped = (0.5 * lambda_c.si() / spacing.si()).round() as usize;
             current = cut(&current, dropped, lambda_c)?;
@@ -179,6 +165,25 @@ pub fn prepare_with(
         record,
         warnings,
     })
+}
+
+/// R = P − mean line(λ_c), with the evidence of a filter that iterates.
+fn roughness(
+    primary: &Profile,
+    lambda_c: Length,
+    ends: Ends,
+    filter: RoughnessFilter,
+) -> Result<(Profile, Option<RobustEvidence>), RoughnessError> {
+    let (line, evidence) = match filter {
+        RoughnessFilter::Gaussian => (mean_line(primary, lambda_c, ends)?, None),
+        RoughnessFilter::RobustGaussian => {
+            let found = robust_mean_line(primary, lambda_c)?;
+            (found.heights, Some(found.evidence))
+        }
+    };
+    let heights = primary.heights().iter().zip(&line);
+    let rough = heights.map(|(z, w)| z - w).collect();
+    Ok((Profile::new(primary.spacing(), rough)?, evidence))
 }
 
 fn cut(profile: &Profile, dropped: usize, lambda_c: Length) -> Result<Profile, RoughnessError> {

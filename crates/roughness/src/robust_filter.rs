@@ -82,28 +82,14 @@ pub struct RobustEvidence {
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn robust_mean_line(profile: &Profile, cutoff: Length) -> Result<RobustLine, RoughnessError> {
-    let (n, dx) = (profile.len(), profile.spacing().si());
-    let lc = DomainError::positive("cut-off", cutoff)?;
-    DomainError::require(
-        lc >= 2.0 * dx,
-        "cut-off",
-        lc,
-        "m",
-        "must be at least two spacings",
-    )?;
-    if n as f64 * dx < lc {
-        return Err(RoughnessError::TooShort {
-            length: profile.length(),
-            needed: cutoff,
-            purpose: "the robust Gaussian filter",
-        });
-    }
+    let n = profile.len();
+    let points_per_cutoff = check(profile, cutoff)?;
     // The offset of a raw trace would cost digits in the transform.
     let offset = profile.heights().iter().sum::<f64>() / n as f64;
     let z: Vec<f64> = profile.heights().iter().map(|z| z - offset).collect();
     // A trace that is a parabola but for rounding has no outliers to look for.
     let rounding = ROUNDING * z.iter().fold(0.0_f64, |m, z| m.max(z.abs()));
-    let regression = Regression::new(n, lc / dx);
+    let regression = Regression::new(n, points_per_cutoff);
     let mut weights = vec![1.0; n];
     let mut distance = f64::INFINITY;
     let mut residual = f64::INFINITY;
@@ -136,6 +122,22 @@ pub fn robust_mean_line(profile: &Profile, cutoff: Length) -> Result<RobustLine,
     })
 }
 
+/// λ_c/dx, when the trace is long enough and fine enough for it.
+fn check(profile: &Profile, cutoff: Length) -> Result<f64, RoughnessError> {
+    const RULE: &str = "must be at least two spacings";
+    let dx = profile.spacing().si();
+    let lc = DomainError::positive("cut-off", cutoff)?;
+    DomainError::require(lc >= 2.0 * dx, "cut-off", lc, "m", RULE)?;
+    if profile.len() as f64 * dx < lc {
+        return Err(RoughnessError::TooShort {
+            length: profile.length(),
+            needed: cutoff,
+            purpose: "the robust Gaussian filter",
+        });
+    }
+    Ok(lc / dx)
+}
+
 fn median_of_sizes(r: &[f64]) -> f64 {
     let mut sizes: Vec<f64> = r.iter().map(|r| r.abs()).collect();
     let middle = sizes.len() / 2;
@@ -160,7 +162,8 @@ struct Regression {
 
 impl Regression {
     fn new(n: usize, points_per_cutoff: f64) -> Self {
-        let m = (SUPPORT * points_per_cutoff + 1e-9).floor() as usize;
+        // Weights that reach past both ends of the trace meet no point.
+        let m = ((SUPPORT * points_per_cutoff) as usize).clamp(1, n - 1);
         let length = good_fft_length(n + m);
         let mut planner = RealFftPlanner::new();
         let forward = planner.plan_fft_forward(length);

@@ -86,20 +86,7 @@ pub fn asperity_radius(
     let m = (window / dx).round() as usize;
     let spectral = gaussian_summit_curvature(moments(composite)?.m4)?;
     let all = summits(z, m);
-    let mean_height = z.iter().sum::<f64>() / z.len() as f64;
-    let core_top = rk_parameters(z)?.upper.si();
-    let above = |level: f64| {
-        all.iter()
-            .copied()
-            .filter(|&i| z[i] > level)
-            .collect::<Vec<_>>()
-    };
-    let in_peak_zone = above(core_top);
-    let (level, level_height, chosen) = if in_peak_zone.len() >= FEWEST {
-        (ReferenceLevel::PeakZone, core_top, in_peak_zone)
-    } else {
-        (ReferenceLevel::MeanLine, mean_height, above(mean_height))
-    };
+    let (level, level_height, chosen) = carrying(z, &all)?;
     if chosen.is_empty() {
         return Err(RoughnessError::NoSummit {
             window: lambda_s,
@@ -126,6 +113,23 @@ pub fn asperity_radius(
         level_height: Length::from_si(level_height),
         spectral_radius: Length::from_si(1.0 / spectral),
     })
+}
+
+/// The summits in the peak zone, or above the mean line when those are too few; with the level.
+fn carrying(z: &[f64], all: &[usize]) -> Result<(ReferenceLevel, f64, Vec<usize>), RoughnessError> {
+    let above = |level: f64| {
+        all.iter()
+            .copied()
+            .filter(|&i| z[i] > level)
+            .collect::<Vec<_>>()
+    };
+    let core_top = rk_parameters(z)?.upper.si();
+    let in_peak_zone = above(core_top);
+    if in_peak_zone.len() >= FEWEST {
+        return Ok((ReferenceLevel::PeakZone, core_top, in_peak_zone));
+    }
+    let mean = z.iter().sum::<f64>() / z.len() as f64;
+    Ok((ReferenceLevel::MeanLine, mean, above(mean)))
 }
 
 /// Indices of local maxima at least `margin` points from the ends; a plateau by its middle.

@@ -45,6 +45,7 @@ use dialect::{Line, Sniffed};
 use header::Label;
 use single_column::Special;
 use table::{Chosen, Row};
+use units::Extent;
 
 /// A profile with all that was found out about its file. Serialises without the heights, as the echo.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -336,23 +337,9 @@ impl Found<'_> {
         let span = high - low;
         let z_stated = self.unit(Axis::Height, self.chosen.z)?.or(format_unit);
         if let Some(dx) = self.options.dx {
-            let length = dx.si() * (heights.len() - 1) as f64;
-            let z_unit = z_stated.or_else(|| units::heights_only(span, length));
-            let z_unit = z_unit.ok_or_else(|| self.no_unit(Axis::Height, span))?;
-            if z_stated.is_none() {
-                warnings.push(Warning::UnitAssumed {
-                    axis: Axis::Height,
-                    unit: z_unit,
-                });
-            }
             warnings.extend(self.overridden(rows, dx));
-            let (spacing, source) = (dx.si(), SpacingSource::Stated);
-            return Ok(Measured {
-                spacing,
-                source,
-                x_unit: None,
-                z_unit,
-            });
+            let length = dx.si() * (heights.len() - 1) as f64;
+            return self.with_stated_spacing(dx, z_stated, Extent { length, span }, warnings);
         }
         let (Some(column), Some(x_column)) = (column, self.chosen.x) else {
             return Err(self.no_spacing(SpacingHint::None));
@@ -362,7 +349,7 @@ impl Found<'_> {
             return Err(self.no_spacing(SpacingHint::XCounts));
         }
         let length = column * (rows.len() - 1) as f64;
-        let extent = units::Extent { length, span };
+        let extent = Extent { length, span };
         let found = units::pair(extent, x_stated, z_stated);
         let (x_unit, z_unit) = found.ok_or_else(|| match z_stated {
             None => self.no_unit(Axis::Height, span),
@@ -381,6 +368,30 @@ impl Found<'_> {
             spacing,
             source,
             x_unit: Some(x_unit),
+            z_unit,
+        })
+    }
+
+    fn with_stated_spacing(
+        &self,
+        dx: Length,
+        z_stated: Option<LengthUnit>,
+        extent: Extent,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<Measured, ReadError> {
+        let z_unit = z_stated.or_else(|| units::heights_only(extent.span, extent.length));
+        let z_unit = z_unit.ok_or_else(|| self.no_unit(Axis::Height, extent.span))?;
+        if z_stated.is_none() {
+            warnings.push(Warning::UnitAssumed {
+                axis: Axis::Height,
+                unit: z_unit,
+            });
+        }
+        let (spacing, source) = (dx.si(), SpacingSource::Stated);
+        Ok(Measured {
+            spacing,
+            source,
+            x_unit: None,
             z_unit,
         })
     }
