@@ -6,7 +6,7 @@ use asperity_core::OutOfRange;
 use asperity_efficiency::equivalent_friction;
 
 use crate::case::LoadedCase;
-use crate::encounter::FEW_ASPERITIES;
+use crate::local_roughness::FEW_ASPERITIES;
 use crate::error::PositionError;
 use crate::message::Warning;
 use crate::position::Position;

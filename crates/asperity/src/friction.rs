@@ -10,7 +10,8 @@ use asperity_tribo_friction::{
 
 use crate::branch::Carried;
 use crate::case::Case;
-use crate::encounter::{Encounter, Roughness};
+use crate::encounter::Encounter;
+use crate::local_roughness::Roughness;
 use crate::error::PositionError;
 use crate::station::Station;
 

@@ -1,20 +1,17 @@
 //! From positions to losses: cycle means at each offset, then mean and spread over the offsets.
 
-use asperity_core::quantity::{Length, LineEnergy, LineLoad, Power, Pressure};
+use asperity_core::quantity::{Length, LineEnergy, LineLoad, Power};
 use asperity_efficiency::deformation::{
-    elastic_energy, engagement_period, hysteresis_power, printed_deformation_power, running_in,
+    elastic_energy, engagement_period, hysteresis_power, running_in,
 };
 use asperity_efficiency::{
     LossKind, MeshEfficiency, MeshOperation, PositionLoss, RollingSurfaces, mesh_efficiency,
     mesh_loss,
 };
 
-use crate::branch::{Bodies, Carried};
 use crate::case::{Case, Formulation};
-use crate::encounter::Encounter;
 use crate::error::PositionError;
 use crate::position::Position;
-use crate::station::Station;
 
 /// Efficiency of the mesh with all flanks at one offset.
 pub(crate) fn efficiency_at(
@@ -140,40 +137,4 @@ fn mean(positions: &[Position], mut value: impl FnMut(&Position) -> f64) -> f64 
         .map(|position| position.station.weight * value(position))
         .sum();
     sum / total
-}
-
-/// Deformation loss as the paper prints it, per surface [W]: stress times displacement times the
-/// square of a cell over the time of a revolution, summed over the cells. In contact the elastic and
-/// plastic displacement counts, after contact the plastic one again.
-pub(crate) fn printed_deformation(
-    case: &Case,
-    station: &Station,
-    encounter: &Encounter,
-    carried: &Carried,
-) -> Result<[f64; 2], PositionError> {
-    let revolution =
-        asperity_core::quantity::Time::from_si(2.0 * std::f64::consts::PI / case.speed.si());
-    let n = encounter.x.len();
-    let bodies = match &carried.solids {
-        Some(solids) => Bodies::new(case, solids)?.measured_from_edge(&solids.pressure),
-        None => Bodies::hertz(case, station, &encounter.x)?,
-    };
-    let mut powers = [0.0; 2];
-    for (body, power) in powers.iter_mut().enumerate() {
-        for i in 0..n {
-            let solid = carried.solids.as_ref().map_or(0.0, |s| s.pressure[i]);
-            let stress = Pressure::from_si(solid + carried.fluid[i].max(0.0));
-            let (elastic, plastic) = (bodies.elastic[body][i], bodies.plastic[body][i]);
-            for displacement in [elastic + plastic, plastic] {
-                *power += printed_deformation_power(
-                    stress,
-                    Length::from_si(displacement),
-                    encounter.spacing,
-                    revolution,
-                )?
-                .si();
-            }
-        }
-    }
-    Ok(powers)
 }

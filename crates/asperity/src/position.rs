@@ -6,9 +6,12 @@ use asperity_core::OutOfRange;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::{AsperityShape, Orientation, film_ratio, lambda_star};
 
-use crate::branch::{Bodies, Carried, Mixed, full_film, load_path, march, mixed};
+use crate::branch::{
+    Bodies, Carried, Mixed, full_film, load_path, march, mixed, printed_deformation,
+};
 use crate::case::{Case, Formulation};
-use crate::encounter::{Encounter, Roughness};
+use crate::encounter::Encounter;
+use crate::local_roughness::Roughness;
 use crate::error::PositionError;
 use crate::friction::{self, FilmFriction};
 use crate::result::{PositionFields, Regime, SubsurfaceFields};
@@ -125,7 +128,7 @@ impl Position {
         let deformation = match case.formulation {
             Formulation::Corrected => [0.0; 2],
             Formulation::Paper => {
-                crate::losses::printed_deformation(case, station, &encounter, &carried)?
+                printed_deformation(case, station, &encounter, &carried)?
             }
         };
         let contact = carried.solids.as_ref().map(|solids| ContactNumbers {

@@ -7,8 +7,8 @@ use asperity_roughness::preparation::PreparationRecord;
 use asperity_roughness::read::Reading;
 use serde::Serialize;
 
-use crate::encounter::{Roughness, peaks};
 use crate::error::PositionError;
+use crate::local_roughness::{Roughness, peaks};
 
 /// λs at which summits are measured when no noise filter was asked for: the usual stylus filter.
 const SUMMIT_WINDOW: Length = Length::from_si(2.5e-6);

@@ -5,11 +5,13 @@ mod bodies;
 mod full_film;
 mod marching;
 mod mixed;
+mod printed_deformation;
 
 pub(crate) use bodies::Bodies;
 pub(crate) use full_film::full_film;
 pub(crate) use marching::march;
 pub(crate) use mixed::{Mixed, load_path, mixed};
+pub(crate) use printed_deformation::printed_deformation;
 
 use asperity_contact::ContactSolution;
 

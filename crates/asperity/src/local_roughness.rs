@@ -1,0 +1,57 @@
+//! Roughness under one contact, as the film and friction laws see it.
+
+use asperity_core::Profile;
+use asperity_core::quantity::Length;
+use asperity_roughness::RoughnessError;
+use asperity_roughness::material_ratio::rk_parameters;
+use asperity_roughness::summits::{AsperityRadius, asperity_radius};
+
+use crate::error::PositionError;
+
+/// Below this number of asperities their mean radius is uncertain.
+pub const FEW_ASPERITIES: usize = 5;
+
+/// Roughness as the film and friction laws see it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Roughness {
+    /// Rq of both flanks \[m\].
+    pub rq: [f64; 2],
+    /// Ra of both flanks \[m\].
+    pub ra: [f64; 2],
+    /// Rz of both flanks \[m\].
+    pub rz: [f64; 2],
+    /// Reduced peak height of the composite profile \[m\]; none when it is not known.
+    pub reduced_peak: Option<f64>,
+    /// Mean radius of the asperities of the composite profile; none when it is not known.
+    pub asperity_radius: Option<Length>,
+    /// Asperities measured.
+    pub asperities: usize,
+}
+
+impl Roughness {
+    /// S = √(Rq₁² + Rq₂²) \[m\].
+    pub fn combined_rq(&self) -> f64 {
+        self.rq[0].hypot(self.rq[1])
+    }
+}
+
+/// Reduced peak height \[m\] of the composite of two windows, and its asperities if it has any.
+pub(crate) fn peaks(
+    heights: &[Vec<f64>; 2],
+    spacing: Length,
+    lambda_s: Length,
+) -> Result<(f64, Option<AsperityRadius>), PositionError> {
+    let composite: Vec<f64> = heights[0]
+        .iter()
+        .zip(&heights[1])
+        .map(|(a, b)| a + b)
+        .collect();
+    let peak = rk_parameters(&composite)?.rpk.si();
+    let profile = Profile::new(spacing, composite)?;
+    match asperity_radius(&profile, lambda_s) {
+        Ok(found) => Ok((peak, Some(found))),
+        // A window without summits is smooth: its asperities lift no film of their own.
+        Err(RoughnessError::NoSummit { .. } | RoughnessError::NoRadius { .. }) => Ok((peak, None)),
+        Err(error) => Err(error.into()),
+    }
+}
