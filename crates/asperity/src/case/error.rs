@@ -100,11 +100,13 @@ pub enum CaseError {
         source: asperity_gear::GearError,
     },
     /// A lubricant that lacks something or cannot be.
-    #[error("{place}: lubricant{}: {source}", written.as_deref().unwrap_or_default())]
+    #[error("{place}: {key}{}: {source}", as_written(written.as_deref()))]
     Lubricant {
         /// Where.
         place: Place,
-        /// The key and the value as they stand in the file, where one value is to blame.
+        /// The key, with its table.
+        key: &'static str,
+        /// The value as it stands in the file, where one value is to blame.
         written: Option<String>,
         /// The reason.
         source: asperity_core::lubricant::LubricantError,
@@ -145,10 +147,16 @@ fn as_written(written: Option<&str>) -> String {
 
 /// The rule, after the number where the text does not show it.
 fn rule(source: &DomainError, is_shown: bool) -> String {
-    if is_shown {
-        source.rule.to_owned()
-    } else {
-        source.to_string()
+    let DomainError {
+        name,
+        value,
+        unit,
+        rule,
+    } = source;
+    match (is_shown, *unit) {
+        (true, _) => (*rule).to_owned(),
+        (false, "" | "-") => format!("{name} = {value}: {rule}"),
+        (false, unit) => format!("{name} = {value} {unit}: {rule}"),
     }
 }
 

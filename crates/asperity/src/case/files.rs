@@ -1,6 +1,6 @@
 //! Files of a case: the case itself and the traces it names.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use asperity_core::DomainError;
 use asperity_core::Profile;
@@ -15,11 +15,15 @@ use sha2::{Digest, Sha256};
 
 use super::error::CaseError;
 use super::input::{CaseInput, FlankInput, Formulation, schema};
+use super::key_names::key_of;
 use super::known_keys::first_unknown;
-use super::resolve::{Case, resolve};
+use super::plain_words::plain;
+use super::resolve::{Case, domain, resolve};
 use super::source::Source;
 use crate::message::Warning;
 use crate::surfaces::{FlankReport, Surfaces, Texture};
+
+const FILE_OF_WHEEL: &str = "surface.wheel.file";
 
 /// A case with its traces, ready to run.
 #[derive(Debug, Clone)]
@@ -43,15 +47,21 @@ pub fn load(
     path: &Path,
     formulation: Option<Formulation>,
 ) -> Result<LoadedCase, (Box<CaseError>, Option<Box<Source>>)> {
-    let text = std::fs::read_to_string(path).map_err(|reason| {
-        let file = path.display().to_string();
-        (Box::new(CaseError::Open { file, reason }), None)
-    })?;
-    let source =
-        Source::new(&path.display().to_string(), &text).map_err(|error| (Box::new(error), None))?;
+    let source = open(path).map_err(|error| (Box::new(error), None))?;
     let folder = path.parent().unwrap_or(Path::new("."));
     from_source(&source, folder, formulation)
         .map_err(|error| (Box::new(error), Some(Box::new(source.clone()))))
+}
+
+fn open(path: &Path) -> Result<Source, CaseError> {
+    let file = path.display().to_string();
+    if path.is_dir() {
+        return Err(CaseError::Folder { file });
+    }
+    match std::fs::read(path) {
+        Ok(bytes) => Source::from_bytes(&file, &bytes),
+        Err(reason) => Err(CaseError::Open { file, reason }),
+    }
 }
 
 fn from_source(
@@ -67,7 +77,18 @@ fn from_source(
             nearest,
         });
     }
-    let mut input: CaseInput = source.read()?;
+    let mut input: CaseInput = source.read().map_err(|error| match error {
+        CaseError::Value {
+            place,
+            key,
+            message,
+        } => CaseError::Value {
+            message: plain(&schema, key.as_deref(), &message),
+            place,
+            key,
+        },
+        error => error,
+    })?;
     if formulation.is_some() {
         input.formulation = formulation;
     }
@@ -81,8 +102,10 @@ fn from_source(
 
 fn xu_calibration(path: &Path, source: &Source) -> Result<XuCalibration, CaseError> {
     let key = "model.xu_coefficients";
-    let text = std::fs::read_to_string(path).map_err(|reason| CaseError::Open {
+    let text = std::fs::read_to_string(path).map_err(|reason| CaseError::OpenNamed {
         file: path.display().to_string(),
+        place: source.place_of(key),
+        key,
         reason,
     })?;
     XuCalibration::from_json(&text).map_err(|error| CaseError::Value {
@@ -153,7 +176,14 @@ fn flank(
             rule: "give file, the trace of the flank, or rq when there is none",
         }),
         (None, Some(rq)) => values(input, rq, key, source),
-        (Some(file), None) => trace(input, file, case, folder, warnings),
+        (Some(file), None) => {
+            // The wheel may run on the trace of the pinion.
+            let named = match source.written(FILE_OF_WHEEL) {
+                Some(_) if key == "surface.wheel" => FILE_OF_WHEEL,
+                _ => "surface.pinion.file",
+            };
+            trace(input, file, (source, named), case, folder, warnings)
+        }
     }
 }
 
@@ -167,11 +197,7 @@ fn values(
         None => Ok(None),
         Some(length) => DomainError::positive(name, length)
             .map(Some)
-            .map_err(|error| CaseError::Domain {
-                place: source.place_of(key),
-                key,
-                source: error,
-            }),
+            .map_err(domain(source, key_of(key, name))),
     };
     let rq = checked("Rq", Some(rq))?.unwrap_or_default();
     /// Ra of a Gaussian surface is Rq·√(2/π).
@@ -190,14 +216,17 @@ fn values(
 
 fn trace(
     input: &FlankInput,
-    file: &PathBuf,
+    file: &Path,
+    (source, key): (&Source, &'static str),
     case: &Case,
     folder: &Path,
     warnings: &mut Vec<Warning>,
 ) -> Result<(Texture, FlankReport), CaseError> {
     let path = folder.join(file);
-    let bytes = std::fs::read(&path).map_err(|reason| CaseError::OpenProfile {
+    let bytes = std::fs::read(&path).map_err(|reason| CaseError::OpenNamed {
         file: path.display().to_string(),
+        place: source.place_of(key),
+        key,
         reason,
     })?;
     // As the case names it: that is what the user looks for.
@@ -212,7 +241,10 @@ fn trace(
         encoding: input.encoding,
         gaps: input.gaps.unwrap_or_default(),
     };
-    let reading = read_bytes(&name, &bytes, &options)?;
+    let reading = read_bytes(&name, &bytes, &options).map_err(|error| CaseError::Profile {
+        place: source.place_of(key),
+        source: Box::new(error),
+    })?;
     let mirrored = input.mirrored.unwrap_or(false);
     let raw = if mirrored {
         reading.profile.mirrored()

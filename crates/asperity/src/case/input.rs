@@ -18,7 +18,9 @@ use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::read::{Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator};
 use asperity_tribo_friction::FrictionLaw;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::de::value::{SeqAccessDeserializer, StrDeserializer};
+use serde::de::{IntoDeserializer, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// A case: gears, steel, oil, operation, two measured flanks, and the model to use.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -56,7 +58,7 @@ pub enum Formulation {
 }
 
 /// One value for both gears, or one each: `"50 mm"` or `["35 mm", "32 mm"]`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum OneOrTwo<T> {
     /// `[pinion, wheel]`.
@@ -72,6 +74,43 @@ impl<T: Copy> OneOrTwo<T> {
             Self::Two(both) => both,
             Self::One(one) => [one, one],
         }
+    }
+}
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for OneOrTwo<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(OneOrTwoVisitor(std::marker::PhantomData))
+    }
+}
+
+/// By hand, so that what is wrong with a single value is told in the words of its type.
+struct OneOrTwoVisitor<T>(std::marker::PhantomData<T>);
+
+impl<'de, T: Deserialize<'de>> Visitor<'de> for OneOrTwoVisitor<T> {
+    type Value = OneOrTwo<T>;
+
+    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "one value, or two as [pinion, wheel]")
+    }
+
+    fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<Self::Value, E> {
+        T::deserialize(text.into_deserializer()).map(OneOrTwo::One)
+    }
+
+    fn visit_f64<E: serde::de::Error>(self, number: f64) -> Result<Self::Value, E> {
+        T::deserialize(number.into_deserializer()).map(OneOrTwo::One)
+    }
+
+    fn visit_i64<E: serde::de::Error>(self, number: i64) -> Result<Self::Value, E> {
+        T::deserialize(number.into_deserializer()).map(OneOrTwo::One)
+    }
+
+    fn visit_u64<E: serde::de::Error>(self, number: u64) -> Result<Self::Value, E> {
+        T::deserialize(number.into_deserializer()).map(OneOrTwo::One)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, sequence: A) -> Result<Self::Value, A::Error> {
+        Deserialize::deserialize(SeqAccessDeserializer::new(sequence)).map(OneOrTwo::Two)
     }
 }
 
@@ -252,13 +291,58 @@ pub struct ModelInput {
 }
 
 /// A point on the path of contact.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum PathPoint {
     /// One of the five points every gear book names.
     Named(NamedPoint),
     /// 0 at A (start of contact), 1 at E (end).
     Fraction(f64),
+}
+
+impl<'de> Deserialize<'de> for PathPoint {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(PathPointVisitor)
+    }
+}
+
+struct PathPointVisitor;
+
+impl Visitor<'_> for PathPointVisitor {
+    type Value = PathPoint;
+
+    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "one of A, B, C, D, E, or a number from 0 (A) to 1 (E)")
+    }
+
+    fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<Self::Value, E> {
+        let name: StrDeserializer<'_, E> = text.into_deserializer();
+        NamedPoint::deserialize(name).map(PathPoint::Named)
+    }
+
+    fn visit_f64<E: serde::de::Error>(self, number: f64) -> Result<Self::Value, E> {
+        Ok(PathPoint::Fraction(number))
+    }
+
+    fn visit_i64<E: serde::de::Error>(self, number: i64) -> Result<Self::Value, E> {
+        Ok(PathPoint::Fraction(number as f64))
+    }
+
+    fn visit_u64<E: serde::de::Error>(self, number: u64) -> Result<Self::Value, E> {
+        Ok(PathPoint::Fraction(number as f64))
+    }
+}
+
+/// Reads what the command line says: `C`, or `0.25`.
+impl std::str::FromStr for PathPoint {
+    type Err = serde::de::value::Error;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        match text.parse() {
+            Ok(fraction) => Ok(Self::Fraction(fraction)),
+            Err(_) => Self::deserialize(text.into_deserializer()),
+        }
+    }
 }
 
 /// The points A to E of the path of contact.

@@ -36,6 +36,15 @@ fn unknown_at<'a>(schema: &Value, path: &'a str) -> Option<(&'a str, Option<Stri
     None
 }
 
+/// The schema of the value at `path`.
+pub(super) fn property<'a>(schema: &'a Value, path: &str) -> Option<&'a Value> {
+    path.split('.').try_fold(schema, |node, segment| {
+        objects(schema, node)
+            .into_iter()
+            .find_map(|object| object.get("properties")?.get(segment))
+    })
+}
+
 /// The object schemas that `node` can stand for, through references and alternatives.
 fn objects<'a>(schema: &'a Value, node: &'a Value) -> Vec<&'a Value> {
     if node.get("properties").is_some() {

@@ -3,7 +3,7 @@
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, Ratio};
 use asperity_ehl_regime::{FilmLaw, LoadShareLaw, ThermalLaw};
-use asperity_gear::{GearPair, LoadSharing};
+use asperity_gear::{GearPair, LoadSharing, PositionRule};
 use asperity_ns_film::FluidModel;
 use asperity_tribo_friction::{FrictionLaw, FrictionSettings, RoughnessReading};
 use serde::Serialize;
@@ -159,6 +159,8 @@ pub(super) fn model(
         depths: defaults.take("model.depths", given.depths, 24),
     };
     check_model(&model, source)?;
+    check_against_gears(&model, formulation, gears, source)?;
+    check_constant(given.constant_friction, model.friction, source)?;
     Ok(model)
 }
 
@@ -268,9 +270,66 @@ fn check_model(model: &Model, source: &Source) -> Result<(), CaseError> {
         ),
     ];
     for (key, name, value, holds, rule) in checks {
-        DomainError::require(holds, name, value, "", rule).map_err(domain(source, key))?;
+        DomainError::require(holds, name, value, "-", rule).map_err(domain(source, key))?;
     }
     Ok(())
+}
+
+/// What only some gears take: positions fewer than the segments of the path, laws for spur gears.
+fn check_against_gears(
+    model: &Model,
+    formulation: Formulation,
+    gears: &GearPair,
+    source: &Source,
+) -> Result<(), CaseError> {
+    let refused = |key| {
+        move |error| CaseError::NotForTheseGears {
+            place: source.place_of(key),
+            key,
+            source: error,
+        }
+    };
+    if formulation == Formulation::Corrected {
+        gears
+            .positions(model.positions, PositionRule::default())
+            .map_err(refused("model.positions"))?;
+    }
+    gears
+        .loss_factors(&model.load_sharing)
+        .map_err(refused("model.load_sharing"))?;
+    Ok(())
+}
+
+/// A constant coefficient is given with the law that uses it, and only with it.
+fn check_constant(
+    given: Option<f64>,
+    law: FrictionLaw,
+    source: &Source,
+) -> Result<(), CaseError> {
+    let key = "model.constant_friction";
+    let conflict = |rule| CaseError::Conflict {
+        place: source.place_of(key),
+        key,
+        rule,
+    };
+    match (given, law) {
+        (None, FrictionLaw::Constant) => Err(conflict(
+            "is missing, and friction = \"constant\" needs it, as constant_friction = 0.05",
+        )),
+        (Some(_), law) if law != FrictionLaw::Constant => Err(conflict(
+            "is used with friction = \"constant\" only; leave it out or choose that law",
+        )),
+        (Some(value), _) => DomainError::require(
+            (0.0..=2.0).contains(&value),
+            "constant friction",
+            value,
+            "-",
+            "must be 0 to 2",
+        )
+        .map(|_| ())
+        .map_err(domain(source, key)),
+        (None, _) => Ok(()),
+    }
 }
 
 /// Where a point lies on the path, 0 at A and 1 at E.

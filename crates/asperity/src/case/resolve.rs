@@ -1,12 +1,12 @@
 //! From the case as written to the case as computed: defaults filled in, numbers checked.
 
-use asperity_core::lubricant::{Lubricant, LubricantState};
+use asperity_core::lubricant::{Lubricant, LubricantError, LubricantState};
 use asperity_core::material::{Material, reduced_modulus};
 use asperity_core::quantity::{
     Angle, AngularSpeed, Length, Pressure, Quantity, Temperature, Torque,
 };
 use asperity_core::{DomainError, OutOfRange};
-use asperity_gear::{GearPair, GearPairInput, Plane};
+use asperity_gear::{GearError, GearPair, GearPairInput, Plane};
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::preparation::Preparation;
@@ -14,6 +14,7 @@ use asperity_roughness::preparation::Preparation;
 use super::defaults::{DefaultUsed, Defaults};
 use super::error::CaseError;
 use super::input::{CaseInput, Formulation};
+use super::key_names::key_of;
 use super::model::{Model, model};
 use super::source::Source;
 use super::steel::materials;
@@ -24,7 +25,6 @@ const PRESSURE_ANGLE: f64 = 20.0 * std::f64::consts::PI / 180.0;
 const CUTOFF: Length = Length::from_si(0.8e-3);
 const NOISE_CUTOFF: Length = Length::from_si(2.5e-6);
 
-/// A case with every choice made.
 /// A case with every choice made.
 #[derive(Debug, Clone)]
 pub struct Case {
@@ -70,17 +70,9 @@ pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
     let mut defaults = Defaults::default();
     let formulation = defaults.take("formulation", input.formulation, Formulation::default());
     let gears = gears(&input, source, &mut defaults)?;
-    let (materials, flow_pressure) = materials(&input, &mut defaults);
+    let (materials, flow_pressure) = materials(&input, source, &mut defaults)?;
     let modulus =
         reduced_modulus(&materials[0], &materials[1]).map_err(domain(source, "material.pinion"))?;
-    for (limit, material) in flow_pressure.iter().zip(&materials) {
-        DomainError::positive("flow pressure", *limit)
-            .and_then(|_| DomainError::positive("elastic limit", material.elastic_limit))
-            .and_then(|_| DomainError::positive("density", material.density))
-            .and_then(|_| DomainError::positive("conductivity", material.conductivity))
-            .and_then(|_| DomainError::positive("heat capacity", material.heat_capacity))
-            .map_err(domain(source, "material.pinion"))?;
-    }
     let operation = input.operation;
     check_not_zero("torque", operation.torque, source, "operation.torque")?;
     DomainError::positive("speed", operation.speed).map_err(domain(source, "operation.speed"))?;
@@ -149,9 +141,12 @@ fn gears(
             None => defaults.take("gears.addendum", given.addendum, 1.0),
         },
     };
-    GearPair::new(&geometry).map_err(|error| CaseError::Gears {
-        place: source.place_of_key("gears"),
-        source: error,
+    GearPair::new(&geometry).map_err(|error| match error {
+        GearError::Domain(error) => domain(source, key_of("gears", error.name))(error),
+        error => CaseError::Gears {
+            place: source.place_of_key("gears"),
+            source: error,
+        },
     })
 }
 
@@ -200,15 +195,27 @@ pub(super) fn domain<'a>(
     move |error| CaseError::Domain {
         place: source.place_of(key),
         key,
+        written: source.written(key).map(str::to_owned),
         source: error,
     }
 }
 
-fn lubricant_at(
-    source: &Source,
-) -> impl Fn(asperity_core::lubricant::LubricantError) -> CaseError + use<'_> {
-    |error| CaseError::Lubricant {
-        place: source.place_of_key("lubricant"),
-        source: error,
+fn lubricant_at(source: &Source) -> impl Fn(LubricantError) -> CaseError + use<'_> {
+    |error| match error {
+        LubricantError::Domain(error) => domain(source, key_of("lubricant", error.name))(error),
+        error => {
+            let key = match error {
+                LubricantError::ImplausiblePressureViscosity { .. } => {
+                    "lubricant.pressure_viscosity"
+                }
+                _ => "lubricant",
+            };
+            CaseError::Lubricant {
+                place: source.place_of_key(key),
+                key,
+                written: source.written(key).map(str::to_owned),
+                source: error,
+            }
+        }
     }
 }

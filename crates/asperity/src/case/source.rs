@@ -47,6 +47,7 @@ pub struct Source {
     syntax: Syntax,
     values: BTreeMap<String, Range<usize>>,
     keys: BTreeMap<String, Range<usize>>,
+    written: BTreeMap<String, String>,
 }
 
 impl Source {
@@ -64,12 +65,13 @@ impl Source {
             syntax: if is_json { Syntax::Json } else { Syntax::Toml },
             values: BTreeMap::new(),
             keys: BTreeMap::new(),
+            written: BTreeMap::new(),
         };
         if is_json {
             let value: serde_json::Value =
                 serde_json::from_str(text).map_err(|error| CaseError::Syntax {
                     place: source.at_line(error.line()),
-                    message: error.to_string(),
+                    message: without_place(&error.to_string()),
                 })?;
             source.index_json("", &value);
         } else {
@@ -77,12 +79,30 @@ impl Source {
                 place: source.at_span(error.span()),
                 message: error.message().to_owned(),
             })?;
-            let (mut values, mut keys) = (BTreeMap::new(), BTreeMap::new());
-            index_toml("", table.get_ref(), &mut values, &mut keys);
-            source.values = values;
-            source.keys = keys;
+            source.index_toml("", table.get_ref());
         }
         Ok(source)
+    }
+
+    /// The same from the bytes of a file; a byte-order mark is no part of the text.
+    ///
+    /// # Errors
+    /// When the bytes are not UTF-8, or the text is not TOML (or JSON), with the place.
+    pub fn from_bytes(name: &str, bytes: &[u8]) -> Result<Self, CaseError> {
+        match std::str::from_utf8(bytes) {
+            Ok(text) => Self::new(name, text.trim_start_matches('\u{feff}')),
+            Err(error) => {
+                let good = &bytes[..error.valid_up_to()];
+                let line = 1 + good.iter().filter(|byte| **byte == b'\n').count();
+                Err(CaseError::Encoding {
+                    place: Place {
+                        file: name.to_owned(),
+                        line: Some(line),
+                        span: None,
+                    },
+                })
+            }
+        }
     }
 
     /// The whole text.
@@ -110,6 +130,11 @@ impl Source {
         self.nearest(&self.keys, key)
     }
 
+    /// The value of `key` as it stands in the file; none for a table, or where it is not there.
+    pub fn written(&self, key: &str) -> Option<&str> {
+        self.written.get(key).map(String::as_str)
+    }
+
     /// Reads the text into a value.
     ///
     /// # Errors
@@ -124,7 +149,7 @@ impl Source {
             Syntax::Json => serde_json::from_str(&self.text).map_err(|error| CaseError::Value {
                 place: self.at_line(error.line()),
                 key: None,
-                message: error.to_string(),
+                message: without_place(&error.to_string()),
             }),
         }
     }
@@ -172,12 +197,27 @@ impl Source {
     }
 
     fn index_json(&mut self, path: &str, value: &serde_json::Value) {
-        if let serde_json::Value::Object(fields) = value {
-            for (name, field) in fields {
-                let path = join(path, name);
-                self.keys.insert(path.clone(), 0..0);
-                self.values.insert(path.clone(), 0..0);
-                self.index_json(&path, field);
+        let serde_json::Value::Object(fields) = value else {
+            self.written.insert(path.to_owned(), value.to_string());
+            return;
+        };
+        for (name, field) in fields {
+            let path = join(path, name);
+            self.keys.insert(path.clone(), 0..0);
+            self.values.insert(path.clone(), 0..0);
+            self.index_json(&path, field);
+        }
+    }
+
+    fn index_toml(&mut self, path: &str, table: &DeTable<'_>) {
+        for (name, value) in table {
+            let path = join(path, name.get_ref());
+            self.keys.insert(path.clone(), name.span());
+            self.values.insert(path.clone(), value.span());
+            if let DeValue::Table(inner) = value.get_ref() {
+                self.index_toml(&path, inner);
+            } else if let Some(text) = self.text.get(value.span()) {
+                self.written.insert(path, text.to_owned());
             }
         }
     }
@@ -191,18 +231,10 @@ fn join(path: &str, name: &str) -> String {
     }
 }
 
-fn index_toml(
-    path: &str,
-    table: &DeTable<'_>,
-    values: &mut BTreeMap<String, Range<usize>>,
-    keys: &mut BTreeMap<String, Range<usize>>,
-) {
-    for (name, value) in table {
-        let path = join(path, name.get_ref());
-        keys.insert(path.clone(), name.span());
-        values.insert(path.clone(), value.span());
-        if let DeValue::Table(inner) = value.get_ref() {
-            index_toml(&path, inner, values, keys);
-        }
+/// The message of the JSON parser without the place at its end, which is told in front.
+fn without_place(message: &str) -> String {
+    match message.rfind(" at line ") {
+        Some(end) => message[..end].to_owned(),
+        None => message.to_owned(),
     }
 }

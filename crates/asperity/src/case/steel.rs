@@ -1,10 +1,14 @@
 //! Steel of the gears: what the case says, completed with a case-hardened steel.
 
+use asperity_core::DomainError;
 use asperity_core::material::Material;
-use asperity_core::quantity::{Density, Pressure, SpecificHeat, ThermalConductivity};
+use asperity_core::quantity::{Density, Pressure, Quantity, SpecificHeat, ThermalConductivity};
 
 use super::defaults::Defaults;
+use super::error::CaseError;
 use super::input::{BodyInput, CaseInput};
+use super::resolve::domain;
+use super::source::Source;
 
 /// Young's modulus and Poisson's ratio of steel, as in the reference case of the 2022 paper.
 const STEEL_YOUNG: Pressure = Pressure::from_si(210e9);
@@ -22,14 +26,15 @@ const STEEL_HEAT_CAPACITY: SpecificHeat = SpecificHeat::from_si(465.0);
 /// Material and flow pressure of pinion and wheel.
 pub(super) fn materials(
     input: &CaseInput,
+    source: &Source,
     defaults: &mut Defaults,
-) -> ([Material; 2], [Pressure; 2]) {
-    let pinion = body(&input.material.pinion, &PINION_KEYS, defaults);
+) -> Result<([Material; 2], [Pressure; 2]), CaseError> {
+    let pinion = body(&input.material.pinion, &PINION_KEYS, source, defaults)?;
     let wheel = match &input.material.wheel {
         None => pinion,
-        Some(wheel) => body(wheel, &WHEEL_KEYS, defaults),
+        Some(wheel) => body(wheel, &WHEEL_KEYS, source, defaults)?,
     };
-    ([pinion.0, wheel.0], [pinion.1, wheel.1])
+    Ok(([pinion.0, wheel.0], [pinion.1, wheel.1]))
 }
 
 /// Keys of a body in the case file.
@@ -63,7 +68,12 @@ const WHEEL_KEYS: BodyKeys = BodyKeys {
     heat_capacity: "material.wheel.heat_capacity",
 };
 
-fn body(given: &BodyInput, keys: &BodyKeys, defaults: &mut Defaults) -> (Material, Pressure) {
+fn body(
+    given: &BodyInput,
+    keys: &BodyKeys,
+    source: &Source,
+    defaults: &mut Defaults,
+) -> Result<(Material, Pressure), CaseError> {
     let elastic_limit = defaults.take(keys.elastic_limit, given.elastic_limit, STEEL_ELASTIC_LIMIT);
     let material = Material {
         young: defaults.take(keys.young, given.young, STEEL_YOUNG),
@@ -73,9 +83,32 @@ fn body(given: &BodyInput, keys: &BodyKeys, defaults: &mut Defaults) -> (Materia
         conductivity: defaults.take(keys.conductivity, given.conductivity, STEEL_CONDUCTIVITY),
         heat_capacity: defaults.take(keys.heat_capacity, given.heat_capacity, STEEL_HEAT_CAPACITY),
     };
-    let flow = elastic_limit * TABOR_RATIO;
-    (
-        material,
-        defaults.take(keys.flow_pressure, given.flow_pressure, flow),
-    )
+    let flow = defaults.take(
+        keys.flow_pressure,
+        given.flow_pressure,
+        elastic_limit * TABOR_RATIO,
+    );
+    positive("elastic limit", elastic_limit, source, keys.elastic_limit)?;
+    positive("flow pressure", flow, source, keys.flow_pressure)?;
+    positive("Young's modulus", material.young, source, keys.young)?;
+    positive("density", material.density, source, keys.density)?;
+    let (conductivity, heat) = (material.conductivity, material.heat_capacity);
+    positive("conductivity", conductivity, source, keys.conductivity)?;
+    positive("heat capacity", heat, source, keys.heat_capacity)?;
+    // What is left for it to refuse is Poisson's ratio.
+    material
+        .compliance()
+        .map_err(domain(source, keys.poisson))?;
+    Ok((material, flow))
+}
+
+fn positive<Q: Quantity>(
+    name: &'static str,
+    quantity: Q,
+    source: &Source,
+    key: &'static str,
+) -> Result<(), CaseError> {
+    DomainError::positive(name, quantity)
+        .map(|_| ())
+        .map_err(domain(source, key))
 }

@@ -1,0 +1,126 @@
+//! What the parsers of TOML and JSON say, in words of the case file instead of Rust.
+
+use serde_json::Value;
+
+use super::known_keys::property;
+
+/// `message` of a parser about the value of `key`; the schema tells what is expected there.
+pub(super) fn plain(schema: &Value, key: Option<&str>, message: &str) -> String {
+    if let Some(missing) = between(message, "missing field `", "`") {
+        let path = key.map_or(missing.to_owned(), |table| format!("{table}.{missing}"));
+        return format!("missing key \"{missing}\"{}", meaning(schema, &path));
+    }
+    let meaning = key.map(|key| meaning(schema, key)).unwrap_or_default();
+    if let Some(rest) = message.strip_prefix("unknown variant ") {
+        return format!("unknown choice {rest}");
+    }
+    if message.starts_with("data did not match any variant") {
+        return format!("the value does not fit{meaning}");
+    }
+    for kind in ["invalid type: ", "invalid value: ", "invalid length "] {
+        let parts = message
+            .strip_prefix(kind)
+            .and_then(|rest| rest.split_once(", expected "));
+        let Some((seen, expected)) = parts else {
+            continue;
+        };
+        let seen = match (kind, seen) {
+            ("invalid length ", "1") => "1 value",
+            ("invalid length ", count) => &format!("{count} values"),
+            (_, "map") => "a table",
+            (_, "sequence") => "a list",
+            (_, seen) => seen,
+        };
+        return format!("{seen} does not fit, expected {}{meaning}", noun(expected));
+    }
+    message.to_owned()
+}
+
+/// What Rust calls a type, as a case file calls it.
+fn noun(expected: &str) -> &str {
+    match expected {
+        "u32" | "usize" | "u64" => "a whole number, 0 or more",
+        "f64" => "a number",
+        "an array of length 2" => "two values, as [first, second]",
+        "a boolean" => "true or false",
+        "path string" => "the name of a file in quotation marks",
+        name if name.starts_with("struct ") || name.starts_with("internally tagged enum ") => {
+            "a table, as { key = value }"
+        }
+        other => other,
+    }
+}
+
+/// What the schema says of a key, in brackets.
+fn meaning(schema: &Value, key: &str) -> String {
+    let Some(found) = property(schema, key) else {
+        return String::new();
+    };
+    let text = |node: &Value| {
+        let description = node.get("description")?.as_str()?;
+        let first = description.split("\n\n").next()?.replace('\n', " ");
+        Some(first.trim_end_matches('.').to_owned())
+    };
+    let of_type = found
+        .get("$ref")
+        .and_then(Value::as_str)
+        .and_then(|name| schema["$defs"].get(name.strip_prefix("#/$defs/")?))
+        .filter(|node| node.get("type").and_then(Value::as_str) == Some("string"))
+        .and_then(text);
+    let parts: Vec<String> = [text(found), of_type].into_iter().flatten().collect();
+    if parts.is_empty() {
+        String::new()
+    } else {
+        format!(" ({})", parts.join("; "))
+    }
+}
+
+fn between<'a>(text: &'a str, before: &str, after: &str) -> Option<&'a str> {
+    let rest = text.strip_prefix(before)?;
+    Some(&rest[..rest.find(after)?])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::schema;
+
+    #[test]
+    fn a_missing_key_is_explained_by_the_schema() {
+        let schema = schema();
+        let said = plain(&schema, Some("gears"), "missing field `module`");
+        assert_eq!(
+            said,
+            "missing key \"module\" (Module m; length with a unit: mm, um, nm, m, cm)"
+        );
+        let said = plain(&schema, None, "missing field `gears`");
+        assert_eq!(said, "missing key \"gears\" (The gear pair)");
+    }
+
+    #[test]
+    fn the_words_of_rust_are_translated() {
+        let schema = schema();
+        let said = |key, message| plain(&schema, Some(key), message);
+        assert_eq!(
+            said("model.offsets", "invalid type: string \"a\", expected usize"),
+            "string \"a\" does not fit, expected a whole number, 0 or more \
+             (Offsets along the traces at which the flanks meet; default 16 (`paper`: 1))"
+        );
+        assert_eq!(
+            said(
+                "gears.teeth",
+                "invalid length 1, expected an array of length 2"
+            ),
+            "1 value does not fit, expected two values, as [first, second] \
+             (Numbers of teeth z, pinion then wheel)"
+        );
+        assert_eq!(
+            said("model.film", "unknown variant `x`, expected `y`"),
+            "unknown choice `x`, expected `y`"
+        );
+        assert_eq!(
+            said("gears.module", "some other thing"),
+            "some other thing"
+        );
+    }
+}
