@@ -25,7 +25,7 @@ use realfft::RealFftPlanner;
 use crate::error::ContactError;
 use crate::problem::{Boundary, LEAST_POINTS, PeriodicKernel};
 use crate::strip_kernel::{periodic_column, spectral_symbol, strip_column};
-use crate::transform::EvenFilter;
+use crate::transform::{Buffers, EvenFilter};
 
 /// The displacement operator of a grid, with its plan and buffers.
 ///
@@ -39,6 +39,7 @@ use crate::transform::EvenFilter;
 /// ```
 pub struct HalfPlane {
     filter: EvenFilter,
+    buffers: Buffers,
     compliance: f64,
 }
 
@@ -59,9 +60,15 @@ impl HalfPlane {
                 least: LEAST_POINTS,
             });
         }
+        let compliance = cell_compliance(spacing, modulus)?;
+        let mut buffers = Buffers::default();
+        let planner = &mut RealFftPlanner::new();
+        let filter = displacement_filter(planner, points, boundary, &mut buffers);
+        buffers.reserve(&filter);
         Ok(Self {
-            filter: displacement_filter(&mut RealFftPlanner::new(), points, boundary),
-            compliance: cell_compliance(spacing, modulus)?,
+            filter,
+            buffers,
+            compliance,
         })
     }
 
@@ -86,9 +93,9 @@ impl HalfPlane {
                 return Err(ContactError::WrongLength { name, need, got });
             }
         }
-        self.filter.signal().copy_from_slice(pressure);
-        self.filter.apply(self.compliance);
-        displacement.copy_from_slice(self.filter.signal());
+        self.filter
+            .filter(&mut self.buffers, self.compliance, pressure);
+        displacement.copy_from_slice(self.buffers.signal(need));
         Ok(())
     }
 }
@@ -135,14 +142,16 @@ pub(crate) fn displacement_filter(
     planner: &mut RealFftPlanner<f64>,
     points: usize,
     boundary: Boundary,
+    buffers: &mut Buffers,
 ) -> EvenFilter {
     match boundary {
         Boundary::FreeEnds => {
             let length = good_fft_length(2 * points - 1);
-            EvenFilter::from_column(planner, &strip_column(points), length)
+            EvenFilter::from_column(planner, &strip_column(points), length, buffers)
         }
         Boundary::Periodic(PeriodicKernel::Strip) => {
-            EvenFilter::from_column(planner, &periodic_column(points), points).without_mean()
+            EvenFilter::from_column(planner, &periodic_column(points), points, buffers)
+                .without_mean()
         }
         Boundary::Periodic(PeriodicKernel::Spectral) => {
             let symbol = |wave| spectral_symbol(wave, points);

@@ -16,7 +16,7 @@
 //! | Δ, s | feasible step, its length by exact line search | Pa, - |
 
 use crate::projection::{clip, project, restore_load};
-use crate::state::{Assessment, Level, Task, Workspace, displace};
+use crate::state::{Assessment, Level, Task, Workspace};
 
 /// Updates of the displacement after which it is computed afresh, before round-off gathers.
 const REFRESH: usize = 50;
@@ -39,7 +39,7 @@ struct Search {
 
 /// Improves `work.pressure` until its certificate is within the tolerance or no progress is left;
 /// returns the iterations.
-pub(crate) fn minimise(level: &mut Level, work: &mut Workspace, task: &Task) -> usize {
+pub(crate) fn minimise(level: &Level, work: &mut Workspace, task: &Task) -> usize {
     work.resize();
     settle(level, work, task);
     let mut search = Search {
@@ -74,7 +74,7 @@ pub(crate) fn minimise(level: &mut Level, work: &mut Workspace, task: &Task) -> 
 }
 
 /// Makes the pressure feasible and computes its displacement afresh: both drift by round-off.
-fn settle(level: &mut Level, work: &mut Workspace, task: &Task) {
+fn settle(level: &Level, work: &mut Workspace, task: &Task) {
     make_feasible(&mut work.pressure, task);
     work.refresh(level, task);
 }
@@ -89,7 +89,7 @@ fn make_feasible(pressure: &mut [f64], task: &Task) {
 
 /// One iteration; false when the energy cannot be lowered.
 fn advance(
-    level: &mut Level,
+    level: &Level,
     work: &mut Workspace,
     task: &Task,
     assessment: &Assessment,
@@ -128,20 +128,20 @@ fn advance(
             s
         }
     };
-    take_step(level, work, task, &line, length);
+    take_step(work, task, length);
+    work.open(length, line.datum);
     true
 }
 
-/// p + s·Δ, and its displacement.
-fn take_step(level: &mut Level, work: &mut Workspace, task: &Task, line: &Line, length: f64) {
-    for (i, &change) in level.displacement.signal().iter().enumerate() {
-        let (from, to) = (work.pressure[i], work.trial[i]);
-        work.displacement[i] += length * (change + line.datum);
+/// p + s·Δ
+fn take_step(work: &mut Workspace, task: &Task, length: f64) {
+    for (&i, &to) in work.list.iter().zip(&work.trial) {
+        let p = &mut work.pressure[i as usize];
         // A step that is taken whole must land on the bounds to the last bit.
-        work.pressure[i] = if length == 1.0 {
+        *p = if length == 1.0 {
             to
         } else {
-            (from + length * (to - from)).clamp(0.0, task.limit)
+            (*p + length * (to - *p)).clamp(0.0, task.limit)
         };
     }
 }
@@ -160,20 +160,22 @@ impl Line {
     }
 }
 
-/// Leaves the displacement by q − p, but for the datum, in the signal of the level.
-fn line_search(level: &mut Level, work: &Workspace, task: &Task, approach: f64) -> Line {
-    let pairs = work.trial.iter().zip(&work.pressure);
-    let signal = level.displacement.signal();
-    for (step, (to, from)) in signal.iter_mut().zip(pairs) {
-        *step = to - from;
-    }
-    let datum = displace(level, task);
-    let change = level.displacement.signal();
+/// Leaves the displacement by q − p, but for the datum, in the signal of the buffers.
+fn line_search(level: &Level, work: &mut Workspace, task: &Task, approach: f64) -> Line {
+    let (pressure, list, trial) = (&work.pressure, &work.list, &work.trial);
+    let steps = || {
+        let pairs = list.iter().zip(trial);
+        pairs.map(|(&i, to)| to - pressure[i as usize])
+    };
+    let datum = task.datum_displacement(|| steps().sum());
+    level
+        .displacement
+        .filter_sparse(&mut work.buffers, task.compliance, list, steps());
+    let change = work.buffers.signal(pressure.len());
     let (mut slope, mut curvature) = (0.0, 0.0);
-    for (i, &change) in change.iter().enumerate() {
-        let step = work.trial[i] - work.pressure[i];
-        slope += step * (work.displacement[i] + task.gap[i] - approach);
-        curvature += step * (change + datum);
+    for (&i, step) in list.iter().zip(steps()) {
+        slope += step * (work.opening[i as usize] - approach);
+        curvature += step * (change[i as usize] + datum);
     }
     Line {
         slope,
@@ -183,9 +185,8 @@ fn line_search(level: &mut Level, work: &Workspace, task: &Task, approach: f64) 
 }
 
 /// d = −z + β·d on F without its mean, with Polak and Ribière's β ≥ 0; −z when that is no descent.
-/// Leaves r in `previous`.
 fn choose_direction(
-    level: &mut Level,
+    level: &Level,
     work: &mut Workspace,
     task: &Task,
     assessment: &Assessment,
@@ -195,13 +196,13 @@ fn choose_direction(
     let count = assessment.free as f64;
     let mean = |sum: f64| if task.sum.is_some() { sum / count } else { 0.0 };
     precondition(level, work, task, mean(assessment.residual_sum));
-    let z = level.inverse.signal();
     let (mut z_sum, mut r_z, mut old_sum, mut old_z) = (0.0, 0.0, 0.0, 0.0);
-    for (i, &z) in z.iter().enumerate().filter(|(i, _)| work.free[*i]) {
+    for (k, &i) in work.list.iter().enumerate().filter(|(k, _)| work.free[*k]) {
+        let (z, old) = (work.ascent[k], work.previous[i as usize]);
         z_sum += z;
-        r_z += work.residual[i] * z;
-        old_sum += work.previous[i];
-        old_z += work.previous[i] * z;
+        r_z += work.residual[k] * z;
+        old_sum += old;
+        old_z += old * z;
     }
     let z_mean = mean(z_sum);
     old_z -= z_mean * old_sum;
@@ -211,46 +212,61 @@ fn choose_direction(
         0.0
     };
     let (mut d_sum, mut r_d) = (0.0, 0.0);
-    for (i, &z) in z.iter().enumerate() {
-        let old = work.direction[i];
-        let d = if work.free[i] {
-            z_mean - z + beta * old
+    for (k, &i) in work.list.iter().enumerate() {
+        let direction = &mut work.direction[i as usize];
+        *direction = if work.free[k] {
+            z_mean - work.ascent[k] + beta * *direction
         } else {
             0.0
         };
-        work.direction[i] = d;
-        d_sum += d;
-        r_d += work.residual[i] * d;
+        d_sum += *direction;
+        r_d += work.residual[k] * *direction;
     }
     let d_mean = mean(d_sum);
-    for (i, &z) in z.iter().enumerate().filter(|(i, _)| work.free[*i]) {
-        let d = work.direction[i] - d_mean;
-        work.direction[i] = if r_d < 0.0 { d } else { z_mean - z };
+    for (k, &i) in work.list.iter().enumerate() {
+        let direction = &mut work.direction[i as usize];
+        if work.free[k] {
+            *direction = if r_d < 0.0 {
+                *direction - d_mean
+            } else {
+                z_mean - work.ascent[k]
+            };
+        }
+        work.previous[i as usize] = work.residual[k];
     }
     search.descent = r_z;
-    std::mem::swap(&mut work.residual, &mut work.previous);
 }
 
-/// Takes the mean from r and leaves z = M r in the signal of the level's inverse.
-fn precondition(level: &mut Level, work: &mut Workspace, task: &Task, residual_mean: f64) {
-    let residual = work.residual.iter_mut().zip(&work.free);
-    for (signal, (r, &free)) in level.inverse.signal().iter_mut().zip(residual) {
+/// Takes the mean from r, and z = M r.
+fn precondition(level: &Level, work: &mut Workspace, task: &Task, residual_mean: f64) {
+    for (r, &free) in work.residual.iter_mut().zip(&work.free) {
         if free {
             *r -= residual_mean;
         }
-        *signal = *r;
     }
-    level.inverse.apply(0.5 / task.compliance);
+    let (buffers, residual) = (&mut work.buffers, work.residual.iter().copied());
+    let stiffness = 0.5 / task.compliance;
+    level
+        .inverse
+        .filter_sparse(buffers, stiffness, &work.list, residual);
+    let z = buffers.signal(work.pressure.len());
+    work.ascent.clear();
+    work.ascent.extend(work.list.iter().map(|&i| z[i as usize]));
 }
 
-/// Length of the step along d that minimises the energy without bounds; r is in `previous`.
-fn exact_length(level: &mut Level, work: &Workspace, task: &Task) -> f64 {
-    level.displacement.signal().copy_from_slice(&work.direction);
-    let datum = displace(level, task);
+/// Length of the step along d that minimises the energy without bounds.
+fn exact_length(level: &Level, work: &mut Workspace, task: &Task) -> f64 {
+    let (list, direction) = (&work.list, &work.direction);
+    let steps = || list.iter().map(|&i| direction[i as usize]);
+    let datum = task.datum_displacement(|| steps().sum());
+    level
+        .displacement
+        .filter_sparse(&mut work.buffers, task.compliance, list, steps());
+    let change = work.buffers.signal(direction.len());
     let (mut slope, mut curvature) = (0.0, 0.0);
-    for (i, &change) in level.displacement.signal().iter().enumerate() {
-        slope += work.previous[i] * work.direction[i];
-        curvature += work.direction[i] * (change + datum);
+    for ((&i, step), r) in list.iter().zip(steps()).zip(&work.residual) {
+        slope += r * step;
+        curvature += step * (change[i as usize] + datum);
     }
     if curvature > 0.0 {
         -slope / curvature
@@ -261,11 +277,18 @@ fn exact_length(level: &mut Level, work: &Workspace, task: &Task) -> f64 {
 
 /// q = p + τ·d, clipped and with its load restored; whether it had to be.
 fn try_step(work: &mut Workspace, task: &Task, reach: f64) -> bool {
-    let mut outside = false;
-    for (i, q) in work.trial.iter_mut().enumerate() {
-        *q = work.pressure[i] + reach * work.direction[i];
-        outside |= *q < 0.0 || *q > task.limit;
+    let capacity = task.limit * work.list.len() as f64;
+    if task.sum.is_some_and(|sum| capacity <= sum) {
+        work.list_all();
     }
+    let (pressure, direction) = (&work.pressure, &work.direction);
+    let mut outside = false;
+    work.trial.clear();
+    work.trial.extend(work.list.iter().map(|&i| {
+        let q = pressure[i as usize] + reach * direction[i as usize];
+        outside |= q < 0.0 || q > task.limit;
+        q
+    }));
     if outside {
         make_feasible(&mut work.trial, task);
     }
@@ -276,10 +299,11 @@ fn try_step(work: &mut Workspace, task: &Task, reach: f64) -> bool {
 /// clipping d and shifting the rest can lead back to p.
 fn try_gradient(work: &mut Workspace, task: &Task, approach: f64) {
     let stiffness = GRADIENT / task.compliance;
-    for (i, q) in work.trial.iter_mut().enumerate() {
-        let g = work.displacement[i] + task.gap[i] - approach;
-        *q = work.pressure[i] - stiffness * g;
-    }
+    work.list_all();
+    work.trial.clear();
+    let pairs = work.pressure.iter().zip(&work.opening);
+    work.trial
+        .extend(pairs.map(|(p, v)| p - stiffness * (v - approach)));
     match task.sum {
         Some(sum) => project(&mut work.trial, sum, task.limit),
         None => clip(&mut work.trial, task.limit),
@@ -289,7 +313,8 @@ fn try_gradient(work: &mut Workspace, task: &Task, approach: f64) {
 /// Length of the step to the first bound.
 fn farthest(work: &Workspace, limit: f64) -> f64 {
     let mut length = f64::INFINITY;
-    for (&to, &from) in work.trial.iter().zip(&work.pressure) {
+    for (&i, &to) in work.list.iter().zip(&work.trial) {
+        let from = work.pressure[i as usize];
         let step = to - from;
         if step < 0.0 {
             length = length.min(from / -step);

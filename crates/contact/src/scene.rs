@@ -11,7 +11,7 @@ use crate::half_plane::cell_compliance;
 use crate::problem::{Boundary, ContactProblem, Control, SolverSettings};
 use crate::state::{Assessment, Task};
 use crate::strip_kernel::datum_constant;
-use crate::transform::EvenFilter;
+use crate::transform::{Buffers, EvenFilter};
 
 /// Tolerances of the coarser grids, which only give a start. With free ends the finest grid is
 /// solved on a window and quickly; a large periodic one is worth a better start.
@@ -41,16 +41,16 @@ impl<'a> Scene<'a> {
     /// The scene of a valid problem, whose displacement is that of `filter`.
     pub(crate) fn new(
         problem: &'a ContactProblem<'a>,
-        filter: &mut EvenFilter,
+        filter: &EvenFilter,
+        buffers: &mut Buffers,
     ) -> Result<Self, ContactError> {
         let compliance = cell_compliance(problem.spacing, problem.modulus)?;
         let datum = datum_compliance(problem, 1.0)?;
         let prescribed_sum = problem.prescribed_pressure.unwrap_or(&[]).iter().sum();
         let mut gap = problem.gap.to_vec();
         if let Some(prescribed) = problem.prescribed_pressure {
-            filter.signal().copy_from_slice(prescribed);
-            filter.apply(compliance);
-            for (h, u) in gap.iter_mut().zip(filter.signal()) {
+            filter.filter(buffers, compliance, prescribed);
+            for (h, u) in gap.iter_mut().zip(&*buffers.signal(filter.points())) {
                 *h += *u;
             }
         }

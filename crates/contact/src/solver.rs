@@ -17,6 +17,7 @@ use crate::ppcg::minimise;
 use crate::problem::{Boundary, ContactProblem, ContactSolution, LEAST_POINTS, SolverSettings};
 use crate::scene::Scene;
 use crate::state::{Level, Workspace};
+use crate::transform::Buffers;
 
 /// Windows tried before the whole grid is solved.
 const WINDOWS: usize = 3;
@@ -63,10 +64,11 @@ struct Levels {
 }
 
 impl Levels {
-    fn get(&mut self, points: usize) -> &mut Level {
+    /// The operators of a grid, with room for them in `buffers`.
+    fn get(&mut self, points: usize, buffers: &mut Buffers) -> &Level {
         self.known
             .entry(points)
-            .or_insert_with(|| Level::new(&mut self.planner, points, self.boundary))
+            .or_insert_with(|| Level::new(&mut self.planner, points, self.boundary, buffers))
     }
 }
 
@@ -127,8 +129,9 @@ impl Solver {
                 problem: shape,
             });
         }
-        let whole = &mut self.levels.get(shape.points).displacement;
-        let scene = Scene::new(problem, whole)?;
+        let buffers = &mut self.work.buffers;
+        let whole = self.levels.get(shape.points, buffers);
+        let scene = Scene::new(problem, &whole.displacement, buffers)?;
         let start = self.start(&scene, settings)?;
         let iterations = self.descend(&scene, settings, start)?;
         self.conclude(&scene, settings, iterations)
@@ -155,7 +158,8 @@ impl Solver {
         for (halvings, gap) in gaps.iter().enumerate().rev() {
             let task = scene.coarse_task(gap, halvings as i32 + 1, settings)?;
             self.work.pressure = pressure;
-            minimise(self.levels.get(gap.len()), &mut self.work, &task);
+            let level = self.levels.get(gap.len(), &mut self.work.buffers);
+            minimise(level, &mut self.work, &task);
             pressure = prolong(&self.work.pressure, grids[halvings]);
         }
         Ok(pressure)
@@ -184,7 +188,7 @@ impl Solver {
             self.work
                 .pressure
                 .extend_from_slice(&pressure[window.range()]);
-            let level = self.levels.get(window.points);
+            let level = self.levels.get(window.points, &mut self.work.buffers);
             iterations += minimise(level, &mut self.work, &task);
             if window.points == points {
                 break;
@@ -194,8 +198,10 @@ impl Solver {
             if self.verify(scene, settings, &pressure) {
                 break;
             }
-            let free = self.work.free.iter().zip(&pressure);
-            touches = free.map(|(&free, &p)| free || p > 0.0).collect();
+            touches.fill(false);
+            for &i in &self.work.list {
+                touches[i as usize] = true;
+            }
         }
         Ok(iterations)
     }
@@ -205,7 +211,9 @@ impl Solver {
         let task = scene.task(Window::whole(pressure.len()), settings, 0);
         self.work.pressure.clear();
         self.work.pressure.extend_from_slice(pressure);
-        self.work.refresh(self.levels.get(pressure.len()), &task);
+        self.work.resize();
+        let level = self.levels.get(pressure.len(), &mut self.work.buffers);
+        self.work.refresh(level, &task);
         self.work.assess(&task).within(settings.tolerance)
     }
 
@@ -229,7 +237,8 @@ impl Solver {
         let pressure = std::mem::take(&mut self.work.pressure);
         let (problem, dx) = (scene.problem, scene.problem.spacing.si());
         let approach = scene.approach(&pressure, assessment.approach);
-        let mut gap: Vec<f64> = self.work.gap(&task, assessment.approach).collect();
+        let opening = self.work.opening.iter();
+        let mut gap: Vec<f64> = opening.map(|v| v - assessment.approach).collect();
         let displacement: Vec<f64> = gap
             .iter()
             .zip(problem.gap)

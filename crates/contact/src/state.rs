@@ -1,5 +1,8 @@
 //! The arrays and operators of an iteration on one grid, and what is known of a pressure.
 //!
+//! Everything but the transforms and one pass over v happens on the list of points that touch or
+//! overlap: a rough contact covers a small part of its grid.
+//!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | p, u, h | pressure, displacement, undeformed gap | Pa, m, m |
@@ -10,7 +13,10 @@ use realfft::RealFftPlanner;
 
 use crate::half_plane::{displacement_filter, inverse_filter};
 use crate::problem::Boundary;
-use crate::transform::EvenFilter;
+use crate::transform::{Buffers, EvenFilter};
+
+/// Points looked at together for one that overlaps.
+const BLOCK: usize = 64;
 
 /// Operators of one grid.
 pub(crate) struct Level {
@@ -23,10 +29,15 @@ impl Level {
         planner: &mut RealFftPlanner<f64>,
         points: usize,
         boundary: Boundary,
+        buffers: &mut Buffers,
     ) -> Self {
+        let displacement = displacement_filter(planner, points, boundary, buffers);
+        let inverse = inverse_filter(planner, points);
+        buffers.reserve(&displacement);
+        buffers.reserve(&inverse);
         Self {
-            displacement: displacement_filter(planner, points, boundary),
-            inverse: inverse_filter(planner, points),
+            displacement,
+            inverse,
         }
     }
 }
@@ -48,15 +59,35 @@ pub(crate) struct Task<'a> {
     pub(crate) max_iterations: usize,
 }
 
+impl Task<'_> {
+    /// What the datum adds to the displacement by pressures of this sum.
+    pub(crate) fn datum_displacement(&self, sum: impl FnOnce() -> f64) -> f64 {
+        if self.sum.is_some() || self.datum == 0.0 {
+            0.0
+        } else {
+            self.datum * sum()
+        }
+    }
+}
+
 /// The arrays of an iteration; `pressure` is both start and result.
 #[derive(Default)]
 pub(crate) struct Workspace {
+    pub(crate) buffers: Buffers,
     pub(crate) pressure: Vec<f64>,
-    pub(crate) displacement: Vec<f64>,
-    pub(crate) residual: Vec<f64>,
-    pub(crate) previous: Vec<f64>,
+    /// v
+    pub(crate) opening: Vec<f64>,
+    /// Direction and residual of the last iteration; zero at points off the list.
     pub(crate) direction: Vec<f64>,
+    pub(crate) previous: Vec<f64>,
+    /// Points with pressure or overlap, in order.
+    pub(crate) list: Vec<u32>,
+    next: Vec<u32>,
+    /// Residual, zero off F; preconditioned residual; trial pressure: one value per listed point.
+    pub(crate) residual: Vec<f64>,
+    pub(crate) ascent: Vec<f64>,
     pub(crate) trial: Vec<f64>,
+    /// Whether a listed point is in F.
     pub(crate) free: Vec<bool>,
 }
 
@@ -80,43 +111,64 @@ impl Assessment {
 }
 
 impl Workspace {
-    /// Sets the size of all arrays but the pressure, which decides it.
+    /// Sets the size of all arrays by that of the pressure; the iteration then needs no memory.
     pub(crate) fn resize(&mut self) {
         let points = self.pressure.len();
-        for array in [
-            &mut self.displacement,
-            &mut self.residual,
-            &mut self.previous,
-            &mut self.direction,
-            &mut self.trial,
-        ] {
+        for array in [&mut self.direction, &mut self.previous] {
             array.clear();
             array.resize(points, 0.0);
         }
+        for array in [&mut self.residual, &mut self.ascent, &mut self.trial] {
+            array.clear();
+            array.reserve(points);
+        }
         self.free.clear();
-        self.free.resize(points, false);
+        self.free.reserve(points);
+        self.list.clear();
+        self.list.reserve(points);
+        self.next.clear();
+        self.next.reserve(points);
     }
 
-    /// u = A p
-    pub(crate) fn refresh(&mut self, level: &mut Level, task: &Task) {
-        level.displacement.signal().copy_from_slice(&self.pressure);
-        let datum = displace(level, task);
-        let fresh = level.displacement.signal();
-        self.displacement.clear();
-        self.displacement.extend(fresh.iter().map(|u| u + datum));
+    /// v = A p + h, with all points listed.
+    pub(crate) fn refresh(&mut self, level: &Level, task: &Task) {
+        let points = self.pressure.len();
+        let (buffers, pressure) = (&mut self.buffers, &self.pressure);
+        level
+            .displacement
+            .filter(buffers, task.compliance, pressure);
+        let datum = task.datum_displacement(|| pressure.iter().sum());
+        let pairs = buffers.signal(points).iter().zip(task.gap);
+        self.opening.clear();
+        self.opening.extend(pairs.map(|(u, h)| u + datum + h));
+        self.list_all();
     }
 
-    /// α: mean of v = u + h between the bounds; with no such point the largest v under pressure.
+    pub(crate) fn list_all(&mut self) {
+        self.list.clear();
+        self.list.extend(0..self.pressure.len() as u32);
+    }
+
+    /// v + s·(A Δ + `datum`) with A Δ the signal of the buffers; p has taken that step already.
+    pub(crate) fn open(&mut self, length: f64, datum: f64) {
+        let change = self.buffers.signal(self.opening.len());
+        for (v, &change) in self.opening.iter_mut().zip(&*change) {
+            *v += length * (change + datum);
+        }
+    }
+
+    /// α: mean of v between the bounds; with no such point the largest v under pressure.
     fn approach(&self, task: &Task) -> f64 {
         if task.sum.is_none() {
             return 0.0;
         }
         let (mut sum, mut count, mut most) = (0.0, 0_usize, f64::NEG_INFINITY);
-        for ((&p, &u), &h) in self.pressure.iter().zip(&self.displacement).zip(task.gap) {
+        for &i in &self.list {
+            let (p, v) = (self.pressure[i as usize], self.opening[i as usize]);
             if p > 0.0 {
-                most = most.max(u + h);
+                most = most.max(v);
                 if p < task.limit {
-                    sum += u + h;
+                    sum += v;
                     count += 1;
                 }
             }
@@ -124,22 +176,44 @@ impl Workspace {
         if count > 0 { sum / count as f64 } else { most }
     }
 
-    /// g = u + h − α
-    pub(crate) fn gap(&self, task: &Task, approach: f64) -> impl Iterator<Item = f64> {
-        let pairs = self.displacement.iter().zip(task.gap);
-        pairs.map(move |(u, h)| u + h - approach)
+    /// Lists anew the points with pressure, all of which are listed, or with overlap.
+    fn relist(&mut self, approach: f64) {
+        let (pressure, opening) = (&self.pressure, &self.opening);
+        let mut listed = self.list.iter().map(|&i| i as usize).peekable();
+        self.next.clear();
+        for (block, values) in opening.chunks(BLOCK).enumerate() {
+            let (first, end) = (block * BLOCK, block * BLOCK + values.len());
+            let mut look = values.iter().fold(false, |any, &v| any | (v < approach));
+            while let Some(i) = listed.next_if(|&i| i < end) {
+                look = true;
+                if pressure[i] <= 0.0 && opening[i] >= approach {
+                    self.direction[i] = 0.0;
+                    self.previous[i] = 0.0;
+                }
+            }
+            if look {
+                let touches = |i: &usize| opening[*i] < approach || pressure[*i] > 0.0;
+                let found = (first..end).filter(touches).map(|i| i as u32);
+                self.next.extend(found);
+            }
+        }
+        std::mem::swap(&mut self.list, &mut self.next);
     }
 
-    /// Free set, residual and certificate of the present pressure and displacement.
+    /// List, free set, residual and certificate of the present pressure and v.
     pub(crate) fn assess(&mut self, task: &Task) -> Assessment {
         let approach = self.approach(task);
+        self.relist(approach);
         let limited = task.limit.is_finite();
         let (mut sum, mut energy, mut excess) = (0.0, 0.0, 0.0);
         let (mut least, mut residual_sum, mut free) = (0.0_f64, 0.0, 0);
-        self.residual.resize(self.pressure.len(), 0.0);
-        self.free.resize(self.pressure.len(), false);
-        for (i, &p) in self.pressure.iter().enumerate() {
-            let g = self.displacement[i] + task.gap[i] - approach;
+        self.residual.clear();
+        self.free.clear();
+        for &i in &self.list {
+            let (p, g) = (
+                self.pressure[i as usize],
+                self.opening[i as usize] - approach,
+            );
             sum += p;
             energy += p * if limited { g.max(0.0) } else { g };
             let below = p < task.limit;
@@ -150,9 +224,10 @@ impl Workspace {
                 }
             }
             let is_free = if p <= 0.0 { g < 0.0 } else { below || g > 0.0 };
-            self.free[i] = is_free;
-            self.residual[i] = if is_free { g } else { 0.0 };
-            residual_sum += self.residual[i];
+            let residual = if is_free { g } else { 0.0 };
+            self.free.push(is_free);
+            self.residual.push(residual);
+            residual_sum += residual;
             free += usize::from(is_free);
         }
         let bound = if limited {
@@ -160,31 +235,13 @@ impl Workspace {
         } else {
             energy - least * sum
         };
+        let over = |value: f64, size: f64| if value == 0.0 { 0.0 } else { value / size };
         Assessment {
             approach,
-            duality_gap: if bound == 0.0 {
-                0.0
-            } else {
-                bound / (sum * task.reference_gap)
-            },
-            penetration: if least == 0.0 {
-                0.0
-            } else {
-                -least / task.reference_gap
-            },
+            duality_gap: over(bound, sum * task.reference_gap),
+            penetration: over(-least, task.reference_gap),
             free,
             residual_sum,
         }
     }
-}
-
-/// Replaces the signal by its displacement with C(0) = 0; returns what the datum adds.
-pub(crate) fn displace(level: &mut Level, task: &Task) -> f64 {
-    let datum = if task.sum.is_some() || task.datum == 0.0 {
-        0.0
-    } else {
-        task.datum * level.displacement.signal().iter().sum::<f64>()
-    };
-    level.displacement.apply(task.compliance);
-    datum
 }

@@ -6,16 +6,42 @@ use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 
 /// A filter of real signals whose kernel is even, so that its symbol is real.
-///
-/// Write [`signal`](Self::signal), call [`apply`](Self::apply), read the result from `signal`.
 pub(crate) struct EvenFilter {
     points: usize,
+    length: usize,
     symbol: Vec<f64>,
     forward: Arc<dyn RealToComplex<f64>>,
     inverse: Arc<dyn ComplexToReal<f64>>,
+}
+
+/// Memory for the transforms of all filters that are used one after the other.
+#[derive(Default)]
+pub(crate) struct Buffers {
     padded: Vec<f64>,
     spectrum: Vec<Complex<f64>>,
     scratch: Vec<Complex<f64>>,
+}
+
+impl Buffers {
+    /// Makes room for a filter, which then needs no memory of its own.
+    pub(crate) fn reserve(&mut self, filter: &EvenFilter) {
+        let scratch = filter.forward.get_scratch_len();
+        let scratch = scratch.max(filter.inverse.get_scratch_len());
+        grow(&mut self.padded, filter.length);
+        grow(&mut self.spectrum, filter.symbol.len());
+        grow(&mut self.scratch, scratch);
+    }
+
+    /// The first `points` values: what is filtered, and the result.
+    pub(crate) fn signal(&mut self, points: usize) -> &mut [f64] {
+        &mut self.padded[..points]
+    }
+}
+
+fn grow<T: Clone + Default>(buffer: &mut Vec<T>, length: usize) {
+    if buffer.len() < length {
+        *buffer = vec![T::default(); length];
+    }
 }
 
 impl EvenFilter {
@@ -27,20 +53,13 @@ impl EvenFilter {
         length: usize,
         symbol: impl Fn(usize) -> f64,
     ) -> Self {
-        let forward = planner.plan_fft_forward(length);
-        let inverse = planner.plan_fft_inverse(length);
-        let padded = forward.make_input_vec();
-        let spectrum = forward.make_output_vec();
-        let scratch_length = forward.get_scratch_len().max(inverse.get_scratch_len());
         let scale = 1.0 / length as f64;
         Self {
             points,
-            symbol: (0..spectrum.len()).map(|k| scale * symbol(k)).collect(),
-            forward,
-            inverse,
-            padded,
-            spectrum,
-            scratch: vec![Complex::default(); scratch_length],
+            length,
+            symbol: (0..=length / 2).map(|k| scale * symbol(k)).collect(),
+            forward: planner.plan_fft_forward(length),
+            inverse: planner.plan_fft_inverse(length),
         }
     }
 
@@ -51,15 +70,18 @@ impl EvenFilter {
         planner: &mut RealFftPlanner<f64>,
         column: &[f64],
         length: usize,
+        buffers: &mut Buffers,
     ) -> Self {
         let mut filter = Self::from_symbol(planner, column.len(), length, |_| 0.0);
+        buffers.reserve(&filter);
+        buffers.padded[..length].fill(0.0);
         for (lag, &value) in column.iter().enumerate() {
-            filter.padded[lag] = value;
-            filter.padded[(length - lag) % length] = value;
+            buffers.padded[lag] = value;
+            buffers.padded[(length - lag) % length] = value;
         }
-        filter.transform();
+        filter.transform(buffers);
         let scale = 1.0 / length as f64;
-        for (symbol, wave) in filter.symbol.iter_mut().zip(&filter.spectrum) {
+        for (symbol, wave) in filter.symbol.iter_mut().zip(&buffers.spectrum) {
             *symbol = scale * wave.re;
         }
         filter
@@ -75,38 +97,57 @@ impl EvenFilter {
         self.points
     }
 
-    pub(crate) fn signal(&mut self) -> &mut [f64] {
-        &mut self.padded[..self.points]
+    /// Puts `factor` times the filtered `signal` into the buffers' signal.
+    pub(crate) fn filter(&self, buffers: &mut Buffers, factor: f64, signal: &[f64]) {
+        buffers.padded[..self.points].copy_from_slice(signal);
+        buffers.padded[self.points..self.length].fill(0.0);
+        self.convolve(buffers, factor);
     }
 
-    /// Replaces the signal by `factor` times the filtered signal.
-    pub(crate) fn apply(&mut self, factor: f64) {
-        self.padded[self.points..].fill(0.0);
-        self.transform();
-        for (wave, symbol) in self.spectrum.iter_mut().zip(&self.symbol) {
+    /// The same for a signal that is zero but for `values` at the places `list`.
+    pub(crate) fn filter_sparse(
+        &self,
+        buffers: &mut Buffers,
+        factor: f64,
+        list: &[u32],
+        values: impl Iterator<Item = f64>,
+    ) {
+        buffers.padded[..self.length].fill(0.0);
+        for (&i, value) in list.iter().zip(values) {
+            buffers.padded[i as usize] = value;
+        }
+        self.convolve(buffers, factor);
+    }
+
+    fn convolve(&self, buffers: &mut Buffers, factor: f64) {
+        self.transform(buffers);
+        let spectrum = &mut buffers.spectrum[..self.symbol.len()];
+        for (wave, symbol) in spectrum.iter_mut().zip(&self.symbol) {
             *wave *= factor * symbol;
         }
         // The inverse insists on what is true but for round-off: real ends of the spectrum.
-        self.spectrum[0].im = 0.0;
-        if let Some(last) = self.spectrum.last_mut()
-            && self.padded.len().is_multiple_of(2)
+        spectrum[0].im = 0.0;
+        if let Some(last) = spectrum.last_mut()
+            && self.length.is_multiple_of(2)
         {
             last.im = 0.0;
         }
+        let scratch = self.inverse.get_scratch_len();
         let done = self.inverse.process_with_scratch(
-            &mut self.spectrum,
-            &mut self.padded,
-            &mut self.scratch,
+            spectrum,
+            &mut buffers.padded[..self.length],
+            &mut buffers.scratch[..scratch],
         );
-        debug_assert!(done.is_ok(), "buffers are made by the plan");
+        debug_assert!(done.is_ok(), "buffers fit the plan");
     }
 
-    fn transform(&mut self) {
+    fn transform(&self, buffers: &mut Buffers) {
+        let scratch = self.forward.get_scratch_len();
         let done = self.forward.process_with_scratch(
-            &mut self.padded,
-            &mut self.spectrum,
-            &mut self.scratch,
+            &mut buffers.padded[..self.length],
+            &mut buffers.spectrum[..self.symbol.len()],
+            &mut buffers.scratch[..scratch],
         );
-        debug_assert!(done.is_ok(), "buffers are made by the plan");
+        debug_assert!(done.is_ok(), "buffers fit the plan");
     }
 }

@@ -1,6 +1,8 @@
 //! Problems that several tests share.
 #![allow(dead_code, reason = "not every test uses every problem")]
 
+pub mod peers;
+
 use asperity_contact::{Boundary, ContactProblem, Control, SolverSettings};
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 

@@ -1,0 +1,153 @@
+//! Time, iterations and certificate of one of the problems in `docs/PERFORMANCE.md`, and the time
+//! of an iteration over that of its transforms.
+//!
+//! ```text
+//! cargo run --release -p asperity-contact --example measure -- d 10000
+//! ```
+#![allow(
+    clippy::unwrap_used,
+    reason = "a problem that cannot be solved has no time"
+)]
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use asperity_contact::{Boundary, ContactProblem, Solver, SolverSettings, solve};
+use asperity_core::numerics::good_fft_length;
+use common::peers::Peer;
+use realfft::RealFftPlanner;
+
+/// Least time spent on a measurement, so that its best run is one without disturbance \[s\].
+const PATIENCE: f64 = 1.0;
+/// Runs longer than this are measured by the time on the processor \[s\].
+const SHARED: f64 = 0.05;
+/// Iterations timed together.
+const ITERATIONS: usize = 20;
+
+fn main() {
+    let mut arguments = std::env::args().skip(1);
+    let name = arguments.next().unwrap_or("d".into());
+    let points = arguments.next().map_or(10_000, |n| n.parse().unwrap());
+    let once = arguments.next().is_some_and(|word| word == "once");
+    let peer = Peer::new(&name, points).unwrap();
+    let problem = peer.problem();
+    let settings = SolverSettings::default();
+    if once {
+        let solution = solve(&problem, &settings).unwrap();
+        println!("{name} {points}: {} iterations", solution.iterations);
+        return;
+    }
+    let (cold, solution) = best(|| solve(&problem, &settings).unwrap());
+    let certificate = solution.certificate;
+    println!(
+        "{name} {points}: cold {:.3} ms, {} iterations, gap {:.1e}, penetration {:.1e}, load {:.1e}",
+        1e3 * cold,
+        solution.iterations,
+        certificate.duality_gap,
+        certificate.penetration,
+        certificate.load_error,
+    );
+    let mut solver = Solver::new(points, problem.boundary).unwrap();
+    let (kept, _) = best(|| solver.solve(&problem, &settings).unwrap());
+    println!("  plans kept {:.3} ms", 1e3 * kept);
+    if points > 1_000 {
+        let (iteration, transforms) = (per_iteration(&problem), transforms(points, &problem));
+        println!(
+            "  an iteration {:.3} ms, its transforms {:.3} ms: {:.2}; cold solution over transforms {:.0}",
+            1e3 * iteration,
+            1e3 * transforms,
+            iteration / transforms,
+            cold / transforms,
+        );
+    }
+}
+
+/// Time of an iteration on the whole grid, from a loose solution on.
+fn per_iteration(problem: &ContactProblem) -> f64 {
+    let loose = SolverSettings {
+        tolerance: 1e-4,
+        ..SolverSettings::default()
+    };
+    let mut solver = Solver::new(problem.gap.len(), problem.boundary).unwrap();
+    let start = solver.solve(problem, &loose).unwrap().pressure;
+    let problem = ContactProblem {
+        start: Some(&start),
+        ..*problem
+    };
+    let mut time = |max_iterations| {
+        let settings = SolverSettings {
+            tolerance: 1e-300,
+            max_iterations,
+            cascade: false,
+            window: false,
+        };
+        best(|| solver.solve(&problem, &settings).unwrap_err()).0
+    };
+    (time(ITERATIONS + 2) - time(2)) / ITERATIONS as f64
+}
+
+/// Time of the two pairs of real transforms that an iteration needs.
+fn transforms(points: usize, problem: &ContactProblem) -> f64 {
+    let padded = match problem.boundary {
+        Boundary::FreeEnds => good_fft_length(2 * points - 1),
+        Boundary::Periodic(_) => points,
+    };
+    [padded, good_fft_length(points)]
+        .into_iter()
+        .map(pair)
+        .sum()
+}
+
+fn pair(length: usize) -> f64 {
+    let mut planner = RealFftPlanner::<f64>::new();
+    let (forward, inverse) = (
+        planner.plan_fft_forward(length),
+        planner.plan_fft_inverse(length),
+    );
+    let (mut signal, mut spectrum) = (forward.make_input_vec(), forward.make_output_vec());
+    let mut scratch = forward.make_scratch_vec();
+    scratch.resize(scratch.len().max(inverse.get_scratch_len()), 0.0.into());
+    for (i, value) in signal.iter_mut().enumerate() {
+        *value = (i % 17) as f64;
+    }
+    best(|| {
+        forward
+            .process_with_scratch(&mut signal, &mut spectrum, &mut scratch)
+            .unwrap();
+        inverse
+            .process_with_scratch(&mut spectrum, &mut signal, &mut scratch)
+            .unwrap();
+        signal.iter_mut().for_each(|value| *value /= length as f64);
+    })
+    .0
+}
+
+/// Least time of several runs \[s\], and the result of the last.
+fn best<T>(mut run: impl FnMut() -> T) -> (f64, T) {
+    let begin = Instant::now();
+    let mut least = f64::INFINITY;
+    loop {
+        let (clock, processor) = (Instant::now(), processor_time());
+        let result = black_box(run());
+        let elapsed = clock.elapsed().as_secs_f64();
+        // A long run shares the processor with others; a short one may have it for itself.
+        let time = match (processor, processor_time()) {
+            (Some(before), Some(after)) if elapsed > SHARED => after - before,
+            _ => elapsed,
+        };
+        least = least.min(time);
+        if begin.elapsed().as_secs_f64() > PATIENCE {
+            return (least, result);
+        }
+    }
+}
+
+/// Time that this thread has been running \[s\], to some milliseconds, where the system tells.
+fn processor_time() -> Option<f64> {
+    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
+    let nanoseconds: f64 = told.split(' ').next()?.parse().ok()?;
+    Some(1e-9 * nanoseconds)
+}
