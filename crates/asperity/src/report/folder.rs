@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::tables;
+use super::{flanks, html, losses, tables};
 use crate::result::Outcome;
 
 /// Why a result was not written; nothing is left half-written.
@@ -24,6 +24,25 @@ pub enum ReportError {
         /// The folder.
         path: PathBuf,
     },
+    /// A result that is not there or not one of ours.
+    #[error("{path}: not a result of asperity run: {reason}")]
+    NotAResult {
+        /// The file.
+        path: PathBuf,
+        /// What is missing.
+        reason: &'static str,
+    },
+    /// A position that the result does not have.
+    #[error("position {number} is not among the {count} of the result")]
+    NoSuchPosition {
+        /// What was asked for.
+        number: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// A trace that cannot be prepared again.
+    #[error(transparent)]
+    Flank(#[from] asperity_roughness::RoughnessError),
     /// A value that JSON cannot hold.
     #[error("result.json: {0}")]
     Json(#[from] serde_json::Error),
@@ -41,8 +60,9 @@ pub enum ReportError {
 const MARK: &str = "result.json";
 
 /// Writes `outcome` as folder `target`: `result.json`, `path.csv`, `convergence.csv` where a
-/// rough contact was solved, and a folder `position_NN` with the fields of each position. An older result there is replaced; anything
-/// else there is left alone and reported.
+/// rough contact was solved, tables of losses, friction laws and flanks, a folder `position_NN` with the
+/// fields of each position, and `report.html`. An older result there is replaced; anything else there
+/// is left alone and reported.
 ///
 /// # Errors
 /// When the system refuses, or `target` holds something else.
@@ -91,14 +111,21 @@ fn fill(outcome: &Outcome, folder: &Path) -> Result<(), ReportError> {
     {
         tables::convergence(&outcome.fields, &folder.join("convergence.csv"))?;
     }
+    losses::losses(&outcome.result, &folder.join("losses.csv"))?;
+    losses::friction_laws(&outcome.result, &folder.join("friction_laws.csv"))?;
+    flanks::write_flanks(&outcome.result.flanks, folder)?;
     for fields in &outcome.fields {
         let place = folder.join(format!("position_{:02}", fields.position));
         fs::create_dir(&place).map_err(io_at(&place))?;
-        tables::surface(fields, &place.join("surface.csv"))?;
+        let rows = &outcome.result.path;
+        if let Some(row) = rows.iter().find(|row| row.position == fields.position) {
+            tables::surface(fields, row, &place.join("surface.csv"))?;
+        }
         if let Some(below) = &fields.subsurface {
             tables::subsurface(&fields.x, below, &place.join("subsurface.csv"))?;
         }
     }
+    html::write(folder, None)?;
     Ok(())
 }
 
@@ -106,7 +133,7 @@ fn is_empty_folder(path: &Path) -> bool {
     fs::read_dir(path).is_ok_and(|mut entries| entries.next().is_none())
 }
 
-fn io_at(path: &Path) -> impl Fn(std::io::Error) -> ReportError {
+pub(super) fn io_at(path: &Path) -> impl Fn(std::io::Error) -> ReportError {
     let path = path.to_owned();
     move |source| ReportError::Io {
         path: path.clone(),

@@ -1,9 +1,15 @@
 //! Results for people and for other programs: a folder of files, and a summary for the terminal.
 
 pub mod chart;
+mod flanks;
 mod folder;
+pub mod html;
+mod losses;
 mod summary;
 mod tables;
 
 pub use folder::{ReportError, write_folder};
 pub use summary::summary;
+
+/// Metres to micrometres.
+const MICRO: f64 = 1e6;

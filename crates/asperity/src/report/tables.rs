@@ -4,10 +4,9 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::ReportError;
+use super::{MICRO, ReportError};
 use crate::result::{HistoryRow, PositionFields, PositionRow, SubsurfaceFields};
 
-const MICRO: f64 = 1e6;
 const MEGA: f64 = 1e-6;
 
 /// `path.csv`: a row per mesh position.
@@ -39,8 +38,12 @@ pub(super) fn convergence(fields: &[PositionFields], file: &Path) -> Result<(), 
     write(file, rows)
 }
 
-/// `surface.csv`: fields along the contact.
-pub(super) fn surface(fields: &PositionFields, file: &Path) -> Result<(), ReportError> {
+/// `surface.csv`: fields along the contact, with the pressure of the smooth dry contact.
+pub(super) fn surface(
+    fields: &PositionFields,
+    at: &PositionRow,
+    file: &Path,
+) -> Result<(), ReportError> {
     #[derive(Serialize)]
     struct Row {
         x_um: f64,
@@ -54,7 +57,12 @@ pub(super) fn surface(fields: &PositionFields, file: &Path) -> Result<(), Report
         pressure_solid_mpa: f64,
         pressure_fluid_mpa: f64,
         shear_mpa: f64,
+        pressure_hertz_mpa: f64,
     }
+    let hertz = |x_um: f64| {
+        let inside = 1.0 - (x_um / at.half_width_um).powi(2);
+        at.hertz_pressure_mpa * inside.max(0.0).sqrt()
+    };
     write(
         file,
         (0..fields.x.len()).map(|i| Row {
@@ -69,6 +77,7 @@ pub(super) fn surface(fields: &PositionFields, file: &Path) -> Result<(), Report
             pressure_solid_mpa: fields.pressure_solid[i] * MEGA,
             pressure_fluid_mpa: fields.pressure_fluid[i] * MEGA,
             shear_mpa: fields.shear[i] * MEGA,
+            pressure_hertz_mpa: hertz(fields.x[i] * MICRO),
         }),
     )
 }
@@ -111,7 +120,7 @@ pub(super) fn subsurface(
     write(file, rows)
 }
 
-fn write<R: Serialize>(file: &Path, rows: impl Iterator<Item = R>) -> Result<(), ReportError> {
+pub(super) fn write<R: Serialize>(file: &Path, rows: impl Iterator<Item = R>) -> Result<(), ReportError> {
     let failed = |source| ReportError::Csv {
         path: file.to_owned(),
         source,

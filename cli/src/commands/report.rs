@@ -1,0 +1,20 @@
+//! `asperity report`: the page of a result, drawn anew.
+
+use asperity::report::{ReportError, html};
+
+use crate::args::{Common, ReportArgs};
+use crate::failure::Failure;
+use crate::output::{print_json, print_text};
+
+/// `asperity report`
+pub fn report(args: &ReportArgs, common: &Common) -> Result<(), Failure> {
+    let page = html::write(&args.result, args.position).map_err(|error| refused(&error))?;
+    if common.json {
+        return print_json(&serde_json::json!({ "report": page }));
+    }
+    print_text(common, &format!("wrote {}\n", page.display()))
+}
+
+fn refused(error: &ReportError) -> Failure {
+    Failure::new("E401", error.to_string())
+}

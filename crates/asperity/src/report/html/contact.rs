@@ -1,0 +1,175 @@
+//! What happens in one contact: flanks before, in and after it, pressure, stress below, convergence.
+
+use maud::{Markup, html};
+
+use super::data::{ResultFolder, Table, combined};
+use super::figure;
+use crate::report::ReportError;
+use crate::report::chart::{Axis, Chart, Contour, Drawing, Line, Series};
+
+pub(super) fn section(result: &ResultFolder, position: Option<usize>) -> Result<Markup, ReportError> {
+    let Some(number) = shown_position(result, position)? else {
+        return Ok(html! {});
+    };
+    let drawings = drawings(result, number)?;
+    if drawings.is_empty() {
+        return Ok(html! {});
+    }
+    let count = result.rows("/path").len();
+    let row = &result.rows("/path")[number - 1];
+    Ok(html! {
+        p {
+            "Position " (number) " of " (count)
+            @if count > 1 { ", the one with the highest pressure unless another was asked for (" code { "asperity report --position" } ")" }
+            ", at " (format!("{:.3}", row["path_fraction"].as_f64().unwrap_or(f64::NAN)))
+            " of the way from A to E; first offset of the traces."
+        }
+        div.charts { @for drawing in &drawings { (figure(drawing)) } }
+    })
+}
+
+fn shown_position(result: &ResultFolder, wanted: Option<usize>) -> Result<Option<usize>, ReportError> {
+    let rows = result.rows("/path");
+    if let Some(number) = wanted {
+        return match (1..=rows.len()).contains(&number) {
+            true => Ok(Some(number)),
+            false => Err(ReportError::NoSuchPosition { number, count: rows.len() }),
+        };
+    }
+    let pressure = |row: &serde_json::Value| row["p_max_mpa"].as_f64().or(row["hertz_pressure_mpa"].as_f64()).unwrap_or(0.0);
+    let highest = rows.iter().enumerate().max_by(|a, b| pressure(a.1).total_cmp(&pressure(b.1)));
+    Ok(highest.map(|(index, _)| index + 1))
+}
+
+/// Every chart of one position.
+pub(crate) fn drawings(result: &ResultFolder, number: usize) -> Result<Vec<Drawing>, ReportError> {
+    let mut drawings = Vec::new();
+    let surface = format!("position_{number:02}/surface.csv");
+    if let Some(table) = result.table(&surface)? {
+        drawings.extend(flank_charts(&table, &surface));
+        drawings.push(pressure(&table, &surface));
+    }
+    let below = format!("position_{number:02}/subsurface.csv");
+    if let Some(table) = result.table(&below)? {
+        drawings.extend(von_mises(&table, &below));
+    }
+    if let Some(table) = result.table("convergence.csv")? {
+        drawings.extend(convergence(result, &table, number));
+    }
+    Ok(drawings)
+}
+
+fn across() -> Axis {
+    Axis::new("distance from the middle of the contact", "µm")
+}
+
+fn flank_charts(table: &Table, source: &str) -> Vec<Drawing> {
+    let x = table.column("x_um");
+    let mut drawings: Vec<Drawing> = crate::report::flanks::BODIES
+        .iter()
+        .map(|body| {
+            let before = table.column(&format!("height_{body}_um"));
+            let pressed = combined(before, table.column(&format!("displacement_{body}_um")), |z, u| z - u);
+            let after = combined(before, table.column(&format!("plastic_{body}_um")), |z, u| z - u);
+            let title = format!("Flank of the {body} before, in and after contact");
+            let chart = Chart::new(&format!("flank-contact-{body}"), &title, source, across(), Axis::new("height", "µm"))
+                .with(Series::new("before", Line::Solid, x, before))
+                .with(Series::new("in contact", Line::Solid, x, &pressed))
+                .with(Series::new("after", Line::Dashed, x, &after));
+            Drawing::Curves(chart)
+        })
+        .collect();
+    let gap = Chart::new("gap", "Gap in contact", source, across(), Axis::new("gap", "µm").from_zero())
+        .with(Series::new("gap", Line::Solid, x, table.column("gap_um")));
+    drawings.push(Drawing::Curves(gap));
+    drawings
+}
+
+fn pressure(table: &Table, source: &str) -> Drawing {
+    let x = table.column("x_um");
+    let chart = Chart::new(
+        "pressure",
+        "Pressure on the flanks",
+        source,
+        across(),
+        Axis::new("pressure", "MPa").from_zero(),
+    )
+    .with(Series::new("asperities", Line::Solid, x, table.column("pressure_solid_mpa")))
+    .with(Series::new("fluid", Line::Solid, x, table.column("pressure_fluid_mpa")))
+    .with(Series::new("Hertz, smooth and dry", Line::Dashed, x, table.column("pressure_hertz_mpa")));
+    Drawing::Curves(chart)
+}
+
+/// Stress below the surface, down to one and a half times the depth where a smooth contact has its peak
+/// twice over: what lies deeper is smooth.
+fn von_mises(table: &Table, source: &str) -> Option<Drawing> {
+    let depth = table.column("depth_um");
+    let first = *depth.first()?;
+    let columns = table.where_equal("depth_um", first, "x_um");
+    if columns.len() < 2 {
+        return None;
+    }
+    let rows: Vec<f64> = depth.iter().step_by(columns.len()).copied().collect();
+    let mut values = table.column("von_mises_mpa").to_vec();
+    values.truncate(rows.len() * columns.len());
+    Some(Drawing::Contour(Contour {
+        id: "von-mises".to_owned(),
+        title: "Von Mises stress below the surface".to_owned(),
+        source: source.to_owned(),
+        x: across(),
+        y: Axis::new("depth", "µm").downward(),
+        value: "von Mises stress [MPa]".to_owned(),
+        columns,
+        rows,
+        values,
+        height: 250.0,
+    }))
+}
+
+fn convergence(result: &ResultFolder, table: &Table, number: usize) -> Vec<Drawing> {
+    let of = |column: &str| table.where_equal("position", number as f64, column);
+    let (step, error) = (of("step"), of("load_error"));
+    if step.is_empty() {
+        return Vec::new();
+    }
+    let paper = result.text("/formulation") == "paper";
+    let target = result.rows("/path")[number - 1]["line_load_n_per_mm"].as_f64().unwrap_or(f64::NAN);
+    let (solid, fluid) = (of("load_solid_n_per_mm"), of("load_fluid_n_per_mm"));
+    let total = combined(&solid, &fluid, |s, f| s + f);
+    let approach = of("approach_um");
+    let load = Chart::new(
+        "approach",
+        "Load against approach",
+        "convergence.csv",
+        Axis::new("approach from first touch", "µm"),
+        Axis::new("load", "N/mm").from_zero(),
+    )
+    .with(Series::new("film and asperities", Line::Dots, &approach, &total))
+    .with(Series::new("film", Line::Dashed, &approach, &fluid))
+    .level(target, "load to carry");
+    let tolerance = match paper {
+        true => result.choice("model.numerical_error").and_then(|v| ratio(&v)),
+        false => result.choice("model.tolerance").and_then(|v| v.as_f64()),
+    };
+    // A log axis has no place for an error of nothing: it stands at the smallest that can be told.
+    let shown: Vec<f64> = error.iter().map(|e| e.max(f64::EPSILON)).collect();
+    let title = if paper { "Convergence: load error of each step" } else { "Load error along the load path" };
+    let mut chart = Chart::new(
+        "convergence",
+        title,
+        "convergence.csv",
+        Axis::new("step", ""),
+        Axis::new("load error |F − F_target|/F_target", "").log(),
+    )
+    .with(Series::new("load error", Line::Dots, &step, &shown));
+    if let Some(tolerance) = tolerance {
+        chart = chart.level(tolerance, "tolerance");
+    }
+    vec![Drawing::Curves(load), Drawing::Curves(chart)]
+}
+
+/// A share written as a number or as text with its unit.
+fn ratio(value: &serde_json::Value) -> Option<f64> {
+    use asperity_core::quantity::Ratio;
+    value.as_f64().or_else(|| value.as_str()?.parse::<Ratio>().ok().map(Ratio::value))
+}

@@ -1,0 +1,145 @@
+//! The numbers that matter, the losses, the friction laws and what calls for attention.
+
+use maud::{Markup, html};
+use serde_json::Value;
+
+use super::data::ResultFolder;
+use super::figure;
+use crate::report::ReportError;
+use crate::report::chart::{Axis, Bar, BarChart, Drawing};
+
+/// Decimals with which the page prints its numbers.
+const EFFICIENCY_DECIMALS: usize = 4;
+
+pub(super) fn section(result: &ResultFolder) -> Result<Markup, ReportError> {
+    let tiles = tiles(result);
+    let notes = notes(result);
+    let charts = [losses(result), Some(laws(result))];
+    Ok(html! {
+        dl.tiles {
+            @for (name, value, key) in &tiles {
+                div { dt { (name) } dd data-key=(key) { (value) } }
+            }
+        }
+        @if !notes.is_empty() {
+            h3 { "Calls for attention" }
+            ul.warnings {
+                @for (code, text) in &notes { li { code { (code) } " " (text) } }
+            }
+        }
+        div.charts { @for chart in charts.iter().flatten() { (figure(chart)) } }
+    })
+}
+
+/// Name, value and key in `result.json`.
+fn tiles(result: &ResultFolder) -> Vec<(&'static str, String, &'static str)> {
+    let s = |key: &str| result.number(&format!("/summary/{key}")).unwrap_or(f64::NAN);
+    let decimals = EFFICIENCY_DECIMALS;
+    let mut tiles = vec![
+        ("efficiency (mesh only)", format!("{:.decimals$} %", 100.0 * s("efficiency")), "summary.efficiency"),
+    ];
+    if let Some(spread) = result.number("/summary/efficiency_deviation") {
+        tiles.push((
+            "standard deviation over the offsets",
+            format!("±{:.decimals$} %", 100.0 * spread),
+            "summary.efficiency_deviation",
+        ));
+    }
+    tiles.extend([
+        ("loss", format!("{:.1} W", s("loss_w")), "summary.loss_w"),
+        ("sliding", format!("{:.1} W", s("sliding_w")), "summary.sliding_w"),
+        ("rolling", format!("{:.2} W", s("rolling_w")), "summary.rolling_w"),
+        ("power in", format!("{:.3} kW", 1e-3 * s("power_in_w")), "summary.power_in_w"),
+        ("torque out", format!("{:.2} N m", s("torque_out_nm")), "summary.torque_out_nm"),
+        ("equivalent friction μ_eq", format!("{:.4}", s("mu_equivalent")), "summary.mu_equivalent"),
+        ("loss factor H_V", format!("{:.4}", s("loss_factor")), "summary.loss_factor"),
+        ("H_V of the load sharing", format!("{:.4}", s("loss_factor_local")), "summary.loss_factor_local"),
+        ("mixed lubrication, of the path", format!("{:.1} %", 100.0 * s("mixed_share")), "summary.mixed_share"),
+        ("positions × offsets", format!("{:.0} × {:.0}", s("positions"), s("offsets")), "summary.positions"),
+        ("worst load error", format!("{:.1e}", s("worst_load_error")), "summary.worst_load_error"),
+    ]);
+    let energy = result.number("/running_in/energy_per_engagement_j").unwrap_or(0.0);
+    if energy > 0.0 {
+        tiles.push((
+            "plastic work, first engagement",
+            format!("{energy:.2e} J"),
+            "running_in.energy_per_engagement_j",
+        ));
+    }
+    tiles
+}
+
+fn notes(result: &ResultFolder) -> Vec<(&str, &str)> {
+    result
+        .rows("/warnings")
+        .iter()
+        .filter_map(|entry| Some((entry["code"].as_str()?, entry["text"].as_str()?)))
+        .collect()
+}
+
+fn losses(result: &ResultFolder) -> Option<Drawing> {
+    let (loss, power) = (result.number("/summary/loss_w")?, result.number("/summary/power_in_w")?);
+    let of = |pointer: &str| result.number(pointer).unwrap_or(0.0);
+    let included = result.json.pointer("/running_in/included") == Some(&Value::Bool(true));
+    let parts = [
+        ("sliding", of("/summary/sliding_w"), true),
+        ("rolling", of("/summary/rolling_w"), true),
+        ("deformation, pinion", of("/summary/deformation_w/0"), false),
+        ("deformation, wheel", of("/summary/deformation_w/1"), false),
+        ("hysteresis", of("/summary/hysteresis_w"), false),
+        ("running-in", if included { of("/running_in/first_pass_w") } else { 0.0 }, false),
+    ];
+    let bars = parts
+        .iter()
+        .filter(|(_, watts, always)| *always || *watts != 0.0)
+        .map(|(name, watts, _)| Bar {
+            name: (*name).to_owned(),
+            value: Some(*watts),
+            spread: None,
+            text: format!("{} W, {}", significant(*watts), percent(watts / loss)),
+        })
+        .collect();
+    Some(Drawing::Bars(BarChart {
+        id: "losses".to_owned(),
+        title: format!("Losses: {} W, {} of the power in", significant(loss), percent(loss / power)),
+        source: "losses.csv".to_owned(),
+        axis: Axis::new("loss", "W"),
+        bars,
+    }))
+}
+
+fn laws(result: &ResultFolder) -> Drawing {
+    let spread = result.number("/summary/efficiency_deviation");
+    let bars = result.rows("/friction_laws").iter().enumerate().map(|(k, entry)| {
+        let loss = entry["efficiency"].as_f64().map(|efficiency| 100.0 * (1.0 - efficiency));
+        Bar {
+            name: entry["law"].as_str().unwrap_or_default().to_owned(),
+            value: loss,
+            // The case's own law is the first; the spread was found with it.
+            spread: spread.filter(|_| k == 0).map(|share| 100.0 * share),
+            text: loss.map_or("cannot be used here".to_owned(), |loss| format!("{loss:.3} %")),
+        }
+    });
+    Drawing::Bars(BarChart {
+        id: "friction-laws".to_owned(),
+        title: "Friction laws side by side".to_owned(),
+        source: "friction_laws.csv".to_owned(),
+        axis: Axis::new("loss of the power in", "%"),
+        bars: bars.collect(),
+    })
+}
+
+/// Three digits or more, never an exponent where one can do without.
+fn significant(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0".to_owned(),
+        size if size >= 100.0 => format!("{value:.0}"),
+        size if size >= 0.01 => format!("{value:.2}"),
+        _ => format!("{value:.1e}"),
+    }
+}
+
+fn percent(share: f64) -> String {
+    let value = 100.0 * share;
+    if value == 0.0 || value >= 0.01 { format!("{value:.2} %") } else { format!("{value:.0e} %") }
+}
