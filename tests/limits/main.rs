@@ -1,0 +1,8 @@
+//! Limits in which the whole program must give what a simpler statement says.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
+
+mod constant_friction;
+mod positions;
+mod regime;
+mod traces;

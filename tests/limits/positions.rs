@@ -1,0 +1,53 @@
+//! Many positions, few positions, one position.
+
+use asperity::result::Summary;
+use asperity_tests::{assert_close, table_2};
+
+fn with(positions: i64) -> Summary {
+    table_2()
+        .with("model.positions", positions)
+        .run()
+        .result
+        .summary
+}
+
+#[test]
+fn the_losses_have_converged_long_before_32_positions() {
+    let fine = with(512);
+    // Gauss points on segments that end where the sliding turns.
+    for (positions, tolerance) in [(8, 1e-3), (16, 1e-4), (32, 1e-5), (64, 1e-6)] {
+        let coarse = with(positions);
+        assert_close("sliding", coarse.sliding_w, fine.sliding_w, tolerance);
+        assert_close("rolling", coarse.rolling_w, fine.rolling_w, tolerance);
+    }
+}
+
+#[test]
+fn a_position_a_segment_is_enough_for_what_does_not_change_along_the_path() {
+    let coarse = table_2().with("model.positions", 2).run().result;
+    let length: f64 = coarse.path.iter().map(|row| row.weight_m).sum();
+    assert_close("contact length", length, 82.286_440e-3, 1e-8);
+    // Sliding at constant friction is linear on a segment: one Gauss point integrates it exactly.
+    let constant = |positions: i64| {
+        table_2()
+            .with("model.friction", "constant")
+            .with("model.constant_friction", 0.05)
+            .with("model.positions", positions)
+            .run()
+            .result
+            .summary
+            .sliding_w
+    };
+    assert_close("sliding", constant(2), constant(64), 1e-13);
+}
+
+#[test]
+fn the_number_of_threads_does_not_change_a_digit() {
+    let loaded = table_2().load();
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        let outcome = pool.unwrap().install(|| asperity_tests::run(&loaded));
+        serde_json::to_string(&outcome.result).unwrap()
+    };
+    assert_eq!(on(1), on(4));
+}

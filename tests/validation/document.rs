@@ -1,0 +1,61 @@
+//! `docs/VALIDATION.md` shows what the tests compute.
+//!
+//! The tables stand between `<!-- name -->` and `<!-- end -->`. `ASPERITY_WRITE=1 cargo test -p
+//! asperity-tests --test validation document` writes them anew.
+
+use std::path::Path;
+
+use crate::{
+    fluid_film, gear_tool, paper_formulation, petry_johnson, rough_contact, spot_values, table_2,
+};
+
+/// Every table by the name of its place.
+fn tables() -> Vec<(&'static str, String)> {
+    let compared = [
+        table_2::geometry(),
+        table_2::points(),
+        table_2::films(),
+        table_2::friction(),
+        table_2::losses(),
+        spot_values::spot_values(),
+        gear_tool::spur_pairs(),
+        gear_tool::helical_pairs(),
+        petry_johnson::losses(),
+        fluid_film::at_the_pitch_point(),
+        rough_contact::smooth_flanks(),
+        paper_formulation::printed_deformation(),
+    ];
+    let mut tables: Vec<_> = compared
+        .iter()
+        .map(|table| (table.name, table.markdown()))
+        .collect();
+    tables.push(("petry-johnson-measured", petry_johnson::beside_measured()));
+    tables.push(("film", fluid_film::over_thickness()));
+    tables
+}
+
+/// `document` with each table in its place.
+fn with_tables(mut document: String, tables: &[(&str, String)]) -> String {
+    for (name, table) in tables {
+        let begin = format!("<!-- {name} -->\n");
+        let start = document.find(&begin).unwrap_or_else(|| panic!("no place for {name}")) + begin.len();
+        let length = document[start..].find("<!-- end -->").unwrap();
+        document.replace_range(start..start + length, table);
+    }
+    document
+}
+
+#[test]
+fn the_document_shows_what_the_tests_compute() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/VALIDATION.md");
+    let document = std::fs::read_to_string(&path).unwrap();
+    let made = with_tables(document.clone(), &tables());
+    if std::env::var_os("ASPERITY_WRITE").is_some() {
+        std::fs::write(&path, &made).unwrap();
+        return;
+    }
+    for (shown, made) in document.lines().zip(made.lines()) {
+        assert_eq!(shown, made, "write it anew: just validation");
+    }
+    assert_eq!(document.len(), made.len());
+}

@@ -1,0 +1,17 @@
+//! The whole program against numbers from elsewhere, from the case file on.
+//!
+//! What a single crate computes is proven in that crate. Here stands what spans crates. Each module
+//! makes tables of reference numbers with ours beside them; its tests hold them, and
+//! `docs/VALIDATION.md` shows them.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
+
+mod comparison;
+// mod document;
+mod fluid_film;
+mod gear_tool;
+mod paper_formulation;
+mod petry_johnson;
+mod rough_contact;
+mod spot_values;
+mod table_2;

@@ -1,0 +1,136 @@
+//! The paper's reading, on its own case.
+
+use std::path::{Path, PathBuf};
+
+use asperity::case::{Formulation, load};
+use asperity::result::{Outcome, Regime};
+use asperity_tests::{CaseText, run, table_2, trace_csv};
+
+use crate::comparison::{Comparison, Table};
+
+fn fixtures() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures")
+}
+
+fn table_2_with_its_trace() -> Outcome {
+    let file = fixtures().join("cases/table2.toml");
+    let loaded = load(&file, Some(Formulation::Paper))
+        .map_err(|(error, _)| error)
+        .unwrap();
+    run(&loaded)
+}
+
+#[test]
+fn marching_is_flat_while_the_flanks_are_apart_and_rises_after_touch() {
+    // The paper's Fig. 13.
+    let outcome = table_2_with_its_trace();
+    let target = outcome.result.path[0].line_load_n_per_mm * 1e3;
+    let mut history = outcome.fields[0].history.clone();
+    // A step past the load is taken back and halved; by approach the history is one curve.
+    history.sort_by(|a, b| a.approach.total_cmp(&b.approach));
+    let (apart, touching): (Vec<_>, Vec<_>) = history.iter().partition(|step| step.approach <= 0.0);
+    assert!(apart.len() >= 4 && touching.len() > 20);
+    for step in &apart {
+        assert_eq!(step.load_solid, 0.0);
+        // The pressure across the film is some kilopascals.
+        assert!(step.load_fluid < 1e-4 * target, "{step:?}");
+    }
+    // Where all that touches flows, a step may add nothing.
+    for pair in touching.windows(2) {
+        assert!(
+            pair[0].load_solid <= pair[1].load_solid * (1.0 + 1e-9),
+            "{pair:?}"
+        );
+    }
+    let last = touching.last().unwrap().load_solid;
+    assert!(touching[0].load_solid < 0.01 * last && last > 0.99 * target);
+}
+
+#[test]
+fn marching_stops_within_the_error_asked_for() {
+    let outcome = table_2_with_its_trace();
+    let history = &outcome.fields[0].history;
+    let (last, before) = history.split_last().unwrap();
+    assert!(last.load_error < 0.01 && before.iter().all(|step| step.load_error >= 0.01));
+    assert_eq!(outcome.result.path[0].load_error, last.load_error);
+    let target = outcome.result.path[0].line_load_n_per_mm * 1e3;
+    let carried = last.load_solid + last.load_fluid;
+    assert!((carried - target).abs() < 0.01 * target);
+    // Solids with the friction of metal on metal carry nearly all of it.
+    let mu = outcome.result.path[0].mu;
+    asperity_tests::assert_close("mu", mu, 0.3 * last.load_solid / target, 1e-3);
+}
+
+#[test]
+fn superfinished_flanks_take_the_branch_of_full_film() {
+    let profile = |name: &str| {
+        let file = fixtures().join("profiles").join(name);
+        toml::toml! { file = (file.display().to_string()) }
+    };
+    let outcome = table_2()
+        .with("formulation", "paper")
+        .with("surface.cutoff", "0.25 mm")
+        .with("surface.pinion", profile("superfinished.csv"))
+        .with("surface.wheel", profile("superfinished_wheel.csv"))
+        .with("model.position", 0.2557)
+        .run();
+    let row = &outcome.result.path[0];
+    assert_eq!((row.regime, row.film_share), (Regime::FullFilm, 1.0));
+    assert!(row.lambda_star.unwrap() > 1.0);
+    assert!(outcome.fields[0].history.is_empty() && row.contact_fraction.is_none());
+    // Friction is summed over the points of the window: that of Hertz's pressure to 1e-3.
+    asperity_tests::assert_close("mu", row.mu, row.mu_film, 1e-3);
+    // Lighter friction than metal on metal, by far.
+    let rough = table_2_with_its_trace().result.summary.sliding_w;
+    assert!(outcome.result.summary.sliding_w < 0.2 * rough);
+}
+
+/// Smooth flanks of Table 2 at C, traced with the paper's step of 80 nm.
+fn smooth_at_c() -> Outcome {
+    let folder = tempfile::tempdir().unwrap();
+    let zeros = vec![0.0; 12_001];
+    std::fs::write(folder.path().join("flat.csv"), trace_csv(80e-9, &zeros)).unwrap();
+    let flat = || toml::toml! { file = "flat.csv" };
+    let case: CaseText = table_2()
+        .with("formulation", "paper")
+        .with("surface.cutoff", "0 mm")
+        .with("surface.noise_cutoff", "0 um")
+        .with("surface.pinion", flat())
+        .with("surface.wheel", flat());
+    run(&case.load_in(folder.path()))
+}
+
+pub fn printed_deformation() -> Table {
+    let summary = smooth_at_c().result.summary;
+    Table {
+        name: "printed-deformation",
+        test: "the_printed_deformation_loss_is_a_fifth_of_a_microwatt",
+        rows: vec![Comparison::new(
+            "(P19) as printed, smooth flanks at C, both surfaces, cells of 80 nm",
+            "µW",
+            // Trapezoids over 3001 points of Hertz's pressure.
+            0.212_886_72,
+            summary.deformation_w.iter().sum::<f64>() * 1e6,
+            1e-4,
+        )],
+    }
+}
+
+#[test]
+fn the_printed_deformation_loss_is_a_fifth_of_a_microwatt() {
+    printed_deformation().hold();
+}
+
+#[test]
+fn at_the_pitch_point_nothing_slides() {
+    // Rolling as the paper prints it: F_r V_e on one surface over the mean contact length,
+    // 209.154 N/m at 4.567909 m/s over 82.28644 mm.
+    let summary = smooth_at_c().result.summary;
+    assert_eq!(summary.sliding_w, 0.0);
+    asperity_tests::assert_close(
+        "rolling",
+        summary.rolling_w,
+        209.153_685 * 4.567_908_85 * 82.286_440e-3,
+        1e-6,
+    );
+}

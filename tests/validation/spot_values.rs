@@ -1,0 +1,114 @@
+//! Single equations at single points, as the document shows them; the crates prove them.
+
+use asperity_core::lubricant::{AstmD341, roelands_exponent};
+use asperity_core::quantity::{DynamicViscosity, Length, Pressure, Speed};
+use asperity_ehl_regime::film_elliptic::ellipticity;
+use asperity_ehl_regime::thermal_reduction::gupta;
+use asperity_ehl_regime::{AsperityShape, Orientation};
+use asperity_tribo_friction::XuLaw;
+use asperity_tribo_friction::xu::XuConditions;
+
+use crate::comparison::{Comparison, Table};
+
+const ROUNDING: f64 = 1e-12;
+
+fn xu(slide_to_roll: f64, max_pressure: f64) -> f64 {
+    let at = XuConditions {
+        slide_to_roll,
+        max_pressure: Pressure::from_si(max_pressure),
+        viscosity: DynamicViscosity::from_si(0.010),
+        entrainment: Speed::from_si(10.0),
+        radius: Length::from_si(0.010),
+        combined_roughness: Length::from_si(0.1e-6),
+    };
+    XuLaw::default().coefficient(&at).unwrap().value
+}
+
+/// |SR| Ph log₁₀ν₀ where μ is largest, by golden section.
+fn xu_peak() -> f64 {
+    let (mut low, mut high) = (0.1, 1.0);
+    for _ in 0..100 {
+        let third = (high - low) / 3.0;
+        // At 1 GPa and 10 cP the product is the slide-to-roll ratio.
+        if xu(low + third, 1e9) < xu(high - third, 1e9) {
+            low += third;
+        } else {
+            high -= third;
+        }
+    }
+    0.5 * (low + high)
+}
+
+pub fn spot_values() -> Table {
+    let oil =
+        AstmD341::from_data_sheet("100 mm2/s".parse().unwrap(), "11.2 mm2/s".parse().unwrap());
+    let oil = oil.unwrap().kinematic_viscosity("60 °C".parse().unwrap());
+    let exponent = roelands_exponent("97.5 mPa s".parse().unwrap(), "2e-8 1/Pa".parse().unwrap());
+    let ridges = AsperityShape::ridges(Length::from_si(100e-6), Length::from_si(10e-3));
+    let factor = ridges.film_factor(Orientation::Transverse, 0.67).unwrap();
+    let phi = gupta(Pressure::from_si(1e9), Pressure::from_si(113.5e9), 1.0, 0.2).unwrap();
+    let row = |quantity: &str, unit, expected, actual| {
+        Comparison::new(quantity, unit, expected, actual, ROUNDING)
+    };
+    Table {
+        name: "spot-values",
+        test: "single_equations_have_the_values_computed_elsewhere",
+        rows: vec![
+            row(
+                "μ, Xu, SR 0.2, 1 GPa, 10 cP, 10 m/s, 10 mm, 0.1 µm",
+                "-",
+                0.012_716_825_722_695_101,
+                xu(0.2, 1e9),
+            ),
+            row(
+                "the same, SR 0.5, 1.5 GPa",
+                "-",
+                0.015_524_023_448_344_361,
+                xu(0.5, 1.5e9),
+            ),
+            // A maximum is flat: its place is known to the root of the precision of its value.
+            Comparison::new(
+                "SR·Ph·log₁₀ν₀ where Xu's μ is largest",
+                "-",
+                0.505_195,
+                xu_peak(),
+                1e-6,
+            ),
+            row(
+                "ν at 60 °C, ASTM D341, 100 and 11.2 mm²/s",
+                "mm²/s",
+                39.859_219_084_521_17,
+                oil.unwrap().value.si() * 1e6,
+            ),
+            row(
+                "Roelands' Z, 97.5 mPa s, 2e-8 1/Pa",
+                "-",
+                0.534_121_052_141_019_8,
+                exponent.unwrap(),
+            ),
+            row(
+                "k = 1.03 (Ry/Rx)^(2/π), Ry/Rx = 10",
+                "-",
+                4.461_254_479_892_096,
+                ellipticity(10.0).unwrap(),
+            ),
+            row(
+                "f_q, ridges of 0.1 mm on a flank of 10 mm",
+                "-",
+                0.118_032_063_565_173_04,
+                factor,
+            ),
+            row(
+                "φ, Gupta, 1 GPa, E′ 227 GPa, L 1, SRR 0.2",
+                "-",
+                0.703_980_037_368_216_2,
+                phi.value,
+            ),
+        ],
+    }
+}
+
+#[test]
+fn single_equations_have_the_values_computed_elsewhere() {
+    spot_values().hold();
+}
