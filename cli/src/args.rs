@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use asperity_core::quantity::{Length, LineLoad, Pressure};
+use asperity::case::PathPoint;
+use asperity_core::quantity::{Length, LineLoad, Pressure, QuantityError};
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::read::{Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator};
@@ -51,6 +52,10 @@ pub enum Command {
         after_help = "Example:\n  asperity run fixtures/cases/e-drive.toml -o results/e-drive"
     )]
     Run(RunArgs),
+    /// Draw the page of a result anew: report.html beside its result.json
+    #[command(after_help = "Examples:\n  asperity report results/e-drive\n  \
+        asperity report results/e-drive/result.json --position 3")]
+    Report(ReportArgs),
     /// Film thickness, Lambda* and regime along the path of contact, without the rough contact
     Regime(CaseArgs),
     /// The rough contact alone: of a case at one position, or of a bare gap file
@@ -98,6 +103,16 @@ pub struct RunArgs {
     pub no_output: bool,
 }
 
+/// A result and what to show of it.
+#[derive(Debug, Args)]
+pub struct ReportArgs {
+    /// Result folder, or the result.json in it
+    pub result: PathBuf,
+    /// Number of the mesh position whose contact is shown [default: the highest pressure]
+    #[arg(long)]
+    pub position: Option<usize>,
+}
+
 /// A case.
 #[derive(Debug, Args)]
 pub struct CaseArgs {
@@ -113,9 +128,9 @@ pub struct CaseArgs {
 pub struct FilmArgs {
     /// Case file, TOML (or JSON with the same keys)
     pub case: PathBuf,
-    /// Position along the path of contact, 0 at A and 1 at E [default: the pitch point]
-    #[arg(long)]
-    pub position: Option<f64>,
+    /// Position along the path of contact: A, B, C, D, E, or 0 (A) to 1 (E) [default: C]
+    #[arg(long, allow_hyphen_values = true)]
+    pub position: Option<PathPoint>,
 }
 
 /// Which reading of the model is used.
@@ -130,29 +145,29 @@ pub enum FormulationArg {
 /// A rough contact.
 #[derive(Debug, Args)]
 pub struct ContactArgs {
-    /// Case file; the contact at its position with the largest sliding is computed
+    /// Case file, TOML (or JSON with the same keys)
     #[arg(required_unless_present = "gap", conflicts_with = "gap")]
     pub case: Option<PathBuf>,
-    /// Position along the path of contact, 0 at A and 1 at E [default: the case's]
-    #[arg(long, conflicts_with = "gap")]
-    pub position: Option<f64>,
+    /// Position along the path of contact: A, B, C, D, E, or 0 (A) to 1 (E) [default: the case's]
+    #[arg(long, conflicts_with = "gap", allow_hyphen_values = true)]
+    pub position: Option<PathPoint>,
     /// Gap of the undeformed bodies: CSV with columns x and h, units in the header
     #[arg(long, requires = "e_star", requires = "load")]
     pub gap: Option<PathBuf>,
     /// Reduced modulus E*, as "115.4 GPa"
-    #[arg(long, value_name = "E*")]
+    #[arg(long, value_name = "E*", requires = "gap", allow_hyphen_values = true)]
     pub e_star: Option<Pressure>,
     /// Load per length, as "300000 N/m" (per period when periodic)
-    #[arg(long)]
+    #[arg(long, requires = "gap", allow_hyphen_values = true)]
     pub load: Option<LineLoad>,
     /// The gap repeats itself; otherwise both ends are free
-    #[arg(long)]
+    #[arg(long, requires = "gap")]
     pub periodic: bool,
     /// Pressure at which the surface flows, as "3 GPa"
-    #[arg(long)]
+    #[arg(long, requires = "gap", allow_hyphen_values = true)]
     pub pressure_limit: Option<Pressure>,
     /// Tolerance of the certificate: duality gap, penetration and load error
-    #[arg(long, default_value_t = 1e-8)]
+    #[arg(long, default_value_t = 1e-8, allow_hyphen_values = true)]
     pub tolerance: f64,
     /// Write pressure, gap and displacement per point
     #[arg(long, short)]
@@ -181,11 +196,11 @@ pub struct ProfileInfoArgs {
     /// Form removed: none, level, poly2
     #[arg(long, value_parser = choice::<Form>)]
     pub form: Option<Form>,
-    /// Cut-off lambda_c [default: 0.8 mm]
-    #[arg(long)]
+    /// Cut-off lambda_c, or none [default: 0.8 mm]
+    #[arg(long, value_parser = cutoff, allow_hyphen_values = true)]
     pub lambda_c: Option<Length>,
-    /// Cut-off lambda_s [default: 2.5 um]
-    #[arg(long)]
+    /// Cut-off lambda_s, or none [default: 2.5 um]
+    #[arg(long, value_parser = cutoff, allow_hyphen_values = true)]
     pub lambda_s: Option<Length>,
     /// What the filter does at the ends: cut, reg0, reg1, reflect
     #[arg(long, value_parser = choice::<Ends>)]
@@ -206,7 +221,7 @@ pub struct ReadingArgs {
     #[arg(long)]
     pub z_unit: Option<LengthUnit>,
     /// Spacing of the points, as "0.5 um"
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     pub dx: Option<Length>,
     /// Columns of position and height, counted from 1: "1,2", or the height alone: "2"
     #[arg(long)]
@@ -239,6 +254,14 @@ pub struct EquationsArgs {
 fn choice<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, serde::de::value::Error> {
     use serde::de::IntoDeserializer;
     T::deserialize(text.into_deserializer())
+}
+
+/// Reads a cut-off; `none` is a cut-off of zero.
+fn cutoff(text: &str) -> Result<Length, QuantityError> {
+    if text.trim() == "none" {
+        return Ok(Length::from_si(0.0));
+    }
+    text.parse()
 }
 
 /// The name of a choice in the case file.

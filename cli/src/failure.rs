@@ -1,6 +1,6 @@
 //! Errors as the user sees them: a code, a place, what to do; a picture of the line on a terminal.
 
-use std::io::IsTerminal;
+use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 
 use asperity::case::{Place, Source};
@@ -57,17 +57,31 @@ impl Failure {
     pub fn report(&self, json: bool) -> ExitCode {
         if json {
             let value = serde_json::json!({
-                "error": { "code": self.code, "message": self.message, "exit_status": self.status() }
+                "error": {
+                    "code": self.code,
+                    "message": self.message,
+                    "remedy": self.remedy(),
+                    "exit_status": self.status(),
+                }
             });
-            println!("{value:#}");
+            // Whoever reads may have gone away; the exit status still tells.
+            let _ = writeln!(std::io::stdout(), "{value:#}");
         }
-        eprintln!("{}", self.rendered());
+        let _ = writeln!(std::io::stderr(), "{}", self.rendered());
         ExitCode::from(self.status())
     }
 
-    /// With the line of the case file on a terminal, on one line otherwise.
+    /// What to do about it.
+    fn remedy(&self) -> Option<&'static str> {
+        asperity::message::explain(self.code).map(|entry| entry.remedy)
+    }
+
+    /// With the line of the case file on a terminal, plain otherwise.
     fn rendered(&self) -> String {
-        let plain = self.to_string();
+        let plain = match self.remedy() {
+            Some(remedy) => format!("{self}\n  help: {remedy}"),
+            None => self.to_string(),
+        };
         if self.snippet.is_none() || !std::io::stderr().is_terminal() {
             return plain;
         }
@@ -85,8 +99,7 @@ impl Failure {
 
 impl Diagnostic for Failure {
     fn help<'a>(&'a self) -> Option<Box<dyn std::fmt::Display + 'a>> {
-        let remedy = asperity::message::explain(self.code)?.remedy;
-        Some(Box::new(remedy))
+        Some(Box::new(self.remedy()?))
     }
 
     fn source_code(&self) -> Option<&dyn miette::SourceCode> {

@@ -5,6 +5,7 @@ mod commands;
 mod failure;
 mod output;
 
+use std::panic::AssertUnwindSafe;
 use std::process::ExitCode;
 
 use args::{Cli, Command, ProfileCommand};
@@ -13,9 +14,15 @@ use failure::Failure;
 
 fn main() -> ExitCode {
     let cli = Cli::parse();
-    match start_threads(cli.common.threads).and_then(|()| dispatch(&cli)) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.report(cli.common.json),
+    // A panic unwinds to here, so that drafts of files are removed on the way.
+    let done = std::panic::catch_unwind(AssertUnwindSafe(|| {
+        start_threads(cli.common.threads).and_then(|()| dispatch(&cli))
+    }));
+    match done {
+        Ok(Ok(())) => ExitCode::SUCCESS,
+        Ok(Err(failure)) => failure.report(cli.common.json),
+        Err(_) => Failure::new("E501", "internal fault: the program stopped itself, see above")
+            .report(cli.common.json),
     }
 }
 
@@ -33,6 +40,7 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
     let common = &cli.common;
     match &cli.command {
         Command::Run(args) => commands::run::run(args, common),
+        Command::Report(args) => commands::report::report(args, common),
         Command::Regime(args) => commands::regime::regime(args, common),
         Command::Contact(args) => commands::contact::contact(args, common),
         Command::Film(args) => commands::film::film(args, common),

@@ -6,17 +6,26 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 
+use crate::args::Common;
 use crate::failure::Failure;
 
 /// Prints a value as JSON.
 pub fn print_json<T: Serialize + ?Sized>(value: &T) -> Result<(), Failure> {
     let text = serde_json::to_string_pretty(value)
         .map_err(|error| Failure::new("E501", format!("cannot be written as JSON: {error}")))?;
-    print_text(&format!("{text}\n"))
+    write(&format!("{text}\n"))
 }
 
-/// Prints text; a reader that has gone away is not an error.
-pub fn print_text(text: &str) -> Result<(), Failure> {
+/// Prints text unless it is to be quiet.
+pub fn print_text(common: &Common, text: &str) -> Result<(), Failure> {
+    if common.quiet {
+        return Ok(());
+    }
+    write(text)
+}
+
+/// A reader that has gone away is not an error.
+fn write(text: &str) -> Result<(), Failure> {
     match std::io::stdout().write_all(text.as_bytes()) {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::new(
             "E401",

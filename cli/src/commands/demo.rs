@@ -2,9 +2,12 @@
 
 use std::path::Path;
 
+use asperity_fixtures::TextFile;
+use serde_json::json;
+
 use crate::args::Common;
 use crate::failure::Failure;
-use crate::output::print_text;
+use crate::output::{print_json, print_text};
 
 /// `asperity demo`
 pub fn demo(folder: &Path, common: &Common) -> Result<(), Failure> {
@@ -17,23 +20,36 @@ pub fn demo(folder: &Path, common: &Common) -> Result<(), Failure> {
     }
     let files = asperity_fixtures::demo::files()
         .map_err(|error| Failure::new("E501", format!("the demo cannot be made: {error}")))?;
-    std::fs::create_dir_all(folder).map_err(|error| refused(folder, &error))?;
-    for file in files {
-        let path = folder.join(file.name);
-        std::fs::write(&path, file.content).map_err(|error| refused(&path, &error))?;
+    write(&files, folder).map_err(|error| {
+        Failure::new("E401", format!("{name}: cannot be written: {error}"))
+    })?;
+    if common.json {
+        let names: Vec<&str> = files.iter().map(|file| file.name).collect();
+        return print_json(&json!({ "folder": folder, "files": names }));
     }
-    if common.quiet {
-        return Ok(());
-    }
-    print_text(&format!(
-        "wrote {name}: case.toml, two pairs of flanks (synthetic) and a README\n\
-         next: asperity run {name}/case.toml\n"
-    ))
+    print_text(
+        common,
+        &format!(
+            "wrote {name}: case.toml, two pairs of flanks (synthetic) and a README\n\
+             next: asperity run {name}/case.toml\n"
+        ),
+    )
 }
 
-fn refused(path: &Path, error: &std::io::Error) -> Failure {
-    Failure::new(
-        "E401",
-        format!("{}: cannot be written: {error}", path.display()),
-    )
+/// Writes beside the place and renames, so that an interruption leaves no half folder.
+fn write(files: &[TextFile], folder: &Path) -> std::io::Result<()> {
+    let parent = match folder.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    std::fs::create_dir_all(parent)?;
+    let draft = tempfile::Builder::new()
+        .prefix(".asperity-")
+        .tempdir_in(parent)?;
+    let made = draft.path().join("demo");
+    std::fs::create_dir(&made)?;
+    for file in files {
+        std::fs::write(made.join(file.name), &file.content)?;
+    }
+    std::fs::rename(&made, folder)
 }

@@ -10,13 +10,13 @@ use crate::output::{print_json, print_text};
 /// `asperity film`
 pub fn film(args: &FilmArgs, common: &Common) -> Result<(), Failure> {
     let loaded = load_case(&args.case, None)?;
-    let place = on_the_path(args.position)?;
+    let place = on_the_path(&loaded, args.position)?;
     let found = survey(&loaded, place)
         .map_err(|error| Failure::new(error.code(), format!("{}: {error}", args.case.display())))?;
     if common.json {
         return print_json(&found);
     }
-    print_text(&table(&found))
+    print_text(common, &table(&found))
 }
 
 fn table(found: &FilmSurvey) -> String {

@@ -6,11 +6,12 @@ pub mod film;
 pub mod profile;
 pub mod reference;
 pub mod regime;
+pub mod report;
 pub mod run;
 
 use std::path::Path;
 
-use asperity::case::{self, Formulation, LoadedCase};
+use asperity::case::{self, Formulation, LoadedCase, PathPoint};
 
 use crate::args::FormulationArg;
 use crate::failure::Failure;
@@ -30,13 +31,17 @@ fn load_case(path: &Path, formulation: Option<FormulationArg>) -> Result<LoadedC
     })
 }
 
-/// A place on the path of contact as the user gave it, checked.
-fn on_the_path(place: Option<f64>) -> Result<Option<f64>, Failure> {
-    match place {
-        Some(value) if !(0.0..=1.0).contains(&value) => Err(Failure::new(
-            "E209",
-            format!("--position {value}: must lie between 0 (A) and 1 (E)"),
-        )),
-        _ => Ok(place),
+/// A place on the path of contact as the user gave it, 0 at A and 1 at E, checked.
+fn on_the_path(loaded: &LoadedCase, place: Option<PathPoint>) -> Result<Option<f64>, Failure> {
+    let Some(place) = place else {
+        return Ok(None);
+    };
+    let fraction = place.fraction_of(loaded.case.gears.path());
+    if (0.0..=1.0).contains(&fraction) {
+        return Ok(Some(fraction));
     }
+    Err(Failure::new(
+        "E209",
+        format!("--position {fraction}: must be A to E, or 0 (A) to 1 (E)"),
+    ))
 }

@@ -32,8 +32,8 @@ pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
         let info = look_at(file, args)?;
         if common.json {
             reports.push(as_json(&info));
-        } else if !common.quiet {
-            print_text(&as_text(&info, args))?;
+        } else {
+            print_text(common, &as_text(&info, args))?;
         }
     }
     match (common.json, reports.as_slice()) {
@@ -47,7 +47,7 @@ fn look_at(file: &Path, args: &ProfileInfoArgs) -> Result<Info, Failure> {
     let reading = read(file, &options(&args.reading))
         .map_err(|error| Failure::new(error.code(), error.to_string()))?;
     let refused = |error: asperity_roughness::RoughnessError| {
-        Failure::new("E110", format!("{}: {error}", file.display()))
+        Failure::new("E120", format!("{}: {error}", file.display()))
     };
     let prepared = prepare(&reading.profile, &recipe(args)).map_err(refused)?;
     let section = section_length(args, &prepared);

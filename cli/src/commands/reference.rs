@@ -5,13 +5,12 @@ use asperity_core::Equation;
 
 use crate::args::{Common, EquationsArgs};
 use crate::failure::Failure;
-use crate::output::print_json;
+use crate::output::{print_json, print_text};
 
 /// `asperity equations`
 pub fn equations(args: &EquationsArgs, common: &Common) -> Result<(), Failure> {
     if args.markdown {
-        print!("{}", equations::markdown());
-        return Ok(());
+        return print_text(common, &equations::markdown());
     }
     let chosen = match &args.tag {
         None => equations::all(),
@@ -20,31 +19,30 @@ pub fn equations(args: &EquationsArgs, common: &Common) -> Result<(), Failure> {
     if common.json {
         return print_json(&chosen);
     }
-    for equation in &chosen {
-        match args.tag {
-            None => println!("{:16} {}", equation.tag, equation.title),
-            Some(_) => print_equation(equation),
-        }
-    }
-    Ok(())
+    let texts = chosen.iter().map(|equation| match args.tag {
+        None => format!("{:16} {}\n", equation.tag, equation.title),
+        Some(_) => in_full(equation),
+    });
+    print_text(common, &texts.collect::<String>())
 }
 
-fn print_equation(equation: &Equation) {
-    println!("{}  {}", equation.tag, equation.title);
-    println!("  formula   {}", equation.formula);
-    println!("  file      {}", equation.file);
-    println!("  test      {}", equation.test);
+fn in_full(equation: &Equation) -> String {
+    let mut text = format!(
+        "{}  {}\n  formula   {}\n  file      {}\n  test      {}\n",
+        equation.tag, equation.title, equation.formula, equation.file, equation.test
+    );
     for reference in equation.references {
-        println!("  source    {}", reference.text);
+        text.push_str(&format!("  source    {}\n", reference.text));
     }
     if let Some(misprint) = equation.misprint {
-        println!("  misprint  {misprint}");
+        text.push_str(&format!("  misprint  {misprint}\n"));
     }
+    text
 }
 
 fn unknown_tag(tag: &str) -> Failure {
     Failure::new(
-        "E205",
+        "E210",
         format!("no equation has the tag \"{tag}\"; asperity equations lists every tag"),
     )
 }
@@ -55,24 +53,27 @@ pub fn explain(code: Option<&str>, common: &Common) -> Result<(), Failure> {
         if common.json {
             return print_json(&message::EXPLANATIONS);
         }
-        for entry in message::EXPLANATIONS {
-            println!("{}  {}", entry.code, entry.title);
-        }
-        return Ok(());
+        let lines = message::EXPLANATIONS
+            .iter()
+            .map(|entry| format!("{}  {}\n", entry.code, entry.title));
+        return print_text(common, &lines.collect::<String>());
     };
     let entry = message::explain(code).ok_or_else(|| {
         Failure::new(
-            "E205",
+            "E210",
             format!("no message has the code \"{code}\"; asperity explain lists every code"),
         )
     })?;
     if common.json {
         return print_json(entry);
     }
-    println!("{}  {}", entry.code, entry.title);
-    println!("  why      {}", entry.meaning);
-    println!("  what to do  {}", entry.remedy);
-    Ok(())
+    print_text(
+        common,
+        &format!(
+            "{}  {}\n  why         {}\n  what to do  {}\n",
+            entry.code, entry.title, entry.meaning, entry.remedy
+        ),
+    )
 }
 
 /// `asperity schema`

@@ -15,7 +15,7 @@ pub fn regime(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
     if common.json {
         return print_json(&rows);
     }
-    print_text(&table(&rows))
+    print_text(common, &table(&rows))
 }
 
 fn table(rows: &[RegimeRow]) -> String {

@@ -16,8 +16,21 @@ use crate::args::{Common, ContactArgs};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 
+/// Largest tolerance, as for `model.tolerance` of a case.
+const LOOSEST: f64 = 1e-2;
+
 /// `asperity contact`
 pub fn contact(args: &ContactArgs, common: &Common) -> Result<(), Failure> {
+    // Any answer would pass for converged at a tolerance near 1.
+    if !(args.tolerance > 0.0 && args.tolerance <= LOOSEST) {
+        return Err(Failure::new(
+            "E209",
+            format!(
+                "--tolerance {:e}: must be above 0 and at most {LOOSEST}",
+                args.tolerance
+            ),
+        ));
+    }
     let found = match (&args.gap, &args.case) {
         (Some(gap), _) => of_gap(gap, args)?,
         (None, Some(case)) => of_case(case, args)?,
@@ -34,10 +47,7 @@ pub fn contact(args: &ContactArgs, common: &Common) -> Result<(), Failure> {
     if common.json {
         return print_json(&as_json(&found));
     }
-    if common.quiet {
-        return Ok(());
-    }
-    print_text(&as_text(&found))
+    print_text(common, &as_text(&found))
 }
 
 /// A solved contact and what it is compared with.
@@ -84,7 +94,7 @@ fn of_gap(path: &Path, args: &ContactArgs) -> Result<Found, Failure> {
 fn of_case(path: &Path, args: &ContactArgs) -> Result<Found, Failure> {
     let mut loaded = load_case(path, None)?;
     loaded.case.model.tolerance = args.tolerance;
-    let place = on_the_path(args.position)?.unwrap_or(loaded.case.model.position);
+    let place = on_the_path(&loaded, args.position)?.unwrap_or(loaded.case.model.position);
     let DryContact {
         path_fraction,
         hertz,
@@ -139,7 +149,7 @@ fn as_text(found: &Found) -> String {
         .map(|p| format!(" (Hertz {:.1} MPa)", p * 1e-6))
         .unwrap_or_default();
     format!(
-        "{}\n  load {}   approach {:.6} um (datum {})\n  contact fraction {:.6}   p_max {:.6} MPa{hertz}\n  \
+        "{}\n  load {:.6}   approach {:.6} um (datum {:.6})\n  contact fraction {:.6}   p_max {:.6} MPa{hertz}\n  \
          plastic work {:.4e} J/m\n  {} iterations; duality gap {:.1e}, penetration {:.1e}, load error {:.1e}\n",
         found.title,
         s.load,
@@ -181,6 +191,7 @@ fn write_points(found: &Found, path: &Path) -> Result<(), Failure> {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
+    std::fs::create_dir_all(folder).map_err(|error| refused(&error))?;
     // Written beside its place and renamed, so that an interruption leaves no half file.
     let draft = tempfile::NamedTempFile::new_in(folder).map_err(|error| refused(&error))?;
     std::fs::write(draft.path(), text).map_err(|error| refused(&error))?;

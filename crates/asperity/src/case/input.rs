@@ -11,7 +11,7 @@ use asperity_core::quantity::{
     ThermalConductivity, Torque,
 };
 use asperity_ehl_regime::{FilmLaw, LoadShareLaw, ThermalLaw};
-use asperity_gear::{LoadSharing, Plane};
+use asperity_gear::{LoadSharing, PathOfContact, Plane};
 use asperity_ns_film::FluidModel;
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
@@ -298,6 +298,21 @@ pub enum PathPoint {
     Named(NamedPoint),
     /// 0 at A (start of contact), 1 at E (end).
     Fraction(f64),
+}
+
+impl PathPoint {
+    /// Where the point lies on `path`, 0 at A and 1 at E.
+    pub fn fraction_of(self, path: &PathOfContact) -> f64 {
+        let s = match self {
+            Self::Fraction(fraction) => return fraction,
+            Self::Named(NamedPoint::A) => path.a,
+            Self::Named(NamedPoint::B) => path.b,
+            Self::Named(NamedPoint::C) => path.c,
+            Self::Named(NamedPoint::D) => path.d,
+            Self::Named(NamedPoint::E) => path.e,
+        };
+        (s - path.a) / (path.e - path.a)
+    }
 }
 
 impl<'de> Deserialize<'de> for PathPoint {

@@ -85,7 +85,7 @@ pub(super) fn model(
     };
     let model = Model {
         positions,
-        position: path_fraction(point, gears),
+        position: point.fraction_of(gears.path()),
         offsets: defaults.take("model.offsets", given.offsets, if paper { 1 } else { 16 }),
         window: defaults.take("model.window", given.window, 3.0),
         load_sharing: defaults.take(
@@ -330,18 +330,4 @@ fn check_constant(
         .map_err(domain(source, key)),
         (None, _) => Ok(()),
     }
-}
-
-/// Where a point lies on the path, 0 at A and 1 at E.
-fn path_fraction(point: PathPoint, gears: &GearPair) -> f64 {
-    let path = gears.path();
-    let s = match point {
-        PathPoint::Fraction(fraction) => return fraction,
-        PathPoint::Named(NamedPoint::A) => path.a,
-        PathPoint::Named(NamedPoint::B) => path.b,
-        PathPoint::Named(NamedPoint::C) => path.c,
-        PathPoint::Named(NamedPoint::D) => path.d,
-        PathPoint::Named(NamedPoint::E) => path.e,
-    };
-    (s - path.a) / (path.e - path.a)
 }
