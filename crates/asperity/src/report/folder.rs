@@ -18,11 +18,16 @@ pub enum ReportError {
         /// What the system says.
         source: std::io::Error,
     },
-    /// The folder holds something that is not a result.
-    #[error("{path}: exists and is not a result folder; choose another with -o, or remove it")]
+    /// A file or folder is in the place that is not an older result.
+    #[error(
+        "{path}: exists and is not a result folder{}; choose another with -o, or remove it",
+        entry.as_ref().map(|name| format!(" ({name} is no part of a result)")).unwrap_or_default()
+    )]
     NotOurs {
-        /// The folder.
+        /// What is there.
         path: PathBuf,
+        /// What in the folder is foreign to a result.
+        entry: Option<String>,
     },
     /// A result that is not there or not one of ours.
     #[error("{path}: not a result of asperity run: {reason}")]
@@ -59,6 +64,62 @@ pub enum ReportError {
 /// The file that marks a folder as a result.
 const MARK: &str = "result.json";
 
+/// The other files of a result; beside them are the folders of the positions.
+const FILES: [&str; 11] = [
+    "path.csv",
+    "convergence.csv",
+    "losses.csv",
+    "friction_laws.csv",
+    "flank_pinion.csv",
+    "flank_wheel.csv",
+    "abbott_pinion.csv",
+    "abbott_wheel.csv",
+    "psd_pinion.csv",
+    "psd_wheel.csv",
+    "report.html",
+];
+
+/// What the mark says of who wrote it.
+const WRITER: &str = "\"program\": \"asperity ";
+
+/// Whether a result may be written as folder `target`: nothing is there, or an empty folder, or an
+/// older result and nothing else, since it is replaced as a whole.
+///
+/// # Errors
+/// When something else is there.
+pub fn check_place(target: &Path) -> Result<(), ReportError> {
+    let foreign = |entry: Option<String>| ReportError::NotOurs {
+        path: target.to_owned(),
+        entry,
+    };
+    if !target.exists() {
+        return Ok(());
+    }
+    if !target.is_dir() {
+        return Err(foreign(None));
+    }
+    let mut names = Vec::new();
+    for entry in fs::read_dir(target).map_err(io_at(target))? {
+        let entry = entry.map_err(io_at(target))?;
+        names.push(entry.file_name().to_string_lossy().into_owned());
+    }
+    let is_ours = |name: &&String| {
+        *name == MARK || FILES.contains(&name.as_str()) || name.starts_with("position_")
+    };
+    if let Some(name) = names.iter().find(|name| !is_ours(name)) {
+        return Err(foreign(Some(name.clone())));
+    }
+    // Many programs write a result.json.
+    let is_marked = || {
+        fs::read_to_string(target.join(MARK)).is_ok_and(|text| text.contains(WRITER))
+    };
+    if names.is_empty() || is_marked() {
+        Ok(())
+    } else {
+        Err(foreign(None))
+    }
+}
+
 /// Writes `outcome` as folder `target`: `result.json`, `path.csv`, `convergence.csv` where a
 /// rough contact was solved, tables of losses, friction laws and flanks, a folder `position_NN` with the
 /// fields of each position, and `report.html`. An older result there is replaced; anything else there
@@ -67,11 +128,7 @@ const MARK: &str = "result.json";
 /// # Errors
 /// When the system refuses, or `target` holds something else.
 pub fn write_folder(outcome: &Outcome, target: &Path) -> Result<(), ReportError> {
-    if target.exists() && !target.join(MARK).is_file() && !is_empty_folder(target) {
-        return Err(ReportError::NotOurs {
-            path: target.to_owned(),
-        });
-    }
+    check_place(target)?;
     let parent = match target.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
@@ -127,10 +184,6 @@ fn fill(outcome: &Outcome, folder: &Path) -> Result<(), ReportError> {
     }
     html::write(folder, None)?;
     Ok(())
-}
-
-fn is_empty_folder(path: &Path) -> bool {
-    fs::read_dir(path).is_ok_and(|mut entries| entries.next().is_none())
 }
 
 pub(super) fn io_at(path: &Path) -> impl Fn(std::io::Error) -> ReportError {

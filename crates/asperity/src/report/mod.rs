@@ -8,7 +8,7 @@ mod losses;
 mod summary;
 mod tables;
 
-pub use folder::{ReportError, write_folder};
+pub use folder::{ReportError, check_place, write_folder};
 pub use summary::summary;
 
 /// Metres to micrometres.

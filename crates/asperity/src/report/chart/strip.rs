@@ -53,8 +53,9 @@ impl Strip {
                 let before = if k == 0 { low } else { 0.5 * (self.at[k - 1] + self.at[k]) };
                 let after = if k + 1 == self.at.len() { high } else { 0.5 * (self.at[k] + self.at[k + 1]) };
                 let (x, tall) = (place(before), THICK * share.clamp(0.0, 1.0));
+                // A hair of overlap, so that no gap shows between neighbours.
                 let class = if row == 0 { "mixed" } else { "film" };
-                canvas.rect(class, [x, y + THICK - tall], [place(after) - x, tall]);
+                canvas.rect(class, [x, y + THICK - tall], [place(after) - x + 0.3, tall]);
             }
             canvas.label("letter", [LEFT - 8.0, y + 12.0], Anchor::End, upper);
             canvas.label("letter", [LEFT - 8.0, y + 26.0], Anchor::End, lower);

@@ -151,17 +151,13 @@ fn convergence(result: &ResultFolder, table: &Table, number: usize) -> Vec<Drawi
         true => result.choice("model.numerical_error").and_then(|v| ratio(&v)),
         false => result.choice("model.tolerance").and_then(|v| v.as_f64()),
     };
-    // A log axis has no place for an error of nothing: it stands at the smallest that can be told.
-    let shown: Vec<f64> = error.iter().map(|e| e.max(f64::EPSILON)).collect();
-    let title = if paper { "Convergence: load error of each step" } else { "Load error along the load path" };
-    let mut chart = Chart::new(
-        "convergence",
-        title,
-        "convergence.csv",
-        Axis::new("step", ""),
-        Axis::new("load error |F − F_target|/F_target", "").log(),
-    )
-    .with(Series::new("load error", Line::Dots, &step, &shown));
+    let (title, axis) = match paper {
+        true => ("Convergence: load error of each step", Axis::new("load error |F − F_target|/F_target", "").log()),
+        // The last error is one of rounding, which a log axis would blow up.
+        false => ("Load still missing along the load path", Axis::new("|F − F_target|/F_target", "").from_zero()),
+    };
+    let mut chart = Chart::new("convergence", title, "convergence.csv", Axis::new("step", ""), axis)
+        .with(Series::new("load error", Line::Dots, &step, &error));
     if let Some(tolerance) = tolerance {
         chart = chart.level(tolerance, "tolerance");
     }

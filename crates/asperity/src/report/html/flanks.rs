@@ -11,10 +11,11 @@ use crate::report::flanks::BODIES;
 use crate::report::{MICRO, ReportError};
 
 pub(super) fn section(result: &ResultFolder) -> Result<Markup, ReportError> {
-    let mut drawings = Vec::new();
-    for (index, body) in BODIES.iter().enumerate() {
-        drawings.extend(charts(result, index, body)?);
-    }
+    // Side by side: pinion and wheel.
+    let [pinion, wheel] = [charts(result, 0)?, charts(result, 1)?];
+    let longest = pinion.len().max(wheel.len());
+    let drawings: Vec<&Drawing> =
+        (0..longest).flat_map(|k| [pinion.get(k), wheel.get(k)]).flatten().collect();
     if drawings.is_empty() {
         return Ok(html! { p { "The flanks are given by roughness values: there are no traces to show." } });
     }
@@ -24,7 +25,8 @@ pub(super) fn section(result: &ResultFolder) -> Result<Markup, ReportError> {
     })
 }
 
-fn charts(result: &ResultFolder, index: usize, body: &str) -> Result<Vec<Drawing>, ReportError> {
+fn charts(result: &ResultFolder, index: usize) -> Result<Vec<Drawing>, ReportError> {
+    let body = BODIES[index];
     let mut drawings = Vec::new();
     let trace = format!("flank_{body}.csv");
     if let Some(table) = result.table(&trace)? {

@@ -14,7 +14,7 @@ const EFFICIENCY_DECIMALS: usize = 4;
 pub(super) fn section(result: &ResultFolder) -> Result<Markup, ReportError> {
     let tiles = tiles(result);
     let notes = notes(result);
-    let charts = [losses(result), Some(laws(result))];
+    let charts = [losses(result), Some(laws(result)), super::path::strip(result)?];
     Ok(html! {
         dl.tiles {
             @for (name, value, key) in &tiles {

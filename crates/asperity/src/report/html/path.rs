@@ -37,7 +37,6 @@ pub(super) fn points(result: &ResultFolder) -> Vec<Mark> {
 fn drawings(result: &ResultFolder, table: &Table) -> Vec<Drawing> {
     let marks = points(result);
     let s = table.column("s_mm");
-    let along = || Axis::new("distance from T₁ along the line of action", "mm");
     let line = if s.len() > 1 { Line::Solid } else { Line::Dots };
     let other = if s.len() > 1 { Line::Dashed } else { Line::Dots };
     let of = |name: &str, column: &str, line: Line| Series::new(name, line, s, table.column(column));
@@ -46,16 +45,6 @@ fn drawings(result: &ResultFolder, table: &Table) -> Vec<Drawing> {
         Series::new(name, line, s, &values)
     };
     let chart = |id: &str, title: &str, y: Axis| Chart::new(id, title, SOURCE, along(), y).marked(&marks);
-    let strip = Strip {
-        id: "regime".to_owned(),
-        title: "Lubrication regime".to_owned(),
-        source: SOURCE.to_owned(),
-        axis: along(),
-        at: s.to_vec(),
-        mixed: table.column("mixed_share").to_vec(),
-        film: table.column("film_share").to_vec(),
-        marks: marks.clone(),
-    };
     let charts = vec![
         chart("load", "Load per length of contact line", Axis::new("line load", "N/mm").from_zero())
             .with(of("line load", "line_load_n_per_mm", line)),
@@ -79,7 +68,26 @@ fn drawings(result: &ResultFolder, table: &Table) -> Vec<Drawing> {
         chart("flash", "Flash temperature", Axis::new("above the bulk", "K").from_zero())
             .with(of("flash", "flash_k", line)),
     ];
-    let mut drawings = vec![Drawing::Strip(strip)];
-    drawings.extend(charts.into_iter().map(Drawing::Curves));
-    drawings
+    charts.into_iter().map(Drawing::Curves).collect()
+}
+
+/// The regime along the path.
+pub(super) fn strip(result: &ResultFolder) -> Result<Option<Drawing>, ReportError> {
+    let Some(table) = result.table(SOURCE)? else {
+        return Ok(None);
+    };
+    Ok(Some(Drawing::Strip(Strip {
+        id: "regime".to_owned(),
+        title: "Lubrication regime along the path of contact".to_owned(),
+        source: SOURCE.to_owned(),
+        axis: along(),
+        at: table.column("s_mm").to_vec(),
+        mixed: table.column("mixed_share").to_vec(),
+        film: table.column("film_share").to_vec(),
+        marks: points(result),
+    })))
+}
+
+fn along() -> Axis {
+    Axis::new("distance from T₁ along the line of action", "mm")
 }
