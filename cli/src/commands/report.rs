@@ -16,5 +16,9 @@ pub fn report(args: &ReportArgs, common: &Common) -> Result<(), Failure> {
 }
 
 fn refused(error: &ReportError) -> Failure {
-    Failure::new("E401", error.to_string())
+    let code = match error {
+        ReportError::NotAResult { .. } | ReportError::NoSuchPosition { .. } => "E402",
+        _ => "E401",
+    };
+    Failure::new(code, error.to_string())
 }

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::pipeline;
-use asperity::report;
-use asperity::result::{Outcome, RunResult};
+use asperity::report::{self, ReportError};
+use asperity::result::RunResult;
 
 use super::load_case;
 use crate::args::{Common, RunArgs};
@@ -16,6 +16,11 @@ use crate::output::{PATIENCE, print_json, print_text, progress};
 pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
     let loaded = load_case(&args.case, args.formulation)?;
+    let folder = (!args.no_output).then(|| result_folder(args));
+    if let Some(folder) = &folder {
+        // Told before the work, not after it.
+        report::check_place(folder).map_err(|error| not_written(&error))?;
+    }
     let bar = progress(common.quiet);
     let shown = |done: usize, total: usize| {
         if begin.elapsed() >= PATIENCE {
@@ -27,9 +32,8 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     bar.finish_and_clear();
     let outcome = outcome
         .map_err(|error| Failure::new(error.code(), format!("{}: {error}", args.case.display())))?;
-    let folder = (!args.no_output).then(|| result_folder(args));
     if let Some(folder) = &folder {
-        write(&outcome, folder)?;
+        report::write_folder(&outcome, folder).map_err(|error| not_written(&error))?;
     }
     if common.json {
         return print_json(&outcome.result);
@@ -64,8 +68,8 @@ fn text(result: &RunResult, args: &RunArgs, folder: Option<&Path>, begin: Instan
     text
 }
 
-fn write(outcome: &Outcome, folder: &Path) -> Result<(), Failure> {
-    report::write_folder(outcome, folder).map_err(|error| Failure::new("E401", error.to_string()))
+fn not_written(error: &ReportError) -> Failure {
+    Failure::new("E401", error.to_string())
 }
 
 fn result_folder(args: &RunArgs) -> PathBuf {

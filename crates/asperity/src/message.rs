@@ -99,6 +99,7 @@ explanations! {
     "E304" "the marching did not reach the load": "Lowering the surfaces into each other step by step did not meet the load within the numerical error." => "Reduce model.delta_step or raise model.numerical_error.";
     "E305" "outside the model": "An equation refuses the numbers it is given at a mesh position." => "Check the value named against the ranges in docs/EQUATIONS.md, or choose another law in model.";
     "E401" "a result cannot be written": "The system refused to write, or the place is taken by something that is not a result." => "Choose another place with -o, or free some space.";
+    "E402" "not a result": "What was named is not a result of asperity run, or lacks what was asked of it." => "Name a result folder, as results/e-drive, or its result.json.";
     "E501" "internal fault": "The program contradicts itself. This is a fault of the program, not of the input." => "Please report it with the case file.";
     "W111" "a unit was assumed": "The file does not name a unit, and only one is plausible." => "Say --z-unit or --x-unit to be sure (z_unit, x_unit in surface.pinion of a case).";
     "W112" "form not removed": "The trace still holds the shape of the flank, so its parameters are not of roughness." => "Say --form poly2 (surface.form = \"poly2\" in a case).";
