@@ -301,11 +301,7 @@ fn check_against_gears(
 }
 
 /// A constant coefficient is given with the law that uses it, and only with it.
-fn check_constant(
-    given: Option<f64>,
-    law: FrictionLaw,
-    source: &Source,
-) -> Result<(), CaseError> {
+fn check_constant(given: Option<f64>, law: FrictionLaw, source: &Source) -> Result<(), CaseError> {
     let key = "model.constant_friction";
     let conflict = |rule| CaseError::Conflict {
         place: source.place_of(key),

@@ -12,7 +12,7 @@ pub(super) fn plain(schema: &Value, key: Option<&str>, message: &str) -> String 
     }
     let meaning = key.map(|key| meaning(schema, key)).unwrap_or_default();
     if let Some(rest) = message.strip_prefix("unknown variant ") {
-        return format!("unknown choice {rest}");
+        return format!("unknown choice {rest}{meaning}");
     }
     if message.starts_with("data did not match any variant") {
         return format!("the value does not fit{meaning}");
@@ -102,7 +102,10 @@ mod tests {
         let schema = schema();
         let said = |key, message| plain(&schema, Some(key), message);
         assert_eq!(
-            said("model.offsets", "invalid type: string \"a\", expected usize"),
+            said(
+                "model.offsets",
+                "invalid type: string \"a\", expected usize"
+            ),
             "string \"a\" does not fit, expected a whole number, 0 or more \
              (Offsets along the traces at which the flanks meet; default 16 (`paper`: 1))"
         );
@@ -115,12 +118,9 @@ mod tests {
              (Numbers of teeth z, pinion then wheel)"
         );
         assert_eq!(
-            said("model.film", "unknown variant `x`, expected `y`"),
-            "unknown choice `x`, expected `y`"
+            said("gears.module_plane", "unknown variant `x`, expected `y`"),
+            "unknown choice `x`, expected `y` (The plane the module is measured in; default `normal`)"
         );
-        assert_eq!(
-            said("gears.module", "some other thing"),
-            "some other thing"
-        );
+        assert_eq!(said("gears.module", "some other thing"), "some other thing");
     }
 }

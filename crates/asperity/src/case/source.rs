@@ -77,7 +77,10 @@ impl Source {
         } else {
             let table = DeTable::parse(text).map_err(|error| CaseError::Syntax {
                 place: source.at_span(error.span()),
-                message: error.message().to_owned(),
+                message: match text.trim_start().starts_with('{') {
+                    true => format!("{} (JSON goes into a file named .json)", error.message()),
+                    false => error.message().to_owned(),
+                },
             })?;
             source.index_toml("", table.get_ref());
         }
@@ -203,9 +206,24 @@ impl Source {
         };
         for (name, field) in fields {
             let path = join(path, name);
-            self.keys.insert(path.clone(), 0..0);
-            self.values.insert(path.clone(), 0..0);
+            let span = self.only_place_of(name);
+            self.keys.insert(path.clone(), span.clone());
+            self.values.insert(path.clone(), span);
             self.index_json(&path, field);
+        }
+    }
+
+    /// Where a JSON key stands, if it stands in one place only; an empty range otherwise, since the
+    /// parser does not tell.
+    fn only_place_of(&self, name: &str) -> Range<usize> {
+        let quoted = serde_json::Value::from(name).to_string();
+        let mut places = self.text.match_indices(&quoted).filter(|(at, found)| {
+            let after = self.text[at + found.len()..].trim_start();
+            after.starts_with(':')
+        });
+        match (places.next(), places.next()) {
+            (Some((at, found)), None) => at..at + found.len(),
+            _ => 0..0,
         }
     }
 
