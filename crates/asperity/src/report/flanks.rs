@@ -110,13 +110,18 @@ fn spectrum(stages: &Stages, file: &Path) -> Result<(), ReportError> {
     const CUBIC_MICRO: f64 = MICRO * MICRO * MICRO;
     let found = power_spectrum(&stages.roughness)?;
     // The mean, at no frequency, is left out.
-    let rows = found.density.iter().enumerate().skip(1).map(|(k, density)| {
-        let frequency = k as f64 * found.frequency_step;
-        Row {
-            frequency_per_mm: frequency * 1e-3,
-            wavelength_um: MICRO / frequency,
-            density_um3: density * CUBIC_MICRO,
-        }
-    });
+    let rows = found
+        .density
+        .iter()
+        .enumerate()
+        .skip(1)
+        .map(|(k, density)| {
+            let frequency = k as f64 * found.frequency_step;
+            Row {
+                frequency_per_mm: frequency * 1e-3,
+                wavelength_um: MICRO / frequency,
+                density_um3: density * CUBIC_MICRO,
+            }
+        });
     write(file, rows)
 }

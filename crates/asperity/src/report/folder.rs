@@ -110,9 +110,8 @@ pub fn check_place(target: &Path) -> Result<(), ReportError> {
         return Err(foreign(Some(name.clone())));
     }
     // Many programs write a result.json.
-    let is_marked = || {
-        fs::read_to_string(target.join(MARK)).is_ok_and(|text| text.contains(WRITER))
-    };
+    let is_marked =
+        || fs::read_to_string(target.join(MARK)).is_ok_and(|text| text.contains(WRITER));
     if names.is_empty() || is_marked() {
         Ok(())
     } else {

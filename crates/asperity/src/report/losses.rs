@@ -31,8 +31,17 @@ pub(super) fn losses(result: &RunResult, file: &Path) -> Result<(), ReportError>
         ("running-in", running_in),
     ];
     // Sliding and rolling always; the others where the formulation counts them.
-    let rows = parts.into_iter().enumerate().filter(|(k, (_, power))| *k < 2 || *power != 0.0);
-    let share = |power: f64| if s.loss_w > 0.0 { 100.0 * power / s.loss_w } else { 0.0 };
+    let rows = parts
+        .into_iter()
+        .enumerate()
+        .filter(|(k, (_, power))| *k < 2 || *power != 0.0);
+    let share = |power: f64| {
+        if s.loss_w > 0.0 {
+            100.0 * power / s.loss_w
+        } else {
+            0.0
+        }
+    };
     write(
         file,
         rows.map(|(_, (part, power))| Row {

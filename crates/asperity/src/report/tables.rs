@@ -120,7 +120,10 @@ pub(super) fn subsurface(
     write(file, rows)
 }
 
-pub(super) fn write<R: Serialize>(file: &Path, rows: impl Iterator<Item = R>) -> Result<(), ReportError> {
+pub(super) fn write<R: Serialize>(
+    file: &Path,
+    rows: impl Iterator<Item = R>,
+) -> Result<(), ReportError> {
     let failed = |source| ReportError::Csv {
         path: file.to_owned(),
         source,

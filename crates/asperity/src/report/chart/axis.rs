@@ -80,7 +80,11 @@ impl Axis {
         /// Air beside the data, of the range.
         const AIR: f64 = 0.04;
         if let Some([low, high]) = self.limits {
-            return Range { low, high, scale: self.scale };
+            return Range {
+                low,
+                high,
+                scale: self.scale,
+            };
         }
         let shown = values.filter(|v| v.is_finite() && (self.scale == Scale::Linear || *v > 0.0));
         let (mut low, mut high) = shown.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
@@ -92,23 +96,33 @@ impl Axis {
         if self.scale == Scale::Log {
             let (a, b) = (low.log10().floor(), high.log10().ceil());
             let high = if b > a { b } else { a + 1.0 };
-            return Range { low: 10f64.powf(a), high: 10f64.powf(high), scale: Scale::Log };
+            return Range {
+                low: 10f64.powf(a),
+                high: 10f64.powf(high),
+                scale: Scale::Log,
+            };
         }
         if self.zero {
             (low, high) = (low.min(0.0), high.max(0.0));
         }
         if high == low {
             let half = if low == 0.0 { 1.0 } else { 0.5 * low.abs() };
-            (low, high) = if self.zero { (low.min(0.0), low + half) } else { (low - half, high + half) };
+            (low, high) = if self.zero {
+                (low.min(0.0), low + half)
+            } else {
+                (low - half, high + half)
+            };
         }
         let air = AIR * (high - low);
-        if !(self.zero && low == 0.0) {
-            low -= air;
+        // Zero but for rounding is an edge, too.
+        let is_edge = |end: f64| self.zero && end.abs() < EDGE * air;
+        low = if is_edge(low) { 0.0 } else { low - air };
+        high = if is_edge(high) { 0.0 } else { high + air };
+        Range {
+            low,
+            high,
+            scale: Scale::Linear,
         }
-        if !(self.zero && high == 0.0) {
-            high += air;
-        }
-        Range { low, high, scale: Scale::Linear }
     }
 }
 
@@ -160,7 +174,10 @@ fn linear_ticks(low: f64, high: f64, wanted: usize) -> Vec<(f64, String)> {
         let label = if large >= 1e6 || large < 1e-4 {
             format!("{value:.1e}")
         } else {
-            minus(&format!("{:.decimals$}", if k == 0.0 { 0.0 } else { value }))
+            minus(&format!(
+                "{:.decimals$}",
+                if k == 0.0 { 0.0 } else { value }
+            ))
         };
         ticks.push((value, label));
         k += 1.0;
@@ -169,7 +186,10 @@ fn linear_ticks(low: f64, high: f64, wanted: usize) -> Vec<(f64, String)> {
 }
 
 fn log_ticks(low: f64, high: f64, wanted: usize) -> Vec<(f64, String)> {
-    let (a, b) = ((low.log10() - EDGE).ceil() as i32, (high.log10() + EDGE).floor() as i32);
+    let (a, b) = (
+        (low.log10() - EDGE).ceil() as i32,
+        (high.log10() + EDGE).floor() as i32,
+    );
     let stride = ((b - a + 1) as usize).div_ceil(wanted.max(1)).max(1);
     (a..=b)
         .step_by(stride)
@@ -181,7 +201,9 @@ fn log_ticks(low: f64, high: f64, wanted: usize) -> Vec<(f64, String)> {
 fn power_of_ten(power: i32) -> String {
     const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let digits = power.unsigned_abs().to_string();
-    let raised = digits.bytes().map(|digit| RAISED[usize::from(digit - b'0')]);
+    let raised = digits
+        .bytes()
+        .map(|digit| RAISED[usize::from(digit - b'0')]);
     let sign = if power < 0 { "⁻" } else { "" };
     format!("10{sign}{}", raised.collect::<String>())
 }
@@ -197,7 +219,11 @@ mod tests {
 
     #[test]
     fn ticks_stand_at_round_numbers_inside_the_range() {
-        let range = Range { low: -0.07, high: 1.03, scale: Scale::Linear };
+        let range = Range {
+            low: -0.07,
+            high: 1.03,
+            scale: Scale::Linear,
+        };
         let labels: Vec<String> = range.ticks(6).into_iter().map(|(_, label)| label).collect();
         assert_eq!(labels, ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
     }
@@ -213,7 +239,9 @@ mod tests {
 
     #[test]
     fn an_axis_from_zero_keeps_zero_at_its_edge() {
-        let range = Axis::new("loss", "W").from_zero().range([3.0, 5.0].into_iter());
+        let range = Axis::new("loss", "W")
+            .from_zero()
+            .range([3.0, 5.0].into_iter());
         assert_eq!(range.low, 0.0);
         assert!(range.high > 5.0);
     }

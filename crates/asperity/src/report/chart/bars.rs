@@ -1,9 +1,9 @@
 //! Bars from zero, with their values written beside them.
 
+use super::Dress;
 use super::axis::Axis;
 use super::canvas::{Anchor, Canvas};
 use super::frame::{WIDTH, document};
-use super::Dress;
 
 /// A bar.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,13 +43,21 @@ impl BarChart {
         let top = if dress == Dress::Alone { 36.0 } else { 10.0 };
         let bottom = top + PITCH * self.bars.len() as f64 + 4.0;
         let height = bottom + 46.0;
-        let ends = self.bars.iter().filter_map(|bar| bar.value.map(|v| v + bar.spread.unwrap_or(0.0)));
+        let ends = self
+            .bars
+            .iter()
+            .filter_map(|bar| bar.value.map(|v| v + bar.spread.unwrap_or(0.0)));
         let range = self.axis.clone().from_zero().range(ends);
         let place = |value: f64| LEFT + range.share(value) * (RIGHT - LEFT);
         let mut canvas = Canvas::default();
         for (value, label) in range.ticks(5) {
             canvas.line("grid", [place(value), top], [place(value), bottom]);
-            canvas.label("tick", [place(value), bottom + 17.0], Anchor::Middle, &label);
+            canvas.label(
+                "tick",
+                [place(value), bottom + 17.0],
+                Anchor::Middle,
+                &label,
+            );
         }
         for (index, bar) in self.bars.iter().enumerate() {
             let y = top + 8.0 + PITCH * index as f64;
@@ -71,7 +79,12 @@ impl BarChart {
         }
         canvas.line("axis", [LEFT, top], [LEFT, bottom]);
         let middle = 0.5 * (LEFT + RIGHT);
-        canvas.label("name", [middle, height - 8.0], Anchor::Middle, &self.axis.text());
+        canvas.label(
+            "name",
+            [middle, height - 8.0],
+            Anchor::Middle,
+            &self.axis.text(),
+        );
         document(dress, &self.title, height, &canvas.into_text())
     }
 }

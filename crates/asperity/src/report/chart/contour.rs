@@ -4,10 +4,10 @@ use std::fmt::Write as _;
 
 use serde_json::{Value, json};
 
+use super::Dress;
 use super::axis::{Axis, Range, Scale};
 use super::canvas::{Anchor, Canvas};
 use super::frame::{Frame, document};
-use super::Dress;
 
 /// Bands of the colour scale.
 const BANDS: usize = 10;
@@ -44,7 +44,11 @@ impl Contour {
         let of = |axis: &Axis, values: &[f64]| match (axis.limits, values.first(), values.last()) {
             (None, Some(&low), Some(&high)) if low < high => {
                 let low = if axis.zero { low.min(0.0) } else { low };
-                Range { low, high, scale: Scale::Linear }
+                Range {
+                    low,
+                    high,
+                    scale: Scale::Linear,
+                }
             }
             _ => axis.range(values.iter().copied()),
         };
@@ -55,13 +59,26 @@ impl Contour {
 
     /// Lower edges of the bands, at round numbers from zero.
     fn levels(&self) -> Vec<f64> {
-        let highest = self.values.iter().copied().filter(|v| v.is_finite()).fold(0.0, f64::max);
-        let range = Range { low: 0.0, high: highest, scale: Scale::Linear };
+        let highest = self
+            .values
+            .iter()
+            .copied()
+            .filter(|v| v.is_finite())
+            .fold(0.0, f64::max);
+        let range = Range {
+            low: 0.0,
+            high: highest,
+            scale: Scale::Linear,
+        };
         if highest <= 0.0 {
             return vec![0.0];
         }
         let ticks = range.ticks(BANDS);
-        ticks.into_iter().map(|(value, _)| value).filter(|value| *value < highest).collect()
+        ticks
+            .into_iter()
+            .map(|(value, _)| value.abs())
+            .filter(|value| *value < highest)
+            .collect()
     }
 
     /// The chart as SVG.
@@ -79,7 +96,10 @@ impl Contour {
         ));
         for (band, level) in levels.iter().enumerate() {
             let outline = match band {
-                0 => format!("M{:.1} {:.1}h{:.1}v{:.1}h{:.1}z", frame.left, frame.top, size[0], size[1], -size[0]),
+                0 => format!(
+                    "M{:.1} {:.1}h{:.1}v{:.1}h{:.1}z",
+                    frame.left, frame.top, size[0], size[1], -size[0]
+                ),
                 _ => self.region_above(*level, &frame),
             };
             canvas.path(&format!("band b{}", colour(band, levels.len())), &outline);
@@ -95,8 +115,17 @@ impl Contour {
         let tall = (frame.bottom - frame.top) / levels.len() as f64;
         for (band, level) in levels.iter().enumerate() {
             let y = frame.bottom - tall * (band + 1) as f64;
-            canvas.rect(&format!("band b{}", colour(band, levels.len())), [left, y], [THICK, tall]);
-            canvas.label("tick", [left + THICK + 4.0, y + tall + 4.0], Anchor::Start, &format!("{level}"));
+            canvas.rect(
+                &format!("band b{}", colour(band, levels.len())),
+                [left, y],
+                [THICK, tall],
+            );
+            canvas.label(
+                "tick",
+                [left + THICK + 4.0, y + tall + 4.0],
+                Anchor::Start,
+                &format!("{level}"),
+            );
         }
         let middle = 0.5 * (frame.top + frame.bottom);
         canvas.upright("name", [frame.right + 92.0, middle], &self.value);
@@ -120,7 +149,12 @@ impl Contour {
                 if let Some(from) = run.take() {
                     block(&mut d, [px[from], px[i]], [py[j], py[j + 1]]);
                 }
-                let places = [[px[i], py[j]], [px[i + 1], py[j]], [px[i + 1], py[j + 1]], [px[i], py[j + 1]]];
+                let places = [
+                    [px[i], py[j]],
+                    [px[i + 1], py[j]],
+                    [px[i + 1], py[j + 1]],
+                    [px[i], py[j + 1]],
+                ];
                 part_above(&mut d, &places, &corners, level);
             }
             if let Some(from) = run {
@@ -162,7 +196,8 @@ fn part_above(d: &mut String, places: &[[f64; 2]; 4], corners: &[f64; 4], level:
         }
         if (a >= level) != (b >= level) {
             let share = (level - a) / (b - a);
-            let between = |axis: usize| places[k][axis] + share * (places[next][axis] - places[k][axis]);
+            let between =
+                |axis: usize| places[k][axis] + share * (places[next][axis] - places[k][axis]);
             go([between(0), between(1)]);
         }
     }
@@ -174,7 +209,11 @@ fn part_above(d: &mut String, places: &[[f64; 2]; 4], corners: &[f64; 4], level:
 /// Spreads few bands over the whole scale of colours.
 fn colour(band: usize, bands: usize) -> usize {
     const COLOURS: usize = 12;
-    if bands < 2 { 0 } else { band * (COLOURS - 1) / (bands - 1) }
+    if bands < 2 {
+        0
+    } else {
+        band * (COLOURS - 1) / (bands - 1)
+    }
 }
 
 #[cfg(test)]

@@ -32,7 +32,12 @@ pub fn decimated(points: &[[f64; 2]], columns: usize) -> Vec<[f64; 2]> {
         }
         let mut kept = [0, low, high, part.len() - 1];
         kept.sort_unstable();
-        few.extend(kept.iter().enumerate().filter(|(i, k)| *i == 0 || kept[i - 1] != **k).map(|(_, k)| part[*k]));
+        few.extend(
+            kept.iter()
+                .enumerate()
+                .filter(|(i, k)| *i == 0 || kept[i - 1] != **k)
+                .map(|(_, k)| part[*k]),
+        );
     }
     few
 }
@@ -43,11 +48,19 @@ mod tests {
 
     #[test]
     fn extremes_and_order_survive() {
-        let wave = |i: i32| [f64::from(i), (f64::from(i) * 0.37).sin() * f64::from(i % 911)];
+        let wave = |i: i32| {
+            [
+                f64::from(i),
+                (f64::from(i) * 0.37).sin() * f64::from(i % 911),
+            ]
+        };
         let points: Vec<[f64; 2]> = (0..100_000).map(wave).collect();
         let few = decimated(&points, 500);
         let extreme = |of: &[[f64; 2]]| {
-            of.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], p| [a.min(p[1]), b.max(p[1])])
+            of.iter()
+                .fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], p| {
+                    [a.min(p[1]), b.max(p[1])]
+                })
         };
         assert_eq!(extreme(&few), extreme(&points));
         assert!(few.windows(2).all(|pair| pair[0][0] < pair[1][0]));

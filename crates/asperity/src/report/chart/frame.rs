@@ -55,7 +55,11 @@ impl Frame {
 
     /// Grid, ticks and labels.
     pub fn axes(&self, canvas: &mut Canvas, x: &Axis, y: &Axis) {
-        canvas.rect("box", [self.left, self.top], [self.right - self.left, self.bottom - self.top]);
+        canvas.rect(
+            "box",
+            [self.left, self.top],
+            [self.right - self.left, self.bottom - self.top],
+        );
         canvas.open("ticks");
         for (value, label) in self.x.ticks(TICKS_ACROSS) {
             let at = self.px(value);
@@ -69,7 +73,12 @@ impl Frame {
         }
         canvas.close();
         let middle = 0.5 * (self.left + self.right);
-        canvas.label("name", [middle, self.height - 8.0], Anchor::Middle, &x.text());
+        canvas.label(
+            "name",
+            [middle, self.height - 8.0],
+            Anchor::Middle,
+            &x.text(),
+        );
         canvas.upright("name", [14.0, 0.5 * (self.top + self.bottom)], &y.text());
     }
 

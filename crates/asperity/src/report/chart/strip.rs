@@ -35,8 +35,14 @@ impl Strip {
         const GAP: f64 = 12.0;
         let top = if dress == Dress::Alone { 54.0 } else { 24.0 };
         let places = self.at.iter().chain(self.marks.iter().map(|mark| &mark.at));
-        let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(*v), b.max(*v)));
-        let range = Range { low, high, scale: Scale::Linear };
+        let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
+            (a.min(*v), b.max(*v))
+        });
+        let range = Range {
+            low,
+            high,
+            scale: Scale::Linear,
+        };
         let place = |value: f64| LEFT + range.share(value) * (RIGHT - LEFT);
         let bottom = top + 2.0 * THICK + GAP;
         let mut canvas = Canvas::default();
@@ -50,8 +56,16 @@ impl Strip {
             let y = top + row as f64 * (THICK + GAP);
             canvas.rect("rest", [LEFT, y], [RIGHT - LEFT, THICK]);
             for (k, share) in shares.iter().enumerate() {
-                let before = if k == 0 { low } else { 0.5 * (self.at[k - 1] + self.at[k]) };
-                let after = if k + 1 == self.at.len() { high } else { 0.5 * (self.at[k] + self.at[k + 1]) };
+                let before = if k == 0 {
+                    low
+                } else {
+                    0.5 * (self.at[k - 1] + self.at[k])
+                };
+                let after = if k + 1 == self.at.len() {
+                    high
+                } else {
+                    0.5 * (self.at[k] + self.at[k + 1])
+                };
                 let (x, tall) = (place(before), THICK * share.clamp(0.0, 1.0));
                 // A hair of overlap, so that no gap shows between neighbours.
                 let class = if row == 0 { "mixed" } else { "film" };
@@ -66,10 +80,20 @@ impl Strip {
             canvas.label("letter", [at, top - 6.0], Anchor::Middle, &mark.label);
         }
         for (value, label) in range.ticks(6) {
-            canvas.label("tick", [place(value), bottom + 17.0], Anchor::Middle, &label);
+            canvas.label(
+                "tick",
+                [place(value), bottom + 17.0],
+                Anchor::Middle,
+                &label,
+            );
         }
         let height = bottom + 46.0;
-        canvas.label("name", [0.5 * (LEFT + RIGHT), height - 8.0], Anchor::Middle, &self.axis.text());
+        canvas.label(
+            "name",
+            [0.5 * (LEFT + RIGHT), height - 8.0],
+            Anchor::Middle,
+            &self.axis.text(),
+        );
         document(dress, &self.title, height, &canvas.into_text())
     }
 }

@@ -4,11 +4,11 @@ use std::fmt::Write as _;
 
 use serde_json::{Value, json};
 
+use super::Dress;
 use super::axis::{Axis, Range, Scale};
 use super::canvas::{Anchor, Canvas};
 use super::decimate::decimated;
 use super::frame::{Frame, document};
-use super::Dress;
 
 /// Columns of a drawn curve: about one a pixel.
 const DRAWN_COLUMNS: usize = 700;
@@ -125,7 +125,10 @@ impl Chart {
 
     /// The same with a value on the vertical axis.
     pub fn level(mut self, at: f64, label: &str) -> Self {
-        self.levels.push(Level { at, label: label.to_owned() });
+        self.levels.push(Level {
+            at,
+            label: label.to_owned(),
+        });
         self
     }
 
@@ -133,13 +136,27 @@ impl Chart {
         let points = || self.series.iter().flat_map(|series| &series.points);
         let marks = self.marks.iter().map(|mark| mark.at);
         let mut x = self.x.range(points().map(|p| p[0]).chain(marks));
-        if self.x.scale == Scale::Linear && self.x.limits.is_none() && self.series.iter().all(|s| s.line != Line::Scatter) {
+        if self.x.scale == Scale::Linear
+            && self.x.limits.is_none()
+            && self.series.iter().all(|s| s.line != Line::Scatter)
+        {
             // Curves reach from side to side.
-            x = tight(x, points().map(|p| p[0]).chain(self.marks.iter().map(|mark| mark.at)));
+            x = tight(
+                x,
+                points()
+                    .map(|p| p[0])
+                    .chain(self.marks.iter().map(|mark| mark.at)),
+            );
         }
         let levels = self.levels.iter().map(|level| level.at);
-        let inside = |p: &&[f64; 2]| self.x.limits.is_none_or(|[low, high]| (low..=high).contains(&p[0]));
-        let y = self.y.range(points().filter(inside).map(|p| p[1]).chain(levels));
+        let inside = |p: &&[f64; 2]| {
+            self.x
+                .limits
+                .is_none_or(|[low, high]| (low..=high).contains(&p[0]))
+        };
+        let y = self
+            .y
+            .range(points().filter(inside).map(|p| p[1]).chain(levels));
         let rows = match dress {
             Dress::Page => 0,
             Dress::Alone => 1 + self.legend_rows().len(),
@@ -167,7 +184,10 @@ impl Chart {
         canvas.raw(&format!("<g class=\"curves\" clip-path=\"url(#{clip})\">"));
         for (index, series) in self.series.iter().enumerate() {
             let few = decimated(&series.points, DRAWN_COLUMNS);
-            canvas.path(&class(index, series.line), &outline(&frame, series.line, &few));
+            canvas.path(
+                &class(index, series.line),
+                &outline(&frame, series.line, &few),
+            );
         }
         canvas.close();
         document(dress, &self.title, frame.height, &canvas.into_text())
@@ -187,8 +207,17 @@ impl Chart {
         for level in &self.levels {
             let at = frame.py(level.at);
             canvas.line("level", [frame.left, at], [frame.right, at]);
-            let text = if at - frame.top < 18.0 { at + 14.0 } else { at - 5.0 };
-            canvas.label("letter", [frame.right - 4.0, text], Anchor::End, &level.label);
+            let text = if at - frame.top < 18.0 {
+                at + 14.0
+            } else {
+                at - 5.0
+            };
+            canvas.label(
+                "letter",
+                [frame.right - 4.0, text],
+                Anchor::End,
+                &level.label,
+            );
         }
         canvas.close();
     }
@@ -196,7 +225,9 @@ impl Chart {
     /// Names of the curves with the classes they are drawn in.
     pub fn legend(&self) -> Vec<(String, String)> {
         let named = self.series.iter().enumerate();
-        named.map(|(index, series)| (series.name.clone(), class(index, series.line))).collect()
+        named
+            .map(|(index, series)| (series.name.clone(), class(index, series.line)))
+            .collect()
     }
 
     /// The legend in lines that fit.
@@ -225,7 +256,13 @@ impl Chart {
             let y = 40.0 + 18.0 * row as f64;
             for (x, name, class) in entries {
                 let sample = match class.contains("dots") || class.contains("scatter") {
-                    true => format!("M{:.1} {:.1}h0M{:.1} {:.1}h0", x + 4.0, y - 4.0, x + 20.0, y - 4.0),
+                    true => format!(
+                        "M{:.1} {:.1}h0M{:.1} {:.1}h0",
+                        x + 4.0,
+                        y - 4.0,
+                        x + 20.0,
+                        y - 4.0
+                    ),
                     false => format!("M{x:.1} {:.1}h24", y - 4.0),
                 };
                 canvas.path(class, &sample);
@@ -250,8 +287,18 @@ impl Chart {
             .collect();
         data["kind"] = json!("curves");
         data["series"] = json!(series);
-        data["marks"] = json!(self.marks.iter().map(|m| json!([m.at, m.label])).collect::<Vec<_>>());
-        data["levels"] = json!(self.levels.iter().map(|l| json!([l.at, l.label])).collect::<Vec<_>>());
+        data["marks"] = json!(
+            self.marks
+                .iter()
+                .map(|m| json!([m.at, m.label]))
+                .collect::<Vec<_>>()
+        );
+        data["levels"] = json!(
+            self.levels
+                .iter()
+                .map(|l| json!([l.at, l.label]))
+                .collect::<Vec<_>>()
+        );
         data
     }
 }
@@ -260,8 +307,14 @@ impl Chart {
 fn tight(range: Range, values: impl Iterator<Item = f64>) -> Range {
     let (low, high) = values
         .filter(|v| v.is_finite())
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
-    if low < high { Range { low, high, ..range } } else { range }
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
+            (a.min(v), b.max(v))
+        });
+    if low < high {
+        Range { low, high, ..range }
+    } else {
+        range
+    }
 }
 
 fn class(index: usize, line: Line) -> String {
@@ -284,7 +337,11 @@ fn outline(frame: &Frame, line: Line, points: &[[f64; 2]]) -> String {
             joined = false;
             continue;
         }
-        let command = if joined && line != Line::Scatter { 'L' } else { 'M' };
+        let command = if joined && line != Line::Scatter {
+            'L'
+        } else {
+            'M'
+        };
         let _ = write!(d, "{command}{px:.1} {py:.1}");
         if line == Line::Scatter {
             d.push_str("h0");
@@ -305,7 +362,11 @@ fn outline(frame: &Frame, line: Line, points: &[[f64; 2]]) -> String {
 /// Six digits that mean something; null where there is no number.
 pub(super) fn short(value: f64) -> Value {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(f64::NAN);
-    if rounded.is_finite() { json!(rounded) } else { Value::Null }
+    if rounded.is_finite() {
+        json!(rounded)
+    } else {
+        Value::Null
+    }
 }
 
 #[cfg(test)]
@@ -316,8 +377,16 @@ mod tests {
         let x = Axis::new("position", "mm");
         let y = Axis::new("load", "N/mm").from_zero();
         Chart::new("ramp", "A ramp & more", "ramp.csv", x, y)
-            .with(Series::new("load", Line::Solid, &[0.0, 1.0, 2.0], &[1.0, f64::NAN, 3.0]))
-            .marked(&[Mark { at: 0.5, label: "C".to_owned() }])
+            .with(Series::new(
+                "load",
+                Line::Solid,
+                &[0.0, 1.0, 2.0],
+                &[1.0, f64::NAN, 3.0],
+            ))
+            .marked(&[Mark {
+                at: 0.5,
+                label: "C".to_owned(),
+            }])
             .level(2.0, "limit")
     }
 

@@ -189,8 +189,8 @@
       }
       if (low > high || log) { this.y = { ...this.data.y }; return; }
       if (this.data.y.zero) { low = Math.min(low, 0); high = Math.max(high, 0); }
-      const air = 0.04 * (high - low) || 1;
-      this.y = { ...this.data.y, low: this.data.y.zero && low === 0 ? 0 : low - air, high: this.data.y.zero && high === 0 ? 0 : high + air };
+      const air = 0.04 * (high - low) || 1, edge = (v) => this.data.y.zero && Math.abs(v) < 1e-9 * air;
+      this.y = { ...this.data.y, low: edge(low) ? 0 : low - air, high: edge(high) ? 0 : high + air };
     }
 
     draw() {

@@ -7,7 +7,10 @@ use super::figure;
 use crate::report::ReportError;
 use crate::report::chart::{Axis, Chart, Contour, Drawing, Line, Series};
 
-pub(super) fn section(result: &ResultFolder, position: Option<usize>) -> Result<Markup, ReportError> {
+pub(super) fn section(
+    result: &ResultFolder,
+    position: Option<usize>,
+) -> Result<Markup, ReportError> {
     let Some(number) = shown_position(result, position)? else {
         return Ok(html! {});
     };
@@ -28,16 +31,30 @@ pub(super) fn section(result: &ResultFolder, position: Option<usize>) -> Result<
     })
 }
 
-fn shown_position(result: &ResultFolder, wanted: Option<usize>) -> Result<Option<usize>, ReportError> {
+fn shown_position(
+    result: &ResultFolder,
+    wanted: Option<usize>,
+) -> Result<Option<usize>, ReportError> {
     let rows = result.rows("/path");
     if let Some(number) = wanted {
         return match (1..=rows.len()).contains(&number) {
             true => Ok(Some(number)),
-            false => Err(ReportError::NoSuchPosition { number, count: rows.len() }),
+            false => Err(ReportError::NoSuchPosition {
+                number,
+                count: rows.len(),
+            }),
         };
     }
-    let pressure = |row: &serde_json::Value| row["p_max_mpa"].as_f64().or(row["hertz_pressure_mpa"].as_f64()).unwrap_or(0.0);
-    let highest = rows.iter().enumerate().max_by(|a, b| pressure(a.1).total_cmp(&pressure(b.1)));
+    let pressure = |row: &serde_json::Value| {
+        row["p_max_mpa"]
+            .as_f64()
+            .or(row["hertz_pressure_mpa"].as_f64())
+            .unwrap_or(0.0)
+    };
+    let highest = rows
+        .iter()
+        .enumerate()
+        .max_by(|a, b| pressure(a.1).total_cmp(&pressure(b.1)));
     Ok(highest.map(|(index, _)| index + 1))
 }
 
@@ -51,7 +68,7 @@ pub(crate) fn drawings(result: &ResultFolder, number: usize) -> Result<Vec<Drawi
     }
     let below = format!("position_{number:02}/subsurface.csv");
     if let Some(table) = result.table(&below)? {
-        drawings.extend(von_mises(&table, &below));
+        drawings.extend(von_mises(result, &table, &below, number));
     }
     if let Some(table) = result.table("convergence.csv")? {
         drawings.extend(convergence(result, &table, number));
@@ -69,18 +86,38 @@ fn flank_charts(table: &Table, source: &str) -> Vec<Drawing> {
         .iter()
         .map(|body| {
             let before = table.column(&format!("height_{body}_um"));
-            let pressed = combined(before, table.column(&format!("displacement_{body}_um")), |z, u| z - u);
-            let after = combined(before, table.column(&format!("plastic_{body}_um")), |z, u| z - u);
+            let pressed = combined(
+                before,
+                table.column(&format!("displacement_{body}_um")),
+                |z, u| z - u,
+            );
+            let after = combined(
+                before,
+                table.column(&format!("plastic_{body}_um")),
+                |z, u| z - u,
+            );
             let title = format!("Flank of the {body} before, in and after contact");
-            let chart = Chart::new(&format!("flank-contact-{body}"), &title, source, across(), Axis::new("height", "µm"))
-                .with(Series::new("before", Line::Solid, x, before))
-                .with(Series::new("in contact", Line::Solid, x, &pressed))
-                .with(Series::new("after", Line::Dashed, x, &after));
+            let chart = Chart::new(
+                &format!("flank-contact-{body}"),
+                &title,
+                source,
+                across(),
+                Axis::new("height", "µm"),
+            )
+            .with(Series::new("before", Line::Solid, x, before))
+            .with(Series::new("in contact", Line::Solid, x, &pressed))
+            .with(Series::new("after", Line::Dashed, x, &after));
             Drawing::Curves(chart)
         })
         .collect();
-    let gap = Chart::new("gap", "Gap in contact", source, across(), Axis::new("gap", "µm").from_zero())
-        .with(Series::new("gap", Line::Solid, x, table.column("gap_um")));
+    let gap = Chart::new(
+        "gap",
+        "Gap in contact",
+        source,
+        across(),
+        Axis::new("gap", "µm").from_zero(),
+    )
+    .with(Series::new("gap", Line::Solid, x, table.column("gap_um")));
     drawings.push(Drawing::Curves(gap));
     drawings
 }
@@ -94,24 +131,51 @@ fn pressure(table: &Table, source: &str) -> Drawing {
         across(),
         Axis::new("pressure", "MPa").from_zero(),
     )
-    .with(Series::new("asperities", Line::Solid, x, table.column("pressure_solid_mpa")))
-    .with(Series::new("fluid", Line::Solid, x, table.column("pressure_fluid_mpa")))
-    .with(Series::new("Hertz, smooth and dry", Line::Dashed, x, table.column("pressure_hertz_mpa")));
+    .with(Series::new(
+        "asperities",
+        Line::Solid,
+        x,
+        table.column("pressure_solid_mpa"),
+    ))
+    .with(Series::new(
+        "fluid",
+        Line::Solid,
+        x,
+        table.column("pressure_fluid_mpa"),
+    ))
+    .with(Series::new(
+        "Hertz, smooth and dry",
+        Line::Dashed,
+        x,
+        table.column("pressure_hertz_mpa"),
+    ));
     Drawing::Curves(chart)
 }
 
-/// Stress below the surface, down to one and a half times the depth where a smooth contact has its peak
-/// twice over: what lies deeper is smooth.
-fn von_mises(table: &Table, source: &str) -> Option<Drawing> {
+/// Stress below the contact. The table reaches further down and to the sides, where it is smooth.
+fn von_mises(result: &ResultFolder, table: &Table, source: &str, number: usize) -> Option<Drawing> {
+    /// What is shown, in Hertz half widths to either side and down.
+    const REACH: f64 = 1.6;
+    let reach = REACH * result.rows("/path")[number - 1]["half_width_um"].as_f64()?;
     let depth = table.column("depth_um");
-    let first = *depth.first()?;
-    let columns = table.where_equal("depth_um", first, "x_um");
-    if columns.len() < 2 {
+    let across_all = table.where_equal("depth_um", *depth.first()?, "x_um");
+    let stride = across_all.len();
+    let kept: Vec<usize> = (0..stride)
+        .filter(|i| across_all[*i].abs() <= reach)
+        .collect();
+    let rows: Vec<f64> = depth
+        .iter()
+        .step_by(stride)
+        .copied()
+        .take_while(|z| *z <= reach)
+        .collect();
+    if kept.len() < 2 || rows.len() < 2 {
         return None;
     }
-    let rows: Vec<f64> = depth.iter().step_by(columns.len()).copied().collect();
-    let mut values = table.column("von_mises_mpa").to_vec();
-    values.truncate(rows.len() * columns.len());
+    let all = table.column("von_mises_mpa");
+    let values = (0..rows.len())
+        .flat_map(|j| kept.iter().map(move |i| all[j * stride + i]))
+        .collect();
     Some(Drawing::Contour(Contour {
         id: "von-mises".to_owned(),
         title: "Von Mises stress below the surface".to_owned(),
@@ -119,7 +183,7 @@ fn von_mises(table: &Table, source: &str) -> Option<Drawing> {
         x: across(),
         y: Axis::new("depth", "µm").downward(),
         value: "von Mises stress [MPa]".to_owned(),
-        columns,
+        columns: kept.iter().map(|i| across_all[*i]).collect(),
         rows,
         values,
         height: 250.0,
@@ -133,7 +197,9 @@ fn convergence(result: &ResultFolder, table: &Table, number: usize) -> Vec<Drawi
         return Vec::new();
     }
     let paper = result.text("/formulation") == "paper";
-    let target = result.rows("/path")[number - 1]["line_load_n_per_mm"].as_f64().unwrap_or(f64::NAN);
+    let target = result.rows("/path")[number - 1]["line_load_n_per_mm"]
+        .as_f64()
+        .unwrap_or(f64::NAN);
     let (solid, fluid) = (of("load_solid_n_per_mm"), of("load_fluid_n_per_mm"));
     let total = combined(&solid, &fluid, |s, f| s + f);
     let approach = of("approach_um");
@@ -144,20 +210,39 @@ fn convergence(result: &ResultFolder, table: &Table, number: usize) -> Vec<Drawi
         Axis::new("approach from first touch", "µm"),
         Axis::new("load", "N/mm").from_zero(),
     )
-    .with(Series::new("film and asperities", Line::Dots, &approach, &total))
+    .with(Series::new(
+        "film and asperities",
+        Line::Dots,
+        &approach,
+        &total,
+    ))
     .with(Series::new("film", Line::Dashed, &approach, &fluid))
     .level(target, "load to carry");
     let tolerance = match paper {
-        true => result.choice("model.numerical_error").and_then(|v| ratio(&v)),
+        true => result
+            .choice("model.numerical_error")
+            .and_then(|v| ratio(&v)),
         false => result.choice("model.tolerance").and_then(|v| v.as_f64()),
     };
     let (title, axis) = match paper {
-        true => ("Convergence: load error of each step", Axis::new("load error |F − F_target|/F_target", "").log()),
+        true => (
+            "Convergence: load error of each step",
+            Axis::new("load error |F − F_target|/F_target", "").log(),
+        ),
         // The last error is one of rounding, which a log axis would blow up.
-        false => ("Load still missing along the load path", Axis::new("|F − F_target|/F_target", "").from_zero()),
+        false => (
+            "Load still missing along the load path",
+            Axis::new("|F − F_target|/F_target", "").from_zero(),
+        ),
     };
-    let mut chart = Chart::new("convergence", title, "convergence.csv", Axis::new("step", ""), axis)
-        .with(Series::new("load error", Line::Dots, &step, &error));
+    let mut chart = Chart::new(
+        "convergence",
+        title,
+        "convergence.csv",
+        Axis::new("step", ""),
+        axis,
+    )
+    .with(Series::new("load error", Line::Dots, &step, &error));
     if let Some(tolerance) = tolerance {
         chart = chart.level(tolerance, "tolerance");
     }
@@ -167,5 +252,7 @@ fn convergence(result: &ResultFolder, table: &Table, number: usize) -> Vec<Drawi
 /// A share written as a number or as text with its unit.
 fn ratio(value: &serde_json::Value) -> Option<f64> {
     use asperity_core::quantity::Ratio;
-    value.as_f64().or_else(|| value.as_str()?.parse::<Ratio>().ok().map(Ratio::value))
+    value
+        .as_f64()
+        .or_else(|| value.as_str()?.parse::<Ratio>().ok().map(Ratio::value))
 }

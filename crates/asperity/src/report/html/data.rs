@@ -18,12 +18,19 @@ pub(crate) struct ResultFolder {
 impl ResultFolder {
     /// Opens a result by its folder or by its `result.json`.
     pub fn open(path: &Path) -> Result<Self, ReportError> {
-        let file = if path.is_dir() { path.join("result.json") } else { path.to_owned() };
+        let file = if path.is_dir() {
+            path.join("result.json")
+        } else {
+            path.to_owned()
+        };
         let folder = file.parent().unwrap_or(Path::new("")).to_owned();
         let text = std::fs::read_to_string(&file).map_err(io_at(&file))?;
         let json: Value = serde_json::from_str(&text)?;
         if json.pointer("/summary/efficiency").is_none() {
-            return Err(ReportError::NotAResult { path: file, reason: "it has no summary" });
+            return Err(ReportError::NotAResult {
+                path: file,
+                reason: "it has no summary",
+            });
         }
         Ok(Self { folder, json })
     }
@@ -35,12 +42,18 @@ impl ResultFolder {
 
     /// The text at a JSON pointer.
     pub fn text(&self, pointer: &str) -> &str {
-        self.json.pointer(pointer).and_then(Value::as_str).unwrap_or_default()
+        self.json
+            .pointer(pointer)
+            .and_then(Value::as_str)
+            .unwrap_or_default()
     }
 
     /// The rows at a JSON pointer.
     pub fn rows(&self, pointer: &str) -> &[Value] {
-        self.json.pointer(pointer).and_then(Value::as_array).map_or(&[], Vec::as_slice)
+        self.json
+            .pointer(pointer)
+            .and_then(Value::as_array)
+            .map_or(&[], Vec::as_slice)
     }
 
     /// The length at a JSON pointer [m].
@@ -50,11 +63,16 @@ impl ResultFolder {
 
     /// A choice of the model: as the case says, or its default.
     pub fn choice(&self, key: &str) -> Option<Value> {
-        let given = self.json.pointer(&format!("/inputs/{}", key.replace('.', "/")));
+        let given = self
+            .json
+            .pointer(&format!("/inputs/{}", key.replace('.', "/")));
         if let Some(value) = given.filter(|value| !value.is_null()) {
             return Some(value.clone());
         }
-        let default = self.rows("/defaults").iter().find(|entry| entry["key"] == key)?;
+        let default = self
+            .rows("/defaults")
+            .iter()
+            .find(|entry| entry["key"] == key)?;
         serde_json::from_str(default["value"].as_str()?).ok()
     }
 
@@ -77,9 +95,17 @@ pub(crate) struct Table {
 
 impl Table {
     fn read(file: &Path) -> Result<Self, ReportError> {
-        let failed = |source| ReportError::Csv { path: file.to_owned(), source };
+        let failed = |source| ReportError::Csv {
+            path: file.to_owned(),
+            source,
+        };
         let mut reader = csv::Reader::from_path(file).map_err(failed)?;
-        let names: Vec<String> = reader.headers().map_err(failed)?.iter().map(str::to_owned).collect();
+        let names: Vec<String> = reader
+            .headers()
+            .map_err(failed)?
+            .iter()
+            .map(str::to_owned)
+            .collect();
         let mut columns = vec![Vec::new(); names.len()];
         let mut record = csv::StringRecord::new();
         while reader.read_record(&mut record).map_err(failed)? {
@@ -99,7 +125,10 @@ impl Table {
     /// The rows in which `column` is `value`, of another column.
     pub fn where_equal(&self, column: &str, value: f64, wanted: &str) -> Vec<f64> {
         let pairs = self.column(column).iter().zip(self.column(wanted));
-        pairs.filter(|(key, _)| **key == value).map(|(_, v)| *v).collect()
+        pairs
+            .filter(|(key, _)| **key == value)
+            .map(|(_, v)| *v)
+            .collect()
     }
 }
 

@@ -43,7 +43,11 @@ fn keys(result: &ResultFolder) -> Vec<Row> {
     }
     for entry in result.rows("/defaults") {
         let text = |key: &str| entry[key].as_str().unwrap_or_default().to_owned();
-        rows.push(Row { key: text("key"), value: text("value").replace('"', ""), origin: Some(text("source")) });
+        rows.push(Row {
+            key: text("key"),
+            value: text("value").replace('"', ""),
+            origin: Some(text("source")),
+        });
     }
     rows.sort_by(|a, b| a.key.cmp(&b.key));
     rows
@@ -55,24 +59,41 @@ fn flatten(path: &str, value: &Value, rows: &mut Vec<Row>) {
         Value::Null => {}
         Value::Object(entries) => {
             for (name, inner) in entries {
-                let key = if path.is_empty() { name.clone() } else { format!("{path}.{name}") };
+                let key = if path.is_empty() {
+                    name.clone()
+                } else {
+                    format!("{path}.{name}")
+                };
                 flatten(&key, inner, rows);
             }
         }
         Value::Array(items) => {
             let texts: Vec<String> = items.iter().map(plain).collect();
-            rows.push(Row { key: path.to_owned(), value: texts.join(", "), origin: None });
+            rows.push(Row {
+                key: path.to_owned(),
+                value: texts.join(", "),
+                origin: None,
+            });
         }
-        single => rows.push(Row { key: path.to_owned(), value: plain(single), origin: None }),
+        single => rows.push(Row {
+            key: path.to_owned(),
+            value: plain(single),
+            origin: None,
+        }),
     }
 }
 
 fn plain(value: &Value) -> String {
-    value.as_str().map_or_else(|| value.to_string(), str::to_owned)
+    value
+        .as_str()
+        .map_or_else(|| value.to_string(), str::to_owned)
 }
 
 fn files(result: &ResultFolder) -> Markup {
-    let flanks = result.rows("/flanks").iter().filter(|flank| flank["file"].is_string());
+    let flanks = result
+        .rows("/flanks")
+        .iter()
+        .filter(|flank| flank["file"].is_string());
     html! {
         h3 { "Provenance" }
         p { "Made by " (result.text("/program")) ", schema version " (result.number("/schema_version").unwrap_or(0.0)) "." }

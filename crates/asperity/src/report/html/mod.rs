@@ -47,7 +47,11 @@ fn render(result: &ResultFolder, position: Option<usize>) -> Result<String, Repo
 }
 
 fn subtitle(result: &ResultFolder) -> String {
-    format!("{} · formulation {}", result.text("/program"), result.text("/formulation"))
+    format!(
+        "{} · formulation {}",
+        result.text("/program"),
+        result.text("/formulation")
+    )
 }
 
 /// A page of titled sections.
@@ -112,6 +116,12 @@ pub(crate) fn figure(drawing: &Drawing) -> Markup {
 }
 
 fn sample(class: &str) -> String {
-    let d = if class.ends_with("scatter") { "M14 6h0" } else { "M1 6h26" };
-    format!("<svg class=\"sample\" viewBox=\"0 0 28 12\" aria-hidden=\"true\"><path class=\"{class}\" d=\"{d}\"/></svg>")
+    let d = if class.ends_with("scatter") {
+        "M14 6h0"
+    } else {
+        "M1 6h26"
+    };
+    format!(
+        "<svg class=\"sample\" viewBox=\"0 0 28 12\" aria-hidden=\"true\"><path class=\"{class}\" d=\"{d}\"/></svg>"
+    )
 }

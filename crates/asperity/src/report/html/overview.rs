@@ -14,7 +14,11 @@ const EFFICIENCY_DECIMALS: usize = 4;
 pub(super) fn section(result: &ResultFolder) -> Result<Markup, ReportError> {
     let tiles = tiles(result);
     let notes = notes(result);
-    let charts = [losses(result), Some(laws(result)), super::path::strip(result)?];
+    let charts = [
+        losses(result),
+        Some(laws(result)),
+        super::path::strip(result)?,
+    ];
     Ok(html! {
         dl.tiles {
             @for (name, value, key) in &tiles {
@@ -33,11 +37,17 @@ pub(super) fn section(result: &ResultFolder) -> Result<Markup, ReportError> {
 
 /// Name, value and key in `result.json`.
 fn tiles(result: &ResultFolder) -> Vec<(&'static str, String, &'static str)> {
-    let s = |key: &str| result.number(&format!("/summary/{key}")).unwrap_or(f64::NAN);
+    let s = |key: &str| {
+        result
+            .number(&format!("/summary/{key}"))
+            .unwrap_or(f64::NAN)
+    };
     let decimals = EFFICIENCY_DECIMALS;
-    let mut tiles = vec![
-        ("efficiency (mesh only)", format!("{:.decimals$} %", 100.0 * s("efficiency")), "summary.efficiency"),
-    ];
+    let mut tiles = vec![(
+        "efficiency (mesh only)",
+        format!("{:.decimals$} %", 100.0 * s("efficiency")),
+        "summary.efficiency",
+    )];
     if let Some(spread) = result.number("/summary/efficiency_deviation") {
         tiles.push((
             "standard deviation over the offsets",
@@ -47,18 +57,60 @@ fn tiles(result: &ResultFolder) -> Vec<(&'static str, String, &'static str)> {
     }
     tiles.extend([
         ("loss", format!("{:.1} W", s("loss_w")), "summary.loss_w"),
-        ("sliding", format!("{:.1} W", s("sliding_w")), "summary.sliding_w"),
-        ("rolling", format!("{:.2} W", s("rolling_w")), "summary.rolling_w"),
-        ("power in", format!("{:.3} kW", 1e-3 * s("power_in_w")), "summary.power_in_w"),
-        ("torque out", format!("{:.2} N m", s("torque_out_nm")), "summary.torque_out_nm"),
-        ("equivalent friction μ_eq", format!("{:.4}", s("mu_equivalent")), "summary.mu_equivalent"),
-        ("loss factor H_V", format!("{:.4}", s("loss_factor")), "summary.loss_factor"),
-        ("H_V of the load sharing", format!("{:.4}", s("loss_factor_local")), "summary.loss_factor_local"),
-        ("mixed lubrication, of the path", format!("{:.1} %", 100.0 * s("mixed_share")), "summary.mixed_share"),
-        ("positions × offsets", format!("{:.0} × {:.0}", s("positions"), s("offsets")), "summary.positions"),
-        ("worst load error", format!("{:.1e}", s("worst_load_error")), "summary.worst_load_error"),
+        (
+            "sliding",
+            format!("{:.1} W", s("sliding_w")),
+            "summary.sliding_w",
+        ),
+        (
+            "rolling",
+            format!("{:.2} W", s("rolling_w")),
+            "summary.rolling_w",
+        ),
+        (
+            "power in",
+            format!("{:.3} kW", 1e-3 * s("power_in_w")),
+            "summary.power_in_w",
+        ),
+        (
+            "torque out",
+            format!("{:.2} N m", s("torque_out_nm")),
+            "summary.torque_out_nm",
+        ),
+        (
+            "equivalent friction μ_eq",
+            format!("{:.4}", s("mu_equivalent")),
+            "summary.mu_equivalent",
+        ),
+        (
+            "loss factor H_V",
+            format!("{:.4}", s("loss_factor")),
+            "summary.loss_factor",
+        ),
+        (
+            "H_V of the load sharing",
+            format!("{:.4}", s("loss_factor_local")),
+            "summary.loss_factor_local",
+        ),
+        (
+            "mixed lubrication, of the path",
+            format!("{:.1} %", 100.0 * s("mixed_share")),
+            "summary.mixed_share",
+        ),
+        (
+            "positions × offsets",
+            format!("{:.0} × {:.0}", s("positions"), s("offsets")),
+            "summary.positions",
+        ),
+        (
+            "worst load error",
+            format!("{:.1e}", s("worst_load_error")),
+            "summary.worst_load_error",
+        ),
     ]);
-    let energy = result.number("/running_in/energy_per_engagement_j").unwrap_or(0.0);
+    let energy = result
+        .number("/running_in/energy_per_engagement_j")
+        .unwrap_or(0.0);
     if energy > 0.0 {
         tiles.push((
             "plastic work, first engagement",
@@ -78,7 +130,10 @@ fn notes(result: &ResultFolder) -> Vec<(&str, &str)> {
 }
 
 fn losses(result: &ResultFolder) -> Option<Drawing> {
-    let (loss, power) = (result.number("/summary/loss_w")?, result.number("/summary/power_in_w")?);
+    let (loss, power) = (
+        result.number("/summary/loss_w")?,
+        result.number("/summary/power_in_w")?,
+    );
     let of = |pointer: &str| result.number(pointer).unwrap_or(0.0);
     let included = result.json.pointer("/running_in/included") == Some(&Value::Bool(true));
     let parts = [
@@ -87,7 +142,15 @@ fn losses(result: &ResultFolder) -> Option<Drawing> {
         ("deformation, pinion", of("/summary/deformation_w/0"), false),
         ("deformation, wheel", of("/summary/deformation_w/1"), false),
         ("hysteresis", of("/summary/hysteresis_w"), false),
-        ("running-in", if included { of("/running_in/first_pass_w") } else { 0.0 }, false),
+        (
+            "running-in",
+            if included {
+                of("/running_in/first_pass_w")
+            } else {
+                0.0
+            },
+            false,
+        ),
     ];
     let bars = parts
         .iter()
@@ -101,7 +164,11 @@ fn losses(result: &ResultFolder) -> Option<Drawing> {
         .collect();
     Some(Drawing::Bars(BarChart {
         id: "losses".to_owned(),
-        title: format!("Losses: {} W, {} of the power in", significant(loss), percent(loss / power)),
+        title: format!(
+            "Losses: {} W, {} of the power in",
+            significant(loss),
+            percent(loss / power)
+        ),
         source: "losses.csv".to_owned(),
         axis: Axis::new("loss", "W"),
         bars,
@@ -110,16 +177,24 @@ fn losses(result: &ResultFolder) -> Option<Drawing> {
 
 fn laws(result: &ResultFolder) -> Drawing {
     let spread = result.number("/summary/efficiency_deviation");
-    let bars = result.rows("/friction_laws").iter().enumerate().map(|(k, entry)| {
-        let loss = entry["efficiency"].as_f64().map(|efficiency| 100.0 * (1.0 - efficiency));
-        Bar {
-            name: entry["law"].as_str().unwrap_or_default().to_owned(),
-            value: loss,
-            // The case's own law is the first; the spread was found with it.
-            spread: spread.filter(|_| k == 0).map(|share| 100.0 * share),
-            text: loss.map_or("cannot be used here".to_owned(), |loss| format!("{loss:.3} %")),
-        }
-    });
+    let bars = result
+        .rows("/friction_laws")
+        .iter()
+        .enumerate()
+        .map(|(k, entry)| {
+            let loss = entry["efficiency"]
+                .as_f64()
+                .map(|efficiency| 100.0 * (1.0 - efficiency));
+            Bar {
+                name: entry["law"].as_str().unwrap_or_default().to_owned(),
+                value: loss,
+                // The case's own law is the first; the spread was found with it.
+                spread: spread.filter(|_| k == 0).map(|share| 100.0 * share),
+                text: loss.map_or("cannot be used here".to_owned(), |loss| {
+                    format!("{loss:.3} %")
+                }),
+            }
+        });
     Drawing::Bars(BarChart {
         id: "friction-laws".to_owned(),
         title: "Friction laws side by side".to_owned(),
@@ -141,5 +216,9 @@ fn significant(value: f64) -> String {
 
 fn percent(share: f64) -> String {
     let value = 100.0 * share;
-    if value == 0.0 || value >= 0.01 { format!("{value:.2} %") } else { format!("{value:.0e} %") }
+    if value == 0.0 || value >= 0.01 {
+        format!("{value:.2} %")
+    } else {
+        format!("{value:.0e} %")
+    }
 }

@@ -1,0 +1,5 @@
+//! The pages in a browser: every chart draws, zoom works, numbers are those of the result, and
+//! nothing is fetched. Skipped with a notice where there is no Chromium.
+
+mod chromium;
+mod report;
