@@ -24,8 +24,6 @@ use realfft::RealFftPlanner;
 const PATIENCE: f64 = 1.0;
 /// Runs longer than this are measured by the time on the processor \[s\].
 const SHARED: f64 = 0.05;
-/// Iterations timed together.
-const ITERATIONS: usize = 20;
 
 fn main() {
     let mut arguments = std::env::args().skip(1);
@@ -65,28 +63,17 @@ fn main() {
     }
 }
 
-/// Time of an iteration on the whole grid, from a loose solution on.
+/// Time of an iteration on the whole grid from an even pressure, with its share of everything
+/// before and after.
 fn per_iteration(problem: &ContactProblem) -> f64 {
-    let loose = SolverSettings {
-        tolerance: 1e-4,
+    let settings = SolverSettings {
+        cascade: false,
+        window: false,
         ..SolverSettings::default()
     };
     let mut solver = Solver::new(problem.gap.len(), problem.boundary).unwrap();
-    let start = solver.solve(problem, &loose).unwrap().pressure;
-    let problem = ContactProblem {
-        start: Some(&start),
-        ..*problem
-    };
-    let mut time = |max_iterations| {
-        let settings = SolverSettings {
-            tolerance: 1e-300,
-            max_iterations,
-            cascade: false,
-            window: false,
-        };
-        best(|| solver.solve(&problem, &settings).unwrap_err()).0
-    };
-    (time(ITERATIONS + 2) - time(2)) / ITERATIONS as f64
+    let (time, solution) = best(|| solver.solve(problem, &settings).unwrap());
+    time / solution.iterations as f64
 }
 
 /// Time of the two pairs of real transforms that an iteration needs.

@@ -52,13 +52,12 @@ impl Window {
         Self { first: 0, points }
     }
 
-    /// The range of cells where `touches` holds, with a margin and grown to one of few lengths;
-    /// the whole grid when that is most of it or nothing touches.
-    pub(crate) fn around(points: usize, touches: impl Fn(usize) -> bool) -> Self {
-        let Some(first) = (0..points).find(|&i| touches(i)) else {
+    /// The range from the first to the last cell that `touches`, with a margin and grown to one of
+    /// few lengths; the whole grid when that is most of it or nothing touches.
+    pub(crate) fn around(points: usize, touches: &[usize]) -> Self {
+        let (Some(&first), Some(&last)) = (touches.first(), touches.last()) else {
             return Self::whole(points);
         };
-        let last = (first..points).rfind(|&i| touches(i)).unwrap_or(first);
         let width = last - first + 1;
         let margin = ((MARGIN * width as f64).ceil() as usize).max(LEAST_MARGIN);
         let wide = window_length(width + 2 * margin);
@@ -88,13 +87,13 @@ mod tests {
             (10_000, 0, 10),
             (10_000, 9_990, 9_999),
         ] {
-            let window = Window::around(points, |i| (low..=high).contains(&i));
+            let window = Window::around(points, &[low, high]);
             assert!(window.range().end <= points && window.points < points / 5);
             assert!(window.first <= low.saturating_sub(LEAST_MARGIN));
             assert!(window.range().end >= (high + 1 + LEAST_MARGIN).min(points));
         }
-        assert_eq!(Window::around(100, |i| i < 90), Window::whole(100));
-        assert_eq!(Window::around(100, |_| false), Window::whole(100));
+        assert_eq!(Window::around(100, &[0, 89]), Window::whole(100));
+        assert_eq!(Window::around(100, &[]), Window::whole(100));
     }
 
     #[test]

@@ -49,26 +49,38 @@ pub(crate) fn restore_load(pressure: &mut [f64], sum: f64, limit: f64) {
 }
 
 /// The nearest pressures within 0..`limit` with Σp = `sum`: all points moved by as much, and
-/// clipped.
+/// clipped. Newton's method on the shift, whose load is piecewise linear, within a bracket.
 pub(crate) fn project(pressure: &mut [f64], sum: f64, limit: f64) {
     let least = pressure.iter().copied().fold(f64::INFINITY, f64::min);
     let most = pressure.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     // The ends carry nothing and, on a single point, everything.
     let (mut low, mut high) = (-most, sum - least);
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        let carried: f64 = pressure
-            .iter()
-            .map(|p| (p + middle).clamp(0.0, limit))
-            .sum();
-        if carried < sum {
-            low = middle;
-        } else {
-            high = middle;
+    let mut shift = 0.0;
+    for _ in 0..SHIFTS + HALVINGS {
+        let (mut carried, mut moved) = (0.0, 0.0);
+        for p in &*pressure {
+            let q = p + shift;
+            carried += q.clamp(0.0, limit);
+            moved += f64::from(q > 0.0 && q < limit);
         }
+        if carried < sum {
+            low = shift;
+        } else {
+            high = shift;
+        }
+        let newton = shift + (sum - carried) / moved;
+        let next = if newton > low && newton < high {
+            newton
+        } else {
+            0.5 * (low + high)
+        };
+        if next == shift || next <= low || next >= high {
+            break;
+        }
+        shift = next;
     }
     for p in pressure {
-        *p = (*p + high).clamp(0.0, limit);
+        *p = (*p + shift).clamp(0.0, limit);
     }
 }
 

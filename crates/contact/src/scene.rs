@@ -137,15 +137,6 @@ impl<'a> Scene<'a> {
         self.sum.map_or(0.0, |sum| sum / self.gap.len() as f64)
     }
 
-    /// Where there is pressure, or, when there is none, where the undeformed bodies overlap.
-    pub(crate) fn touching(&self, pressure: &[f64]) -> Vec<bool> {
-        if pressure.iter().any(|&p| p > 0.0) {
-            pressure.iter().map(|&p| p > 0.0).collect()
-        } else {
-            self.gap.iter().map(|&h| h < 0.0).collect()
-        }
-    }
-
     /// Prescribed pressure in Pa of a cell.
     pub(crate) fn prescribed(&self, cell: usize) -> f64 {
         self.problem.prescribed_pressure.map_or(0.0, |p| p[cell])
@@ -171,6 +162,17 @@ impl<'a> Scene<'a> {
             load_error: self.sum.map_or(0.0, |sum| (carried / sum - 1.0).abs()),
             reference_gap: Length::from_si(self.reference_gap),
         }
+    }
+}
+
+/// The points under pressure, or, when there are none, those where the undeformed bodies overlap.
+pub(crate) fn touching(gap: &[f64], pressure: &[f64]) -> Vec<usize> {
+    let find = |holds: &dyn Fn(usize) -> bool| (0..gap.len()).filter(|&i| holds(i)).collect();
+    let loaded: Vec<usize> = find(&|i| pressure[i] > 0.0);
+    if loaded.is_empty() {
+        find(&|i| gap[i] < 0.0)
+    } else {
+        loaded
     }
 }
 

@@ -15,8 +15,8 @@ use crate::half_plane::line_load;
 use crate::plasticity::{dissipated_energy, plastic_displacement};
 use crate::ppcg::minimise;
 use crate::problem::{Boundary, ContactProblem, ContactSolution, LEAST_POINTS, SolverSettings};
-use crate::scene::Scene;
-use crate::state::{Level, Workspace};
+use crate::scene::{Scene, touching};
+use crate::state::{Level, Task, Workspace};
 use crate::transform::Buffers;
 
 /// Windows tried before the whole grid is solved.
@@ -154,15 +154,38 @@ impl Solver {
         for _ in 1..grids.len() {
             gaps.push(restrict(gaps.last().unwrap_or(&scene.gap)));
         }
-        let mut pressure = vec![scene.even_pressure(); grids[grids.len() - 1]];
+        let coarsest = grids[grids.len() - 1];
+        let mut pressure = vec![scene.even_pressure(); coarsest];
         for (halvings, gap) in gaps.iter().enumerate().rev() {
+            // What a window misses is found on the finest grid.
+            let window = if self.windowed(settings) && gap.len() != coarsest {
+                Window::around(gap.len(), &touching(gap, &pressure))
+            } else {
+                Window::whole(gap.len())
+            };
+            let gap = &gap[window.range()];
             let task = scene.coarse_task(gap, halvings as i32 + 1, settings)?;
-            self.work.pressure = pressure;
-            let level = self.levels.get(gap.len(), &mut self.work.buffers);
-            minimise(level, &mut self.work, &task);
-            pressure = prolong(&self.work.pressure, grids[halvings]);
+            self.minimise(window, &task, &mut pressure);
+            pressure = prolong(&pressure, grids[halvings]);
         }
         Ok(pressure)
+    }
+
+    fn windowed(&self, settings: &SolverSettings) -> bool {
+        settings.window && self.shape.boundary == Boundary::FreeEnds
+    }
+
+    /// Improves the pressure within the window, which is all there is then; returns the iterations.
+    fn minimise(&mut self, window: Window, task: &Task, pressure: &mut [f64]) -> usize {
+        self.work.pressure.clear();
+        self.work
+            .pressure
+            .extend_from_slice(&pressure[window.range()]);
+        let level = self.levels.get(window.points, &mut self.work.buffers);
+        let iterations = minimise(level, &mut self.work, task);
+        pressure.fill(0.0);
+        pressure[window.range()].copy_from_slice(&self.work.pressure);
+        iterations
     }
 
     /// Solves the finest grid, windows first, and leaves the result in the workspace. Returns the
@@ -174,34 +197,21 @@ impl Solver {
         mut pressure: Vec<f64>,
     ) -> Result<usize, ContactError> {
         let points = self.shape.points;
-        let windowed = settings.window && self.shape.boundary == Boundary::FreeEnds;
-        let mut touches = scene.touching(&pressure);
+        let mut touches = touching(&scene.gap, &pressure);
         let mut iterations = 0;
         for attempt in 0..=WINDOWS {
-            let window = if windowed && attempt < WINDOWS {
-                Window::around(points, |i| touches[i])
+            let window = if self.windowed(settings) && attempt < WINDOWS {
+                Window::around(points, &touches)
             } else {
                 Window::whole(points)
             };
             let task = scene.task(window, settings, settings.max_iterations - iterations);
-            self.work.pressure.clear();
-            self.work
-                .pressure
-                .extend_from_slice(&pressure[window.range()]);
-            let level = self.levels.get(window.points, &mut self.work.buffers);
-            iterations += minimise(level, &mut self.work, &task);
-            if window.points == points {
+            iterations += self.minimise(window, &task, &mut pressure);
+            if window.points == points || self.verify(scene, settings, &pressure) {
                 break;
             }
-            pressure.fill(0.0);
-            pressure[window.range()].copy_from_slice(&self.work.pressure);
-            if self.verify(scene, settings, &pressure) {
-                break;
-            }
-            touches.fill(false);
-            for &i in &self.work.list {
-                touches[i as usize] = true;
-            }
+            touches.clear();
+            touches.extend(self.work.list.iter().map(|&i| i as usize));
         }
         Ok(iterations)
     }
