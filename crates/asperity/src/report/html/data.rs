@@ -6,7 +6,6 @@ use asperity_core::quantity::Length;
 use serde_json::Value;
 
 use crate::report::ReportError;
-use crate::report::folder::io_at;
 
 /// A result folder.
 #[derive(Debug)]
@@ -24,13 +23,20 @@ impl ResultFolder {
             path.to_owned()
         };
         let folder = file.parent().unwrap_or(Path::new("")).to_owned();
-        let text = std::fs::read_to_string(&file).map_err(io_at(&file))?;
-        let json: Value = serde_json::from_str(&text)?;
+        let refused = |reason| {
+            Err(ReportError::NotAResult {
+                path: file.clone(),
+                reason,
+            })
+        };
+        let Ok(text) = std::fs::read_to_string(&file) else {
+            return refused("there is no such file");
+        };
+        let Ok(json) = serde_json::from_str::<Value>(&text) else {
+            return refused("it is not JSON");
+        };
         if json.pointer("/summary/efficiency").is_none() {
-            return Err(ReportError::NotAResult {
-                path: file,
-                reason: "it has no summary",
-            });
+            return refused("it has no summary");
         }
         Ok(Self { folder, json })
     }
