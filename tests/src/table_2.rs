@@ -46,10 +46,10 @@ pub fn table_2() -> CaseText {
 
 /// The spur gears of Petry-Johnson et al., Journal of Mechanical Design 130 (2008) 062601: 40/40 teeth,
 /// m = 92.74/40 mm, 28°, outside diameter 95.95 mm, face 26.7 mm, a = 91.5 mm, 413 N m, superfinished
-/// to a composite Rq of 0.07 µm, a 75W90 of 0.0106 Pa s.
+/// to an Rq of 0.07 µm, read as that of both flanks together, a 75W90 of 0.0106 Pa s.
 ///
 /// Not printed there and taken as in the independent computation of the numbers compared with:
-/// E 207 GPa, β_T 0.04 1/K, k 0.135 W/(m K).
+/// E 207 GPa, β_T 0.04 1/K, k 0.135 W/(m K). The temperature has no part: the viscosity is given.
 pub fn petry_johnson() -> CaseText {
     CaseText::new(
         r#"

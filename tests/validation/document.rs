@@ -38,7 +38,10 @@ fn tables() -> Vec<(&'static str, String)> {
 fn with_tables(mut document: String, tables: &[(&str, String)]) -> String {
     for (name, table) in tables {
         let begin = format!("<!-- {name} -->\n");
-        let start = document.find(&begin).unwrap_or_else(|| panic!("no place for {name}")) + begin.len();
+        let start = document
+            .find(&begin)
+            .unwrap_or_else(|| panic!("no place for {name}"))
+            + begin.len();
         let length = document[start..].find("<!-- end -->").unwrap();
         document.replace_range(start..start + length, table);
     }
@@ -55,7 +58,10 @@ fn the_document_shows_what_the_tests_compute() {
         return;
     }
     for (shown, made) in document.lines().zip(made.lines()) {
-        assert_eq!(shown, made, "write it anew: just validation");
+        assert_eq!(
+            shown, made,
+            "the document is not up to date; see the top of this file"
+        );
     }
-    assert_eq!(document.len(), made.len());
+    assert_eq!(document.len(), made.len(), "the document is not up to date");
 }

@@ -287,3 +287,23 @@ pub fn helical_pairs() -> Table {
 fn helical_pairs_are_those_of_an_independent_gear_tool() {
     helical_pairs().hold();
 }
+
+#[test]
+fn fzg_gears_press_as_hard_as_reported_where_one_pair_carries_all() {
+    // Arana et al., Proc. IMechE J 233 (2019) 303: FZG type C at load stage 7, about 1400 MPa near
+    // the lowest point of single contact.
+    let case =
+        std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases/fzg-c.toml");
+    let case = asperity::case::load(&case, None)
+        .map_err(|(error, _)| error)
+        .unwrap()
+        .case;
+    let b = case.gears.path().b;
+    // Just inside, where the share has reached one.
+    let inside = b + (case.gears.path().c - b) * 1e-3;
+    let pressure = Station::new(&case, 1, inside, 0.0)
+        .unwrap()
+        .hertz
+        .max_pressure;
+    asperity_tests::assert_close("p0", pressure.si(), 1400e6, 0.03);
+}

@@ -7,7 +7,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 mod comparison;
-// mod document;
+mod document;
 mod fluid_film;
 mod gear_tool;
 mod paper_formulation;

@@ -78,8 +78,8 @@ pub fn beside_measured() -> String {
 fn spur_gears_come_within_a_third_of_the_measured_loss() {
     for (speed, _, _, [low, high]) in SPEEDS {
         let ours = at(speed);
-        // Xu's law was fitted to another oil, and the sliding loss of asperities is left out: too
-        // little at low speed is expected. A third of the loss is 0.06 % of the power.
+        // The sliding of asperities is left out, since no peak heights are published: too little is
+        // expected. A third of the loss is 0.06 % of the power.
         assert!(
             0.67 * low < ours.loss_w && ours.loss_w < 1.33 * high,
             "{speed} 1/min: {} W, measured {low} to {high} W",

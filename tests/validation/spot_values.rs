@@ -1,10 +1,12 @@
 //! Single equations at single points, as the document shows them; the crates prove them.
 
 use asperity_core::lubricant::{AstmD341, roelands_exponent};
-use asperity_core::quantity::{DynamicViscosity, Length, Pressure, Speed};
-use asperity_ehl_regime::film_elliptic::ellipticity;
+use asperity_core::quantity::{
+    DynamicViscosity, Length, LineLoad, Pressure, PressureViscosity, Speed,
+};
+use asperity_ehl_regime::film_elliptic::{ellipticity, hamrock_dowson_central};
 use asperity_ehl_regime::thermal_reduction::gupta;
-use asperity_ehl_regime::{AsperityShape, Orientation};
+use asperity_ehl_regime::{AsperityShape, FilmConditions, Orientation};
 use asperity_tribo_friction::XuLaw;
 use asperity_tribo_friction::xu::XuConditions;
 
@@ -39,6 +41,22 @@ fn xu_peak() -> f64 {
     0.5 * (low + high)
 }
 
+/// Central film of Hamrock and Dowson at C of Table 2 with the load group of a line \[m\].
+fn hamrock_dowson_of_a_line() -> f64 {
+    let at = FilmConditions {
+        entrainment: Speed::from_si(4.567_908_850_02),
+        radius: Length::from_si(11.626_875_546_1e-3),
+        load: LineLoad::from_si(113_408.970_605),
+        modulus: Pressure::from_si(105e9 / 0.91),
+        viscosity: DynamicViscosity::from_si(0.0975),
+        pressure_viscosity: PressureViscosity::from_si(2e-8),
+        contact_length: None,
+    };
+    let groups = at.line_groups().unwrap();
+    let film = hamrock_dowson_central(&groups, at.radius, f64::INFINITY);
+    film.unwrap().value.si()
+}
+
 pub fn spot_values() -> Table {
     let oil =
         AstmD341::from_data_sheet("100 mm2/s".parse().unwrap(), "11.2 mm2/s".parse().unwrap());
@@ -50,6 +68,7 @@ pub fn spot_values() -> Table {
     let row = |quantity: &str, unit, expected, actual| {
         Comparison::new(quantity, unit, expected, actual, ROUNDING)
     };
+    let line = hamrock_dowson_of_a_line();
     Table {
         name: "spot-values",
         test: "single_equations_have_the_values_computed_elsewhere",
@@ -73,6 +92,14 @@ pub fn spot_values() -> Table {
                 0.505_195,
                 xu_peak(),
                 1e-6,
+            ),
+            // Evaluated at a load and a radius given to ten digits.
+            Comparison::new(
+                "central film at C of Table 2, Hamrock-Dowson, k → ∞, line W",
+                "µm",
+                1.505_765_717,
+                line * 1e6,
+                1e-8,
             ),
             row(
                 "ν at 60 °C, ASTM D341, 100 and 11.2 mm²/s",

@@ -43,11 +43,11 @@ pub fn geometry() -> Table {
                 result.path.iter().map(|row| row.weight_m * 1e3).sum(),
             ),
             row("f", "N/mm", 113.408_97, result.path[0].line_load_n_per_mm),
-            row("H_V, Ohlendorf", "-", 0.060_808_15, summary.loss_factor),
+            row("H_V, Ohlendorf", "-", 0.060_808_148, summary.loss_factor),
             row(
                 "H_V, local, at the mean contact length",
                 "-",
-                0.073_282_75,
+                0.073_282_754,
                 summary.loss_factor_local,
             ),
             // Averaged over 400 phases there, by Gauss points here.
@@ -144,8 +144,8 @@ pub fn films() -> Table {
         (
             "hamrock-dowson",
             "Hamrock-Dowson, k → ∞, W = F/(E′R²)",
-            1.365_565,
-            Some(1.105_458),
+            1.365_565_19,
+            Some(1.105_457_87),
         ),
     ] {
         let case = table_2()
@@ -225,6 +225,11 @@ pub fn friction() -> Table {
             .with("model.thermal", "none"),
     );
     let lambda = |row: &PositionRow| row.lambda_star.unwrap();
+    let by = |law: &str| {
+        let ra = |case: CaseText, flank| case.with(&format!("surface.{flank}.ra"), "0.25 um");
+        path(ra(ra(table_2(), "pinion"), "wheel").with("model.friction", law))
+    };
+    let (benedict_kelley, schlenk) = (by("benedict-kelley"), by("iso-14179-2"));
     let (a, c, e) = (&rows[0], row_nearest_c(&isothermal), rows.last().unwrap());
     let rolling = c.rolling_w_per_m / (2.0 * c.entrainment_m_per_s);
     let row = |quantity: &str, unit, expected, actual| {
@@ -238,6 +243,24 @@ pub fn friction() -> Table {
             row("μ at E, Xu, S 0.424 µm", "-", 0.052_903_71, e.mu_film),
             row("flash temperature at A", "K", 14.431_53, a.flash_k),
             row("flash temperature at E", "K", 10.212_54, e.flash_k),
+            row(
+                "μ at A, Benedict-Kelley, Ra 0.25 µm",
+                "-",
+                0.041_054_74,
+                benedict_kelley[0].mu_film,
+            ),
+            row(
+                "μ at E, Benedict-Kelley",
+                "-",
+                0.039_578_31,
+                benedict_kelley.last().unwrap().mu_film,
+            ),
+            row(
+                "μ of the mesh, ISO/TR 14179-2, Ra 0.25 µm, X_L 1",
+                "-",
+                0.029_471_51,
+                schlenk[0].mu_film,
+            ),
             row(
                 "F_r at C, isothermal, one surface",
                 "N/m",
@@ -261,33 +284,88 @@ fn the_reference_case_rubs_and_heats_as_computed_elsewhere() {
     friction().hold();
 }
 
+/// What is changed in Table 2, and sliding and rolling loss in W evaluated elsewhere.
+type Variant = (&'static str, fn(CaseText) -> CaseText, f64, f64);
+
+const VARIANTS: [Variant; 5] = [
+    ("S 0.424 µm", |case| case, 317.860_243, 122.499_974),
+    (
+        "isothermal",
+        |case| case.with("model.thermal", "none"),
+        317.860_243,
+        156.616_246,
+    ),
+    (
+        "S 1 µm, not held at 0.6",
+        |case| {
+            case.with("surface.pinion.rq", "0.70710678 um")
+                .with("surface.wheel.rq", "0.70710678 um")
+                .with("model.clamp_roughness", false)
+        },
+        664.916_206,
+        122.499_974,
+    ),
+    (
+        "10 mPa s",
+        |case| case.with("lubricant.viscosity.dynamic_viscosity", "10 mPa s"),
+        81.744_647,
+        32.760_922,
+    ),
+    (
+        "μ 0.05 everywhere",
+        |case| {
+            case.with("model.friction", "constant")
+                .with("model.constant_friction", 0.05)
+        },
+        328.070_017,
+        122.499_974,
+    ),
+];
+
 pub fn losses() -> Table {
-    let summary = table_2().run().result.summary;
-    assert_eq!((summary.positions, summary.mixed_share), (32, 0.0));
-    let row = |quantity: &str, unit, expected, actual| {
-        // Trapezoids over 4001 points there, 32 Gauss points here.
-        Comparison::new(quantity, unit, expected, actual, SIX_DIGITS)
-    };
+    let mut rows = Vec::new();
+    for (name, changed, sliding, rolling) in VARIANTS {
+        let case = changed(table_2());
+        let summary = case.run().result.summary;
+        assert_eq!((summary.positions, summary.mixed_share), (32, 0.0));
+        let mut push = |quantity: &str, unit, expected, actual| {
+            // Trapezoids over 4001 points there, 32 Gauss points here.
+            let quantity = format!("{quantity}, {name}");
+            rows.push(Comparison::new(
+                quantity, unit, expected, actual, SIX_DIGITS,
+            ));
+        };
+        push("sliding loss", "W", sliding, summary.sliding_w);
+        push("rolling loss", "W", rolling, summary.rolling_w);
+        let efficiency = 1.0 - (sliding + rolling) / 89_535.390_6;
+        push("efficiency", "-", efficiency, summary.efficiency);
+    }
     Table {
         name: "table-2-losses",
         test: "the_full_film_losses_of_the_reference_case_are_those_computed_elsewhere",
-        rows: vec![
-            row("sliding loss", "W", 317.860_24, summary.sliding_w),
-            row(
-                "rolling loss, both surfaces, Gupta",
-                "W",
-                122.499_97,
-                summary.rolling_w,
-            ),
-            row("efficiency", "-", 0.995_081_72, summary.efficiency),
-        ],
+        rows,
     }
 }
 
 #[test]
 fn the_full_film_losses_of_the_reference_case_are_those_computed_elsewhere() {
     losses().hold();
-    // What the model was published with, to the digits given.
     let summary = table_2().run().result.summary;
     assert!((summary.efficiency - 0.995_08).abs() < 2e-5);
+}
+
+#[test]
+fn the_efficiency_printed_in_the_paper_asks_for_rougher_flanks_than_xu_ever_saw() {
+    // 98.8 % in full film needs S of about 1.2 um, where Xu's law, fitted up to 0.6 um, is a double
+    // exponential; the loss is then that of a coefficient far outside lubricated steel.
+    let at = |rq: &str| {
+        let case = table_2()
+            .with("model.clamp_roughness", false)
+            .with("surface.pinion.rq", rq)
+            .with("surface.wheel.rq", rq);
+        case.run().result.summary
+    };
+    let (smoother, rougher) = (at("0.83 um"), at("0.86 um"));
+    assert!(smoother.efficiency > 0.988 && rougher.efficiency < 0.988);
+    assert!(smoother.mu_equivalent > 0.15);
 }
