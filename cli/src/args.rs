@@ -56,6 +56,9 @@ pub enum Command {
     #[command(after_help = "Examples:\n  asperity report results/e-drive\n  \
         asperity report results/e-drive/result.json --position 3")]
     Report(ReportArgs),
+    /// Make the figures of the 2022 paper, each with its table
+    #[command(after_help = "Example:\n  asperity figures -o docs/figures")]
+    Figures(FiguresArgs),
     /// Film thickness, Lambda* and regime along the path of contact, without the rough contact
     Regime(CaseArgs),
     /// The rough contact alone: of a case at one position, or of a bare gap file
@@ -111,6 +114,17 @@ pub struct ReportArgs {
     /// Number of the mesh position whose contact is shown [default: the highest pressure]
     #[arg(long)]
     pub position: Option<usize>,
+}
+
+/// Where the figures go.
+#[derive(Debug, Args)]
+pub struct FiguresArgs {
+    /// Case of the figures 7 to 13, run in the paper formulation
+    #[arg(default_value = "fixtures/cases/table2.toml")]
+    pub case: PathBuf,
+    /// Folder of the figures
+    #[arg(long, short, default_value = "figures")]
+    pub output: PathBuf,
 }
 
 /// A case.

@@ -21,8 +21,11 @@ fn main() -> ExitCode {
     match done {
         Ok(Ok(())) => ExitCode::SUCCESS,
         Ok(Err(failure)) => failure.report(cli.common.json),
-        Err(_) => Failure::new("E501", "internal fault: the program stopped itself, see above")
-            .report(cli.common.json),
+        Err(_) => Failure::new(
+            "E501",
+            "internal fault: the program stopped itself, see above",
+        )
+        .report(cli.common.json),
     }
 }
 
@@ -41,6 +44,7 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
     match &cli.command {
         Command::Run(args) => commands::run::run(args, common),
         Command::Report(args) => commands::report::report(args, common),
+        Command::Figures(args) => commands::figures::figures(args, common),
         Command::Regime(args) => commands::regime::regime(args, common),
         Command::Contact(args) => commands::contact::contact(args, common),
         Command::Film(args) => commands::film::film(args, common),

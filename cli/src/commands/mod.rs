@@ -2,6 +2,7 @@
 
 pub mod contact;
 pub mod demo;
+pub mod figures;
 pub mod film;
 pub mod profile;
 pub mod reference;

@@ -136,11 +136,10 @@ impl Chart {
         let points = || self.series.iter().flat_map(|series| &series.points);
         let marks = self.marks.iter().map(|mark| mark.at);
         let mut x = self.x.range(points().map(|p| p[0]).chain(marks));
-        if self.x.scale == Scale::Linear
-            && self.x.limits.is_none()
-            && self.series.iter().all(|s| s.line != Line::Scatter)
-        {
-            // Curves reach from side to side.
+        let reaches = |series: &Series| series.line != Line::Scatter;
+        let is_free = self.x.scale == Scale::Linear && self.x.limits.is_none();
+        if is_free && (!self.marks.is_empty() || self.series.iter().all(reaches)) {
+            // Curves reach from side to side, a path from A to E.
             x = tight(
                 x,
                 points()
@@ -214,8 +213,8 @@ impl Chart {
             };
             canvas.label(
                 "letter",
-                [frame.right - 4.0, text],
-                Anchor::End,
+                [frame.left + 6.0, text],
+                Anchor::Start,
                 &level.label,
             );
         }
@@ -255,12 +254,10 @@ impl Chart {
         for (row, entries) in self.legend_rows().iter().enumerate() {
             let y = 40.0 + 18.0 * row as f64;
             for (x, name, class) in entries {
-                let sample = match class.contains("dots") || class.contains("scatter") {
+                let sample = match class.ends_with("scatter") {
                     true => format!(
-                        "M{:.1} {:.1}h0M{:.1} {:.1}h0",
-                        x + 4.0,
-                        y - 4.0,
-                        x + 20.0,
+                        "M{:.1} {:.1}a4 4 0 1 0 8 0a4 4 0 1 0 -8 0",
+                        x + 8.0,
                         y - 4.0
                     ),
                     false => format!("M{x:.1} {:.1}h24", y - 4.0),
@@ -281,8 +278,8 @@ impl Chart {
             .map(|series| {
                 let few = decimated(&series.points, ZOOM_COLUMNS);
                 let flat: Vec<Value> = few.iter().flatten().map(|v| short(*v)).collect();
-                json!({"name": series.name, "dots": series.line == Line::Scatter || series.line == Line::Dots,
-                    "joined": series.line != Line::Scatter, "points": flat})
+                json!({"name": series.name, "points": flat, "joined": series.line != Line::Scatter,
+                    "radius": match series.line { Line::Dots => 2.0, Line::Scatter => 3.5, _ => 0.0 }})
             })
             .collect();
         data["kind"] = json!("curves");
@@ -327,9 +324,14 @@ fn class(index: usize, line: Line) -> String {
     format!("curve c{} {kind}", index % COLOURS)
 }
 
-/// The path of a curve; dots are lines of no length with round ends.
+/// The path of a curve, with a circle at each point where there are dots.
 fn outline(frame: &Frame, line: Line, points: &[[f64; 2]]) -> String {
-    let mut d = String::new();
+    let radius = match line {
+        Line::Solid | Line::Dashed => None,
+        Line::Dots => Some(2.0),
+        Line::Scatter => Some(3.5),
+    };
+    let (mut d, mut dots) = (String::new(), String::new());
     let mut joined = false;
     for &[x, y] in points {
         let (px, py) = (frame.px(x), frame.py(y));
@@ -337,26 +339,20 @@ fn outline(frame: &Frame, line: Line, points: &[[f64; 2]]) -> String {
             joined = false;
             continue;
         }
-        let command = if joined && line != Line::Scatter {
-            'L'
-        } else {
-            'M'
-        };
-        let _ = write!(d, "{command}{px:.1} {py:.1}");
-        if line == Line::Scatter {
-            d.push_str("h0");
+        if line != Line::Scatter {
+            let command = if joined { 'L' } else { 'M' };
+            let _ = write!(d, "{command}{px:.1} {py:.1}");
+        }
+        if let Some(r) = radius {
+            let (left, wide) = (px - r, 2.0 * r);
+            let _ = write!(
+                dots,
+                "M{left:.1} {py:.1}a{r} {r} 0 1 0 {wide} 0a{r} {r} 0 1 0 -{wide} 0"
+            );
         }
         joined = true;
     }
-    if line == Line::Dots {
-        for &[x, y] in points {
-            let (px, py) = (frame.px(x), frame.py(y));
-            if px.is_finite() && py.is_finite() {
-                let _ = write!(d, "M{:.1} {py:.1}a2 2 0 1 0 4 0a2 2 0 1 0 -4 0", px - 2.0);
-            }
-        }
-    }
-    d
+    d + &dots
 }
 
 /// Six digits that mean something; null where there is no number.

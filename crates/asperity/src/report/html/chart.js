@@ -229,7 +229,7 @@
         if (at < this.y.low || at > this.y.high) continue;
         const y = this.py(at);
         text += `<line class="level" x1="${this.left}" y1="${y}" x2="${this.right}" y2="${y}"/>` +
-          `<text class="letter" x="${this.right - 4}" y="${y - this.top < 18 ? y + 14 : y - 5}" text-anchor="end">${escaped(label)}</text>`;
+          `<text class="letter" x="${this.left + 6}" y="${y - this.top < 18 ? y + 14 : y - 5}" text-anchor="start">${escaped(label)}</text>`;
       }
       this.svg.querySelector(".marks").innerHTML = text;
     }
@@ -240,8 +240,9 @@
         const x = p[i] === null ? NaN : this.px(p[i]), y = p[i + 1] === null ? NaN : this.py(p[i + 1]);
         if (!isFinite(x) || !isFinite(y)) { joined = false; continue; }
         const at = `${x.toFixed(2)} ${y.toFixed(2)}`;
-        d += (joined && series.joined ? "L" : "M") + at + (series.joined ? "" : "h0");
-        if (series.dots && series.joined) dots += `M${(x - 2).toFixed(2)} ${y.toFixed(2)}a2 2 0 1 0 4 0a2 2 0 1 0 -4 0`;
+        if (series.joined) d += (joined ? "L" : "M") + at;
+        const r = series.radius;
+        if (r > 0) dots += `M${(x - r).toFixed(2)} ${y.toFixed(2)}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0`;
         joined = true;
       }
       return d + dots;

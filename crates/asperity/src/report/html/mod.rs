@@ -19,6 +19,9 @@ use super::chart::{Drawing, Dress, STYLE};
 use super::folder::io_at;
 use data::ResultFolder;
 
+pub(crate) use contact::drawings as drawings_of_contact;
+pub(crate) use overview::losses as drawing_of_losses;
+
 const PAGE_STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("chart.js");
 
@@ -117,7 +120,7 @@ pub(crate) fn figure(drawing: &Drawing) -> Markup {
 
 fn sample(class: &str) -> String {
     let d = if class.ends_with("scatter") {
-        "M14 6h0"
+        "M10 6a4 4 0 1 0 8 0a4 4 0 1 0 -8 0"
     } else {
         "M1 6h26"
     };

@@ -129,7 +129,7 @@ fn notes(result: &ResultFolder) -> Vec<(&str, &str)> {
         .collect()
 }
 
-fn losses(result: &ResultFolder) -> Option<Drawing> {
+pub(crate) fn losses(result: &ResultFolder) -> Option<Drawing> {
     let (loss, power) = (
         result.number("/summary/loss_w")?,
         result.number("/summary/power_in_w")?,

@@ -40,11 +40,9 @@ pub(super) fn points(result: &ResultFolder) -> Vec<Mark> {
 fn drawings(result: &ResultFolder, table: &Table) -> Vec<Drawing> {
     let marks = points(result);
     let s = table.column("s_mm");
-    let line = if s.len() > 1 { Line::Solid } else { Line::Dots };
-    let other = if s.len() > 1 {
-        Line::Dashed
-    } else {
-        Line::Dots
+    let (line, other) = match s.len() {
+        1 => (Line::Scatter, Line::Scatter),
+        _ => (Line::Solid, Line::Dashed),
     };
     let of =
         |name: &str, column: &str, line: Line| Series::new(name, line, s, table.column(column));

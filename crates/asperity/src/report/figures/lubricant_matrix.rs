@@ -1,0 +1,138 @@
+//! Fig. 7: oils of many densities and viscosities, with and without the variation of the film's
+//! pressure across it.
+
+use std::path::Path;
+
+use asperity_core::quantity::{Density, DynamicViscosity, KinematicViscosity};
+use asperity_ns_film::{FluidModel, pressure_difference_across};
+use serde::Serialize;
+
+use super::{Figure, FigureError};
+use crate::case::LoadedCase;
+use crate::error::PositionError;
+use crate::fluid::film_at;
+use crate::pipeline::{self, stations};
+use crate::report::chart::{Axis, Chart, Drawing, Line, Series};
+use crate::report::tables::write;
+
+/// From light spindle oil to a fluid of half water's weight again.
+const DENSITIES: [f64; 5] = [750.0, 850.0, 950.0, 1050.0, 1150.0];
+/// From 5 mPa s to 0.5 Pa s in equal ratios.
+const VISCOSITIES: [f64; 5] = [0.005, 0.0158, 0.05, 0.158, 0.5];
+
+#[derive(Serialize)]
+struct Row {
+    density_kg_per_m3: f64,
+    viscosity_mpa_s: f64,
+    film_central_um: f64,
+    difference_paper_pa: f64,
+    difference_reynolds_cross_pa: f64,
+    difference_over_hertz: f64,
+    efficiency_with_percent: f64,
+    efficiency_without_percent: f64,
+}
+
+pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, FigureError> {
+    const TABLE: &str = "fig07_lubricants.csv";
+    let mut rows = Vec::new();
+    for density in DENSITIES {
+        for viscosity in VISCOSITIES {
+            rows.push(row(case, density, viscosity)?);
+        }
+    }
+    write(&folder.join(TABLE), rows.iter())?;
+    let axis = || Axis::new("viscosity", "mPa s").log();
+    let mut differences = Chart::new(
+        "fig07a",
+        "Fig. 7: pressure difference across the film of oils, the paper's model",
+        TABLE,
+        axis(),
+        Axis::new("difference", "Pa").log(),
+    );
+    let mut efficiency = Chart::new(
+        "fig07b",
+        "Fig. 7: efficiency with and without that variation",
+        TABLE,
+        axis(),
+        Axis::new("efficiency", "%"),
+    );
+    for density in DENSITIES {
+        let of = |value: fn(&Row) -> f64| -> Vec<f64> {
+            rows.iter()
+                .filter(|row| row.density_kg_per_m3 == density)
+                .map(value)
+                .collect()
+        };
+        let (x, name) = (of(|row| row.viscosity_mpa_s), format!("{density:.0} kg/m³"));
+        differences = differences.with(Series::new(
+            &name,
+            Line::Dots,
+            &x,
+            &of(|row| row.difference_paper_pa.abs()),
+        ));
+        if density == DENSITIES[0] || density == DENSITIES[4] {
+            let with = format!("with, {name}");
+            efficiency = efficiency
+                .with(Series::new(
+                    &with,
+                    Line::Dots,
+                    &x,
+                    &of(|row| row.efficiency_with_percent),
+                ))
+                .with(Series::new(
+                    &format!("without, {name}"),
+                    Line::Dashed,
+                    &x,
+                    &of(|row| row.efficiency_without_percent),
+                ));
+        }
+    }
+    Ok(vec![
+        Figure {
+            name: "fig07a_lubricants",
+            drawing: Drawing::Curves(differences),
+        },
+        Figure {
+            name: "fig07b_efficiency",
+            drawing: Drawing::Curves(efficiency),
+        },
+    ])
+}
+
+fn row(case: &LoadedCase, density: f64, viscosity: f64) -> Result<Row, FigureError> {
+    let mut case = case.clone();
+    let oil = &mut case.case.oil;
+    oil.density = Density::from_si(density);
+    oil.dynamic_viscosity = DynamicViscosity::from_si(viscosity);
+    oil.kinematic_viscosity = KinematicViscosity::from_si(viscosity / density);
+    let outcome = pipeline::run(&case, &|_, _| {})?;
+    let station = stations(&case.case)?.remove(0);
+    let film = film_at(&case.case, &station, station.film.central);
+    let across = |model| {
+        pressure_difference_across(model, &film)
+            .map(|p| p.si())
+            .map_err(PositionError::from)
+    };
+    let paper = across(FluidModel::Paper)?;
+    let efficiency = outcome.result.summary.efficiency;
+    let at = &outcome.result.path[0];
+    // Without the variation the asperities carry what it carried, with their own friction.
+    let carried = outcome
+        .fields
+        .first()
+        .and_then(|fields| fields.history.last())
+        .map_or(0.0, |step| step.load_fluid);
+    let more =
+        (case.case.model.boundary_friction - at.mu_film) * carried * at.sliding_m_per_s.abs();
+    let loss = more * at.weight_m / outcome.result.summary.power_in_w;
+    Ok(Row {
+        density_kg_per_m3: density,
+        viscosity_mpa_s: viscosity * 1e3,
+        film_central_um: at.film_central_um,
+        difference_paper_pa: paper,
+        difference_reynolds_cross_pa: across(FluidModel::ReynoldsCross)?,
+        difference_over_hertz: paper.abs() / station.hertz.max_pressure.si(),
+        efficiency_with_percent: 100.0 * efficiency,
+        efficiency_without_percent: 100.0 * (efficiency - loss),
+    })
+}
