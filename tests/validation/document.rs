@@ -6,7 +6,8 @@
 use std::path::Path;
 
 use crate::{
-    fluid_film, gear_tool, paper_formulation, petry_johnson, rough_contact, spot_values, table_2,
+    fluid_film, full_film_losses, gear_tool, paper_formulation, petry_johnson, rough_contact,
+    spot_values, table_2,
 };
 
 /// Every table by the name of its place.
@@ -16,7 +17,8 @@ fn tables() -> Vec<(&'static str, String)> {
         table_2::points(),
         table_2::films(),
         table_2::friction(),
-        table_2::losses(),
+        table_2::film_parameter(),
+        full_film_losses::losses(),
         spot_values::spot_values(),
         gear_tool::spur_pairs(),
         gear_tool::helical_pairs(),

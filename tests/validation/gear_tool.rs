@@ -231,50 +231,51 @@ fn other_load_sharings_lie_around_that_of_an_independent_gear_tool() {
     asperity_tests::assert_close("min-potential", with("min-potential"), C14.local, 0.02);
 }
 
+/// p₀ and a_H as the tool reckons them on a helical pair.
+///
+/// It takes the contact length of the instant at which a line of contact reaches the pitch point,
+/// where the load here is that at the mean length. Its p₀ is that of the transverse radius; its half
+/// width is that of the normal radius, printed as one half of it.
+fn hertz_as_there(pair: &Printed) -> [Comparison; 2] {
+    let gears = pair.case().load().case.gears;
+    let path = gears.path();
+    let length = gears.contact_length(path.eps_2 - path.eps_beta).unwrap();
+    let load_ratio = gears.mean_contact_length() / length;
+    let radius_ratio = gears.base_helix.si().cos();
+    let hertz = pair.at_pitch_point().hertz;
+    let p0 = hertz.max_pressure.si() * (load_ratio / radius_ratio).sqrt();
+    let half_width = 0.5 * hertz.half_width.si() * load_ratio.sqrt();
+    let row = |quantity, unit, expected, actual| {
+        let name = pair.name;
+        let quantity = format!("{name}: {quantity} at the pitch point, read as there");
+        Comparison::new(quantity, unit, expected, actual, HERTZ)
+    };
+    [
+        row("p₀", "MPa", pair.p0_mpa, p0 * 1e-6),
+        row("a_H", "µm", pair.half_width_um, half_width * 1e6),
+    ]
+}
+
 pub fn helical_pairs() -> Table {
     let mut rows = Vec::new();
     for pair in [H701, H951] {
         rows.extend(pair.geometry());
-        let case = pair.case().load().case;
+        let gears = pair.case().load().case.gears;
+        let factors = gears.loss_factors(&LoadSharing::Uniform).unwrap();
         let local = |kind, actual, tolerance| {
             let quantity = format!("{}: H_V, local, {kind}", pair.name);
             Comparison::new(quantity, "-", pair.local, actual, tolerance)
         };
-        let factors = case.gears.loss_factors(&LoadSharing::Uniform).unwrap();
         // Steps over face and phase there, Gauss points here.
-        rows.push(local(
-            "load shared at each instant",
-            factors.local_phase_averaged,
-            6e-3,
-        ));
+        let at_each_instant = factors.local_phase_averaged;
+        rows.push(local("load shared at each instant", at_each_instant, 6e-3));
         // What the program reckons with; the same where ε_β is whole.
         rows.push(local(
             "load at the mean contact length",
             factors.local,
             0.045,
         ));
-        let station = pair.at_pitch_point();
-        // The tool takes the contact length of the instant at which a line starts at the pitch
-        // point; here the load is that at the mean length.
-        let instant = case
-            .gears
-            .contact_length(case.gears.path().eps_2 - case.gears.path().eps_beta);
-        let load_ratio = case.gears.mean_contact_length() / instant.unwrap();
-        let hertz = station.hertz;
-        // Its p₀ is that of the transverse radius, its half-width that of the normal radius,
-        // printed as one half of it.
-        let transverse = case.gears.base_helix.si().cos();
-        let p0 = hertz.max_pressure.si() * (load_ratio / transverse).sqrt();
-        let half_of_half = 0.5 * hertz.half_width.si() * load_ratio.sqrt();
-        let row = |quantity, unit, expected, actual| {
-            let quantity = format!(
-                "{}: {quantity} at the pitch point, read as there",
-                pair.name
-            );
-            Comparison::new(quantity, unit, expected, actual, HERTZ)
-        };
-        rows.push(row("p₀", "MPa", pair.p0_mpa, p0 * 1e-6));
-        rows.push(row("a_H", "µm", pair.half_width_um, half_of_half * 1e6));
+        rows.extend(hertz_as_there(&pair));
     }
     Table {
         name: "gear-tool-helical",

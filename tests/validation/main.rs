@@ -9,6 +9,7 @@
 mod comparison;
 mod document;
 mod fluid_film;
+mod full_film_losses;
 mod gear_tool;
 mod paper_formulation;
 mod petry_johnson;
