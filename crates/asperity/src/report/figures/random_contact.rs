@@ -186,8 +186,10 @@ fn rows(surfaces: &[Profile; 2], gap: &[f64], solution: &ContactSolution) -> Vec
 
 fn below(x: &[f64], solution: &ContactSolution, folder: &Path) -> Result<Contour, FigureError> {
     const TABLE: &str = "fig06_subsurface.csv";
-    const DEPTHS: usize = 24;
-    const STRIDE: usize = 8;
+    const DEPTHS: usize = 32;
+    const STRIDE: usize = 3;
+    /// What is shown, in half widths: asperities are felt near the surface.
+    const REACH: [f64; 2] = [1.2, 0.5];
     let depths = graded_depths(SPACING, HALF_WIDTH, DEPTHS).map_err(PositionError::from)?;
     let field = subsurface_stress(&solution.pressure, None, SPACING, &depths)
         .map_err(PositionError::from)?;
@@ -198,9 +200,12 @@ fn below(x: &[f64], solution: &ContactSolution, folder: &Path) -> Result<Contour
         depth_um: f64,
         von_mises_mpa: f64,
     }
-    let columns: Vec<usize> = (0..x.len()).step_by(STRIDE).collect();
+    let columns: Vec<usize> = (0..x.len())
+        .step_by(STRIDE)
+        .filter(|i| x[*i].abs() <= REACH[0] * HALF_WIDTH.si() * MICRO)
+        .collect();
     let rows: Vec<usize> = (0..DEPTHS)
-        .filter(|j| depths[*j] <= 1.6 * HALF_WIDTH.si())
+        .filter(|j| depths[*j] <= REACH[1] * HALF_WIDTH.si())
         .collect();
     let digits = |value: f64| (value * 1e3).round() / 1e3;
     let cells: Vec<Cell> = rows
