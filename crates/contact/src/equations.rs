@@ -4,7 +4,7 @@ use asperity_core::citation::RODRIGUEZ_2022;
 use asperity_core::material::JOHNSON_1985;
 use asperity_core::{Equation, Reference};
 
-use crate::{hertz_line, subsurface};
+use crate::{friction, hertz_line, subsurface};
 
 /// The contact with a limit of the pressure, and its plastic displacement.
 const ALMQVIST_2007: Reference = Reference {
@@ -27,8 +27,8 @@ const TABOR_1951: Reference = Reference {
     text: "D. Tabor, The Hardness of Metals, Clarendon Press, Oxford, 1951",
 };
 
-/// Equations of this crate but those of the Hertz contact and of the subsurface, which list their
-/// own.
+/// Equations of this crate but those of the Hertz contact, the subsurface and friction, which list
+/// their own.
 pub const EQUATIONS: &[Equation] = &[
     Equation {
         tag: "P1",
@@ -238,4 +238,5 @@ pub fn equations() -> impl Iterator<Item = &'static Equation> {
         .iter()
         .chain(hertz_line::EQUATIONS)
         .chain(subsurface::EQUATIONS)
+        .chain(friction::EQUATIONS)
 }

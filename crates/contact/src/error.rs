@@ -107,6 +107,36 @@ pub enum ContactError {
         /// Tolerance asked for.
         tolerance: f64,
     },
+    /// Something that is only defined under a given load was asked of a controlled approach.
+    #[error("{purpose} needs a load and the problem controls the approach: control the load")]
+    LoadControlNeeded {
+        /// What was asked for.
+        purpose: &'static str,
+    },
+    /// Something that holds for elastic contacts only was asked of one with a pressure limit.
+    #[error("{purpose} is elastic and the problem has a pressure limit: remove the limit")]
+    ElasticOnly {
+        /// What was asked for.
+        purpose: &'static str,
+    },
+    /// Something that is only defined for free ends was asked of a periodic contact.
+    #[error("{purpose} is defined for free ends and the problem is periodic: widen the window")]
+    FreeEndsNeeded {
+        /// What was asked for.
+        purpose: &'static str,
+    },
+    /// A fixed point was not reached.
+    #[error(
+        "the pressure still changed by {residual:e} of its largest value after {steps} steps where {tolerance:e} was asked: allow more steps or a larger tolerance"
+    )]
+    NoFixedPoint {
+        /// Steps used.
+        steps: usize,
+        /// Change in the last one over the largest pressure.
+        residual: f64,
+        /// Change asked for.
+        tolerance: f64,
+    },
     /// The dense active set did not settle.
     #[error("the active set still changed at {changes} points after {steps} steps")]
     ActiveSetUnsettled {

@@ -9,6 +9,7 @@ pub mod direct;
 pub mod equations;
 pub mod error;
 pub mod flat_punch;
+pub mod friction;
 pub mod half_plane;
 pub mod hertz_line;
 pub mod plasticity;

@@ -39,7 +39,7 @@ struct Search {
 
 /// Improves `work.pressure` until its certificate is within the tolerance or no progress is left;
 /// returns the iterations.
-pub(crate) fn minimise(level: &Level, work: &mut Workspace, task: &Task) -> usize {
+pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize {
     work.resize();
     settle(level, work, task);
     let mut search = Search {
@@ -74,9 +74,9 @@ pub(crate) fn minimise(level: &Level, work: &mut Workspace, task: &Task) -> usiz
 }
 
 /// Makes the pressure feasible and computes its displacement afresh: both drift by round-off.
-fn settle(level: &Level, work: &mut Workspace, task: &Task) {
+fn settle(level: Level, work: &mut Workspace, task: &Task) {
     make_feasible(&mut work.pressure, task);
-    work.refresh(level, task);
+    work.refresh(level.displacement, task);
 }
 
 /// Clips to the bounds, and restores the load when it is given.
@@ -89,7 +89,7 @@ fn make_feasible(pressure: &mut [f64], task: &Task) {
 
 /// One iteration; false when the energy cannot be lowered.
 fn advance(
-    level: &Level,
+    level: Level,
     work: &mut Workspace,
     task: &Task,
     assessment: &Assessment,
@@ -161,7 +161,7 @@ impl Line {
 }
 
 /// Leaves the displacement by q − p, but for the datum, in the signal of the buffers.
-fn line_search(level: &Level, work: &mut Workspace, task: &Task, approach: f64) -> Line {
+fn line_search(level: Level, work: &mut Workspace, task: &Task, approach: f64) -> Line {
     let (pressure, list, trial) = (&work.pressure, &work.list, &work.trial);
     let steps = || {
         let pairs = list.iter().zip(trial);
@@ -186,7 +186,7 @@ fn line_search(level: &Level, work: &mut Workspace, task: &Task, approach: f64) 
 
 /// d = −z + β·d on F without its mean, with Polak and Ribière's β ≥ 0; −z when that is no descent.
 fn choose_direction(
-    level: &Level,
+    level: Level,
     work: &mut Workspace,
     task: &Task,
     assessment: &Assessment,
@@ -238,7 +238,7 @@ fn choose_direction(
 }
 
 /// Takes the mean from r, and z = M r.
-fn precondition(level: &Level, work: &mut Workspace, task: &Task, residual_mean: f64) {
+fn precondition(level: Level, work: &mut Workspace, task: &Task, residual_mean: f64) {
     for (r, &free) in work.residual.iter_mut().zip(&work.free) {
         if free {
             *r -= residual_mean;
@@ -255,7 +255,7 @@ fn precondition(level: &Level, work: &mut Workspace, task: &Task, residual_mean:
 }
 
 /// Length of the step along d that minimises the energy without bounds.
-fn exact_length(level: &Level, work: &mut Workspace, task: &Task) -> f64 {
+fn exact_length(level: Level, work: &mut Workspace, task: &Task) -> f64 {
     let (list, direction) = (&work.list, &work.direction);
     let steps = || list.iter().map(|&i| direction[i as usize]);
     let datum = task.datum_displacement(|| steps().sum());

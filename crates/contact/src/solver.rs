@@ -11,13 +11,13 @@ use realfft::RealFftPlanner;
 
 use crate::cascade::{Window, grids, prolong, restrict};
 use crate::error::{ContactError, SolverShape};
-use crate::half_plane::line_load;
+use crate::half_plane::{displacement_filter, inverse_filter, line_load};
 use crate::plasticity::{dissipated_energy, plastic_displacement};
 use crate::ppcg::minimise;
 use crate::problem::{Boundary, ContactProblem, ContactSolution, LEAST_POINTS, SolverSettings};
 use crate::scene::{Scene, touching};
 use crate::state::{Level, Task, Workspace};
-use crate::transform::Buffers;
+use crate::transform::{Buffers, EvenFilter};
 
 /// Windows tried before the whole grid is solved.
 const WINDOWS: usize = 3;
@@ -60,15 +60,39 @@ pub struct Solver {
 struct Levels {
     boundary: Boundary,
     planner: RealFftPlanner<f64>,
-    known: BTreeMap<usize, Level>,
+    displacements: BTreeMap<usize, EvenFilter>,
+    inverses: BTreeMap<usize, EvenFilter>,
 }
 
 impl Levels {
-    /// The operators of a grid, with room for them in `buffers`.
-    fn get(&mut self, points: usize, buffers: &mut Buffers) -> &Level {
-        self.known
+    /// The displacement of a grid, with room for it in `buffers`.
+    fn displacement(&mut self, points: usize, buffers: &mut Buffers) -> &EvenFilter {
+        let planner = &mut self.planner;
+        let filter = self
+            .displacements
             .entry(points)
-            .or_insert_with(|| Level::new(&mut self.planner, points, self.boundary, buffers))
+            .or_insert_with(|| displacement_filter(planner, points, self.boundary, buffers));
+        buffers.reserve(filter);
+        filter
+    }
+
+    /// What an iteration needs of a grid, with room for it in `buffers`.
+    fn level(&mut self, points: usize, buffers: &mut Buffers) -> Level<'_> {
+        let planner = &mut self.planner;
+        let inverse = self
+            .inverses
+            .entry(points)
+            .or_insert_with(|| inverse_filter(planner, points));
+        buffers.reserve(inverse);
+        let displacement = self
+            .displacements
+            .entry(points)
+            .or_insert_with(|| displacement_filter(planner, points, self.boundary, buffers));
+        buffers.reserve(displacement);
+        Level {
+            displacement,
+            inverse,
+        }
     }
 }
 
@@ -89,7 +113,8 @@ impl Solver {
             levels: Levels {
                 boundary,
                 planner: RealFftPlanner::new(),
-                known: BTreeMap::new(),
+                displacements: BTreeMap::new(),
+                inverses: BTreeMap::new(),
             },
             work: Workspace::default(),
         })
@@ -130,8 +155,8 @@ impl Solver {
             });
         }
         let buffers = &mut self.work.buffers;
-        let whole = self.levels.get(shape.points, buffers);
-        let scene = Scene::new(problem, &whole.displacement, buffers)?;
+        let whole = self.levels.displacement(shape.points, buffers);
+        let scene = Scene::new(problem, whole, buffers)?;
         let start = self.start(&scene, settings)?;
         let iterations = self.descend(&scene, settings, start)?;
         self.conclude(&scene, settings, iterations)
@@ -181,7 +206,7 @@ impl Solver {
         self.work
             .pressure
             .extend_from_slice(&pressure[window.range()]);
-        let level = self.levels.get(window.points, &mut self.work.buffers);
+        let level = self.levels.level(window.points, &mut self.work.buffers);
         let iterations = minimise(level, &mut self.work, task);
         pressure.fill(0.0);
         pressure[window.range()].copy_from_slice(&self.work.pressure);
@@ -221,9 +246,9 @@ impl Solver {
         let task = scene.task(Window::whole(pressure.len()), settings, 0);
         self.work.pressure.clear();
         self.work.pressure.extend_from_slice(pressure);
-        self.work.resize();
-        let level = self.levels.get(pressure.len(), &mut self.work.buffers);
-        self.work.refresh(level, &task);
+        let buffers = &mut self.work.buffers;
+        let displacement = self.levels.displacement(pressure.len(), buffers);
+        self.work.refresh(displacement, &task);
         self.work.assess(&task).within(settings.tolerance)
     }
 

@@ -9,37 +9,16 @@
 //! | v, α, g | u + h, approach, gap v − α | m |
 //! | F | free set: points between the bounds, and those at one with the gap on its wrong side | - |
 
-use realfft::RealFftPlanner;
-
-use crate::half_plane::{displacement_filter, inverse_filter};
-use crate::problem::Boundary;
 use crate::transform::{Buffers, EvenFilter};
 
 /// Points looked at together for one that overlaps.
 const BLOCK: usize = 64;
 
 /// Operators of one grid.
-pub(crate) struct Level {
-    pub(crate) displacement: EvenFilter,
-    pub(crate) inverse: EvenFilter,
-}
-
-impl Level {
-    pub(crate) fn new(
-        planner: &mut RealFftPlanner<f64>,
-        points: usize,
-        boundary: Boundary,
-        buffers: &mut Buffers,
-    ) -> Self {
-        let displacement = displacement_filter(planner, points, boundary, buffers);
-        let inverse = inverse_filter(planner, points);
-        buffers.reserve(&displacement);
-        buffers.reserve(&inverse);
-        Self {
-            displacement,
-            inverse,
-        }
-    }
+#[derive(Clone, Copy)]
+pub(crate) struct Level<'a> {
+    pub(crate) displacement: &'a EvenFilter,
+    pub(crate) inverse: &'a EvenFilter,
 }
 
 /// What is minimised on one grid.
@@ -131,12 +110,10 @@ impl Workspace {
     }
 
     /// v = A p + h, with all points listed.
-    pub(crate) fn refresh(&mut self, level: &Level, task: &Task) {
+    pub(crate) fn refresh(&mut self, displacement: &EvenFilter, task: &Task) {
         let points = self.pressure.len();
         let (buffers, pressure) = (&mut self.buffers, &self.pressure);
-        level
-            .displacement
-            .filter(buffers, task.compliance, pressure);
+        displacement.filter(buffers, task.compliance, pressure);
         let datum = task.datum_displacement(|| pressure.iter().sum());
         let pairs = buffers.signal(points).iter().zip(task.gap);
         self.opening.clear();
@@ -186,7 +163,7 @@ impl Workspace {
             let mut look = values.iter().fold(false, |any, &v| any | (v < approach));
             while let Some(i) = listed.next_if(|&i| i < end) {
                 look = true;
-                if pressure[i] <= 0.0 && opening[i] >= approach {
+                if pressure[i] <= 0.0 && opening[i] >= approach && i < self.direction.len() {
                     self.direction[i] = 0.0;
                     self.previous[i] = 0.0;
                 }
