@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-/// A two-column file in micrometres of `heights` [m], `spacing` [m] apart.
+/// A two-column file in micrometres of `heights`, `spacing` apart, both in metres.
 pub fn trace_csv(spacing: f64, heights: &[f64]) -> String {
     let mut text = String::from("x [um],z [um]\n");
     for (i, z) in heights.iter().enumerate() {

@@ -156,19 +156,10 @@ fn with_law(
 ) -> Result<f64, PositionError> {
     let mut forces = Vec::with_capacity(positions.len());
     for position in positions {
-        let load = position.station.load.si();
         let mut of_offsets = Vec::with_capacity(position.offsets.len());
         for offset in &position.offsets {
             let mu = friction::by_law(law, case, &position.station, &offset.roughness)?.mu;
-            // The film's part of the force changes in proportion to its coefficient.
-            let film = offset.friction_force
-                - case.model.boundary_friction * (1.0 - offset.film_share) * load;
-            let ratio = if offset.friction.mu > 0.0 {
-                film * mu / offset.friction.mu
-            } else {
-                mu * offset.film_share * load
-            };
-            of_offsets.push((offset.friction_force - film + ratio).max(0.0));
+            of_offsets.push(offset.rubbing.force(mu));
         }
         forces.push(of_offsets);
     }

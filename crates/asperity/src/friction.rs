@@ -11,8 +11,8 @@ use asperity_tribo_friction::{
 use crate::branch::Carried;
 use crate::case::Case;
 use crate::encounter::Encounter;
-use crate::local_roughness::Roughness;
 use crate::error::PositionError;
+use crate::local_roughness::Roughness;
 use crate::station::Station;
 
 /// Friction coefficient in the film.
@@ -131,28 +131,49 @@ fn mesh_conditions(case: &Case) -> Result<MeshConditions, PositionError> {
     })
 }
 
-/// Friction force per metre of contact line \[N/m\], summed over the pressures of the window.
-pub(crate) fn force_of(
-    case: &Case,
-    encounter: &Encounter,
-    carried: &Carried,
-    mu_film: f64,
-) -> Result<f64, PositionError> {
-    let none = vec![0.0; carried.fluid.len()];
-    let solid = carried
-        .solids
-        .as_ref()
-        .map_or(&none, |solids| &solids.pressure);
-    // Below ambient pressure the film has cavitated and drags nothing.
-    let fluid: Vec<f64> = carried.fluid.iter().map(|p| p.max(0.0)).collect();
-    let friction = mixed_friction(
-        encounter.spacing,
-        solid,
-        &fluid,
-        case.model.boundary_friction,
-        mu_film,
-    )?;
-    Ok(friction.total.si())
+/// What rubs at a contact, per metre of contact line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Rubbing {
+    /// Friction force of the asperities \[N/m\].
+    pub solid_force: f64,
+    /// Load on the film \[N/m\].
+    pub film_load: f64,
+}
+
+impl Rubbing {
+    /// With the film carrying `film_share` of the load.
+    pub(crate) fn of_share(case: &Case, station: &Station, film_share: f64) -> Self {
+        let load = station.load.si();
+        Self {
+            solid_force: case.model.boundary_friction * (1.0 - film_share) * load,
+            film_load: film_share * load,
+        }
+    }
+
+    /// Summed over the pressures of the window.
+    pub(crate) fn of_pressures(
+        case: &Case,
+        encounter: &Encounter,
+        carried: &Carried,
+    ) -> Result<Self, PositionError> {
+        let none = vec![0.0; carried.fluid.len()];
+        let solids = carried.solids.as_ref();
+        let solid = solids.map_or(&none, |solids| &solids.pressure);
+        // Below ambient pressure the film has cavitated and drags nothing.
+        let fluid: Vec<f64> = carried.fluid.iter().map(|p| p.max(0.0)).collect();
+        let boundary = case.model.boundary_friction;
+        // With a coefficient of one the film's friction is the load on it.
+        let friction = mixed_friction(encounter.spacing, solid, &fluid, boundary, 1.0)?;
+        Ok(Self {
+            solid_force: friction.solid.si(),
+            film_load: friction.fluid.si(),
+        })
+    }
+
+    /// Friction force \[N/m\] with the coefficient `mu_film` in the film.
+    pub(crate) fn force(&self, mu_film: f64) -> f64 {
+        self.solid_force + mu_film * self.film_load
+    }
 }
 
 /// Rolling friction force per metre of contact line on one surface \[N/m\].

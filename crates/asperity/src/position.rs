@@ -11,9 +11,9 @@ use crate::branch::{
 };
 use crate::case::{Case, Formulation};
 use crate::encounter::Encounter;
-use crate::local_roughness::Roughness;
 use crate::error::PositionError;
-use crate::friction::{self, FilmFriction};
+use crate::friction::{self, FilmFriction, Rubbing};
+use crate::local_roughness::Roughness;
 use crate::result::{PositionFields, Regime, SubsurfaceFields};
 use crate::station::Station;
 use crate::surfaces::Surfaces;
@@ -38,10 +38,12 @@ pub(crate) struct Offset {
     /// h_min/S.
     pub film_ratio: f64,
     pub regime: Regime,
-    /// Share c_f of the load that the film carries.
+    /// Share of the load that the film carries.
     pub film_share: f64,
     /// Friction in the film.
     pub friction: FilmFriction,
+    /// What the asperities and the film contribute to the friction force.
+    pub rubbing: Rubbing,
     /// Friction force per metre of contact line \[N/m\].
     pub friction_force: f64,
     /// Flash temperature of film and asperities together \[K\].
@@ -119,17 +121,21 @@ impl Position {
         let decision = decide(case, station, &encounter.roughness)?;
         let friction = friction::in_film(case, station, &encounter.roughness)?;
         let mut carried = carry(case, station, &encounter, &decision, solver)?;
-        let force = match case.formulation {
+        let rubbing = match case.formulation {
             // Exact shares rather than sums over the points of a window.
-            Formulation::Corrected => shared_force(case, station, &decision, friction.mu),
-            Formulation::Paper => friction::force_of(case, &encounter, &carried, friction.mu)?,
+            Formulation::Corrected => Rubbing::of_share(case, station, decision.film_share),
+            Formulation::Paper => Rubbing::of_pressures(case, &encounter, &carried)?,
         };
+        // Marching does not know Λ*: its film carries what is left to it.
+        let film_share = match (case.formulation, &carried.solids) {
+            (Formulation::Paper, Some(_)) => rubbing.film_load / station.load.si(),
+            _ => decision.film_share,
+        };
+        let force = rubbing.force(friction.mu);
         let flash = friction::flash(case, station, force / station.load.si())?;
         let deformation = match case.formulation {
             Formulation::Corrected => [0.0; 2],
-            Formulation::Paper => {
-                printed_deformation(case, station, &encounter, &carried)?
-            }
+            Formulation::Paper => printed_deformation(case, station, &encounter, &carried)?,
         };
         let contact = carried.solids.as_ref().map(|solids| ContactNumbers {
             contact_fraction: solids.contact_fraction,
@@ -160,8 +166,9 @@ impl Position {
             lambda_star: decision.lambda_star,
             film_ratio: decision.film_ratio,
             regime: decision.regime,
-            film_share: decision.film_share,
+            film_share,
             friction,
+            rubbing,
             friction_force: force,
             flash,
             contact,
@@ -321,12 +328,6 @@ fn carry(
     }
 }
 
-/// μ_m (1 − c_f) f + μ c_f f \[N/m\]
-fn shared_force(case: &Case, station: &Station, decision: &Decision, mu: f64) -> f64 {
-    let share = decision.film_share;
-    station.load.si() * (case.model.boundary_friction * (1.0 - share) + mu * share)
-}
-
 fn without_fields(
     case: &Case,
     station: &Station,
@@ -334,13 +335,15 @@ fn without_fields(
 ) -> Result<Offset, PositionError> {
     let decision = decide(case, station, &roughness)?;
     let friction = friction::in_film(case, station, &roughness)?;
-    let force = shared_force(case, station, &decision, friction.mu);
+    let rubbing = Rubbing::of_share(case, station, decision.film_share);
+    let force = rubbing.force(friction.mu);
     Ok(Offset {
         roughness,
         lambda_star: decision.lambda_star,
         film_ratio: decision.film_ratio,
         regime: decision.regime,
         film_share: decision.film_share,
+        rubbing,
         friction_force: force,
         flash: friction::flash(case, station, force / station.load.si())?,
         friction,
