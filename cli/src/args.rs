@@ -56,6 +56,13 @@ pub enum Command {
     #[command(after_help = "Examples:\n  asperity report results/e-drive\n  \
         asperity report results/e-drive/result.json --position 3")]
     Report(ReportArgs),
+    /// Compare finishes: several profile sets on one case, with paired differences
+    #[command(after_help = "Examples:\n  asperity compare demo/case.toml \\\n    \
+        --finish ground=demo/ground_pinion.csv,demo/ground_wheel.csv \\\n    \
+        --finish superfinished=demo/superfinished.csv\n\n\
+        The first finish is what the others are compared with. One file serves both flanks, mirrored\n\
+        for the wheel; two files, separated by a comma, are pinion and wheel.")]
+    Compare(CompareArgs),
     /// Make the figures of the 2022 paper, each with its table
     #[command(after_help = "Example:\n  asperity figures -o docs/figures")]
     Figures(FiguresArgs),
@@ -114,6 +121,62 @@ pub struct ReportArgs {
     /// Number of the mesh position whose contact is shown [default: the highest pressure]
     #[arg(long)]
     pub position: Option<usize>,
+}
+
+/// A case and the finishes to compare on it.
+#[derive(Debug, Args)]
+pub struct CompareArgs {
+    /// Case file; its traces are replaced by those of each finish
+    pub case: PathBuf,
+    /// A finish and its traces; give at least two
+    #[arg(
+        long = "finish",
+        required = true,
+        value_name = "NAME=PINION.csv[,WHEEL.csv]"
+    )]
+    pub finishes: Vec<FinishArg>,
+    /// Offsets along the traces at which the flanks meet
+    #[arg(long, default_value_t = 32)]
+    pub offsets: usize,
+    /// Folder of the comparison [default: results/<name of the case>-compare]
+    #[arg(long, short)]
+    pub output: Option<PathBuf>,
+}
+
+/// A finish as the user names it.
+#[derive(Debug, Clone)]
+pub struct FinishArg {
+    /// Its name.
+    pub name: String,
+    /// Trace of the pinion.
+    pub pinion: PathBuf,
+    /// Trace of the wheel, where it has its own.
+    pub wheel: Option<PathBuf>,
+}
+
+impl std::str::FromStr for FinishArg {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        const FORM: &str = "must be a name and one or two files, as ground=pinion.csv,wheel.csv";
+        let (name, files) = text.split_once('=').ok_or(FORM)?;
+        let (pinion, wheel) = match files.split_once(',') {
+            None => (files, None),
+            Some((pinion, wheel)) => (pinion, Some(wheel)),
+        };
+        if [Some(name), Some(pinion), wheel]
+            .into_iter()
+            .flatten()
+            .any(str::is_empty)
+        {
+            return Err(FORM);
+        }
+        Ok(Self {
+            name: name.to_owned(),
+            pinion: pinion.into(),
+            wheel: wheel.map(PathBuf::from),
+        })
+    }
 }
 
 /// Where the figures go.

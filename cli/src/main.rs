@@ -44,6 +44,7 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
     match &cli.command {
         Command::Run(args) => commands::run::run(args, common),
         Command::Report(args) => commands::report::report(args, common),
+        Command::Compare(args) => commands::compare::compare(args, common),
         Command::Figures(args) => commands::figures::figures(args, common),
         Command::Regime(args) => commands::regime::regime(args, common),
         Command::Contact(args) => commands::contact::contact(args, common),

@@ -8,8 +8,8 @@ use crate::error::PositionError;
 use crate::losses::efficiency_at;
 use crate::position::Position;
 use crate::result::{
-    ComparisonOutcome, FrictionComparison, Outcome, PositionRow, Regime, RunResult, RunningIn,
-    SCHEMA_VERSION, Summary,
+    ComparisonOutcome, FrictionComparison, OffsetRow, Outcome, PositionRow, Regime, RunResult,
+    RunningIn, SCHEMA_VERSION, Summary,
 };
 use crate::{attention, friction, provenance};
 
@@ -65,8 +65,20 @@ pub(crate) fn assemble(
     let fields = positions.into_iter().filter_map(|position| position.fields);
     Ok(Outcome {
         result,
+        offsets: offset_rows(&meshes),
         fields: fields.collect(),
     })
+}
+
+fn offset_rows(meshes: &[MeshEfficiency]) -> Vec<OffsetRow> {
+    let row = |(index, mesh): (usize, &MeshEfficiency)| OffsetRow {
+        offset: index + 1,
+        efficiency: mesh.flow.efficiency,
+        loss_w: mesh.flow.loss.si(),
+        sliding_w: mesh.breakdown.power(LossKind::Sliding).si(),
+        rolling_w: mesh.breakdown.power(LossKind::Rolling).si(),
+    };
+    meshes.iter().enumerate().map(row).collect()
 }
 
 fn summary(

@@ -274,11 +274,28 @@ pub struct HistoryRow {
     pub load_error: f64,
 }
 
+/// The mesh with all flanks at one offset of the traces.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct OffsetRow {
+    /// Number of the offset.
+    pub offset: usize,
+    /// Mesh efficiency.
+    pub efficiency: f64,
+    /// All losses \[W\].
+    pub loss_w: f64,
+    /// Sliding loss \[W\].
+    pub sliding_w: f64,
+    /// Rolling loss \[W\].
+    pub rolling_w: f64,
+}
+
 /// A run: the result and the fields of its positions.
 #[derive(Debug, Clone)]
 pub struct Outcome {
     /// Summary and path.
     pub result: RunResult,
+    /// Efficiency and losses at each offset, whose mean is the summary.
+    pub offsets: Vec<OffsetRow>,
     /// Fields of every position, of its first offset.
     pub fields: Vec<PositionFields>,
 }

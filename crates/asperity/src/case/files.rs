@@ -47,9 +47,24 @@ pub fn load(
     path: &Path,
     formulation: Option<Formulation>,
 ) -> Result<LoadedCase, (Box<CaseError>, Option<Box<Source>>)> {
+    load_with(path, &|input| {
+        if formulation.is_some() {
+            input.formulation = formulation;
+        }
+    })
+}
+
+/// The same with the case changed by `change` before its defaults are filled in.
+///
+/// # Errors
+/// As for [`load`].
+pub fn load_with(
+    path: &Path,
+    change: &dyn Fn(&mut CaseInput),
+) -> Result<LoadedCase, (Box<CaseError>, Option<Box<Source>>)> {
     let source = open(path).map_err(|error| (Box::new(error), None))?;
     let folder = path.parent().unwrap_or(Path::new("."));
-    from_source(&source, folder, formulation)
+    from_source(&source, folder, change)
         .map_err(|error| (Box::new(error), Some(Box::new(source.clone()))))
 }
 
@@ -67,7 +82,7 @@ fn open(path: &Path) -> Result<Source, CaseError> {
 fn from_source(
     source: &Source,
     folder: &Path,
-    formulation: Option<Formulation>,
+    change: &dyn Fn(&mut CaseInput),
 ) -> Result<LoadedCase, CaseError> {
     let schema = schema();
     if let Some((key, nearest)) = first_unknown(&schema, source.key_paths()) {
@@ -89,9 +104,7 @@ fn from_source(
         },
         error => error,
     })?;
-    if formulation.is_some() {
-        input.formulation = formulation;
-    }
+    change(&mut input);
     let mut case = resolve(input, source)?;
     if let Some(file) = &case.input.model.xu_coefficients {
         let calibration = xu_calibration(&folder.join(file), source)?;

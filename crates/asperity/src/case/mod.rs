@@ -17,7 +17,7 @@ mod steel;
 
 pub use defaults::DefaultUsed;
 pub use error::CaseError;
-pub use files::{LoadedCase, load};
+pub use files::{LoadedCase, load, load_with};
 pub use input::{
     BodyInput, CaseInput, FlankInput, Formulation, GearsInput, MaterialInput, ModelInput,
     NamedPoint, OneOrTwo, OperationInput, PathPoint, SurfaceInput, schema,

@@ -61,12 +61,26 @@ pub enum ReportError {
     },
 }
 
+/// What a folder that is written as a whole may hold.
+pub(super) struct Contents {
+    /// The file that marks it as ours.
+    pub mark: &'static str,
+    /// The other files.
+    pub files: &'static [&'static str],
+}
+
 /// The file that marks a folder as a result.
 const MARK: &str = "result.json";
 
-/// The other files of a result; beside them are the folders of the positions.
-const FILES: [&str; 11] = [
+/// A result; beside its files are the folders of the positions.
+const RESULT: Contents = Contents {
+    mark: MARK,
+    files: &FILES,
+};
+
+const FILES: [&str; 12] = [
     "path.csv",
+    "offsets.csv",
     "convergence.csv",
     "losses.csv",
     "friction_laws.csv",
@@ -88,6 +102,10 @@ const WRITER: &str = "\"program\": \"asperity ";
 /// # Errors
 /// When something else is there.
 pub fn check_place(target: &Path) -> Result<(), ReportError> {
+    check(target, &RESULT)
+}
+
+fn check(target: &Path, contents: &Contents) -> Result<(), ReportError> {
     let foreign = |entry: Option<String>| ReportError::NotOurs {
         path: target.to_owned(),
         entry,
@@ -104,14 +122,16 @@ pub fn check_place(target: &Path) -> Result<(), ReportError> {
         names.push(entry.file_name().to_string_lossy().into_owned());
     }
     let is_ours = |name: &&String| {
-        *name == MARK || FILES.contains(&name.as_str()) || name.starts_with("position_")
+        *name == contents.mark
+            || contents.files.contains(&name.as_str())
+            || name.starts_with("position_")
     };
     if let Some(name) = names.iter().find(|name| !is_ours(name)) {
         return Err(foreign(Some(name.clone())));
     }
     // Many programs write a result.json.
     let is_marked =
-        || fs::read_to_string(target.join(MARK)).is_ok_and(|text| text.contains(WRITER));
+        || fs::read_to_string(target.join(contents.mark)).is_ok_and(|text| text.contains(WRITER));
     if names.is_empty() || is_marked() {
         Ok(())
     } else {
@@ -127,7 +147,16 @@ pub fn check_place(target: &Path) -> Result<(), ReportError> {
 /// # Errors
 /// When the system refuses, or `target` holds something else.
 pub fn write_folder(outcome: &Outcome, target: &Path) -> Result<(), ReportError> {
-    check_place(target)?;
+    write_whole(target, &RESULT, |folder| fill(outcome, folder))
+}
+
+/// Fills a folder beside its place and moves it there.
+pub(super) fn write_whole(
+    target: &Path,
+    contents: &Contents,
+    fill: impl FnOnce(&Path) -> Result<(), ReportError>,
+) -> Result<(), ReportError> {
+    check(target, contents)?;
     let parent = match target.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
@@ -140,7 +169,7 @@ pub fn write_folder(outcome: &Outcome, target: &Path) -> Result<(), ReportError>
         .map_err(io_at(parent))?;
     let made = draft.path().join("result");
     fs::create_dir(&made).map_err(io_at(&made))?;
-    fill(outcome, &made)?;
+    fill(&made)?;
     if target.exists() {
         let old = draft.path().join("old");
         fs::rename(target, &old).map_err(io_at(target))?;
@@ -167,6 +196,7 @@ fn fill(outcome: &Outcome, folder: &Path) -> Result<(), ReportError> {
     {
         tables::convergence(&outcome.fields, &folder.join("convergence.csv"))?;
     }
+    tables::write(&folder.join("offsets.csv"), outcome.offsets.iter())?;
     losses::losses(&outcome.result, &folder.join("losses.csv"))?;
     losses::friction_laws(&outcome.result, &folder.join("friction_laws.csv"))?;
     flanks::write_flanks(&outcome.result.flanks, folder)?;

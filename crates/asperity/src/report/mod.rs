@@ -1,6 +1,7 @@
 //! Results for people and for other programs: a folder of files, and a summary for the terminal.
 
 pub mod chart;
+pub mod compare;
 pub mod figures;
 mod flanks;
 mod folder;

@@ -1,0 +1,82 @@
+//! `asperity compare`: several finishes on one case.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use asperity::case::{self, CaseInput, FlankInput, LoadedCase};
+use asperity::report::compare::{self, Finish};
+
+use crate::args::{Common, CompareArgs, FinishArg};
+use crate::failure::Failure;
+use crate::output::{PATIENCE, print_json, print_text, progress};
+
+/// `asperity compare`
+pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
+    let finishes = args
+        .finishes
+        .iter()
+        .map(|finish| {
+            Ok(Finish {
+                name: finish.name.clone(),
+                case: load(args, finish)?,
+            })
+        })
+        .collect::<Result<Vec<_>, Failure>>()?;
+    let begin = Instant::now();
+    let bar = progress(common.quiet);
+    bar.set_message("finishes");
+    let found = compare::compare(&finishes, &|done, total| {
+        if begin.elapsed() >= PATIENCE {
+            bar.set_length(total as u64);
+            bar.set_position(done as u64);
+        }
+    });
+    bar.finish_and_clear();
+    let found = found
+        .map_err(|error| Failure::new(error.code(), format!("{}: {error}", args.case.display())))?;
+    let folder = args.output.clone().unwrap_or_else(|| {
+        let stem = args.case.file_stem().unwrap_or_default().to_string_lossy();
+        Path::new("results").join(format!("{stem}-compare"))
+    });
+    compare::write(&found, &folder).map_err(|error| Failure::new("E401", error.to_string()))?;
+    if common.json {
+        return print_json(&found);
+    }
+    let text = compare::summary(&found);
+    print_text(common, &format!("{text}wrote {}\n", folder.display()))
+}
+
+/// The case with the traces of a finish; a single one serves both flanks, mirrored for the wheel.
+fn load(args: &CompareArgs, finish: &FinishArg) -> Result<LoadedCase, Failure> {
+    let whole = |file: &PathBuf| {
+        std::path::absolute(file)
+            .map_err(|error| Failure::new("E101", format!("{}: {error}", file.display())))
+    };
+    let pinion = whole(&finish.pinion)?;
+    let wheel = finish.wheel.as_ref().map(whole).transpose()?;
+    let change = |input: &mut CaseInput| {
+        let surface = &mut input.surface;
+        let mirrored = surface
+            .wheel
+            .as_ref()
+            .map_or(Some(true), |wheel| wheel.mirrored);
+        surface.pinion = FlankInput {
+            file: Some(pinion.clone()),
+            mirrored: surface.pinion.mirrored,
+            ..FlankInput::default()
+        };
+        surface.wheel = wheel.clone().map(|file| FlankInput {
+            file: Some(file),
+            mirrored,
+            ..FlankInput::default()
+        });
+        input.model.offsets = Some(args.offsets);
+    };
+    case::load_with(&args.case, &change).map_err(|(error, source)| {
+        let failure = Failure::new(error.code(), error.to_string());
+        match &source {
+            Some(source) => failure.at(error.place(), source),
+            None => failure,
+        }
+    })
+}

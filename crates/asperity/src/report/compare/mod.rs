@@ -1,0 +1,220 @@
+//! Several finishes on one case: what each loses, how they differ, and which roughness parameter goes
+//! with the loss.
+//!
+//! Every finish runs at the same offsets of its traces, and differences are taken offset by offset.
+//! Roughness is that of the windows under the contact where the mesh spends most of its path, so that
+//! window and loss belong together.
+
+mod page;
+mod statistics;
+mod windows;
+mod write;
+
+use serde::Serialize;
+
+pub use statistics::{Interval, paired_interval, rank_correlation};
+pub use write::write;
+
+use crate::case::LoadedCase;
+use crate::error::{PositionError, RunError};
+use crate::pipeline::{self, Progress};
+use crate::result::OffsetRow;
+use windows::WindowRoughness;
+
+/// Confidence of every interval.
+pub const CONFIDENCE: f64 = 0.95;
+
+/// A finish to compare: its name and the case with its traces.
+#[derive(Debug, Clone)]
+pub struct Finish {
+    /// Its name.
+    pub name: String,
+    /// The case.
+    pub case: LoadedCase,
+}
+
+/// What several finishes give; the first is the one the others are compared with.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Comparison {
+    /// The program and its version.
+    pub program: String,
+    /// The case's title.
+    pub title: String,
+    /// Power into the mesh \[W\].
+    pub power_in_w: f64,
+    /// The finishes.
+    pub finishes: Vec<FinishResult>,
+    /// Which parameter goes with the loss, the closest first.
+    pub correlations: Vec<Correlation>,
+    /// Offsets and finishes pooled in the correlations.
+    pub windows: usize,
+}
+
+/// What a finish gives.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FinishResult {
+    /// Its name.
+    pub name: String,
+    /// Files of its traces and their SHA-256.
+    pub files: Vec<[String; 2]>,
+    /// Mean efficiency.
+    pub efficiency: f64,
+    /// Mean loss \[W\] with its interval.
+    pub loss_w: Interval,
+    /// Loss less that of the first finish \[W\], offset by offset; none for the first.
+    pub difference_w: Option<Interval>,
+    /// Share of the path in mixed lubrication.
+    pub mixed_share: f64,
+    /// Codes and texts of what calls for attention.
+    pub warnings: Vec<String>,
+    /// Losses at each offset.
+    #[serde(skip)]
+    pub offsets: Vec<OffsetRow>,
+    /// Roughness under the contact at each offset.
+    #[serde(skip)]
+    pub(crate) roughness: Vec<WindowRoughness>,
+}
+
+/// How closely a roughness parameter goes with the loss.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Correlation {
+    /// Name of the parameter.
+    pub parameter: &'static str,
+    /// Rank correlation of Spearman with the loss: 1 when the loss always grows with it.
+    pub with_loss: f64,
+    /// The same among the windows of one finish, mean over the finishes.
+    pub within_finishes: f64,
+}
+
+/// Runs every finish and compares them; the first is what the others are compared with.
+///
+/// # Errors
+/// When a finish has no solution.
+pub fn compare(finishes: &[Finish], progress: Progress<'_>) -> Result<Comparison, RunError> {
+    let total = finishes.len();
+    let mut results: Vec<FinishResult> = Vec::with_capacity(total);
+    let (mut title, mut power_in_w) = (String::new(), 0.0);
+    for (done, finish) in finishes.iter().enumerate() {
+        let outcome = pipeline::run(&finish.case, &|_, _| {})?;
+        progress(done + 1, total);
+        title.clone_from(&outcome.result.title);
+        power_in_w = outcome.result.summary.power_in_w;
+        let roughness = windows::roughness(&finish.case)
+            .map_err(|error: PositionError| RunError::Whole(Box::new(error)))?;
+        let losses: Vec<f64> = outcome.offsets.iter().map(|row| row.loss_w).collect();
+        let difference_w = results.first().map(|first| {
+            let pairs = first.offsets.iter().zip(&losses);
+            let differences: Vec<f64> = pairs.map(|(base, loss)| loss - base.loss_w).collect();
+            paired_interval(&differences, CONFIDENCE)
+        });
+        let files = outcome
+            .result
+            .flanks
+            .iter()
+            .filter_map(|flank| Some([flank.file.clone()?, flank.sha256.clone()?]));
+        results.push(FinishResult {
+            name: finish.name.clone(),
+            files: files.collect(),
+            efficiency: outcome.result.summary.efficiency,
+            loss_w: paired_interval(&losses, CONFIDENCE),
+            difference_w,
+            mixed_share: outcome.result.summary.mixed_share,
+            warnings: outcome
+                .result
+                .warnings
+                .iter()
+                .map(ToString::to_string)
+                .collect(),
+            offsets: outcome.offsets,
+            roughness,
+        });
+    }
+    Ok(Comparison {
+        program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
+        title,
+        power_in_w,
+        correlations: correlations(&results),
+        windows: results
+            .iter()
+            .map(|finish| finish.roughness.len().min(finish.offsets.len()))
+            .sum(),
+        finishes: results,
+    })
+}
+
+fn correlations(finishes: &[FinishResult]) -> Vec<Correlation> {
+    let pairs = |finish: &FinishResult, of: fn(&WindowRoughness) -> f64| -> Vec<[f64; 2]> {
+        let rows = finish.roughness.iter().zip(&finish.offsets);
+        rows.map(|(window, row)| [of(window), row.loss_w]).collect()
+    };
+    let mut found: Vec<Correlation> = windows::PARAMETERS
+        .iter()
+        .map(|&(parameter, of)| {
+            let all: Vec<[f64; 2]> = finishes
+                .iter()
+                .flat_map(|finish| pairs(finish, of))
+                .collect();
+            let within = finishes
+                .iter()
+                .map(|finish| rank_correlation(&pairs(finish, of)));
+            Correlation {
+                parameter,
+                with_loss: rank_correlation(&all),
+                within_finishes: within.sum::<f64>() / finishes.len() as f64,
+            }
+        })
+        .collect();
+    found.sort_by(|a, b| b.with_loss.abs().total_cmp(&a.with_loss.abs()));
+    found
+}
+
+/// The comparison for the terminal.
+pub fn summary(comparison: &Comparison) -> String {
+    let mut text = format!("{}\n", comparison.title);
+    let width = comparison
+        .finishes
+        .iter()
+        .map(|f| f.name.chars().count())
+        .max()
+        .unwrap_or(0)
+        .max(8);
+    text.push_str(&format!(
+        "{:width$}  {:>10}  {:>20}  {:>24}\n",
+        "finish", "efficiency", "loss W", "difference W"
+    ));
+    for finish in &comparison.finishes {
+        let difference = match &finish.difference_w {
+            None => "reference".to_owned(),
+            Some(interval) => format!("{:+.1} ± {:.1}", interval.mean, interval.half_width),
+        };
+        text.push_str(&format!(
+            "{:width$}  {:>8.4} %  {:>20}  {difference:>24}\n",
+            finish.name,
+            100.0 * finish.efficiency,
+            format!(
+                "{:.1} ± {:.1}",
+                finish.loss_w.mean, finish.loss_w.half_width
+            ),
+        ));
+    }
+    let offsets = comparison
+        .finishes
+        .first()
+        .map_or(0, |finish| finish.offsets.len());
+    text.push_str(&format!(
+        "± is a {:.0} % interval of Student's t over {offsets} offsets, differences offset by offset\n",
+        100.0 * CONFIDENCE
+    ));
+    let best: Vec<String> = comparison
+        .correlations
+        .iter()
+        .take(4)
+        .map(|found| format!("{} {:+.2}", found.parameter, found.with_loss))
+        .collect();
+    text.push_str(&format!(
+        "goes with the loss (rank correlation, {} windows)  {}\n",
+        comparison.windows,
+        best.join("   ")
+    ));
+    text
+}
