@@ -119,6 +119,24 @@ pub enum ContactError {
         /// What was asked for.
         purpose: &'static str,
     },
+    /// Something that needs flow was asked of a contact without pressure limit.
+    #[error("{purpose} needs a pressure at which the softer body flows: give a pressure limit")]
+    LimitNeeded {
+        /// What was asked for.
+        purpose: &'static str,
+    },
+    /// The flanks still flow after all cycles.
+    #[error(
+        "after {cycles} cycles the flanks still dissipate {left:e} of the first cycle's energy where {shakedown:e} was asked: allow more cycles or a tighter tolerance of the contacts"
+    )]
+    NotRunIn {
+        /// Cycles used.
+        cycles: usize,
+        /// Energy of the last cycle over that of the first.
+        left: f64,
+        /// Ratio asked for.
+        shakedown: f64,
+    },
     /// Something that is only defined for free ends was asked of a periodic contact.
     #[error("{purpose} is defined for free ends and the problem is periodic: widen the window")]
     FreeEndsNeeded {

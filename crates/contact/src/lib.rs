@@ -3,6 +3,7 @@
 //! Plane strain, pressures and loads per metre of face width. Give [`solve`] a gap and a load, or
 //! keep a [`Solver`] for many problems of one size.
 
+pub mod array_file;
 mod cascade;
 pub mod certificate;
 pub mod direct;
@@ -12,10 +13,12 @@ pub mod flat_punch;
 pub mod friction;
 pub mod half_plane;
 pub mod hertz_line;
+pub mod path;
 pub mod plasticity;
 mod ppcg;
 pub mod problem;
 mod projection;
+pub mod running_in;
 mod scene;
 pub mod solver;
 mod state;
@@ -27,6 +30,7 @@ pub mod westergaard;
 
 pub use certificate::Certificate;
 pub use error::{ContactError, SolverShape};
+pub use path::{Path, press_paths, solve_paths};
 pub use problem::{
     Boundary, ContactProblem, ContactSolution, Control, PeriodicKernel, SolverSettings,
 };

@@ -84,9 +84,13 @@ impl TwoFlanks<'_> {
     /// # Errors
     /// When an input is not valid or the contact is not solved to the tolerance.
     pub fn press(&self, settings: &SolverSettings) -> Result<ContactSolution, ContactError> {
-        let gap = self.gap()?;
-        let problem = ContactProblem {
-            gap: &gap,
+        solve(&self.problem(&self.gap()?), settings)
+    }
+
+    /// The contact problem over this gap.
+    pub(crate) fn problem<'a>(&self, gap: &'a [f64]) -> ContactProblem<'a> {
+        ContactProblem {
+            gap,
             spacing: self.first.spacing(),
             modulus: self.modulus,
             boundary: Boundary::FreeEnds,
@@ -94,8 +98,7 @@ impl TwoFlanks<'_> {
             prescribed_pressure: None,
             pressure_limit: self.pressure_limit,
             start: None,
-        };
-        solve(&problem, settings)
+        }
     }
 
     /// The flanks after unloading: each has taken its share of the plastic displacement

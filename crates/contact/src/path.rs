@@ -1,0 +1,191 @@
+//! Contacts along a path of loads, positions or offsets, and many such paths at once.
+//!
+//! Along a path every contact starts from the one before, so it is solved in order; paths do not
+//! know each other and are solved in parallel, with the same result on any number of threads.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | p₀, p₁ | pressures of the last two contacts | Pa |
+//! | W₀, W₁, W | loads of the last two contacts and of the next | N/m |
+
+use rayon::prelude::*;
+
+use crate::error::ContactError;
+use crate::problem::{Boundary, ContactProblem, ContactSolution, Control, SolverSettings};
+use crate::solver::Solver;
+use crate::two_flanks::TwoFlanks;
+
+/// Contacts one after the other, on one thread.
+///
+/// ```
+/// use asperity_contact::{Boundary, ContactProblem, Control, Path, SolverSettings};
+/// use asperity_core::quantity::LineLoad;
+/// let gap: Vec<f64> = (0..1000).map(|i| (0.6e-6 * (f64::from(i) - 499.5)).powi(2) / 6e-3).collect();
+/// let mut path = Path::new(1000, Boundary::FreeEnds, SolverSettings::default())?;
+/// let mut approach = 0.0;
+/// for load in [1e5, 2e5, 3e5] {
+///     let solution = path.step(&ContactProblem {
+///         gap: &gap, spacing: "0.6 um".parse()?, modulus: "115.4 GPa".parse()?,
+///         boundary: Boundary::FreeEnds, control: Control::Load(LineLoad::from_si(load)),
+///         prescribed_pressure: None, pressure_limit: None, start: None,
+///     })?;
+///     assert!(solution.approach.si() > approach);
+///     approach = solution.approach.si();
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Path {
+    solver: Solver,
+    settings: SolverSettings,
+    last: Option<Step>,
+    before: Option<Step>,
+}
+
+/// What is kept of a contact.
+struct Step {
+    pressure: Vec<f64>,
+    load: f64,
+}
+
+impl Path {
+    /// A path of contacts with this many points and these ends.
+    ///
+    /// # Errors
+    /// When there are fewer than two points.
+    pub fn new(
+        points: usize,
+        boundary: Boundary,
+        settings: SolverSettings,
+    ) -> Result<Self, ContactError> {
+        Ok(Self {
+            solver: Solver::new(points, boundary)?,
+            settings,
+            last: None,
+            before: None,
+        })
+    }
+
+    /// Solves the next contact, from its own start or else from the last contact, carried on to the
+    /// new load as from the last but one.
+    ///
+    /// # Errors
+    /// As [`Solver::solve`].
+    pub fn step(&mut self, problem: &ContactProblem) -> Result<ContactSolution, ContactError> {
+        let start = self.start(problem);
+        let problem = ContactProblem {
+            start: problem.start.or(start.as_deref()),
+            ..*problem
+        };
+        let solution = self.solver.solve(&problem, &self.settings)?;
+        self.before = self.last.take();
+        self.last = Some(Step {
+            pressure: solution.pressure.clone(),
+            load: solution.load.si(),
+        });
+        Ok(solution)
+    }
+
+    /// Moves what is known by so many points, as when the rougher body has moved against the window.
+    pub fn shift(&mut self, points: isize) {
+        self.before = None;
+        if let Some(step) = &mut self.last {
+            let n = step.pressure.len() as isize;
+            step.pressure.rotate_right(points.rem_euclid(n) as usize);
+        }
+    }
+
+    /// p₁ + (p₁ − p₀)·(W − W₁)/(W₁ − W₀) within the bounds, or p₁ when the load does not grow on.
+    fn start(&self, problem: &ContactProblem) -> Option<Vec<f64>> {
+        let last = self.last.as_ref()?;
+        if last.pressure.len() != problem.gap.len() {
+            return None;
+        }
+        let limit = problem
+            .pressure_limit
+            .map_or(f64::INFINITY, |limit| limit.si());
+        let along = match (problem.control, &self.before) {
+            (Control::Load(load), Some(before)) => {
+                let ratio = (load.si() - last.load) / (last.load - before.load);
+                // Twice the last step is as far as a straight line is trusted.
+                (ratio > 0.0 && ratio <= 2.0).then_some((before, ratio))
+            }
+            _ => None,
+        };
+        let Some((before, ratio)) = along else {
+            return Some(last.pressure.clone());
+        };
+        let pairs = last.pressure.iter().zip(&before.pressure);
+        let onward = |(p1, p0): (&f64, &f64)| (p1 + ratio * (p1 - p0)).clamp(0.0, limit.max(0.0));
+        Some(pairs.map(onward).collect())
+    }
+}
+
+/// Solves many paths of problems in parallel: the result of each in the order given.
+///
+/// The problems of a path must agree in their number of points and their ends.
+///
+/// # Errors
+/// Of each path the first problem that is not valid or not solved.
+///
+/// ```
+/// use asperity_contact::{Boundary, ContactProblem, Control, SolverSettings, solve_paths};
+/// let gap: Vec<f64> = (0..200).map(|i| (3e-6 * (f64::from(i) - 99.5)).powi(2) / 6e-3).collect();
+/// let problem = ContactProblem {
+///     gap: &gap, spacing: "3 um".parse()?, modulus: "115.4 GPa".parse()?,
+///     boundary: Boundary::FreeEnds, control: Control::Load("300 N/mm".parse()?),
+///     prescribed_pressure: None, pressure_limit: None, start: None,
+/// };
+/// let lighter = ContactProblem { control: Control::Load("30 N/mm".parse()?), ..problem };
+/// let solved = solve_paths(&[vec![lighter, problem], vec![problem]], &SolverSettings::default());
+/// assert_eq!(solved[0].as_ref().map(Vec::len), Ok(2));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn solve_paths(
+    paths: &[Vec<ContactProblem>],
+    settings: &SolverSettings,
+) -> Vec<Result<Vec<ContactSolution>, ContactError>> {
+    let solve = |problems: &Vec<ContactProblem>| {
+        let Some(first) = problems.first() else {
+            return Ok(vec![]);
+        };
+        let mut path = Path::new(first.gap.len(), first.boundary, *settings)?;
+        problems.iter().map(|problem| path.step(problem)).collect()
+    };
+    paths.par_iter().map(solve).collect()
+}
+
+/// Presses many paths of pairs of flanks together in parallel, as [`solve_paths`]: a path may be the
+/// offsets of one line, the positions of a mesh or a row of loads.
+///
+/// # Errors
+/// Of each path the first pair that is not valid or not solved.
+///
+/// ```
+/// use asperity_contact::{SolverSettings, press_paths, two_flanks::TwoFlanks};
+/// use asperity_core::Profile;
+/// let wavy: Vec<f64> = (0..400).map(|i| 1e-7 * (0.2 * f64::from(i)).sin()).collect();
+/// let (rough, smooth) = (Profile::new("1 um".parse()?, wavy)?, Profile::new("1 um".parse()?, vec![0.0; 400])?);
+/// let flanks = TwoFlanks {
+///     first: &rough, second: &smooth, radius: "3 mm".parse()?,
+///     load: "100 N/mm".parse()?, modulus: "115.4 GPa".parse()?, pressure_limit: None,
+/// };
+/// let heavier = TwoFlanks { load: "120 N/mm".parse()?, ..flanks };
+/// let pressed = press_paths(&[vec![flanks, heavier]], &SolverSettings::default());
+/// let line = pressed[0].as_ref().map_err(Clone::clone)?;
+/// assert!(line[1].contact_fraction >= line[0].contact_fraction);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn press_paths(
+    paths: &[Vec<TwoFlanks>],
+    settings: &SolverSettings,
+) -> Vec<Result<Vec<ContactSolution>, ContactError>> {
+    let press = |flanks: &Vec<TwoFlanks>| {
+        let Some(first) = flanks.first() else {
+            return Ok(vec![]);
+        };
+        let mut path = Path::new(first.first.len(), Boundary::FreeEnds, *settings)?;
+        let step = |pair: &TwoFlanks| path.step(&pair.problem(&pair.gap()?));
+        flanks.iter().map(step).collect()
+    };
+    paths.par_iter().map(press).collect()
+}
