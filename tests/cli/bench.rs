@@ -1,0 +1,217 @@
+//! A folder to work in, and the program to run in it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::OnceLock;
+
+use tempfile::TempDir;
+
+/// Root of the workspace.
+pub fn root() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+}
+
+/// The program, built as it stands: Cargo builds the programs of other packages for no test.
+pub fn program() -> &'static Path {
+    static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
+    PROGRAM.get_or_init(|| {
+        let mut cargo = Command::new(env!("CARGO"));
+        cargo.args(["build", "--quiet", "--package", "asperity-cli"]);
+        cargo.args(["--bin", "asperity", "--message-format", "json"]);
+        if !cfg!(debug_assertions) {
+            cargo.arg("--release");
+        }
+        let built = cargo.current_dir(root()).output().unwrap();
+        let said = String::from_utf8_lossy(&built.stderr);
+        assert!(built.status.success(), "{said}");
+        let messages = String::from_utf8(built.stdout).unwrap();
+        let made = messages.lines().find_map(|line| {
+            let message: serde_json::Value = serde_json::from_str(line).ok()?;
+            Some(PathBuf::from(message.get("executable")?.as_str()?))
+        });
+        made.unwrap()
+    })
+}
+
+/// What the program said and how it ended.
+#[derive(Debug)]
+pub struct Said {
+    /// Exit status.
+    pub status: i32,
+    /// Standard output.
+    pub out: String,
+    /// Standard error.
+    pub err: String,
+}
+
+impl Said {
+    /// The same, if it went well.
+    #[track_caller]
+    pub fn well(self) -> Self {
+        assert_eq!(self.status, 0, "{}", self.err);
+        assert_eq!(self.err, "");
+        self
+    }
+
+    /// Checks an error: exit status, code, and what the message must say; plain text, no panic.
+    #[track_caller]
+    pub fn refused(&self, status: i32, code: &str, says: &[&str]) {
+        assert_eq!(self.status, status, "{self:?}");
+        assert_eq!(self.out, "", "an error goes to standard error");
+        assert!(self.err.starts_with(&format!("{code} ")), "{}", self.err);
+        let message = self.err.lines().next().unwrap();
+        for part in says {
+            assert!(message.contains(part), "{part:?} is not in {message:?}");
+        }
+        assert!(self.err.contains("\n  help: "), "{}", self.err);
+        assert!(!self.err.contains("panicked"), "{}", self.err);
+        assert!(!self.err.contains('\u{1b}'), "no colours in a pipe");
+    }
+
+    /// Standard output as JSON.
+    #[track_caller]
+    pub fn json(&self) -> serde_json::Value {
+        serde_json::from_str(&self.out).unwrap()
+    }
+}
+
+/// A folder of its own for one test.
+pub struct Bench(TempDir);
+
+impl Bench {
+    /// An empty folder.
+    pub fn new() -> Self {
+        Self(TempDir::new().unwrap())
+    }
+
+    /// A file or folder in it.
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    /// Writes a file.
+    pub fn write(&self, name: &str, content: impl AsRef<[u8]>) {
+        fs::write(self.path(name), content).unwrap();
+    }
+
+    /// Writes the ground flanks that go with [`E_DRIVE`].
+    pub fn write_flanks(&self) {
+        for (file, name) in [("ground_pinion", "pinion"), ("ground_wheel", "wheel")] {
+            let trace = root().join(format!("fixtures/profiles/{file}.csv"));
+            fs::copy(trace, self.path(&format!("{name}.csv"))).unwrap();
+        }
+    }
+
+    /// Runs the program in the folder.
+    pub fn run(&self, arguments: &[&str]) -> Said {
+        self.run_with(arguments, &[])
+    }
+
+    /// Runs the program in the folder with environment variables.
+    pub fn run_with(&self, arguments: &[&str], environment: &[(&str, &str)]) -> Said {
+        let output = Command::new(program())
+            .args(arguments)
+            .current_dir(self.0.path())
+            .env_remove("NO_COLOR")
+            .envs(environment.iter().copied())
+            .output()
+            .unwrap();
+        Said {
+            status: output.status.code().unwrap(),
+            out: String::from_utf8(output.stdout).unwrap(),
+            err: String::from_utf8(output.stderr).unwrap(),
+        }
+    }
+
+    /// Names of everything in the folder, hidden files too.
+    pub fn listing(&self) -> Vec<String> {
+        let mut names: Vec<String> = fs::read_dir(self.0.path())
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        names.sort();
+        names
+    }
+}
+
+/// A small case of an electric drive: few positions and offsets, so that a run takes no time.
+pub const E_DRIVE: &str = r#"title = "small case"
+
+[gears]
+teeth = [23, 68]
+module = "1.8 mm"
+helix = "23.4 deg"
+face_width = ["35 mm", "32 mm"]
+
+[material.pinion]
+elastic_limit = "1500 MPa"
+flow_pressure = "7 GPa"
+
+[operation]
+torque = "145 N m"
+speed = "9000 1/min"
+temperature = "90 °C"
+
+[lubricant]
+viscosity = { law = "astm-d341", at_40 = "30.8 mm2/s", at_100 = "5.9 mm2/s" }
+density = "845 kg/m3"
+base_oil = "pao"
+
+[surface]
+cutoff = "0.25 mm"
+pinion = { file = "pinion.csv" }
+wheel = { file = "wheel.csv", mirrored = true }
+
+[model]
+positions = 4
+offsets = 2
+depths = 0
+"#;
+
+/// [`E_DRIVE`] with the line that starts with `key` replaced; an empty line leaves the key out.
+pub fn with_line(key: &str, line: &str) -> String {
+    let mut replaced = 0;
+    let lines: Vec<&str> = E_DRIVE
+        .lines()
+        .map(|old| {
+            if old.starts_with(key) {
+                replaced += 1;
+                line
+            } else {
+                old
+            }
+        })
+        .collect();
+    assert_eq!(replaced, 1, "{key:?} starts {replaced} lines");
+    lines.join("\n") + "\n"
+}
+
+/// Number of the line of [`E_DRIVE`] that starts with `key`.
+pub fn line_of(key: &str) -> usize {
+    1 + E_DRIVE
+        .lines()
+        .position(|line| line.starts_with(key))
+        .unwrap()
+}
+
+/// Heights [µm] of a rough trace without chance: three waves that share no period.
+pub fn heights(points: usize) -> Vec<f64> {
+    let wave = |i: usize, period: f64| (std::f64::consts::TAU * i as f64 / period).sin();
+    (0..points)
+        .map(|i| 0.3 * wave(i, 101.0) + 0.2 * wave(i, 37.7) + 0.1 * wave(i, 13.3))
+        .collect()
+}
+
+/// Rows `x;z` of a trace, `cells` making the text of both from index and height.
+pub fn rows(points: usize, cells: impl Fn(usize, f64) -> String) -> String {
+    let heights = heights(points);
+    let rows = heights.iter().enumerate().map(|(i, z)| cells(i, *z) + "\n");
+    rows.collect()
+}
+
+/// A trace in micrometres, half a micrometre apart, with the header given.
+pub fn trace(header: &str, points: usize) -> String {
+    let table = rows(points, |i, z| format!("{:.1},{z:.5}", 0.5 * i as f64));
+    format!("{header}\n{table}")
+}

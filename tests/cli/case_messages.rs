@@ -1,0 +1,301 @@
+//! Messages about case files: code, line, key, what was seen, what was expected, what to do.
+
+use crate::bench::{Bench, E_DRIVE, line_of, with_line};
+
+/// A line of the small case as it should not be.
+struct Bad {
+    /// How the good line starts.
+    key: &'static str,
+    /// What stands there instead.
+    line: &'static str,
+    code: &'static str,
+    /// What the message says beside the place.
+    says: &'static [&'static str],
+    /// Whether the message is about this line, or about the line of its table.
+    table: Option<&'static str>,
+}
+
+const fn bad(
+    key: &'static str,
+    line: &'static str,
+    code: &'static str,
+    says: &'static [&'static str],
+) -> Bad {
+    Bad {
+        key,
+        line,
+        code,
+        says,
+        table: None,
+    }
+}
+
+const fn about_table(
+    key: &'static str,
+    line: &'static str,
+    code: &'static str,
+    says: &'static [&'static str],
+    table: &'static str,
+) -> Bad {
+    Bad {
+        key,
+        line,
+        code,
+        says,
+        table: Some(table),
+    }
+}
+
+/// E202, E203: text and keys.
+#[rustfmt::skip]
+const SPELLING: &[Bad] = &[
+    bad("module", "module 1.8 mm", "E202", &["expected"]),
+    bad("module", "module = 1.8 mm", "E202", &["expected"]),
+    bad("helix", "module = \"1 mm\"", "E202", &["duplicate key"]),
+    bad("module", "modul = \"1.8 mm\"", "E203", &["\"gears.modul\"", "Did you mean \"module\"?"]),
+    bad("[operation]", "[operations]", "E203", &["\"operations\"", "Did you mean \"operation\"?"]),
+    bad("title", "colour = \"red\"", "E203", &["unknown key \"colour\""]),
+    bad("viscosity", "viscosity = { law = \"vogel\", at_4 = \"3 mm2/s\" }", "E203", &["Did you mean \"at_40\"?"]),
+];
+
+/// E204: values that cannot be read.
+#[rustfmt::skip]
+const VALUES: &[Bad] = &[
+    bad("module", "module = 1.8", "E204", &["gears.module", "1.8 has no unit", "mm, um, nm, m, cm", "(as \"1.8 mm\")"]),
+    bad("module", "module = \"1.8\"", "E204", &["gears.module", "1.8 has no unit"]),
+    bad("module", "module = \"1,8 mm\"", "E204", &["gears.module", "\"1,8 mm\"", "decimal sign as a point"]),
+    bad("module", "module = \"nan mm\"", "E204", &["gears.module", "must start with a number"]),
+    bad("module", "module = \"1e999 mm\"", "E204", &["gears.module", "1e999 mm"]),
+    bad("torque", "torque = \"145 N\"", "E204", &["operation.torque", "\"N\" is not a unit of torque", "N m, kN m, N mm"]),
+    bad("temperature", "temperature = \"-300 °C\"", "E204", &["operation.temperature", "not a possible temperature"]),
+    bad("teeth", "teeth = \"many\"", "E204", &["gears.teeth", "string \"many\"", "expected two values"]),
+    bad("teeth", "teeth = [23]", "E204", &["gears.teeth", "1 value does not fit", "expected two values"]),
+    bad("teeth", "teeth = [-23, 68]", "E204", &["gears.teeth", "`-23`", "whole number"]),
+    bad("face_width", "face_width = 35", "E204", &["gears.face_width", "35 has no unit", "mm, um"]),
+    bad("face_width", "face_width = \"35 cm2\"", "E204", &["gears.face_width", "\"cm2\" is not a unit of length"]),
+    bad("base_oil", "base_oil = \"olive\"", "E204", &["lubricant.base_oil", "unknown choice `olive`", "`mineral`"]),
+    bad("viscosity", "viscosity = 3", "E204", &["lubricant.viscosity", "integer `3`", "a table"]),
+    bad("offsets", "offsets = 1.5", "E204", &["model.offsets", "`1.5`", "whole number"]),
+    bad("offsets", "position = \"F\"", "E204", &["model.position", "`F`", "`A`, `B`, `C`, `D`, `E`", "0 at A, 1 at E"]),
+    bad("pinion", "pinion = \"pinion.csv\"", "E204", &["surface.pinion", "a table, as { key = value }"]),
+    about_table("module", "", "E204", &["gears: missing key \"module\"", "length with a unit: mm"], "[gears]"),
+    about_table("pinion", "", "E204", &["surface: missing key \"pinion\"", "Trace of the pinion's flank"], "[surface]"),
+    bad("viscosity", "viscosity = { law = \"astm-d341\", at_100 = \"6 mm2/s\" }", "E204", &["missing key \"at_40\"", "kinematic viscosity with a unit: mm2/s"]),
+];
+
+/// E205 to E209: what is well written and cannot be.
+#[rustfmt::skip]
+const DOMAINS: &[Bad] = &[
+    bad("pinion", "pinion = { file = \"pinion.csv\", rq = \"1 um\" }", "E205", &["surface.pinion", "either file or rq"]),
+    bad("pinion", "pinion = { }", "E205", &["surface.pinion", "give file", "or rq"]),
+    about_table("depths", "friction = \"constant\"", "E205", &["model.constant_friction", "is missing", "constant_friction = 0.05"], "[model]"),
+    bad("depths", "constant_friction = 0.05", "E205", &["model.constant_friction", "friction = \"constant\" only"]),
+    about_table("helix", "profile_shift = [5, 5]", "E206", &["tooth of the pinion is pointed"], "[gears]"),
+    about_table("helix", "centre_distance = \"10 mm\"", "E206", &["10 mm", "base radii"], "[gears]"),
+    bad("base_oil", "pressure_viscosity = \"2e-8 mm2/N\"", "E207", &["lubricant.pressure_viscosity = \"2e-8 mm2/N\"", "10^6 below any oil", "Did you mean 2e-8 m2/N?"]),
+    about_table("base_oil", "", "E208", &["no pressure-viscosity coefficient", "base_oil (mineral, pao"], "[lubricant]"),
+    about_table("density", "", "E208", &["no density"], "[lubricant]"),
+    about_table("viscosity", "oil = \"olive\"", "E208", &["no oil \"olive\"", "m100"], "[lubricant]"),
+    about_table("viscosity", "viscosity = { law = \"given\", dynamic_viscosity = \"97.5 mPa s\" }", "E208", &["no temperature coefficient", "0.02 to 0.06 1/K"], "[lubricant]"),
+    bad("teeth", "teeth = [0, 0]", "E209", &["gears.teeth = [0, 0]", "at least 1"]),
+    bad("module", "module = \"-1.8 mm\"", "E209", &["gears.module = \"-1.8 mm\"", "greater than zero"]),
+    about_table("module", "module = \"1e300 mm\"", "E209", &["path of contact = inf m", "must be finite"], "[gears]"),
+    bad("helix", "helix = \"95 deg\"", "E209", &["gears.helix = \"95 deg\"", "within 60 deg"]),
+    bad("torque", "torque = \"0 N m\"", "E209", &["operation.torque = \"0 N m\"", "not zero"]),
+    bad("speed", "speed = \"0 rpm\"", "E209", &["operation.speed = \"0 rpm\"", "greater than zero"]),
+    bad("elastic_limit", "elastic_limit = \"-3 MPa\"", "E209", &["material.pinion.elastic_limit = \"-3 MPa\"", "greater than zero"]),
+    bad("elastic_limit", "poisson = 0.7", "E209", &["material.pinion.poisson = 0.7", "not above 0.5"]),
+    bad("density", "density = \"0 kg/m3\"", "E209", &["lubricant.density = \"0 kg/m3\"", "greater than zero"]),
+    bad("cutoff", "cutoff = \"-1 mm\"", "E209", &["surface.cutoff = \"-1 mm\"", "not negative"]),
+    bad("pinion", "pinion = { rq = \"-1 um\" }", "E209", &["surface.pinion.rq = \"-1 um\"", "greater than zero"]),
+    bad("positions", "positions = 0", "E209", &["model.positions = 0", "1 to 10000"]),
+    bad("positions", "positions = 1", "E209", &["model.positions", "1 mesh positions asked for", "from 2 to"]),
+    bad("offsets", "offsets = 0", "E209", &["model.offsets = 0", "1 to 10000"]),
+    bad("offsets", "window = nan", "E209", &["model.window = nan", "1.5 to 100"]),
+    bad("offsets", "tolerance = 1e-30", "E209", &["model.tolerance = 1e-30", "1e-12 to 1e-2"]),
+    bad("offsets", "load_sharing = \"trapezoid\"", "E209", &["model.load_sharing", "for spur pairs"]),
+];
+
+#[test]
+fn text_and_keys_that_mean_nothing_are_pointed_at() {
+    each_is_refused_with_its_line(SPELLING);
+}
+
+#[test]
+fn values_that_cannot_be_read_name_key_and_expectation() {
+    each_is_refused_with_its_line(VALUES);
+}
+
+#[test]
+fn values_that_cannot_be_name_what_is_written_and_the_rule() {
+    each_is_refused_with_its_line(DOMAINS);
+}
+
+fn each_is_refused_with_its_line(table: &[Bad]) {
+    let bench = Bench::new();
+    bench.write_flanks();
+    for entry in table {
+        bench.write("case.toml", with_line(entry.key, entry.line));
+        let before = bench.listing();
+        let said = bench.run(&["run", "case.toml", "-o", "out"]);
+        let line = line_of(entry.table.unwrap_or(entry.key));
+        let place = format!("case.toml:{line}: ");
+        let says: Vec<&str> = std::iter::once(place.as_str())
+            .chain(entry.says.iter().copied())
+            .collect();
+        said.refused(2, entry.code, &says);
+        assert_eq!(bench.listing(), before, "nothing is left behind");
+    }
+}
+
+#[test]
+fn a_case_that_is_no_file_of_text_is_told_so() {
+    let bench = Bench::new();
+    bench.write("empty.toml", "");
+    bench.write("latin.toml", b"title = \"a\"\ntitel = \"caf\xe9\"\n");
+    bench.write("half.json", "{ \"gears\": {\n");
+    bench.write("json.toml", "{ \"gears\": {} }");
+    bench.write("trace.csv", "x_um,z_um\n0.0,0.1\n");
+    std::fs::create_dir(bench.path("folder")).unwrap();
+    for (name, code, says) in [
+        ("nosuch.toml", "E201", "nosuch.toml: cannot be opened"),
+        (
+            "folder",
+            "E201",
+            "folder: is a folder; name the case file in it",
+        ),
+        ("empty.toml", "E204", "empty.toml:1: missing key \"gears\""),
+        ("latin.toml", "E202", "latin.toml:2: is not text in UTF-8"),
+        ("half.json", "E202", "half.json:2: EOF"),
+        ("json.toml", "E202", "JSON goes into a file named .json"),
+        ("trace.csv", "E202", "trace.csv:1: "),
+    ] {
+        bench.run(&["run", name]).refused(2, code, &[says]);
+    }
+    assert!(!bench.listing().contains(&"results".to_owned()));
+}
+
+#[test]
+fn a_case_in_json_is_read_and_its_faults_are_placed() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    let case: toml::Value = toml::from_str(E_DRIVE).unwrap();
+    let good = serde_json::to_string_pretty(&case).unwrap();
+    bench.write("case.json", &good);
+    bench.write("case.toml", E_DRIVE);
+    let result = |name| {
+        bench
+            .run(&["run", name, "--no-output", "--json"])
+            .well()
+            .json()
+    };
+    assert_eq!(
+        result("case.json")["summary"],
+        result("case.toml")["summary"]
+    );
+    let line = 1 + good
+        .lines()
+        .position(|line| line.contains("\"module\""))
+        .unwrap();
+    let at = format!("bad.json:{line}");
+    for (from, to, code, says) in [
+        (
+            "\"module\"",
+            "\"modul\"",
+            "E203",
+            "Did you mean \"module\"?",
+        ),
+        ("\"1.8 mm\"", "1.8", "E204", "1.8 has no unit"),
+        (
+            "\"1.8 mm\"",
+            "\"-1 mm\"",
+            "E209",
+            "gears.module = \"-1 mm\"",
+        ),
+    ] {
+        bench.write("bad.json", good.replace(from, to));
+        bench
+            .run(&["run", "bad.json"])
+            .refused(2, code, &[&at, says]);
+    }
+}
+
+#[test]
+fn an_error_is_json_on_request() {
+    let bench = Bench::new();
+    bench.write("case.toml", with_line("module", "module = 1.8"));
+    let said = bench.run(&["run", "case.toml", "--json"]);
+    assert_eq!(said.status, 2);
+    let error = &said.json()["error"];
+    assert_eq!(error["code"], "E204");
+    assert_eq!(error["exit_status"], 2);
+    assert!(
+        error["message"]
+            .as_str()
+            .unwrap()
+            .contains("case.toml:5: gears.module")
+    );
+    assert!(
+        error["remedy"]
+            .as_str()
+            .unwrap()
+            .contains("asperity schema")
+    );
+}
+
+#[test]
+fn options_that_make_no_sense_are_refused_before_any_work() {
+    let bench = Bench::new();
+    bench.write("case.toml", E_DRIVE);
+    bench.write_flanks();
+    for (arguments, code, says) in [
+        (
+            &["contact", "case.toml", "--position", "7"][..],
+            "E209",
+            "--position 7: must be A to E",
+        ),
+        (
+            &["film", "case.toml", "--position", "-1"],
+            "E209",
+            "--position -1",
+        ),
+        (
+            &["contact", "case.toml", "--tolerance", "1"],
+            "E209",
+            "at most 0.01",
+        ),
+        (
+            &["contact", "case.toml", "--tolerance", "nan"],
+            "E209",
+            "--tolerance NaN",
+        ),
+        (
+            &["equations", "P99"],
+            "E210",
+            "no equation has the tag \"P99\"",
+        ),
+        (&["explain", "X1"], "E210", "no message has the code \"X1\""),
+    ] {
+        bench.run(arguments).refused(2, code, &[says]);
+    }
+    for (arguments, says) in [
+        (&["run"][..], "<CASE>"),
+        (&["frobnicate"], "unrecognized subcommand"),
+        (&["run", "case.toml", "--threads", "0"], "0 is not in 1.."),
+        (&["contact"], "<CASE>"),
+        (&["contact", "case.toml", "--load", "3 N/m"], "--gap"),
+        (&["contact", "--gap", "gap.csv"], "--e-star"),
+        (
+            &["film", "case.toml", "--position", "F"],
+            "expected one of `A`",
+        ),
+        (
+            &["profile", "info", "pinion.csv", "--z-unit", "parsec"],
+            "m, mm, um, nm",
+        ),
+    ] {
+        let said = bench.run(arguments);
+        assert_eq!(said.status, 2, "{said:?}");
+        assert!(said.err.contains(says), "{}", said.err);
+    }
+}

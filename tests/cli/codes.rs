@@ -1,0 +1,94 @@
+//! The table of messages, the codes in the sources and the tests that provoke them agree.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::PathBuf;
+
+use asperity::message::EXPLANATIONS;
+
+use crate::bench::{Bench, root};
+
+/// Codes that no input provokes, and why.
+const NOT_PROVOKED: &[(&str, &str)] = &[(
+    "E501",
+    "stands for a fault of the program; a test that provoked one would be a bug report",
+)];
+
+/// Every `"E101"` in `text`.
+fn codes_in(text: &str) -> BTreeSet<String> {
+    let quoted = text.split('"').skip(1);
+    let is_code = |word: &&str| {
+        let mut letters = word.chars();
+        word.len() == 4
+            && letters.next().is_some_and(|first| "EW".contains(first))
+            && letters.all(|c| c.is_ascii_digit())
+    };
+    quoted.filter(is_code).map(str::to_owned).collect()
+}
+
+fn sources(folders: &[&str]) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    let mut left: Vec<PathBuf> = folders.iter().map(|name| root().join(name)).collect();
+    while let Some(folder) = left.pop() {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                left.push(path);
+            } else if path.extension().is_some_and(|ending| ending == "rs") {
+                found.push(path);
+            }
+        }
+    }
+    found
+}
+
+fn codes_of(folders: &[&str], without: &str) -> BTreeSet<String> {
+    let texts = sources(folders)
+        .into_iter()
+        .filter(|path| !path.ends_with(without))
+        .map(|path| fs::read_to_string(path).unwrap());
+    texts.flat_map(|text| codes_in(&text)).collect()
+}
+
+fn explained() -> BTreeSet<String> {
+    let codes = EXPLANATIONS.iter().map(|entry| entry.code.to_owned());
+    codes.collect()
+}
+
+#[test]
+fn every_code_in_the_sources_is_explained_and_no_other() {
+    let used = codes_of(
+        &["crates/roughness/src", "crates/asperity/src", "cli/src"],
+        "message.rs",
+    );
+    assert_eq!(used, explained());
+}
+
+#[test]
+fn every_code_is_provoked_by_a_test_or_said_why_not() {
+    let mut provoked = codes_of(&["tests/cli"], "codes.rs");
+    provoked.extend(NOT_PROVOKED.iter().map(|(code, _)| (*code).to_owned()));
+    let missing: Vec<_> = explained().difference(&provoked).cloned().collect();
+    assert_eq!(missing, Vec::<String>::new());
+}
+
+#[test]
+fn explain_prints_meaning_and_remedy_of_every_code() {
+    let bench = Bench::new();
+    let all = bench.run(&["explain"]).well().out;
+    assert_eq!(all.lines().count(), EXPLANATIONS.len());
+    for entry in EXPLANATIONS {
+        assert!(all.contains(&format!("{}  {}", entry.code, entry.title)));
+    }
+    let one = bench.run(&["explain", "w402"]).well().out;
+    assert!(
+        one.starts_with("W402  equivalent friction implausible\n"),
+        "{one}"
+    );
+    assert!(
+        one.contains("0.01 to 0.12") && one.contains("what to do"),
+        "{one}"
+    );
+    let listed = bench.run(&["explain", "--json"]).well().json();
+    assert_eq!(listed.as_array().unwrap().len(), EXPLANATIONS.len());
+}

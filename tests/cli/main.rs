@@ -1,0 +1,19 @@
+//! The command as its users meet it: every message, every transcript of the documents, every promise
+//! about files and threads. All through the real program, in a folder of its own.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests may panic"
+)]
+
+mod bench;
+
+mod case_messages;
+mod codes;
+mod file_messages;
+mod fuzz;
+mod result_messages;
+mod results;
+mod single_modules;
+mod threads;

@@ -1,0 +1,407 @@
+//! Messages about solutions and results: errors that end a run, warnings that go with a result.
+
+use asperity::{PositionError, RunError};
+use asperity_contact::{Certificate, ContactError};
+use asperity_core::quantity::Length;
+
+use crate::bench::{Bench, root, rows, with_line};
+
+/// A bench with the small case, its flanks, and a change to one line.
+fn bench_with(key: &str, line: &str) -> Bench {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", with_line(key, line));
+    bench
+}
+
+#[track_caller]
+fn run_is_refused(bench: &Bench, options: &[&str], status: i32, code: &str, says: &[&str]) {
+    let before = bench.listing();
+    let mut arguments = vec!["run", "case.toml", "-o", "out"];
+    arguments.extend(options);
+    bench.run(&arguments).refused(status, code, says);
+    assert_eq!(bench.listing(), before, "nothing is left behind");
+}
+
+#[test]
+fn points_too_far_apart_for_the_contact_are_refused() {
+    let bench = bench_with("cutoff", "cutoff = \"0 mm\"\nnoise_cutoff = \"0 um\"");
+    for name in ["pinion.csv", "wheel.csv"] {
+        bench.write(
+            name,
+            format!(
+                "x_um,z_um\n{}",
+                rows(500, |i, z| format!("{},{z:.4}", 20 * i))
+            ),
+        );
+    }
+    let says = [
+        "position 1 of 4",
+        "dx 20.000 um gives ",
+        "points per Hertz half-width (at least 20 needed)",
+    ];
+    run_is_refused(&bench, &[], 2, "E121", &says);
+}
+
+#[test]
+fn a_trace_shorter_than_the_contact_is_refused() {
+    let bench = bench_with("offsets", "window = 99");
+    let says = [
+        "position 1 of 4",
+        "2750 um is shorter than the contact window of",
+        "reduce model.window",
+    ];
+    run_is_refused(&bench, &[], 2, "E122", &says);
+}
+
+#[test]
+fn a_contact_that_does_not_converge_reports_no_pressure() {
+    let bench = bench_with("title", "title = \"x\"");
+    // 1e-17 is below the round-off of a double: no iteration can get there.
+    let said = bench.run(&[
+        "contact",
+        "case.toml",
+        "--tolerance",
+        "1e-17",
+        "-o",
+        "points.csv",
+    ]);
+    said.refused(
+        3,
+        "E301",
+        &[
+            "case.toml: not converged to 1e-17 after",
+            "duality gap",
+            "load error",
+        ],
+    );
+    assert!(!bench.path("points.csv").exists());
+}
+
+#[test]
+fn a_run_that_does_not_converge_says_where_and_that_there_is_no_efficiency() {
+    // No input is known that keeps the solver from converging in a run; the message is held here.
+    let certificate = Certificate {
+        duality_gap: 2e-3,
+        penetration: 1e-4,
+        load_error: 0.041,
+        reference_gap: Length::from_si(1e-6),
+    };
+    let error = RunError::Position {
+        number: 7,
+        count: 32,
+        source: Box::new(PositionError::Contact(ContactError::NotConverged {
+            iterations: 200,
+            certificate,
+            tolerance: 1e-8,
+        })),
+    };
+    assert_eq!(error.code(), "E301");
+    let said = error.to_string();
+    assert!(
+        said.starts_with("position 7 of 32: not converged to 1e-8 after 200 iterations"),
+        "{said}"
+    );
+    assert!(said.contains("load error 4.1e-2"), "{said}");
+    assert!(said.ends_with("No efficiency is reported"), "{said}");
+}
+
+#[test]
+fn a_surface_too_soft_for_the_load_is_outside_the_model() {
+    let bench = bench_with("flow_pressure", "flow_pressure = \"100 MPa\"");
+    let says = [
+        "position 1 of 4",
+        "the pressure limit 100 MPa carries at most",
+        "the load is",
+    ];
+    run_is_refused(&bench, &[], 4, "E302", &says);
+}
+
+#[test]
+fn the_paper_and_the_contact_alone_need_a_trace() {
+    let bench = bench_with("pinion", "pinion = { rq = \"0.3 um\" }");
+    let says = ["two measured profiles", "give surface.pinion.file"];
+    run_is_refused(&bench, &["--formulation", "paper"], 4, "E303", &says);
+    bench
+        .run(&["contact", "case.toml"])
+        .refused(4, "E303", &says);
+}
+
+#[test]
+fn marching_that_misses_the_load_is_not_converged() {
+    // 1e-13 % is below round-off: halving the step cannot get there.
+    let bench = bench_with("offsets", "numerical_error = \"1e-13 %\"");
+    let says = [
+        "position 1 of 1",
+        "left a load error of",
+        "(allowed 1.0e-13 %). No efficiency is reported",
+    ];
+    run_is_refused(&bench, &["--formulation", "paper"], 3, "E304", &says);
+}
+
+#[test]
+fn an_oil_thinner_than_a_law_takes_is_outside_the_model() {
+    let bench = bench_with("temperature", "temperature = \"500 °C\"");
+    let says = [
+        "position 1 of 4",
+        "viscosity = 0.28",
+        "above 1 mPa s for Xu's law",
+    ];
+    run_is_refused(&bench, &[], 4, "E305", &says);
+}
+
+#[test]
+fn a_folder_that_is_no_result_is_refused_and_untouched() {
+    let bench = bench_with("title", "title = \"x\"");
+    std::fs::create_dir(bench.path("notes")).unwrap();
+    bench.write("notes/diary.txt", "12 March: wear");
+    // Many programs write a result.json; only ours may be replaced.
+    std::fs::create_dir(bench.path("other")).unwrap();
+    bench.write("other/result.json", "{ \"program\": \"another\" }");
+    bench.run(&["run", "case.toml", "-o", "mixed"]).well();
+    bench.write("mixed/notes.txt", "keep me");
+    for (folder, says) in [
+        ("notes", "(diary.txt is no part of a result)"),
+        ("other", "exists and is not a result folder"),
+        ("mixed", "(notes.txt is no part of a result)"),
+        ("case.toml", "case.toml: exists and is not a result folder"),
+        ("case.toml/out", "case.toml: cannot be written"),
+    ] {
+        let before = bench.listing();
+        let said = bench.run(&["run", "case.toml", "-o", folder]);
+        said.refused(2, "E401", &[says]);
+        assert_eq!(bench.listing(), before);
+    }
+    let read = |name: &str| std::fs::read_to_string(bench.path(name)).unwrap();
+    assert_eq!(read("notes/diary.txt"), "12 March: wear");
+    assert_eq!(read("other/result.json"), "{ \"program\": \"another\" }");
+    assert_eq!(read("mixed/notes.txt"), "keep me");
+    bench
+        .run(&["demo", "notes"])
+        .refused(2, "E401", &["notes: exists already", "name another"]);
+    let gap = ["contact", "case.toml", "-o", "notes"];
+    bench
+        .run(&gap)
+        .refused(2, "E401", &["notes: cannot be written"]);
+}
+
+#[test]
+fn the_page_of_what_is_no_result_is_refused() {
+    let bench = bench_with("title", "title = \"x\"");
+    bench
+        .run(&["run", "case.toml", "-o", "out", "--quiet"])
+        .well();
+    for (arguments, says) in [
+        (
+            &["report", "nosuch"][..],
+            "nosuch: not a result of asperity run: there is no such file",
+        ),
+        (
+            &["report", "case.toml"],
+            "case.toml: not a result of asperity run: it is not JSON",
+        ),
+        (
+            &["report", "out", "--position", "99"],
+            "position 99 is not among the 4",
+        ),
+    ] {
+        bench.run(arguments).refused(2, "E402", &[says]);
+    }
+}
+
+#[test]
+fn a_gap_file_is_held_to_the_same_rules() {
+    let bench = Bench::new();
+    let far = "x_um,h_um\n0,1\n1,1\n5,1\n";
+    for (content, code, says) in [
+        (
+            "x_um,h_um\n0,1\n1,a\n",
+            "E101",
+            "gap.csv:3: cannot read \"a\"",
+        ),
+        ("", "E102", "no column x"),
+        ("x,h\n0,1\n", "E104", "does not name a length unit"),
+        ("x_um,h_um\n5,1\n1,1\n", "E105", "must increase"),
+        ("x_um,h_um\n5,1\n", "E106", "one point is too few"),
+        (far, "E109", "off the even grid"),
+    ] {
+        bench.write("gap.csv", content);
+        let arguments = [
+            "contact", "--gap", "gap.csv", "--e-star", "115 GPa", "--load", "3 N/m",
+        ];
+        bench.run(&arguments).refused(2, code, &[says]);
+    }
+    bench
+        .run(&[
+            "contact",
+            "--gap",
+            "nosuch.csv",
+            "--e-star",
+            "115 GPa",
+            "--load",
+            "3 N/m",
+        ])
+        .refused(2, "E103", &["nosuch.csv: cannot be opened"]);
+    bench.write("gap.csv", "x_um,h_um\n0,1\n1,0\n2,1\n");
+    let with = |e_star: &str, load: &str, limit: &str| {
+        let options = [
+            "--e-star",
+            e_star,
+            "--load",
+            load,
+            "--pressure-limit",
+            limit,
+        ];
+        let mut arguments = vec!["contact", "--gap", "gap.csv"];
+        arguments.extend(options);
+        bench.run(&arguments)
+    };
+    with("0 GPa", "3 N/m", "1 GPa").refused(2, "E209", &["reduced modulus", "greater than zero"]);
+    with("115 GPa", "-3 N/m", "1 GPa").refused(2, "E209", &["load"]);
+    with("115 GPa", "3e6 N/m", "1 GPa").refused(
+        4,
+        "E302",
+        &["the pressure limit 1 GPa", "lower the load"],
+    );
+}
+
+/// Runs the small case with a changed line; the warning with `code` must say all of `says`.
+#[track_caller]
+fn warns(bench: &Bench, options: &[&str], code: &str, says: &[&str]) {
+    let mut arguments = vec!["run", "case.toml", "--no-output"];
+    arguments.extend(options);
+    let said = bench.run(&arguments).well();
+    let lines: Vec<&str> = said
+        .out
+        .lines()
+        .filter(|line| line.starts_with(code))
+        .collect();
+    let holds = |line: &&&str| says.iter().all(|part| line.contains(part));
+    assert!(
+        lines.iter().any(|line| holds(&line)),
+        "{says:?} is not in {}",
+        said.out
+    );
+    arguments.push("--json");
+    let warnings = bench.run(&arguments).well().json()["warnings"].clone();
+    let codes = warnings
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|entry| &entry["code"]);
+    assert!(codes.into_iter().any(|seen| seen == code), "{warnings}");
+}
+
+#[test]
+fn what_calls_for_attention_in_a_result_is_said_with_it() {
+    let plain = bench_with("title", "title = \"x\"");
+    warns(
+        &plain,
+        &[],
+        "W401",
+        &["kinematic viscosity = 7.2", "outside 15 to 350 mm2/s"],
+    );
+    warns(
+        &plain,
+        &[],
+        "W409",
+        &["asperities flow at", "of 4 positions"],
+    );
+    warns(
+        &plain,
+        &["--formulation", "paper"],
+        "W402",
+        &["mu_eq 0.001 is outside 0.01-0.12 for lubricated steel"],
+    );
+    let many = bench_with("offsets", "offsets = 16");
+    warns(
+        &many,
+        &[],
+        "W407",
+        &["16 offsets on a trace that holds", "they overlap"],
+    );
+    let deep = bench_with("depths", "depths = 12");
+    warns(
+        &deep,
+        &[],
+        "W410",
+        &["von Mises stress", "the elastic limit 1500 MPa"],
+    );
+    let soft = bench_with("elastic_limit", "elastic_limit = \"235 MPa\"");
+    warns(
+        &soft,
+        &[],
+        "W405",
+        &["passes 1.79 x the elastic limit 235 MPa"],
+    );
+    let values = bench_with("pinion", "pinion = { rq = \"0.3 um\" }");
+    warns(
+        &values,
+        &[],
+        "W408",
+        &["roughness values without rpk and asperity_radius"],
+    );
+}
+
+#[test]
+fn what_calls_for_attention_in_the_flanks_is_said_with_the_result() {
+    let same = bench_with("wheel", "");
+    warns(&same, &[], "W404", &["both flanks come from one trace"]);
+    let rough = bench_with("title", "title = \"x\"");
+    let table = rows(6000, |i, z| format!("{:.1},{:.4}", 0.5 * i as f64, 4.0 * z));
+    rough.write("pinion.csv", format!("x_um,z_um\n{table}"));
+    warns(
+        &rough,
+        &[],
+        "W403",
+        &["Xu (S is held at 0.6 um)", "outside 0 .. 0.6 um"],
+    );
+    let two = bench_with("title", "title = \"x\"");
+    let table = rows(7000, |i, z| format!("{:.1},{z:.4}", 0.4 * i as f64));
+    two.write("pinion.csv", format!("x_um,z_um\n{table}"));
+    warns(
+        &two,
+        &[],
+        "W119",
+        &[
+            "the flanks are spaced 400 nm and 500 nm",
+            "resampled linearly to 400 nm",
+        ],
+    );
+    let long_waves = bench_with("cutoff", "noise_cutoff = \"80 um\"");
+    warns(
+        &long_waves,
+        &[],
+        "W406",
+        &["fewer than 5 asperities reach into the peak zone"],
+    );
+    let raw = bench_with("cutoff", "cutoff = \"0.25 mm\"\nform = \"none\"");
+    let arc = |i: usize| 38.0 * (i as f64 / 3000.0 - 1.0).powi(2);
+    let table = rows(6001, |i, z| {
+        format!("{:.1},{:.4}", 0.5 * i as f64, z + arc(i))
+    });
+    raw.write("pinion.csv", format!("x_um,z_um\n{table}"));
+    warns(
+        &raw,
+        &[],
+        "W112",
+        &["pinion.csv: form not removed (parabola of 38"],
+    );
+}
+
+#[test]
+fn the_shipped_case_of_the_paper_warns_as_its_documents_say() {
+    let bench = Bench::new();
+    let case = root().join("fixtures/cases/table2.toml");
+    let arguments = [
+        "run",
+        case.to_str().unwrap(),
+        "--no-output",
+        "--formulation",
+        "paper",
+    ];
+    let said = bench.run(&arguments).well().out;
+    for says in ["W402 mu_eq 0.32", "W404 ", "W405 p0 621 MPa"] {
+        assert!(said.contains(says), "{said}");
+    }
+}

@@ -1,0 +1,252 @@
+//! Promises about results: whole or not at all, the same in a file and on the screen, quiet on request.
+
+use std::fs;
+use std::io::Read;
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+use crate::bench::{Bench, E_DRIVE, program};
+
+fn small_case() -> Bench {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    bench
+}
+
+#[test]
+fn the_demo_runs_as_it_is_written() {
+    let bench = Bench::new();
+    let said = bench.run(&["demo"]).well();
+    assert!(
+        said.out.contains("next: asperity run demo/case.toml"),
+        "{}",
+        said.out
+    );
+    let said = bench.run(&["run", "demo/case.toml"]).well();
+    assert!(
+        said.out.contains("efficiency (mesh only)  99."),
+        "{}",
+        said.out
+    );
+    assert!(
+        said.out.contains("SYNTHETIC") || said.out.contains("synthetic"),
+        "{}",
+        said.out
+    );
+    assert!(bench.path("results/case/result.json").is_file());
+    bench
+        .run(&["demo"])
+        .refused(2, "E401", &["demo: exists already"]);
+    let named = bench
+        .run(&["demo", "my first/case", "--json"])
+        .well()
+        .json();
+    assert_eq!(named["folder"], "my first/case");
+    let files = named["files"].as_array().unwrap();
+    assert!(files.iter().all(|file| {
+        bench
+            .path("my first/case")
+            .join(file.as_str().unwrap())
+            .is_file()
+    }));
+}
+
+#[test]
+fn json_on_the_screen_is_the_result_file() {
+    let bench = small_case();
+    let said = bench
+        .run(&["run", "case.toml", "-o", "out", "--json"])
+        .well();
+    assert_eq!(
+        said.out,
+        fs::read_to_string(bench.path("out/result.json")).unwrap()
+    );
+    let result = said.json();
+    assert_eq!(
+        result["schema_version"].as_u64(),
+        Some(u64::from(asperity::result::SCHEMA_VERSION))
+    );
+    assert!(result["summary"]["efficiency"].as_f64().unwrap() > 0.9);
+    for flank in result["flanks"].as_array().unwrap() {
+        assert_eq!(flank["sha256"].as_str().unwrap().len(), 64);
+    }
+    // Nothing of the machine or of the day: the same case gives the same file.
+    bench
+        .run(&["run", "case.toml", "-o", "again", "--quiet"])
+        .well();
+    let again = fs::read_to_string(bench.path("again/result.json")).unwrap();
+    assert_eq!(again, said.out);
+}
+
+#[test]
+fn quiet_says_nothing_but_errors() {
+    let bench = small_case();
+    for arguments in [
+        &["run", "case.toml", "-o", "out", "--quiet"][..],
+        &["-q", "regime", "case.toml"],
+        &["film", "case.toml", "-q"],
+        &["contact", "case.toml", "-q"],
+        &["profile", "info", "pinion.csv", "-q"],
+        &["demo", "-q"],
+    ] {
+        assert_eq!(bench.run(arguments).well().out, "", "{arguments:?}");
+    }
+    bench
+        .run(&["run", "nosuch.toml", "-q"])
+        .refused(2, "E201", &["nosuch.toml"]);
+}
+
+#[test]
+fn an_older_result_is_replaced_as_a_whole() {
+    let bench = small_case();
+    bench.run(&["run", "case.toml", "-o", "out", "-q"]).well();
+    assert!(bench.path("out/position_04").is_dir());
+    bench.write(
+        "case.toml",
+        E_DRIVE.replace("positions = 4", "positions = 3"),
+    );
+    bench.run(&["run", "case.toml", "-o", "out", "-q"]).well();
+    assert!(!bench.path("out/position_04").exists());
+    assert_eq!(
+        bench.listing(),
+        ["case.toml", "out", "pinion.csv", "wheel.csv"]
+    );
+}
+
+#[test]
+fn folders_on_the_way_are_made_and_blanks_in_names_do_no_harm() {
+    let bench = Bench::new();
+    fs::create_dir(bench.path("with blank")).unwrap();
+    bench.write("with blank/case.toml", E_DRIVE);
+    let flanks = small_case();
+    for name in ["pinion.csv", "wheel.csv"] {
+        fs::copy(flanks.path(name), bench.path("with blank").join(name)).unwrap();
+    }
+    let said = bench
+        .run(&["run", "with blank/case.toml", "-o", "new/and deep/out"])
+        .well();
+    assert!(
+        said.out.contains("wrote new/and deep/out in "),
+        "{}",
+        said.out
+    );
+    assert!(bench.path("new/and deep/out/result.json").is_file());
+    bench.run(&["run", "with blank/case.toml"]).well();
+    assert!(bench.path("results/case/result.json").is_file());
+}
+
+#[test]
+fn no_output_writes_nothing() {
+    let bench = small_case();
+    let before = bench.listing();
+    let said = bench.run(&["run", "case.toml", "--no-output"]).well();
+    assert!(!said.out.contains("wrote"), "{}", said.out);
+    assert_eq!(bench.listing(), before);
+}
+
+#[test]
+fn every_default_used_is_listed_on_request() {
+    let bench = small_case();
+    let result = bench
+        .run(&["run", "case.toml", "--no-output", "--json"])
+        .well()
+        .json();
+    let defaults = result["defaults"].as_array().unwrap();
+    let said = bench.run(&["run", "case.toml", "--no-output"]).well().out;
+    let count = format!("defaults used: {} (--explain-defaults)", defaults.len());
+    assert!(said.contains(&count), "{said}");
+    let said = bench
+        .run(&["run", "case.toml", "--no-output", "--explain-defaults"])
+        .well()
+        .out;
+    for default in defaults {
+        let line = format!(
+            "  {} = {}",
+            default["key"].as_str().unwrap(),
+            default["value"].as_str().unwrap()
+        );
+        assert!(said.contains(&line), "{line} is not in {said}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_folder_that_may_not_be_written_to_stays_as_it_was() {
+    use std::os::unix::fs::PermissionsExt;
+    let bench = small_case();
+    let place = bench.path("locked");
+    fs::create_dir(&place).unwrap();
+    fs::set_permissions(&place, fs::Permissions::from_mode(0o555)).unwrap();
+    let is_locked = fs::write(place.join("probe"), "").is_err();
+    let said = bench.run(&["run", "case.toml", "-o", "locked/out"]);
+    let left = fs::read_dir(&place).unwrap().count();
+    fs::set_permissions(&place, fs::Permissions::from_mode(0o755)).unwrap();
+    // The superuser may write anywhere: then there is nothing to refuse.
+    if is_locked {
+        said.refused(2, "E401", &["locked"]);
+        assert_eq!(left, 0);
+    } else {
+        said.well();
+    }
+}
+
+#[test]
+fn a_run_that_is_killed_leaves_a_whole_result_or_none() {
+    let bench = small_case();
+    bench.write("case.toml", E_DRIVE.replace("offsets = 2", "offsets = 40"));
+    for milliseconds in [20, 150, 400] {
+        let mut run = Command::new(program())
+            .args(["run", "case.toml", "-o", "out", "-q"])
+            .current_dir(bench.path(""))
+            .spawn()
+            .unwrap();
+        std::thread::sleep(Duration::from_millis(milliseconds));
+        run.kill().unwrap();
+        run.wait().unwrap();
+        let out = bench.path("out");
+        if out.exists() {
+            let text = fs::read_to_string(out.join("result.json")).unwrap();
+            assert!(serde_json::from_str::<serde_json::Value>(&text).is_ok());
+            assert!(out.join("report.html").is_file());
+            fs::remove_dir_all(out).unwrap();
+        }
+    }
+}
+
+#[test]
+fn a_reader_that_goes_away_is_no_fault() {
+    for arguments in [
+        &["equations"][..],
+        &["schema"],
+        &["equations", "--markdown"],
+        &["explain"],
+    ] {
+        let mut run = Command::new(program())
+            .args(arguments)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        drop(run.stdout.take());
+        let mut said = String::new();
+        run.stderr
+            .take()
+            .unwrap()
+            .read_to_string(&mut said)
+            .unwrap();
+        assert_eq!(run.wait().unwrap().code(), Some(0), "{said}");
+        assert_eq!(said, "");
+    }
+}
+
+#[test]
+fn no_colour_comes_out_of_a_pipe() {
+    let bench = small_case();
+    for environment in [&[][..], &[("NO_COLOR", "1")], &[("TERM", "xterm-256color")]] {
+        let said = bench.run_with(&["run", "case.toml", "--no-output"], environment);
+        assert!(!said.out.contains('\u{1b}') && !said.err.contains('\u{1b}'));
+        let said = bench.run_with(&["run", "nosuch.toml"], environment);
+        assert!(!said.err.contains('\u{1b}'), "{}", said.err);
+    }
+}
