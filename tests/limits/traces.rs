@@ -145,3 +145,25 @@ fn film_and_asperities_together_carry_the_load() {
         assert!(sum(&fields.shear) * row.sliding_m_per_s < 0.0);
     }
 }
+
+#[test]
+fn plastic_work_counts_as_a_loss_only_when_asked_for() {
+    let with = |included: bool| {
+        between(&waves(1e-6), &flat(), |case| {
+            thin_oil(case)
+                .with("material.pinion.flow_pressure", "1 GPa")
+                .with("model.include_running_in", included)
+        })
+        .result
+    };
+    let (apart, counted) = (with(false), with(true));
+    let work = apart.running_in.first_pass_w;
+    assert!(work > 0.0);
+    assert_eq!(counted.running_in.first_pass_w, work);
+    // A difference of some hundred watts.
+    let more = counted.summary.loss_w - apart.summary.loss_w;
+    assert_close("running-in", more, work, 1e-9 / work.min(1.0));
+    // 50 teeth at 50 turns a second.
+    let energy = apart.running_in.energy_per_engagement_j;
+    assert_close("energy", energy * 2500.0, work, 1e-12);
+}

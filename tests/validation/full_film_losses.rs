@@ -93,3 +93,18 @@ fn the_efficiency_printed_in_the_paper_asks_for_rougher_flanks_than_xu_ever_saw(
     assert!(smoother.efficiency > 0.988 && rougher.efficiency < 0.988);
     assert!(smoother.mu_equivalent > 0.15);
 }
+
+#[test]
+fn a_per_cent_of_hysteresis_is_a_per_cent_of_the_elastic_energy_of_hertz() {
+    // ½∫p u dx = 0.026610840 J/m under Hertz's pressure at C, evaluated by trapezoids over 3001
+    // points; a²/R, and with it the energy, is the same all along the path. Times 50 mm and 2500
+    // engagements a second it is 3.326355 W.
+    let with = |share: &str| {
+        let case = table_2().with("model.hysteresis", share);
+        case.run().result.summary
+    };
+    let (none, some) = (with("0 %"), with("1 %"));
+    asperity_tests::assert_close("hysteresis", some.hysteresis_w, 0.033_263_55, 1e-4);
+    let more = some.loss_w - none.loss_w;
+    asperity_tests::assert_close("loss", more, some.hysteresis_w, 1e-9);
+}
