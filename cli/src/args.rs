@@ -66,6 +66,17 @@ pub enum Command {
     /// Make the figures of the 2022 paper, each with its table
     #[command(after_help = "Example:\n  asperity figures -o docs/figures")]
     Figures(FiguresArgs),
+    /// Print the completions of a shell, or the man page
+    #[command(
+        after_help = "Examples:\n  asperity completions bash > /etc/bash_completion.d/asperity\n  \
+        asperity completions zsh > ~/.zfunc/_asperity\n  \
+        asperity completions man > /usr/local/share/man/man1/asperity.1"
+    )]
+    Completions {
+        /// The shell, or man
+        #[arg(value_enum)]
+        kind: CompletionKind,
+    },
     /// Film thickness, Lambda* and regime along the path of contact, without the rough contact
     Regime(CaseArgs),
     /// The rough contact alone: of a case at one position, or of a bare gap file
@@ -177,6 +188,23 @@ impl std::str::FromStr for FinishArg {
             wheel: wheel.map(PathBuf::from),
         })
     }
+}
+
+/// What a shell needs to know of the command.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum CompletionKind {
+    /// bash
+    Bash,
+    /// elvish
+    Elvish,
+    /// fish
+    Fish,
+    /// PowerShell
+    Powershell,
+    /// zsh
+    Zsh,
+    /// The man page, for man itself
+    Man,
 }
 
 /// Where the figures go.

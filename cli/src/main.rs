@@ -45,6 +45,7 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
         Command::Run(args) => commands::run::run(args, common),
         Command::Report(args) => commands::report::report(args, common),
         Command::Compare(args) => commands::compare::compare(args, common),
+        Command::Completions { kind } => commands::completions::completions(*kind, common),
         Command::Figures(args) => commands::figures::figures(args, common),
         Command::Regime(args) => commands::regime::regime(args, common),
         Command::Contact(args) => commands::contact::contact(args, common),

@@ -2,4 +2,6 @@
 //! nothing is fetched. Skipped with a notice where there is no Chromium.
 
 mod chromium;
+mod compare;
+mod figures;
 mod report;

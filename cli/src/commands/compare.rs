@@ -12,6 +12,10 @@ use crate::output::{PATIENCE, print_json, print_text, progress};
 
 /// `asperity compare`
 pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
+    if args.finishes.len() < 2 {
+        let message = "--finish: one finish compares with nothing; give at least two";
+        return Err(Failure::new("E205", message));
+    }
     let finishes = args
         .finishes
         .iter()

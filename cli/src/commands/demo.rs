@@ -20,9 +20,8 @@ pub fn demo(folder: &Path, common: &Common) -> Result<(), Failure> {
     }
     let files = asperity_fixtures::demo::files()
         .map_err(|error| Failure::new("E501", format!("the demo cannot be made: {error}")))?;
-    write(&files, folder).map_err(|error| {
-        Failure::new("E401", format!("{name}: cannot be written: {error}"))
-    })?;
+    write(&files, folder)
+        .map_err(|error| Failure::new("E401", format!("{name}: cannot be written: {error}")))?;
     if common.json {
         let names: Vec<&str> = files.iter().map(|file| file.name).collect();
         return print_json(&json!({ "folder": folder, "files": names }));

@@ -1,6 +1,7 @@
 //! One file per command.
 
 pub mod compare;
+pub mod completions;
 pub mod contact;
 pub mod demo;
 pub mod figures;

@@ -38,7 +38,10 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     if common.json {
         return print_json(&outcome.result);
     }
-    print_text(common, &text(&outcome.result, args, folder.as_deref(), begin))
+    print_text(
+        common,
+        &text(&outcome.result, args, folder.as_deref(), begin),
+    )
 }
 
 fn text(result: &RunResult, args: &RunArgs, folder: Option<&Path>, begin: Instant) -> String {

@@ -1,0 +1,78 @@
+//! The page of a comparison, and what it compares.
+
+use std::path::{Path, PathBuf};
+
+use asperity::case::{CaseInput, FlankInput, load_with};
+use asperity::report::compare::{Comparison, Finish, compare, write};
+
+use crate::chromium;
+
+fn fixtures() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures")
+}
+
+fn finish(name: &str, files: [&str; 2]) -> Finish {
+    let flank = |file: &str, mirrored| FlankInput {
+        file: Some(
+            fixtures()
+                .canonicalize()
+                .unwrap()
+                .join("profiles")
+                .join(file),
+        ),
+        mirrored: Some(mirrored),
+        ..FlankInput::default()
+    };
+    let change = |input: &mut CaseInput| {
+        input.surface.pinion = flank(files[0], false);
+        input.surface.wheel = Some(flank(files[1], true));
+        input.model.offsets = Some(12);
+        input.model.positions = Some(8);
+    };
+    let case = load_with(&fixtures().join("cases/e-drive.toml"), &change).unwrap();
+    Finish {
+        name: name.to_owned(),
+        case,
+    }
+}
+
+fn ground_and_superfinished() -> Comparison {
+    let finishes = [
+        finish("ground", ["ground_pinion.csv", "ground_wheel.csv"]),
+        finish(
+            "superfinished",
+            ["superfinished.csv", "superfinished_wheel.csv"],
+        ),
+        finish("ground again", ["ground_pinion.csv", "ground_wheel.csv"]),
+    ];
+    compare(&finishes, &|_, _| {}).unwrap()
+}
+
+#[test]
+fn a_finish_does_not_differ_from_itself_and_superfinishing_pays() {
+    let found = ground_and_superfinished();
+    let of = |index: usize| found.finishes[index].difference_w.unwrap();
+    assert_eq!((of(2).mean, of(2).half_width), (0.0, 0.0));
+    assert!(of(1).mean + of(1).half_width < 0.0, "{:?}", of(1));
+    assert!(found.finishes[0].difference_w.is_none());
+    // Far smoother flanks lose far less, so every height parameter orders them alike.
+    assert!(found.correlations.iter().all(|entry| entry.with_loss > 0.5));
+}
+
+#[test]
+fn the_page_of_a_comparison_draws_and_zooms_and_its_tables_are_there() {
+    let place = tempfile::tempdir().unwrap();
+    let folder = place.path().join("compared");
+    let found = ground_and_superfinished();
+    write(&found, &folder).unwrap();
+    // An older comparison is replaced as a whole.
+    write(&found, &folder).unwrap();
+    let page = std::fs::read_to_string(folder.join("compare.html")).unwrap();
+    for rest in page.split("data: <code>").skip(1) {
+        assert!(folder.join(&rest[..rest.find('<').unwrap()]).is_file());
+    }
+    let Some(browser) = chromium::find() else {
+        return;
+    };
+    crate::report::assert_sound(&chromium::open(browser, &folder.join("compare.html"), 1000));
+}

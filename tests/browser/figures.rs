@@ -1,0 +1,46 @@
+//! The paper's figures: all are made, small, with their tables, and shown in the docs.
+
+use std::path::Path;
+
+use asperity::case::{Formulation, load};
+
+#[test]
+fn every_figure_has_its_table_and_a_place_in_the_docs() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let case = load(
+        &root.join("fixtures/cases/table2.toml"),
+        Some(Formulation::Paper),
+    )
+    .unwrap();
+    let place = tempfile::tempdir().unwrap();
+    let files = asperity::report::figures::write(&case, place.path()).unwrap();
+    let docs = std::fs::read_to_string(root.join("docs/FIGURES.md")).unwrap();
+    for number in ["06", "07", "08", "09", "10", "11", "12", "13"] {
+        let of = |ending: &str| {
+            files.iter().any(|file| {
+                let name = file.file_name().unwrap().to_string_lossy();
+                name.contains(&format!("fig{number}")) && name.ends_with(ending)
+            })
+        };
+        assert!(of(".svg") && of(".csv"), "figure {number}");
+    }
+    /// What a code host shows without complaint.
+    const LARGEST: u64 = 200_000;
+    for file in files
+        .iter()
+        .filter(|file| file.extension().is_some_and(|e| e == "svg"))
+    {
+        let name = file.file_name().unwrap().to_string_lossy().into_owned();
+        assert!(std::fs::metadata(file).unwrap().len() < LARGEST, "{name}");
+        assert!(
+            docs.contains(&format!("figures/{name}")),
+            "{name} is shown in docs/FIGURES.md"
+        );
+        assert!(
+            root.join("docs/figures").join(&name).is_file(),
+            "{name} is committed"
+        );
+        let text = std::fs::read_to_string(file).unwrap();
+        assert!(!text.contains("NaN") && !text.contains("inf"), "{name}");
+    }
+}
