@@ -171,7 +171,7 @@ fn linear_ticks(low: f64, high: f64, wanted: usize) -> Vec<(f64, String)> {
     let mut k = first;
     while k <= last {
         let value = k * step;
-        let label = if large >= 1e6 || large < 1e-4 {
+        let label = if !(1e-4..1e6).contains(&large) {
             format!("{value:.1e}")
         } else {
             minus(&format!(

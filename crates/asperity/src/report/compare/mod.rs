@@ -19,7 +19,7 @@ use crate::case::LoadedCase;
 use crate::error::{PositionError, RunError};
 use crate::pipeline::{self, Progress};
 use crate::result::OffsetRow;
-use windows::WindowRoughness;
+use windows::{Value, WindowRoughness};
 
 /// Confidence of every interval.
 pub const CONFIDENCE: f64 = 0.95;
@@ -143,7 +143,7 @@ pub fn compare(finishes: &[Finish], progress: Progress<'_>) -> Result<Comparison
 }
 
 fn correlations(finishes: &[FinishResult]) -> Vec<Correlation> {
-    let pairs = |finish: &FinishResult, of: fn(&WindowRoughness) -> f64| -> Vec<[f64; 2]> {
+    let pairs = |finish: &FinishResult, of: Value| -> Vec<[f64; 2]> {
         let rows = finish.roughness.iter().zip(&finish.offsets);
         rows.map(|(window, row)| [of(window), row.loss_w]).collect()
     };

@@ -79,7 +79,7 @@ fn inside(t: f64, freedom: usize) -> f64 {
         }
         sum
     };
-    if freedom % 2 == 0 {
+    if freedom.is_multiple_of(2) {
         return sine * series(1);
     }
     let tail = if freedom > 1 {

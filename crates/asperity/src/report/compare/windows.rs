@@ -24,8 +24,11 @@ pub(crate) struct WindowRoughness {
     pub rvk_composite_um: f64,
 }
 
+/// How a parameter is taken from a window.
+pub(super) type Value = fn(&WindowRoughness) -> f64;
+
 /// Names and values of the parameters that are compared with the loss.
-pub(super) const PARAMETERS: &[(&str, fn(&WindowRoughness) -> f64)] = &[
+pub(super) const PARAMETERS: &[(&str, Value)] = &[
     ("Ra", |window| window.ra_um),
     ("Rq", |window| window.rq_um),
     ("Rz", |window| window.rz_um),
