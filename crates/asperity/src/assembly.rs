@@ -123,6 +123,7 @@ fn summary(
         mu_equivalent: equivalent.value,
         loss_factor: factors.ohlendorf,
         loss_factor_local: factors.local,
+        loss_factor_phase_averaged: factors.local_phase_averaged,
         mixed_share: mixed / total,
         positions: positions.len(),
         worst_load_error: contacts().map(|c| c.load_error).fold(0.0, f64::max),

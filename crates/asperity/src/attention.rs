@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use asperity_core::OutOfRange;
 use asperity_efficiency::equivalent_friction;
 
-use crate::case::LoadedCase;
-use crate::local_roughness::FEW_ASPERITIES;
+use crate::case::{Formulation, LoadedCase};
 use crate::error::PositionError;
+use crate::local_roughness::FEW_ASPERITIES;
 use crate::message::Warning;
 use crate::position::Position;
 use crate::result::{Regime, Summary};
@@ -44,6 +44,7 @@ pub(crate) fn warnings(
             "both flanks come from one trace, so their roughness is correlated and S = sqrt(Rq1^2 + Rq2^2) is not exact",
         ));
     }
+    no_sliding(loaded, positions, &mut found);
     stress(loaded, positions, &mut found);
     roughness(loaded, positions, &mut found);
     Ok(found)
@@ -122,6 +123,19 @@ fn short(value: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
+/// W412: the paper's one position stands for the mesh, but nothing slides there.
+fn no_sliding(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warning>) {
+    /// Slide-to-roll ratios below this are round-off at the pitch point.
+    const PURE_ROLLING: f64 = 1e-9;
+    let rolls = |position: &Position| position.station.motion.slide_to_roll.abs() < PURE_ROLLING;
+    if loaded.case.formulation == Formulation::Paper && positions.iter().all(rolls) {
+        found.push(Warning::new(
+            "W412",
+            "the one position of the paper's reading is the pitch point, where nothing slides: the efficiency holds no sliding loss. Set model.position, as 0.25",
+        ));
+    }
+}
+
 /// W405, W409, W410: yield below the surface, and flow of the asperities.
 fn stress(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warning>) {
     let materials = &loaded.case.materials;
@@ -177,7 +191,7 @@ fn stress(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warning>)
     }
 }
 
-/// W406, W407, W408: what the traces do not tell.
+/// W406, W407, W408, W411: what the traces do not tell.
 fn roughness(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warning>) {
     if !loaded.surfaces.are_measured() {
         let known = positions.iter().all(|position| {
@@ -191,7 +205,7 @@ fn roughness(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warnin
             if known {
                 "a flank is given by roughness values: losses follow from the load share, the rough contact was not computed"
             } else {
-                "a flank is given by roughness values without rpk and asperity_radius: full film was assumed all along the path"
+                "a flank is given by roughness values without rpk and asperity_radius: the classical film ratio decides the regime, the rough contact was not computed"
             },
         ));
         return;
@@ -211,6 +225,18 @@ fn roughness(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warnin
             "W406",
             format!(
                 "fewer than {FEW_ASPERITIES} asperities reach into the peak zone in {few} of {} mixed contacts; their radius is uncertain",
+                offsets().count()
+            ),
+        ));
+    }
+    let without_peaks = offsets()
+        .filter(|offset| offset.lambda_star.is_none())
+        .count();
+    if without_peaks > 0 {
+        found.push(Warning::new(
+            "W411",
+            format!(
+                "no peaks above the core in {without_peaks} of {} mixed contacts: the classical film ratio decided there",
                 offsets().count()
             ),
         ));

@@ -117,9 +117,11 @@ explanations! {
     "W405" "yield below the surface": "The contact pressure exceeds what the material bears below the surface (p0 > 1.79 × the elastic limit). Flow in the bulk is not modelled." => "Check elastic_limit; ground gears are case-hardened (1.5 to 2 GPa).";
     "W406" "few asperities": "Fewer than five asperities reach into the peak zone; their mean radius is uncertain." => "Use a longer trace or a wider window.";
     "W407" "offsets overlap": "The traces are so short that the windows of different offsets overlap; the spread is a lower bound." => "Measure longer traces.";
-    "W408" "regime without a profile": "A flank is given by roughness values; the rough contact was not computed, and losses in mixed lubrication follow from the load share alone." => "Give a measured profile for contact pressures, plasticity and running-in.";
+    "W408" "regime without a profile": "A flank is given by roughness values; the rough contact was not computed. Losses in mixed lubrication follow from the load share; without rpk and asperity_radius the classical film ratio decides the regime." => "Give a measured profile for contact pressures, plasticity and running-in.";
     "W409" "asperities flow": "The contact reaches the flow pressure: these flanks run in. The energy of one pass is reported apart from the efficiency." => "Look at running_in in the result.";
     "W410" "stress below asperities passes the elastic limit": "The von Mises stress under the rough contact passes the elastic limit; flow below the surface is not modelled." => "Look at the subsurface fields of the positions named.";
+    "W411" "no peaks under the contact": "The windows that meet have no peaks above the core of the profile, so Lambda* is not defined; the classical film ratio decided between full film and mixed." => "Look at the trace: a regular pattern (feed marks) has no peaks in the sense of ISO 13565-2.";
+    "W412" "no sliding at the paper's position": "The paper's reading takes one position for the whole mesh; at the pitch point nothing slides, so there is no sliding loss." => "Set model.position between 0 (A) and 1 (E), or use the corrected formulation.";
 }
 
 #[cfg(test)]

@@ -258,7 +258,8 @@ impl Position {
     }
 }
 
-/// The regime at one offset from Λ*: full film from 1 upward.
+/// The regime at one offset from Λ*, or from the classical film ratio where Λ* is not known: full film
+/// from 1 upward.
 pub(crate) fn decide(
     case: &Case,
     station: &Station,
@@ -282,10 +283,13 @@ pub(crate) fn decide(
             Some(lambda_star(&station.film, factor, Length::from_si(peak))?.value)
         }
     };
-    let full = lambda_star.is_none_or(|value| value >= 1.0);
-    let film_share = match lambda_star {
-        Some(value) if !full => case.model.load_share.film_share(value, ratio)?,
-        _ => 1.0,
+    // Where the peaks are not known, or there are none, the classical film ratio decides.
+    let deciding = lambda_star.unwrap_or(ratio);
+    let full = deciding >= 1.0;
+    let film_share = if full {
+        1.0
+    } else {
+        case.model.load_share.film_share(deciding, ratio)?
     };
     Ok(Decision {
         lambda_star,

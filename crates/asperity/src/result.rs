@@ -76,8 +76,11 @@ pub struct Summary {
     pub mu_equivalent: f64,
     /// Loss factor of Ohlendorf.
     pub loss_factor: f64,
-    /// Loss factor of the load sharing used.
+    /// Loss factor of the load sharing used, with the line load at the mean length of contact lines.
     pub loss_factor_local: f64,
+    /// The same with the load shared over the lines that touch at each instant; it differs on narrow
+    /// helical pairs.
+    pub loss_factor_phase_averaged: f64,
     /// Share of the path (by mesh time) in mixed or boundary lubrication.
     pub mixed_share: f64,
     /// Mesh positions computed.

@@ -18,8 +18,7 @@ pub(crate) fn printed_deformation(
     encounter: &Encounter,
     carried: &Carried,
 ) -> Result<[f64; 2], PositionError> {
-    let revolution =
-        Time::from_si(2.0 * std::f64::consts::PI / case.speed.si());
+    let revolution = Time::from_si(2.0 * std::f64::consts::PI / case.speed.si());
     let n = encounter.x.len();
     let bodies = match &carried.solids {
         Some(solids) => Bodies::new(case, solids)?.measured_from_edge(&solids.pressure),
