@@ -54,7 +54,7 @@
       this.reset.type = "button";
       this.reset.className = "reset";
       this.reset.hidden = true;
-      this.reset.textContent = "whole";
+      this.reset.textContent = "reset zoom";
       this.reset.setAttribute("aria-label", "Show the whole chart: " + this.svg.getAttribute("aria-label"));
       this.figure.append(this.reset);
       this.reset.addEventListener("click", () => this.whole());
@@ -177,14 +177,22 @@
     // The heights that are seen fill the box; zero stays where the chart must show it.
     fitY() {
       if (this.data.kind === "contour") return;
-      const log = this.data.y.scale === "log", pad = (v) => (log ? v > 0 : true);
+      // A log axis keeps its decades.
+      const log = this.data.y.scale === "log";
       let low = Infinity, high = -Infinity;
+      const see = (v) => { low = Math.min(low, v); high = Math.max(high, v); };
       for (const series of this.data.series) {
         const p = series.points;
         for (let i = 0; i < p.length; i += 2) {
-          if (p[i] === null || p[i + 1] === null || p[i] < this.x.low || p[i] > this.x.high || !pad(p[i + 1])) continue;
-          low = Math.min(low, p[i + 1]);
-          high = Math.max(high, p[i + 1]);
+          if (p[i] === null || p[i + 1] === null) continue;
+          if (p[i] >= this.x.low && p[i] <= this.x.high) see(p[i + 1]);
+          // Where a line enters or leaves what is seen.
+          if (!series.joined || i < 2 || p[i - 2] === null || p[i - 1] === null) continue;
+          for (const edge of [this.x.low, this.x.high]) {
+            if ((p[i - 2] < edge) !== (p[i] < edge)) {
+              see(p[i - 1] + (edge - p[i - 2]) / (p[i] - p[i - 2]) * (p[i + 1] - p[i - 1]));
+            }
+          }
         }
       }
       if (low > high || log) { this.y = { ...this.data.y }; return; }
@@ -251,7 +259,6 @@
     // Reads off the points nearest to x (and y, in a field).
     show(x, y) {
       this.cursor = x;
-      const name = (axis) => axis.label + (axis.unit ? " " : "");
       if (this.data.kind === "contour") {
         const near = (list, v) => list.reduce((best, w, k) => (Math.abs(w - v) < Math.abs(list[best] - v) ? k : best), 0);
         const i = near(this.data.columns, x), j = near(this.data.rows, y);
@@ -275,8 +282,8 @@
       }
       if (at === null) return;
       this.point(at, found.map((f) => f[1]));
-      const unit = this.data.y.unit ? " " + this.data.y.unit : "";
-      this.read.textContent = `${digits(at)} ${this.data.x.unit}: ` +
+      const [across, unit] = [this.data.x.unit, this.data.y.unit].map((u) => (u ? " " + u : ""));
+      this.read.textContent = `${digits(at)}${across}: ` +
         found.map((f) => (found.length > 1 ? f[0] + " " : "") + digits(f[1]) + unit).join(", ");
     }
     point(x, ys) {
