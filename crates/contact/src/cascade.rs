@@ -6,7 +6,7 @@
 /// Fewest cells of a coarser grid.
 const COARSEST: usize = 128;
 /// Margin on either side of a window, over the width of the contact, and in cells.
-const MARGIN: f64 = 0.05;
+const MARGIN: f64 = 0.1;
 const LEAST_MARGIN: usize = 16;
 /// A window of more than this share of the grid saves nothing.
 const WORTHWHILE: f64 = 0.75;

@@ -1,5 +1,6 @@
 //! A contact problem as the iteration sees it, on its own and on coarser grids.
 
+use std::borrow::Cow;
 use std::f64::consts::PI;
 
 use asperity_core::quantity::{Length, Pressure};
@@ -11,7 +12,6 @@ use crate::half_plane::cell_compliance;
 use crate::problem::{Boundary, ContactProblem, Control, SolverSettings};
 use crate::state::{Assessment, Task};
 use crate::strip_kernel::datum_constant;
-use crate::transform::{Buffers, EvenFilter};
 
 /// Tolerances of the coarser grids, which only give a start. With free ends the finest grid is
 /// solved on a window and quickly; a large periodic one is worth a better start.
@@ -25,7 +25,7 @@ const FLAT: f64 = 1e-3;
 pub(crate) struct Scene<'a> {
     pub(crate) problem: &'a ContactProblem<'a>,
     /// h with the displacement by the prescribed pressure, less a controlled approach in m.
-    pub(crate) gap: Vec<f64>,
+    pub(crate) gap: Cow<'a, [f64]>,
     pub(crate) reference_gap: f64,
     /// Σp in Pa when the load is controlled.
     sum: Option<f64>,
@@ -38,19 +38,18 @@ pub(crate) struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    /// The scene of a valid problem, whose displacement is that of `filter`.
-    pub(crate) fn new(
+    /// The scene of a valid problem; `displace` is the displacement in m by a pressure for a
+    /// compliance.
+    pub(crate) fn new<'b>(
         problem: &'a ContactProblem<'a>,
-        filter: &EvenFilter,
-        buffers: &mut Buffers,
+        displace: impl FnOnce(&[f64], f64) -> &'b mut [f64],
     ) -> Result<Self, ContactError> {
         let compliance = cell_compliance(problem.spacing, problem.modulus)?;
         let datum = datum_compliance(problem, 1.0)?;
         let prescribed_sum = problem.prescribed_pressure.unwrap_or(&[]).iter().sum();
-        let mut gap = problem.gap.to_vec();
+        let mut gap = Cow::Borrowed(problem.gap);
         if let Some(prescribed) = problem.prescribed_pressure {
-            filter.filter(buffers, compliance, prescribed);
-            for (h, u) in gap.iter_mut().zip(&*buffers.signal(filter.points())) {
+            for (h, u) in gap.to_mut().iter_mut().zip(displace(prescribed, compliance)) {
                 *h += *u;
             }
         }
@@ -61,7 +60,7 @@ impl<'a> Scene<'a> {
                 deformation = load.si() / (PI * problem.modulus.si());
             }
             Control::Approach { approach, .. } => {
-                for h in &mut gap {
+                for h in gap.to_mut() {
                     *h += datum * prescribed_sum - approach.si();
                     deformation = f64::max(deformation, -*h);
                 }

@@ -19,6 +19,8 @@ use crate::scene::{Scene, touching};
 use crate::state::{Level, Task, Workspace};
 use crate::transform::{Buffers, EvenFilter};
 
+/// Points of a grid from which on the operators of one size only are kept.
+const LARGE: usize = 1 << 18;
 /// Windows tried before the whole grid is solved.
 const WINDOWS: usize = 3;
 
@@ -65,8 +67,18 @@ struct Levels {
 }
 
 impl Levels {
+    /// Forgets other sizes before a large one is made: memory is then what counts.
+    fn make_room(&mut self, points: usize) {
+        if points > LARGE && !self.displacements.contains_key(&points) {
+            self.displacements.clear();
+            self.inverses.clear();
+            self.planner = RealFftPlanner::new();
+        }
+    }
+
     /// The displacement of a grid, with room for it in `buffers`.
     fn displacement(&mut self, points: usize, buffers: &mut Buffers) -> &EvenFilter {
+        self.make_room(points);
         let planner = &mut self.planner;
         let filter = self
             .displacements
@@ -78,6 +90,7 @@ impl Levels {
 
     /// What an iteration needs of a grid, with room for it in `buffers`.
     fn level(&mut self, points: usize, buffers: &mut Buffers) -> Level<'_> {
+        self.make_room(points);
         let planner = &mut self.planner;
         let inverse = self
             .inverses
@@ -155,8 +168,11 @@ impl Solver {
             });
         }
         let buffers = &mut self.work.buffers;
-        let whole = self.levels.displacement(shape.points, buffers);
-        let scene = Scene::new(problem, whole, buffers)?;
+        let scene = Scene::new(problem, |prescribed, compliance| {
+            let whole = self.levels.displacement(shape.points, buffers);
+            whole.filter(buffers, compliance, prescribed);
+            buffers.signal(shape.points)
+        })?;
         let start = self.start(&scene, settings)?;
         let iterations = self.descend(&scene, settings, start)?;
         self.conclude(&scene, settings, iterations)
@@ -177,7 +193,8 @@ impl Solver {
         }
         let mut gaps: Vec<Vec<f64>> = vec![];
         for _ in 1..grids.len() {
-            gaps.push(restrict(gaps.last().unwrap_or(&scene.gap)));
+            let finer: &[f64] = gaps.last().map_or(&scene.gap, |gap| gap);
+            gaps.push(restrict(finer));
         }
         let coarsest = grids[grids.len() - 1];
         let mut pressure = vec![scene.even_pressure(); coarsest];
