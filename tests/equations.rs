@@ -72,8 +72,10 @@ fn every_row_points_at_a_tagged_formula_and_a_test_that_exist() {
             equation.tag,
             equation.test
         );
+        // An equation of this project's own has no source.
+        let of_the_paper = equation.tag.trim_start_matches('P').parse::<u32>().is_ok();
         assert!(
-            !equation.references.is_empty(),
+            !of_the_paper || !equation.references.is_empty(),
             "{}: no source",
             equation.tag
         );

@@ -3,7 +3,7 @@
 use crate::CaseText;
 
 /// Table 2 of the 2022 paper with the module read as normal, flanks known by their Rq: S is
-/// 0.3·√2 = 0.424 µm, and without peaks the film parts them all along the path. What the paper leaves
+/// 0.3·√2 = 0.424 µm, and peaks of 10 nm let the film part them all along the path. What the paper leaves
 /// out is filled in as in the reference computation: β_T 0.045 1/K, steel k 45 W/(m K), ρ 7830 kg/m³,
 /// c 465 J/(kg K).
 pub fn table_2() -> CaseText {
@@ -38,8 +38,8 @@ pub fn table_2() -> CaseText {
         heat_capacity = "2000 J/(kg K)"
 
         [surface]
-        pinion = { rq = "0.3 um" }
-        wheel = { rq = "0.3 um" }
+        pinion = { rq = "0.3 um", rpk = "10 nm", asperity_radius = "0.1 mm" }
+        wheel = { rq = "0.3 um", rpk = "10 nm", asperity_radius = "0.1 mm" }
         "#,
     )
 }
@@ -79,8 +79,8 @@ pub fn petry_johnson() -> CaseText {
         heat_capacity = "2000 J/(kg K)"
 
         [surface]
-        pinion = { rq = "0.049497 um" }
-        wheel = { rq = "0.049497 um" }
+        pinion = { rq = "0.049497 um", rpk = "10 nm", asperity_radius = "0.1 mm" }
+        wheel = { rq = "0.049497 um", rpk = "10 nm", asperity_radius = "0.1 mm" }
 
         [model]
         load_sharing = "trapezoid"
