@@ -52,9 +52,18 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
 
 /// The case with the traces of a finish; a single one serves both flanks, mirrored for the wheel.
 fn load(args: &CompareArgs, finish: &FinishArg) -> Result<LoadedCase, Failure> {
+    let name = &finish.name;
     let whole = |file: &PathBuf| {
+        // Told here: the case does not name this file.
+        if !file.is_file() {
+            let message = format!(
+                "{}: there is no such file (named by --finish {name})",
+                file.display()
+            );
+            return Err(Failure::new("E103", message));
+        }
         std::path::absolute(file)
-            .map_err(|error| Failure::new("E101", format!("{}: {error}", file.display())))
+            .map_err(|error| Failure::new("E103", format!("{}: {error}", file.display())))
     };
     let pinion = whole(&finish.pinion)?;
     let wheel = finish.wheel.as_ref().map(whole).transpose()?;
@@ -76,11 +85,6 @@ fn load(args: &CompareArgs, finish: &FinishArg) -> Result<LoadedCase, Failure> {
         });
         input.model.offsets = Some(args.offsets);
     };
-    case::load_with(&args.case, &change).map_err(|(error, source)| {
-        let failure = Failure::new(error.code(), error.to_string());
-        match &source {
-            Some(source) => failure.at(error.place(), source),
-            None => failure,
-        }
-    })
+    case::load_with(&args.case, &change)
+        .map_err(|(error, _)| Failure::new(error.code(), format!("{error} (--finish {name})")))
 }

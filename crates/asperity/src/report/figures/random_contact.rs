@@ -145,6 +145,11 @@ fn across() -> Axis {
     Axis::new("distance from the middle of the contact", "µm")
 }
 
+/// Four decimals, of micrometres or megapascals: what the solver's tolerance leaves certain.
+fn digits(value: f64) -> f64 {
+    (value * 1e4).round() / 1e4
+}
+
 #[derive(Serialize)]
 struct Row {
     x_um: f64,
@@ -168,17 +173,18 @@ fn rows(surfaces: &[Profile; 2], gap: &[f64], solution: &ContactSolution) -> Vec
     (0..POINTS)
         .map(|i| {
             let x = (i as f64 - 0.5 * (POINTS - 1) as f64) * SPACING.si();
+            let um = |length: f64| digits(length * MICRO);
+            let mpa = |pressure: f64| digits(pressure * 1e-6);
+            let ellipse = (1.0 - (x / HALF_WIDTH.si()).powi(2)).max(0.0).sqrt();
             Row {
-                x_um: x * MICRO,
-                height_first_um: surfaces[0].heights()[i] * MICRO,
-                height_second_um: surfaces[1].heights()[i] * MICRO,
-                gap_undeformed_um: gap[i] * MICRO,
-                gap_um: solution.gap[i] * MICRO,
-                displacement_um: (solution.displacement[i] - least) * MICRO,
-                pressure_mpa: solution.pressure[i] * 1e-6,
-                pressure_hertz_mpa: 1e-6
-                    * hertz
-                    * (1.0 - (x / HALF_WIDTH.si()).powi(2)).max(0.0).sqrt(),
+                x_um: um(x),
+                height_first_um: um(surfaces[0].heights()[i]),
+                height_second_um: um(surfaces[1].heights()[i]),
+                gap_undeformed_um: um(gap[i]),
+                gap_um: um(solution.gap[i]),
+                displacement_um: um(solution.displacement[i] - least),
+                pressure_mpa: mpa(solution.pressure[i]),
+                pressure_hertz_mpa: mpa(hertz * ellipse),
             }
         })
         .collect()
@@ -207,7 +213,6 @@ fn below(x: &[f64], solution: &ContactSolution, folder: &Path) -> Result<Contour
     let rows: Vec<usize> = (0..DEPTHS)
         .filter(|j| depths[*j] <= REACH[1] * HALF_WIDTH.si())
         .collect();
-    let digits = |value: f64| (value * 1e3).round() / 1e3;
     let cells: Vec<Cell> = rows
         .iter()
         .flat_map(|j| columns.iter().map(move |i| (*i, *j)))
