@@ -149,14 +149,14 @@ fn as_text(found: &Found) -> String {
         .map(|p| format!(" (Hertz {:.1} MPa)", p * 1e-6))
         .unwrap_or_default();
     format!(
-        "{}\n  load {:.6}   approach {:.6} um (datum {:.6})\n  contact fraction {:.6}   p_max {:.6} MPa{hertz}\n  \
+        "{}\n  load {:.6}   approach {:.7} (datum {:.6})\n  contact fraction {:.6}   p_max {:.7}{hertz}\n  \
          plastic work {:.4e} J/m\n  {} iterations; duality gap {:.1e}, penetration {:.1e}, load error {:.1e}\n",
         found.title,
         s.load,
-        s.approach.si() * 1e6,
+        s.approach,
         s.datum,
         s.contact_fraction,
-        s.max_pressure.si() * 1e-6,
+        s.max_pressure,
         s.dissipated.si(),
         s.iterations,
         s.certificate.duality_gap,
