@@ -1,5 +1,7 @@
 //! The commands that make pages and help, through the program itself.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
+
 use std::path::Path;
 use std::process::{Command, Output};
 
