@@ -49,7 +49,11 @@ impl<'a> Scene<'a> {
         let prescribed_sum = problem.prescribed_pressure.unwrap_or(&[]).iter().sum();
         let mut gap = Cow::Borrowed(problem.gap);
         if let Some(prescribed) = problem.prescribed_pressure {
-            for (h, u) in gap.to_mut().iter_mut().zip(displace(prescribed, compliance)) {
+            for (h, u) in gap
+                .to_mut()
+                .iter_mut()
+                .zip(displace(prescribed, compliance))
+            {
                 *h += *u;
             }
         }

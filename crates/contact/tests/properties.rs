@@ -3,7 +3,12 @@
 
 mod common;
 
-use asperity_contact::{Boundary, ContactProblem, ContactSolution, Control, PeriodicKernel, solve};
+use asperity_contact::running_in::RunningIn;
+use asperity_contact::two_flanks::TwoFlanks;
+use asperity_contact::{
+    Boundary, ContactProblem, ContactSolution, Control, PeriodicKernel, SolverSettings, solve,
+};
+use asperity_core::Profile;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 use common::{
     CYLINDER, hertz_problem, largest, periodic_problem, relative_difference, self_affine, tight,
@@ -216,5 +221,128 @@ proptest! {
         wide_gap[128..384].copy_from_slice(&gap);
         let wide = solved(&ContactProblem { gap: &wide_gap, boundary: Boundary::FreeEnds, ..problem });
         prop_assert!(relative_difference(&wide.pressure[128..384], &narrow.pressure) < 1e-6);
+    }
+
+    #[test]
+    fn the_approach_rises_with_the_load_and_the_load_with_the_approach(
+        (gap, spacing, w) in rough_case(),
+        flow in proptest::option::of(2.0..20.0),
+    ) {
+        let mut last: Option<ContactSolution> = None;
+        for share in [0.3, 0.5, 0.8, 1.0] {
+            let problem = ContactProblem {
+                control: load(w * share),
+                pressure_limit: flow.and_then(limit),
+                ..hertz_problem(&gap, spacing)
+            };
+            let solution = solved(&problem);
+            if let Some(last) = &last {
+                prop_assert!(solution.approach > last.approach);
+                prop_assert!(solution.contact_fraction >= last.contact_fraction);
+                prop_assert!(solution.dissipated >= last.dissipated);
+            }
+            let further = Control::Approach {
+                approach: solution.approach + Length::from_si(1e-8),
+                datum: solution.datum,
+            };
+            let lowered = solved(&ContactProblem { control: further, ..problem });
+            prop_assert!(lowered.load > solution.load);
+            last = Some(solution);
+        }
+    }
+
+    #[test]
+    fn windows_starts_and_cascades_do_not_change_the_contact(
+        (gap, spacing, w) in rough_case(),
+        flow in proptest::option::of(2.0..20.0),
+        start in 0.0..1e9,
+    ) {
+        let problem = ContactProblem {
+            control: load(w),
+            pressure_limit: flow.and_then(limit),
+            ..hertz_problem(&gap, spacing)
+        };
+        let here = solved(&problem);
+        let plain = SolverSettings { cascade: false, window: false, ..tight() };
+        let there = solve(&problem, &plain).unwrap();
+        prop_assert!(relative_difference(&there.pressure, &here.pressure) < SAME);
+        let slope: Vec<f64> = (0..gap.len()).map(|i| start * (i % 7) as f64).collect();
+        let there = solved(&ContactProblem { start: Some(&slope), ..problem });
+        prop_assert!(relative_difference(&there.pressure, &here.pressure) < SAME);
+    }
+}
+
+/// Nodes and weights of the three-point Gauss-Legendre rule on 0..1 (Abramowitz and Stegun 1964,
+/// table 25.4).
+const GAUSS: [(f64, f64); 3] = [
+    (0.112_701_665_379_258_31, 5.0 / 18.0),
+    (0.5, 8.0 / 18.0),
+    (0.887_298_334_620_741_69, 5.0 / 18.0),
+];
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(8))]
+
+    #[test]
+    fn the_work_of_the_load_is_elastic_energy_and_flow(
+        points in 100..200_usize,
+        amplitude in 0.0..3e-6,
+        seed in 0..1_000_000_u64,
+        w in 1e5..1e6_f64,
+        // With all that touches at the limit the approach jumps from cell to cell.
+        flow in proptest::option::of(4.0..20.0),
+    ) {
+        let (gap, spacing) = rough_cylinder(points, amplitude, seed);
+        let state = |load_now: f64| {
+            let solution = solved(&ContactProblem {
+                control: load(load_now),
+                pressure_limit: flow.and_then(limit),
+                ..hertz_problem(&gap, spacing)
+            });
+            (solution.approach.si(), solution.elastic_energy.si() + solution.dissipated.si())
+        };
+        // ∫ W dδ = [W·δ] − ∫ δ dW over panels of load that grow with it.
+        let (first, panels): (f64, i32) = (1e-3 * w, 1_200);
+        let edge = |k: i32| first * (w / first).powf(f64::from(k) / f64::from(panels));
+        let mut complementary = 0.0;
+        for k in 0..panels {
+            let (from, to) = (edge(k), edge(k + 1));
+            for (node, weight) in GAUSS {
+                complementary += weight * (to - from) * state(from + node * (to - from)).0;
+            }
+        }
+        let ((approach_0, energy_0), (approach, energy)) = (state(first), state(w));
+        let work = w * approach - first * approach_0 - complementary;
+        // The approach has a kink wherever a cell begins to touch: 120 panels leave up to 2e-6.
+        prop_assert!((work / (energy - energy_0) - 1.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn running_in_decays_to_shakedown(
+        points in 100..300_usize,
+        amplitude in 0.2e-6..1e-6,
+        seed in 0..1_000_000_u64,
+        passes in 1..5_usize,
+    ) {
+        let spacing = CYLINDER.window / points as f64;
+        let x: Vec<f64> = (0..points).map(|i| i as f64 / points as f64).collect();
+        let flank = |seed: u64| {
+            let heights = self_affine(&x, 4..=30, seed);
+            Profile::new(spacing, heights.iter().map(|z| amplitude * z).collect()).unwrap()
+        };
+        let (first, second) = (flank(seed), flank(seed + 1));
+        let flanks = TwoFlanks {
+            first: &first,
+            second: &second,
+            radius: CYLINDER.radius,
+            load: CYLINDER.load,
+            modulus: CYLINDER.modulus,
+            pressure_limit: limit(2.5),
+        };
+        let running_in = RunningIn { shakedown: 1e-5, ..RunningIn::evenly(points, passes) };
+        let ran_in = running_in.run(&flanks, &tight()).unwrap();
+        let energies: Vec<f64> = ran_in.cycles.iter().map(|cycle| cycle.dissipated.si()).collect();
+        prop_assert!(energies[energies.len() - 1] <= 1e-5 * energies[0]);
+        prop_assert!(energies.windows(2).all(|pair| pair[1] < pair[0] || pair[1] == 0.0), "{energies:?}");
     }
 }
