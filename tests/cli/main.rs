@@ -17,3 +17,4 @@ mod result_messages;
 mod results;
 mod single_modules;
 mod threads;
+mod transcripts;

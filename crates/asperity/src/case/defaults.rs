@@ -1,5 +1,7 @@
 //! Defaults, each written down when it is used.
 
+use std::borrow::Cow;
+
 use asperity_core::lubricant::Assumption;
 use serde::Serialize;
 
@@ -7,7 +9,7 @@ use serde::Serialize;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DefaultUsed {
     /// Key of the case file: `gears.helix`.
-    pub key: &'static str,
+    pub key: Cow<'static, str>,
     /// The value, as it would be written.
     pub value: String,
     /// Where the value comes from, when it is an estimate.
@@ -37,7 +39,7 @@ impl Defaults {
     pub(super) fn note<T: Serialize>(&mut self, key: &'static str, value: &T) {
         let value = serde_json::to_string(value).unwrap_or_default();
         self.0.push(DefaultUsed {
-            key,
+            key: key.into(),
             value,
             source: None,
         });
@@ -46,7 +48,7 @@ impl Defaults {
     /// Writes down what was assumed of the oil.
     pub(super) fn assume(&mut self, assumption: &Assumption) {
         self.0.push(DefaultUsed {
-            key: assumption.key,
+            key: format!("lubricant.{}", assumption.key).into(),
             value: assumption.value.clone(),
             source: Some(assumption.source),
         });

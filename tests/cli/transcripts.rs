@@ -1,0 +1,231 @@
+//! The transcripts in the documents are what the program prints.
+//!
+//! Every ```` ```sh ```` block of a document runs, line by line, in a folder of its own; every line of
+//! the ```` ```text ```` block after it must be printed, in this order. After a change of results
+//! `UPDATE_TRANSCRIPTS=1 cargo test -p asperity-tests --test cli transcripts` writes the new numbers
+//! into the old lines.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use crate::bench::{Bench, root};
+
+/// A fenced block of a document: its language and its lines.
+struct Block<'a> {
+    language: &'a str,
+    lines: Vec<&'a str>,
+}
+
+fn blocks(document: &str) -> Vec<Block<'_>> {
+    let mut found: Vec<Block<'_>> = Vec::new();
+    let mut is_open = false;
+    for line in document.lines() {
+        match line.strip_prefix("```") {
+            Some(language) => {
+                if !is_open {
+                    let lines = Vec::new();
+                    found.push(Block { language, lines });
+                }
+                is_open = !is_open;
+            }
+            None if is_open => {
+                if let Some(block) = found.last_mut() {
+                    block.lines.push(line);
+                }
+            }
+            None => {}
+        }
+    }
+    found
+}
+
+/// The words of a line as a shell would part them; a comment is dropped.
+fn words(line: &str) -> Vec<String> {
+    let mut words = Vec::new();
+    let mut word = String::new();
+    let mut quoted = false;
+    for c in line.chars() {
+        match c {
+            '"' => quoted = !quoted,
+            '#' if !quoted && word.is_empty() => break,
+            ' ' if !quoted => {
+                if !word.is_empty() {
+                    words.push(std::mem::take(&mut word));
+                }
+            }
+            c => word.push(c),
+        }
+    }
+    if !word.is_empty() {
+        words.push(word);
+    }
+    words
+}
+
+/// Runs a line and gives what it prints; nothing when it is not ours to run.
+fn run_line(bench: &Bench, line: &str, may_fail: bool) -> Option<String> {
+    let words = words(line);
+    let parts: Vec<&str> = words.iter().map(String::as_str).collect();
+    let arguments = match parts.as_slice() {
+        ["asperity", arguments @ ..] => arguments,
+        ["cargo", "run", rest @ ..] => {
+            let end = rest.iter().position(|word| *word == "--")?;
+            &rest[end + 1..]
+        }
+        ["sed" | "cp" | "head", ..] => {
+            let mut shell = Command::new("sh");
+            let shell = shell.args(["-ec", line]).current_dir(bench.path(""));
+            let done = shell.output().unwrap();
+            assert!(done.status.success(), "{line}");
+            return String::from_utf8(done.stdout).ok();
+        }
+        _ => return None,
+    };
+    let said = bench.run(arguments);
+    assert!(may_fail || said.status == 0, "{line}\n{}", said.err);
+    Some(said.out + &said.err)
+}
+
+/// A line without what differs from run to run: seconds, and residuals near round-off.
+fn settled(line: &str) -> String {
+    let line = match line.find(" (worst load error") {
+        Some(end) => &line[..end],
+        None => line,
+    };
+    let seconds = line
+        .strip_suffix(" s")
+        .and_then(|rest| rest.rsplit_once(" in "))
+        .filter(|(_, number)| number.parse::<f64>().is_ok());
+    match seconds {
+        Some((rest, _)) => rest.to_owned(),
+        None => line.trim_end().to_owned(),
+    }
+}
+
+/// A line without its numbers.
+fn skeleton(line: &str) -> String {
+    let number = |c: char| c.is_ascii_digit() || " .-e±".contains(c);
+    line.chars().filter(|c| !number(*c)).collect()
+}
+
+/// Runs a document; the lines of its transcripts with the lines that the program prints now.
+fn replay(bench: &Bench, document: &str) -> Vec<(String, String)> {
+    let blocks = blocks(document);
+    let mut pairs = Vec::new();
+    let mut printed: Vec<String> = Vec::new();
+    for (index, block) in blocks.iter().enumerate() {
+        match block.language {
+            "sh" => {
+                let next = blocks.get(index + 1).filter(|next| next.language == "text");
+                let shows_error = |line: &&str| {
+                    line.starts_with('E') && line[1..].starts_with(|c: char| c.is_ascii_digit())
+                };
+                let may_fail =
+                    next.is_some_and(|next| next.lines.iter().any(|line| shows_error(&line)));
+                let output = block
+                    .lines
+                    .iter()
+                    .filter_map(|line| run_line(bench, line, may_fail));
+                let output: String = output.collect();
+                // What is not run, such as the tests themselves, prints nothing here.
+                if !output.is_empty() {
+                    printed = output.lines().map(str::to_owned).collect();
+                }
+            }
+            "text" => {
+                let mut from = 0;
+                for line in &block.lines {
+                    let found = printed[from..]
+                        .iter()
+                        .position(|now| settled(now) == settled(line));
+                    let found = found.or_else(|| {
+                        printed[from..]
+                            .iter()
+                            .position(|now| skeleton(now) == skeleton(line))
+                    });
+                    match found {
+                        Some(at) => {
+                            pairs.push(((*line).to_owned(), printed[from + at].clone()));
+                            from += at + 1;
+                        }
+                        None => panic!(
+                            "{line:?} is not printed; the program prints\n{}",
+                            printed.join("\n")
+                        ),
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    pairs
+}
+
+fn holds(name: &str, bench: &Bench, least: usize) {
+    let file = root().join(name);
+    let mut document = fs::read_to_string(&file).unwrap();
+    let pairs = replay(bench, &document);
+    assert!(pairs.len() >= least, "{name} shows {} lines", pairs.len());
+    let stale: Vec<_> = pairs
+        .iter()
+        .filter(|(shown, now)| settled(shown) != settled(now))
+        .collect();
+    if std::env::var_os("UPDATE_TRANSCRIPTS").is_some() {
+        for (shown, now) in stale {
+            document = document.replacen(&format!("\n{shown}\n"), &format!("\n{now}\n"), 1);
+        }
+        fs::write(&file, document).unwrap();
+    } else {
+        let lines: Vec<String> = stale
+            .iter()
+            .map(|(shown, now)| format!("- {shown}\n+ {now}"))
+            .collect();
+        assert!(stale.is_empty(), "{name} is stale:\n{}", lines.join("\n"));
+    }
+}
+
+/// A folder with the shipped cases, and a flank under the name that documents give the reader's own.
+fn bench() -> Bench {
+    let bench = Bench::new();
+    for folder in ["fixtures/cases", "fixtures/profiles"] {
+        fs::create_dir_all(bench.path(folder)).unwrap();
+        for entry in fs::read_dir(root().join(folder)).unwrap() {
+            let path = entry.unwrap().path();
+            let name = Path::new(folder).join(path.file_name().unwrap());
+            fs::copy(&path, bench.path(name.to_str().unwrap())).unwrap();
+        }
+    }
+    let flank = root().join("fixtures/profiles/superfinished.csv");
+    fs::copy(flank, bench.path("my_flank.csv")).unwrap();
+    bench
+}
+
+#[test]
+fn the_readme_prints_what_it_shows() {
+    holds("README.md", &bench(), 4);
+}
+
+#[test]
+fn the_tutorial_prints_what_it_shows() {
+    holds("docs/TUTORIAL.md", &bench(), 40);
+}
+
+#[test]
+fn the_commands_in_the_readme_of_the_demo_run() {
+    let bench = Bench::new();
+    for file in asperity_fixtures::demo::files().unwrap() {
+        bench.write(file.name, file.content);
+    }
+    holds("fixtures/src/demo/README.md", &bench, 0);
+}
+
+#[test]
+fn lines_of_a_shell_are_parted_as_a_shell_parts_them() {
+    assert_eq!(
+        words("asperity run \"a b.toml\"  # note"),
+        ["asperity", "run", "a b.toml"]
+    );
+    assert_eq!(settled("wrote x in 0.4 s"), settled("wrote x in 12.0 s"));
+    assert_ne!(settled("loss 3 W"), settled("loss 4 W"));
+}
