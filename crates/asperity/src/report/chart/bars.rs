@@ -68,11 +68,9 @@ impl BarChart {
                 end = place(value);
                 canvas.rect("bar", [LEFT, y], [(end - LEFT).max(0.0), THICK]);
                 if let Some(spread) = bar.spread {
-                    let (a, b) = (place((value - spread).max(0.0)), place(value + spread));
-                    canvas.line("whisker", [a, middle], [b, middle]);
-                    canvas.line("whisker", [a, y + 4.0], [a, y + THICK - 4.0]);
-                    canvas.line("whisker", [b, y + 4.0], [b, y + THICK - 4.0]);
-                    end = b;
+                    let ends = [place((value - spread).max(0.0)), place(value + spread)];
+                    whisker(&mut canvas, ends, [y + 4.0, y + THICK - 4.0]);
+                    end = ends[1];
                 }
             }
             canvas.label("name", [end + 7.0, middle + 4.0], Anchor::Start, &bar.text);
@@ -86,5 +84,14 @@ impl BarChart {
             &self.axis.text(),
         );
         document(dress, &self.title, height, &canvas.into_text())
+    }
+}
+
+/// A line with a stroke across each end.
+fn whisker(canvas: &mut Canvas, ends: [f64; 2], [top, bottom]: [f64; 2]) {
+    let middle = 0.5 * (top + bottom);
+    canvas.line("whisker", [ends[0], middle], [ends[1], middle]);
+    for x in ends {
+        canvas.line("whisker", [x, top], [x, bottom]);
     }
 }

@@ -26,74 +26,74 @@ pub struct Strip {
     pub marks: Vec<Mark>,
 }
 
+const LEFT: f64 = 110.0;
+const RIGHT: f64 = WIDTH - 18.0;
+const THICK: f64 = 30.0;
+const GAP: f64 = 12.0;
+
+fn place(range: &Range, value: f64) -> f64 {
+    LEFT + range.share(value) * (RIGHT - LEFT)
+}
+
 impl Strip {
     /// The chart as SVG.
     pub fn svg(&self, dress: Dress) -> String {
-        const LEFT: f64 = 110.0;
-        const RIGHT: f64 = WIDTH - 18.0;
-        const THICK: f64 = 30.0;
-        const GAP: f64 = 12.0;
         let top = if dress == Dress::Alone { 54.0 } else { 24.0 };
-        let places = self.at.iter().chain(self.marks.iter().map(|mark| &mark.at));
-        let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-            (a.min(*v), b.max(*v))
-        });
-        let range = Range {
-            low,
-            high,
-            scale: Scale::Linear,
-        };
-        let place = |value: f64| LEFT + range.share(value) * (RIGHT - LEFT);
+        let range = self.range();
         let bottom = top + 2.0 * THICK + GAP;
         let mut canvas = Canvas::default();
-        for (row, (lower, upper, shares)) in [
-            ("mixed", "full film", &self.mixed),
-            ("load on film", "on asperities", &self.film),
-        ]
-        .into_iter()
-        .enumerate()
-        {
-            let y = top + row as f64 * (THICK + GAP);
-            canvas.rect("rest", [LEFT, y], [RIGHT - LEFT, THICK]);
-            for (k, share) in shares.iter().enumerate() {
-                let before = if k == 0 {
-                    low
-                } else {
-                    0.5 * (self.at[k - 1] + self.at[k])
-                };
-                let after = if k + 1 == self.at.len() {
-                    high
-                } else {
-                    0.5 * (self.at[k] + self.at[k + 1])
-                };
-                let (x, tall) = (place(before), THICK * share.clamp(0.0, 1.0));
-                // A hair of overlap, so that no gap shows between neighbours.
-                let class = if row == 0 { "mixed" } else { "film" };
-                canvas.rect(class, [x, y + THICK - tall], [place(after) - x + 0.3, tall]);
-            }
+        self.row(&mut canvas, &range, top, "mixed", &self.mixed);
+        self.row(&mut canvas, &range, top + THICK + GAP, "film", &self.film);
+        for (y, upper, lower) in [
+            (top, "full film", "mixed"),
+            (top + THICK + GAP, "on asperities", "load on film"),
+        ] {
             canvas.label("letter", [LEFT - 8.0, y + 12.0], Anchor::End, upper);
             canvas.label("letter", [LEFT - 8.0, y + 26.0], Anchor::End, lower);
         }
         for mark in &self.marks {
-            let at = place(mark.at);
+            let at = place(&range, mark.at);
             canvas.line("mark", [at, top], [at, bottom]);
             canvas.label("letter", [at, top - 6.0], Anchor::Middle, &mark.label);
         }
         for (value, label) in range.ticks(6) {
-            canvas.label(
-                "tick",
-                [place(value), bottom + 17.0],
-                Anchor::Middle,
-                &label,
-            );
+            let at = [place(&range, value), bottom + 17.0];
+            canvas.label("tick", at, Anchor::Middle, &label);
         }
         let height = bottom + 46.0;
-        canvas.label(
-            "name",
-            [0.5 * (LEFT + RIGHT), height - 8.0],
-            Anchor::Middle,
-            &self.axis.text(),
-        );
+        let below = [0.5 * (LEFT + RIGHT), height - 8.0];
+        canvas.label("name", below, Anchor::Middle, &self.axis.text());
         document(dress, &self.title, height, &canvas.into_text())
+    }
+
+    fn range(&self) -> Range {
+        let places = self.at.iter().chain(self.marks.iter().map(|mark| &mark.at));
+        let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
+            (a.min(*v), b.max(*v))
+        });
+        Range {
+            low,
+            high,
+            scale: Scale::Linear,
+        }
+    }
+
+    /// Shares from half way to the position before to half way to the next.
+    fn row(&self, canvas: &mut Canvas, range: &Range, y: f64, class: &str, shares: &[f64]) {
+        // A hair of overlap, so that no gap shows between neighbours.
+        const OVERLAP: f64 = 0.3;
+        canvas.rect("rest", [LEFT, y], [RIGHT - LEFT, THICK]);
+        let between = |k: usize| 0.5 * (self.at[k - 1] + self.at[k]);
+        for (k, share) in shares.iter().enumerate() {
+            let before = if k == 0 { range.low } else { between(k) };
+            let after = if k + 1 == self.at.len() {
+                range.high
+            } else {
+                between(k + 1)
+            };
+            let (x, tall) = (place(range, before), THICK * share.clamp(0.0, 1.0));
+            let wide = place(range, after) - x + OVERLAP;
+            canvas.rect(class, [x, y + THICK - tall], [wide, tall]);
+        }
     }
 }

@@ -16,9 +16,9 @@ pub use statistics::{Interval, paired_interval, rank_correlation};
 pub use write::write;
 
 use crate::case::LoadedCase;
-use crate::error::{PositionError, RunError};
+use crate::error::RunError;
 use crate::pipeline::{self, Progress};
-use crate::result::OffsetRow;
+use crate::result::{OffsetRow, Outcome};
 use windows::{Value, WindowRoughness};
 
 /// Confidence of every interval.
@@ -91,54 +91,54 @@ pub struct Correlation {
 /// # Errors
 /// When a finish has no solution.
 pub fn compare(finishes: &[Finish], progress: Progress<'_>) -> Result<Comparison, RunError> {
-    let total = finishes.len();
-    let mut results: Vec<FinishResult> = Vec::with_capacity(total);
+    let mut results: Vec<FinishResult> = Vec::with_capacity(finishes.len());
     let (mut title, mut power_in_w) = (String::new(), 0.0);
-    for (done, finish) in finishes.iter().enumerate() {
+    for finish in finishes {
         let outcome = pipeline::run(&finish.case, &|_, _| {})?;
-        progress(done + 1, total);
         title.clone_from(&outcome.result.title);
         power_in_w = outcome.result.summary.power_in_w;
-        let roughness = windows::roughness(&finish.case)
-            .map_err(|error: PositionError| RunError::Whole(Box::new(error)))?;
-        let losses: Vec<f64> = outcome.offsets.iter().map(|row| row.loss_w).collect();
-        let difference_w = results.first().map(|first| {
-            let pairs = first.offsets.iter().zip(&losses);
-            let differences: Vec<f64> = pairs.map(|(base, loss)| loss - base.loss_w).collect();
-            paired_interval(&differences, CONFIDENCE)
-        });
-        let files = outcome
-            .result
-            .flanks
-            .iter()
-            .filter_map(|flank| Some([flank.file.clone()?, flank.sha256.clone()?]));
-        results.push(FinishResult {
-            name: finish.name.clone(),
-            files: files.collect(),
-            efficiency: outcome.result.summary.efficiency,
-            loss_w: paired_interval(&losses, CONFIDENCE),
-            difference_w,
-            mixed_share: outcome.result.summary.mixed_share,
-            warnings: outcome
-                .result
-                .warnings
-                .iter()
-                .map(ToString::to_string)
-                .collect(),
-            offsets: outcome.offsets,
-            roughness,
-        });
+        results.push(finish_result(finish, outcome, results.first())?);
+        progress(results.len(), finishes.len());
     }
+    let pooled = |finish: &FinishResult| finish.roughness.len().min(finish.offsets.len());
     Ok(Comparison {
         program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
         title,
         power_in_w,
         correlations: correlations(&results),
-        windows: results
-            .iter()
-            .map(|finish| finish.roughness.len().min(finish.offsets.len()))
-            .sum(),
+        windows: results.iter().map(pooled).sum(),
         finishes: results,
+    })
+}
+
+fn finish_result(
+    finish: &Finish,
+    outcome: Outcome,
+    first: Option<&FinishResult>,
+) -> Result<FinishResult, RunError> {
+    let roughness =
+        windows::roughness(&finish.case).map_err(|error| RunError::Whole(Box::new(error)))?;
+    let losses: Vec<f64> = outcome.offsets.iter().map(|row| row.loss_w).collect();
+    let difference_w = first.map(|first| {
+        let pairs = first.offsets.iter().zip(&losses);
+        let differences: Vec<f64> = pairs.map(|(base, loss)| loss - base.loss_w).collect();
+        paired_interval(&differences, CONFIDENCE)
+    });
+    let result = outcome.result;
+    let named = result
+        .flanks
+        .iter()
+        .filter_map(|flank| Some([flank.file.clone()?, flank.sha256.clone()?]));
+    Ok(FinishResult {
+        name: finish.name.clone(),
+        files: named.collect(),
+        efficiency: result.summary.efficiency,
+        loss_w: paired_interval(&losses, CONFIDENCE),
+        difference_w,
+        mixed_share: result.summary.mixed_share,
+        warnings: result.warnings.iter().map(ToString::to_string).collect(),
+        offsets: outcome.offsets,
+        roughness,
     })
 }
 

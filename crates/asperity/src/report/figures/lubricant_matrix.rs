@@ -32,8 +32,9 @@ struct Row {
     efficiency_without_percent: f64,
 }
 
+const TABLE: &str = "fig07_lubricants.csv";
+
 pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, FigureError> {
-    const TABLE: &str = "fig07_lubricants.csv";
     let mut rows = Vec::new();
     for density in DENSITIES {
         for viscosity in VISCOSITIES {
@@ -41,62 +42,60 @@ pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, F
         }
     }
     write(&folder.join(TABLE), rows.iter())?;
-    let axis = || Axis::new("viscosity", "mPa s").log();
-    let mut differences = Chart::new(
-        "fig07a",
-        "Fig. 7: pressure difference across the film of oils, the paper's model",
-        TABLE,
-        axis(),
-        Axis::new("difference", "Pa").log(),
-    );
-    let mut efficiency = Chart::new(
-        "fig07b",
-        "Fig. 7: efficiency with and without that variation",
-        TABLE,
-        axis(),
-        Axis::new("efficiency", "%"),
-    );
-    for density in DENSITIES {
-        let of = |value: fn(&Row) -> f64| -> Vec<f64> {
-            rows.iter()
-                .filter(|row| row.density_kg_per_m3 == density)
-                .map(value)
-                .collect()
-        };
-        let (x, name) = (of(|row| row.viscosity_mpa_s), format!("{density:.0} kg/m³"));
-        differences = differences.with(Series::new(
-            &name,
-            Line::Dots,
-            &x,
-            &of(|row| row.difference_paper_pa.abs()),
-        ));
-        if density == DENSITIES[0] || density == DENSITIES[4] {
-            let with = format!("with, {name}");
-            efficiency = efficiency
-                .with(Series::new(
-                    &with,
-                    Line::Dots,
-                    &x,
-                    &of(|row| row.efficiency_with_percent),
-                ))
-                .with(Series::new(
-                    &format!("without, {name}"),
-                    Line::Dashed,
-                    &x,
-                    &of(|row| row.efficiency_without_percent),
-                ));
-        }
-    }
     Ok(vec![
         Figure {
             name: "fig07a_lubricants",
-            drawing: Drawing::Curves(differences),
+            drawing: Drawing::Curves(differences(&rows)),
         },
         Figure {
             name: "fig07b_efficiency",
-            drawing: Drawing::Curves(efficiency),
+            drawing: Drawing::Curves(efficiencies(&rows)),
         },
     ])
+}
+
+/// A curve over the viscosity at one density.
+fn curve(rows: &[Row], name: &str, line: Line, density: f64, value: fn(&Row) -> f64) -> Series {
+    let here = || rows.iter().filter(|row| row.density_kg_per_m3 == density);
+    let x: Vec<f64> = here().map(|row| row.viscosity_mpa_s).collect();
+    let y: Vec<f64> = here().map(value).collect();
+    Series::new(name, line, &x, &y)
+}
+
+fn chart(id: &str, title: &str, y: Axis) -> Chart {
+    Chart::new(id, title, TABLE, Axis::new("viscosity", "mPa s").log(), y)
+}
+
+fn differences(rows: &[Row]) -> Chart {
+    let title = "Fig. 7: pressure difference across the film of oils, the paper's model";
+    let mut chart = chart("fig07a", title, Axis::new("difference", "Pa").log());
+    for density in DENSITIES {
+        let name = format!("{density:.0} kg/m³");
+        chart = chart.with(curve(rows, &name, Line::Dots, density, |row| {
+            row.difference_paper_pa.abs()
+        }));
+    }
+    chart
+}
+
+fn efficiencies(rows: &[Row]) -> Chart {
+    let title = "Fig. 7: efficiency with and without that variation";
+    let mut chart = chart("fig07b", title, Axis::new("efficiency", "%"));
+    for density in [DENSITIES[0], DENSITIES[4]] {
+        let name = |kind: &str| format!("{kind}, {density:.0} kg/m³");
+        chart = chart
+            .with(curve(rows, &name("with"), Line::Dots, density, |row| {
+                row.efficiency_with_percent
+            }))
+            .with(curve(
+                rows,
+                &name("without"),
+                Line::Dashed,
+                density,
+                |row| row.efficiency_without_percent,
+            ));
+    }
+    chart
 }
 
 fn row(case: &LoadedCase, density: f64, viscosity: f64) -> Result<Row, FigureError> {

@@ -44,8 +44,9 @@ fn surface(seed: u64) -> Result<Profile, PositionError> {
     Ok(recipe.generate()?)
 }
 
+const TABLE: &str = "fig06_surface.csv";
+
 pub(super) fn figures(folder: &Path) -> Result<Vec<Figure>, FigureError> {
-    const TABLE: &str = "fig06_surface.csv";
     let surfaces = [surface(SEEDS[0])?, surface(SEEDS[1])?];
     let flanks = TwoFlanks {
         first: &surfaces[0],
@@ -62,83 +63,60 @@ pub(super) fn figures(folder: &Path) -> Result<Vec<Figure>, FigureError> {
     let rows = rows(&surfaces, &gap, &solution);
     write(&folder.join(TABLE), rows.iter())?;
     let x: Vec<f64> = rows.iter().map(|row| row.x_um).collect();
-    let column = |of: fn(&Row) -> f64| rows.iter().map(of).collect::<Vec<f64>>();
+    let mut figures = charts(&rows, &x);
+    let stress = below(&x, &solution, folder)?;
+    figures.push(Figure {
+        name: "fig06d_subsurface",
+        drawing: Drawing::Contour(stress),
+    });
+    Ok(figures)
+}
+
+fn charts(rows: &[Row], x: &[f64]) -> Vec<Figure> {
+    let curve = |name: &str, line: Line, of: fn(&Row) -> f64| {
+        let y: Vec<f64> = rows.iter().map(of).collect();
+        Series::new(name, line, x, &y)
+    };
     let chart = |id: &str, title: &str, y: Axis| Chart::new(id, title, TABLE, across(), y);
     let shape = chart(
         "fig06a",
         "Fig. 6: two random surfaces before contact",
         Axis::new("height", "µm"),
     )
-    .with(Series::new(
-        "first",
-        Line::Solid,
-        &x,
-        &column(|row| row.height_first_um),
-    ))
-    .with(Series::new(
-        "second",
-        Line::Solid,
-        &x,
-        &column(|row| row.height_second_um),
-    ));
+    .with(curve("first", Line::Solid, |row| row.height_first_um))
+    .with(curve("second", Line::Solid, |row| row.height_second_um));
     let deformed = chart(
         "fig06b",
         "Fig. 6: gap before and in contact",
         Axis::new("gap", "µm").from_zero(),
     )
-    .with(Series::new(
-        "undeformed",
-        Line::Dashed,
-        &x,
-        &column(|row| row.gap_undeformed_um),
-    ))
-    .with(Series::new(
-        "in contact",
-        Line::Solid,
-        &x,
-        &column(|row| row.gap_um),
-    ))
-    .with(Series::new(
-        "elastic displacement of both",
-        Line::Solid,
-        &x,
-        &column(|row| row.displacement_um),
-    ));
+    .with(curve("undeformed", Line::Dashed, |row| {
+        row.gap_undeformed_um
+    }))
+    .with(curve("in contact", Line::Solid, |row| row.gap_um))
+    .with(curve("elastic displacement of both", Line::Solid, |row| {
+        row.displacement_um
+    }));
     let pressure = chart(
         "fig06c",
         "Fig. 6: contact stress",
         Axis::new("pressure", "MPa").from_zero(),
     )
-    .with(Series::new(
-        "random surfaces",
-        Line::Solid,
-        &x,
-        &column(|row| row.pressure_mpa),
-    ))
-    .with(Series::new(
-        "Hertz, smooth",
-        Line::Dashed,
-        &x,
-        &column(|row| row.pressure_hertz_mpa),
-    ));
-    Ok(vec![
-        Figure {
-            name: "fig06a_surfaces",
-            drawing: Drawing::Curves(shape),
-        },
-        Figure {
-            name: "fig06b_deformation",
-            drawing: Drawing::Curves(deformed),
-        },
-        Figure {
-            name: "fig06c_contact_stress",
-            drawing: Drawing::Curves(pressure),
-        },
-        Figure {
-            name: "fig06d_subsurface",
-            drawing: Drawing::Contour(below(&x, &solution, folder)?),
-        },
-    ])
+    .with(curve("random surfaces", Line::Solid, |row| {
+        row.pressure_mpa
+    }))
+    .with(curve("Hertz, smooth", Line::Dashed, |row| {
+        row.pressure_hertz_mpa
+    }));
+    let figure = |name, chart| Figure {
+        name,
+        drawing: Drawing::Curves(chart),
+    };
+    vec![
+        figure("fig06a_surfaces", shape),
+        figure("fig06b_deformation", deformed),
+        figure("fig06c_contact_stress", pressure),
+    ]
 }
 
 fn across() -> Axis {

@@ -196,10 +196,8 @@ fn convergence(result: &ResultFolder, table: &Table, number: usize) -> Vec<Drawi
     if step.is_empty() {
         return Vec::new();
     }
-    let paper = result.text("/formulation") == "paper";
-    let target = result.rows("/path")[number - 1]["line_load_n_per_mm"]
-        .as_f64()
-        .unwrap_or(f64::NAN);
+    let row = &result.rows("/path")[number - 1];
+    let target = row["line_load_n_per_mm"].as_f64().unwrap_or(f64::NAN);
     let (solid, fluid) = (of("load_solid_n_per_mm"), of("load_fluid_n_per_mm"));
     let total = combined(&solid, &fluid, |s, f| s + f);
     let approach = of("approach_um");
@@ -218,35 +216,41 @@ fn convergence(result: &ResultFolder, table: &Table, number: usize) -> Vec<Drawi
     ))
     .with(Series::new("film", Line::Dashed, &approach, &fluid))
     .level(target, "load to carry");
-    let tolerance = match paper {
-        true => result
-            .choice("model.numerical_error")
-            .and_then(|v| ratio(&v)),
-        false => result.choice("model.tolerance").and_then(|v| v.as_f64()),
-    };
-    let (title, axis) = match paper {
-        true => (
+    vec![
+        Drawing::Curves(load),
+        Drawing::Curves(load_error(result, &step, &error)),
+    ]
+}
+
+/// Error against step: of the marching on a log axis, of the load path from zero.
+fn load_error(result: &ResultFolder, step: &[f64], error: &[f64]) -> Chart {
+    let (title, axis, tolerance) = match result.text("/formulation") {
+        "paper" => (
             "Convergence: load error of each step",
             Axis::new("load error |F − F_target|/F_target", "").log(),
+            result
+                .choice("model.numerical_error")
+                .and_then(|v| ratio(&v)),
         ),
         // The last error is one of rounding, which a log axis would blow up.
-        false => (
+        _ => (
             "Load still missing along the load path",
             Axis::new("|F − F_target|/F_target", "").from_zero(),
+            result.choice("model.tolerance").and_then(|v| v.as_f64()),
         ),
     };
-    let mut chart = Chart::new(
+    let chart = Chart::new(
         "convergence",
         title,
         "convergence.csv",
         Axis::new("step", ""),
         axis,
     )
-    .with(Series::new("load error", Line::Dots, &step, &error));
-    if let Some(tolerance) = tolerance {
-        chart = chart.level(tolerance, "tolerance");
+    .with(Series::new("load error", Line::Dots, step, error));
+    match tolerance {
+        Some(tolerance) => chart.level(tolerance, "tolerance"),
+        None => chart,
     }
-    vec![Drawing::Curves(load), Drawing::Curves(chart)]
 }
 
 /// A share written as a number or as text with its unit.

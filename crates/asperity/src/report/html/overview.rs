@@ -8,9 +8,6 @@ use super::figure;
 use crate::report::ReportError;
 use crate::report::chart::{Axis, Bar, BarChart, Drawing};
 
-/// Decimals with which the page prints its numbers.
-const EFFICIENCY_DECIMALS: usize = 4;
-
 pub(super) fn section(result: &ResultFolder) -> Result<Markup, ReportError> {
     let tiles = tiles(result);
     let notes = notes(result);
@@ -35,90 +32,65 @@ pub(super) fn section(result: &ResultFolder) -> Result<Markup, ReportError> {
     })
 }
 
-/// Name, value and key in `result.json`.
+/// Name, key in `result.json` and how the number is printed.
+type Tile = (&'static str, &'static str, fn(f64) -> String);
+
+/// What a design review asks first.
+const TILES: &[Tile] = &[
+    ("efficiency (mesh only)", "summary.efficiency", |v| {
+        format!("{:.4} %", 100.0 * v)
+    }),
+    (
+        "standard deviation over the offsets",
+        "summary.efficiency_deviation",
+        |v| format!("±{:.4} %", 100.0 * v),
+    ),
+    ("loss", "summary.loss_w", |v| format!("{v:.1} W")),
+    ("sliding", "summary.sliding_w", |v| format!("{v:.1} W")),
+    ("rolling", "summary.rolling_w", |v| format!("{v:.2} W")),
+    ("power in", "summary.power_in_w", |v| {
+        format!("{:.3} kW", 1e-3 * v)
+    }),
+    ("torque out", "summary.torque_out_nm", |v| {
+        format!("{v:.2} N m")
+    }),
+    ("equivalent friction μ_eq", "summary.mu_equivalent", |v| {
+        format!("{v:.4}")
+    }),
+    ("loss factor H_V", "summary.loss_factor", |v| {
+        format!("{v:.4}")
+    }),
+    (
+        "H_V of the load sharing",
+        "summary.loss_factor_local",
+        |v| format!("{v:.4}"),
+    ),
+    (
+        "mixed lubrication, of the path",
+        "summary.mixed_share",
+        |v| format!("{:.1} %", 100.0 * v),
+    ),
+    ("mesh positions", "summary.positions", |v| format!("{v:.0}")),
+    ("offsets of the traces", "summary.offsets", |v| {
+        format!("{v:.0}")
+    }),
+    ("worst load error", "summary.worst_load_error", |v| {
+        format!("{v:.1e}")
+    }),
+    (
+        "plastic work, first engagement",
+        "running_in.energy_per_engagement_j",
+        |v| format!("{v:.2e} J"),
+    ),
+];
+
+/// Name, value and key of every tile whose number the result has.
 fn tiles(result: &ResultFolder) -> Vec<(&'static str, String, &'static str)> {
-    let s = |key: &str| {
-        result
-            .number(&format!("/summary/{key}"))
-            .unwrap_or(f64::NAN)
-    };
-    let decimals = EFFICIENCY_DECIMALS;
-    let mut tiles = vec![(
-        "efficiency (mesh only)",
-        format!("{:.decimals$} %", 100.0 * s("efficiency")),
-        "summary.efficiency",
-    )];
-    if let Some(spread) = result.number("/summary/efficiency_deviation") {
-        tiles.push((
-            "standard deviation over the offsets",
-            format!("±{:.decimals$} %", 100.0 * spread),
-            "summary.efficiency_deviation",
-        ));
-    }
-    tiles.extend([
-        ("loss", format!("{:.1} W", s("loss_w")), "summary.loss_w"),
-        (
-            "sliding",
-            format!("{:.1} W", s("sliding_w")),
-            "summary.sliding_w",
-        ),
-        (
-            "rolling",
-            format!("{:.2} W", s("rolling_w")),
-            "summary.rolling_w",
-        ),
-        (
-            "power in",
-            format!("{:.3} kW", 1e-3 * s("power_in_w")),
-            "summary.power_in_w",
-        ),
-        (
-            "torque out",
-            format!("{:.2} N m", s("torque_out_nm")),
-            "summary.torque_out_nm",
-        ),
-        (
-            "equivalent friction μ_eq",
-            format!("{:.4}", s("mu_equivalent")),
-            "summary.mu_equivalent",
-        ),
-        (
-            "loss factor H_V",
-            format!("{:.4}", s("loss_factor")),
-            "summary.loss_factor",
-        ),
-        (
-            "H_V of the load sharing",
-            format!("{:.4}", s("loss_factor_local")),
-            "summary.loss_factor_local",
-        ),
-        (
-            "mixed lubrication, of the path",
-            format!("{:.1} %", 100.0 * s("mixed_share")),
-            "summary.mixed_share",
-        ),
-        (
-            "positions × offsets",
-            format!("{:.0} × {:.0}", s("positions"), s("offsets")),
-            "summary.positions",
-        ),
-        (
-            "worst load error",
-            format!("{:.1e}", s("worst_load_error")),
-            "summary.worst_load_error",
-        ),
-    ]);
-    let energy = result
-        .number("/running_in/energy_per_engagement_j")
-        .unwrap_or(0.0);
-    if energy > 0.0 {
-        tiles.push((
-            "plastic work, first engagement",
-            format!("{energy:.2e} J"),
-            "running_in.energy_per_engagement_j",
-        ));
-    }
-    tiles
+    let value = |key: &str| result.number(&format!("/{}", key.replace('.', "/")));
+    let known = TILES
+        .iter()
+        .filter_map(|(name, key, print)| Some((*name, print(value(key)?), *key)));
+    known.collect()
 }
 
 fn notes(result: &ResultFolder) -> Vec<(&str, &str)> {

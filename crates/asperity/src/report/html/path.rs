@@ -37,77 +37,101 @@ pub(super) fn points(result: &ResultFolder) -> Vec<Mark> {
     points
 }
 
+/// A chart along the path.
+struct Along {
+    id: &'static str,
+    title: &'static str,
+    axis: [&'static str; 2],
+    /// Name, column, and factor on it.
+    curves: &'static [(&'static str, &'static str, f64)],
+}
+
+const CHARTS: &[Along] = &[
+    Along {
+        id: "load",
+        title: "Load per length of contact line",
+        axis: ["line load", "N/mm"],
+        curves: &[("line load", "line_load_n_per_mm", 1.0)],
+    },
+    Along {
+        id: "pressure-path",
+        title: "Hertz pressure of smooth flanks",
+        axis: ["p₀", "MPa"],
+        curves: &[("p₀", "hertz_pressure_mpa", 1.0)],
+    },
+    Along {
+        id: "speeds",
+        title: "Sliding and entrainment",
+        axis: ["speed", "m/s"],
+        curves: &[
+            ("sliding V_s", "sliding_m_per_s", 1.0),
+            ("entrainment V_e", "entrainment_m_per_s", 1.0),
+        ],
+    },
+    Along {
+        id: "film",
+        title: "Film thickness, with thermal reduction",
+        axis: ["film", "µm"],
+        curves: &[
+            ("central", "film_central_um", 1.0),
+            ("minimum", "film_minimum_um", 1.0),
+        ],
+    },
+    Along {
+        id: "lambda-star",
+        title: "Lambda*: film over reduced peaks",
+        axis: ["Λ*", ""],
+        curves: &[("Λ*", "lambda_star", 1.0)],
+    },
+    Along {
+        id: "friction",
+        title: "Friction coefficient",
+        axis: ["μ", ""],
+        curves: &[
+            ("whole contact", "mu", 1.0),
+            ("in the film", "mu_film", 1.0),
+        ],
+    },
+    Along {
+        id: "local-loss",
+        title: "Local loss per length of contact line",
+        axis: ["loss", "kW/m"],
+        curves: &[
+            ("sliding", "sliding_w_per_m", 1e-3),
+            ("rolling", "rolling_w_per_m", 1e-3),
+        ],
+    },
+    Along {
+        id: "flash",
+        title: "Flash temperature",
+        axis: ["above the bulk", "K"],
+        curves: &[("flash", "flash_k", 1.0)],
+    },
+];
+
 fn drawings(result: &ResultFolder, table: &Table) -> Vec<Drawing> {
     let marks = points(result);
     let s = table.column("s_mm");
-    let (line, other) = match s.len() {
-        1 => (Line::Scatter, Line::Scatter),
-        _ => (Line::Solid, Line::Dashed),
+    let line = |number: usize| match (s.len(), number) {
+        (1, _) => Line::Scatter,
+        (_, 0) => Line::Solid,
+        _ => Line::Dashed,
     };
-    let of =
-        |name: &str, column: &str, line: Line| Series::new(name, line, s, table.column(column));
-    let scaled = |name: &str, column: &str, factor: f64, line: Line| {
-        let values: Vec<f64> = table.column(column).iter().map(|v| v * factor).collect();
-        Series::new(name, line, s, &values)
+    let draw = |along_path: &Along| {
+        let [label, unit] = along_path.axis;
+        let y = Axis::new(label, unit).from_zero();
+        let mut chart =
+            Chart::new(along_path.id, along_path.title, SOURCE, along(), y).marked(&marks);
+        for (number, (name, column, factor)) in along_path.curves.iter().enumerate() {
+            let values: Vec<f64> = table.column(column).iter().map(|v| v * factor).collect();
+            chart = chart.with(Series::new(name, line(number), s, &values));
+        }
+        if along_path.id == "lambda-star" {
+            chart = chart.level(1.0, "full film from 1");
+        }
+        Drawing::Curves(chart)
     };
-    let chart =
-        |id: &str, title: &str, y: Axis| Chart::new(id, title, SOURCE, along(), y).marked(&marks);
-    let charts = vec![
-        chart(
-            "load",
-            "Load per length of contact line",
-            Axis::new("line load", "N/mm").from_zero(),
-        )
-        .with(of("line load", "line_load_n_per_mm", line)),
-        chart(
-            "pressure-path",
-            "Hertz pressure of smooth flanks",
-            Axis::new("p₀", "MPa").from_zero(),
-        )
-        .with(of("p₀", "hertz_pressure_mpa", line)),
-        chart(
-            "speeds",
-            "Sliding and entrainment",
-            Axis::new("speed", "m/s").from_zero(),
-        )
-        .with(of("sliding V_s", "sliding_m_per_s", line))
-        .with(of("entrainment V_e", "entrainment_m_per_s", other)),
-        chart(
-            "film",
-            "Film thickness, with thermal reduction",
-            Axis::new("film", "µm").from_zero(),
-        )
-        .with(of("central", "film_central_um", line))
-        .with(of("minimum", "film_minimum_um", other)),
-        chart(
-            "lambda-star",
-            "Lambda*: film over reduced peaks",
-            Axis::new("Λ*", "").from_zero(),
-        )
-        .with(of("Λ*", "lambda_star", line))
-        .level(1.0, "full film from 1"),
-        chart(
-            "friction",
-            "Friction coefficient",
-            Axis::new("μ", "").from_zero(),
-        )
-        .with(of("whole contact", "mu", line))
-        .with(of("in the film", "mu_film", other)),
-        chart(
-            "local-loss",
-            "Local loss per length of contact line",
-            Axis::new("loss", "kW/m").from_zero(),
-        )
-        .with(scaled("sliding", "sliding_w_per_m", 1e-3, line))
-        .with(scaled("rolling", "rolling_w_per_m", 1e-3, other)),
-        chart(
-            "flash",
-            "Flash temperature",
-            Axis::new("above the bulk", "K").from_zero(),
-        )
-        .with(of("flash", "flash_k", line)),
-    ];
-    charts.into_iter().map(Drawing::Curves).collect()
+    CHARTS.iter().map(draw).collect()
 }
 
 /// The regime along the path.
