@@ -10,6 +10,8 @@ mod statistics;
 mod windows;
 mod write;
 
+use std::path::Path;
+
 use serde::Serialize;
 
 pub use statistics::{Interval, paired_interval, rank_correlation};
@@ -55,7 +57,7 @@ pub struct Comparison {
 pub struct FinishResult {
     /// Its name.
     pub name: String,
-    /// Files of its traces and their SHA-256.
+    /// Names of the files of its traces, and their SHA-256.
     pub files: Vec<[String; 2]>,
     /// Mean efficiency.
     pub efficiency: f64,
@@ -125,10 +127,11 @@ fn finish_result(
         paired_interval(&differences, CONFIDENCE)
     });
     let result = outcome.result;
-    let named = result
-        .flanks
-        .iter()
-        .filter_map(|flank| Some([flank.file.clone()?, flank.sha256.clone()?]));
+    // The folder of a trace is nobody's business; its sum tells which file it was.
+    let named = result.flanks.iter().filter_map(|flank| {
+        let file = Path::new(flank.file.as_deref()?).file_name()?;
+        Some([file.to_string_lossy().into_owned(), flank.sha256.clone()?])
+    });
     Ok(FinishResult {
         name: finish.name.clone(),
         files: named.collect(),

@@ -141,7 +141,7 @@ fn provenance(comparison: &Comparison) -> Markup {
         div.scroll { table {
             thead { tr { th { "finish" } th { "file" } th { "SHA-256" } } }
             tbody { @for finish in &comparison.finishes { @for [file, sum] in &finish.files {
-                tr { td { (finish.name) } td { code { (file) } } td { code.hash { (sum) } } }
+                tr { td { (finish.name) } td { code { (file) } } td { code { (sum) } } }
             } } }
         } }
         @for finish in &comparison.finishes { @if !finish.warnings.is_empty() {

@@ -100,7 +100,7 @@ fn files(result: &ResultFolder) -> Markup {
         div.scroll { table {
             thead { tr { th { "file" } th { "SHA-256" } } }
             tbody { @for flank in flanks {
-                tr { td { code { (plain(&flank["file"])) } } td { code.hash { (plain(&flank["sha256"])) } } }
+                tr { td { code { (plain(&flank["file"])) } } td { code { (plain(&flank["sha256"])) } } }
             } }
         } }
     }
