@@ -58,6 +58,9 @@ pub(crate) fn parse_shifted(number: &str, shift: i32) -> Option<f64> {
 
 /// `value`/10^`shift` as the shortest text that [`parse_shifted`] reads back to the same bits.
 pub(crate) fn format_shifted(value: f64, shift: i32) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
     let text = format!("{value:e}");
     let Some((mantissa, exponent)) = text.split_once('e') else {
         return text;
@@ -101,6 +104,7 @@ mod tests {
         assert_eq!(format_shifted(0.0013, -3), "1.3");
         assert_eq!(format_shifted(-0.25, 0), "-0.25");
         assert_eq!(format_shifted(210e9, 9), "210");
+        assert_eq!(format_shifted(0.0, -2), "0");
     }
 
     #[test]
