@@ -59,7 +59,8 @@ pub(crate) fn parse_shifted(number: &str, shift: i32) -> Option<f64> {
 /// `value`/10^`shift` as the shortest text that [`parse_shifted`] reads back to the same bits.
 pub(crate) fn format_shifted(value: f64, shift: i32) -> String {
     if value == 0.0 {
-        return "0".to_owned();
+        let sign = if value.is_sign_negative() { "-" } else { "" };
+        return format!("{sign}0");
     }
     let text = format!("{value:e}");
     let Some((mantissa, exponent)) = text.split_once('e') else {
