@@ -1,4 +1,5 @@
-//! Time of whole solutions, planning included, and of solutions with plans kept.
+//! Time of whole solutions, planning included; of warm starts with plans kept; of the transforms
+//! that the solutions are made of; and of a stress field. `docs/PERFORMANCE.md` defines the cases.
 #![allow(
     missing_docs,
     reason = "criterion's macros make undocumented functions"
@@ -11,61 +12,115 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 
-use asperity_contact::{Boundary, ContactProblem, Control, Solver, SolverSettings, solve};
-use asperity_core::quantity::{Length, Pressure};
-use common::{CYLINDER, hertz_problem, rough_gap};
-use criterion::{Criterion, criterion_group, criterion_main};
+use std::time::Duration;
+
+use asperity_contact::subsurface::{graded_depths, subsurface_stress};
+use asperity_contact::{ContactProblem, Control, Solver, SolverSettings, solve};
+use asperity_core::numerics::{SymmetricToeplitz, good_fft_length};
+use asperity_core::quantity::Length;
+use common::peers::Peer;
+use common::{CYLINDER, hertz_problem};
+use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
+
+/// Cases and sizes; the largest fractal one takes a quarter of a minute and is left to the example
+/// `measure`.
+const CASES: [(&str, &[usize]); 5] = [
+    ("a", &[1_000, 10_000, 100_000, 1_000_000]),
+    ("d", &[1_000, 10_000, 100_000, 1_000_000]),
+    ("e", &[1_000, 10_000, 100_000, 1_000_000]),
+    ("c", &[4_096, 65_536, 1_048_576]),
+    ("cf", &[4_096, 65_536]),
+];
 
 fn cold(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("cold");
-    group.sample_size(20);
+    group
+        .sample_size(10)
+        .measurement_time(Duration::from_secs(2));
     let settings = SolverSettings::default();
-    let limited = Some(Pressure::from_si(4e9));
-    for (name, (gap, spacing), limit) in [
-        ("hertz 10 000", CYLINDER.gap(10_000), None),
-        ("rough 10 000", rough_gap(10_000), None),
-        ("rough 100 000", rough_gap(100_000), None),
-        ("rough plastic 10 000", rough_gap(10_000), limited),
-        ("rough plastic 100 000", rough_gap(100_000), limited),
-    ] {
-        let problem = ContactProblem {
-            pressure_limit: limit,
-            ..hertz_problem(&gap, spacing)
-        };
-        group.bench_function(name, |bencher| {
-            bencher.iter(|| solve(&problem, &settings).unwrap());
-        });
+    for (name, sizes) in CASES {
+        for &points in sizes {
+            let peer = Peer::new(name, points).unwrap();
+            group.bench_function(BenchmarkId::new(name, points), |bencher| {
+                bencher.iter(|| solve(&peer.problem(), &settings).unwrap());
+            });
+        }
     }
     group.finish();
 }
 
-fn kept(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("kept plans");
-    group.sample_size(20);
+/// Both convolutions of an iteration on the whole grid, products included.
+fn transforms(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("transforms of an iteration");
+    group
+        .sample_size(10)
+        .measurement_time(Duration::from_secs(1));
+    for (ends, factor, sizes) in [("free", 2, CASES[1].1), ("periodic", 1, CASES[3].1)] {
+        for &points in sizes {
+            // A kernel of one value has a period of as many points as the matrix has rows.
+            let mut both = [factor * points, points]
+                .map(|length| SymmetricToeplitz::new(&[1.0], good_fft_length(length)));
+            let signals = [factor * points, points].map(|n| vec![1.0; good_fft_length(n)]);
+            let mut out = vec![0.0; good_fft_length(factor * points)];
+            group.bench_function(BenchmarkId::new(ends, points), |bencher| {
+                bencher.iter(|| {
+                    for (filter, signal) in both.iter_mut().zip(&signals) {
+                        filter.apply(signal, &mut out);
+                    }
+                });
+            });
+        }
+    }
+    group.finish();
+}
+
+fn warm(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("plans kept");
+    group
+        .sample_size(10)
+        .measurement_time(Duration::from_secs(2));
     let settings = SolverSettings::default();
-    for points in [1_000, 10_000] {
-        let (gap, spacing) = rough_gap(points);
-        let mut solver = Solver::new(points, Boundary::FreeEnds).unwrap();
-        let problem = hertz_problem(&gap, spacing);
+    for points in [1_000, 10_000, 100_000] {
+        let peer = Peer::new("d", points).unwrap();
+        let problem = peer.problem();
+        let mut solver = Solver::new(points, problem.boundary).unwrap();
         let solution = solver.solve(&problem, &settings).unwrap();
-        group.bench_function(format!("load, {points}"), |bencher| {
+        group.bench_function(BenchmarkId::new("no start", points), |bencher| {
             bencher.iter(|| solver.solve(&problem, &settings).unwrap());
         });
-        let step = Control::Approach {
-            approach: solution.approach + Length::from_si(80e-9),
-            datum: solution.datum,
-        };
-        let lowered = ContactProblem {
-            control: step,
+        let heavier = ContactProblem {
+            control: Control::Load(CYLINDER.load * 1.05),
             start: Some(&solution.pressure),
             ..problem
         };
-        group.bench_function(format!("approach step, {points}"), |bencher| {
+        group.bench_function(BenchmarkId::new("5 % more load", points), |bencher| {
+            bencher.iter(|| solver.solve(&heavier, &settings).unwrap());
+        });
+        let lowered = ContactProblem {
+            control: Control::Approach {
+                approach: solution.approach + Length::from_si(80e-9),
+                datum: solution.datum,
+            },
+            ..heavier
+        };
+        group.bench_function(BenchmarkId::new("80 nm lower", points), |bencher| {
             bencher.iter(|| solver.solve(&lowered, &settings).unwrap());
         });
     }
     group.finish();
 }
 
-criterion_group!(benches, cold, kept);
+fn subsurface(criterion: &mut Criterion) {
+    let (gap, spacing) = CYLINDER.gap(2_000);
+    let solution = solve(&hertz_problem(&gap, spacing), &SolverSettings::default()).unwrap();
+    let depths = graded_depths(spacing, Length::from_si(100e-6), 200).unwrap();
+    let traction: Vec<f64> = solution.pressure.iter().map(|p| 0.1 * p).collect();
+    criterion.bench_function("stress field 2000 x 200 with traction", |bencher| {
+        bencher.iter(|| {
+            subsurface_stress(&solution.pressure, Some(&traction), spacing, &depths).unwrap()
+        });
+    });
+}
+
+criterion_group!(benches, cold, transforms, warm, subsurface);
 criterion_main!(benches);

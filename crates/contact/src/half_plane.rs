@@ -160,9 +160,10 @@ pub(crate) fn displacement_filter(
     }
 }
 
-/// The filter |q|·E*/2 in units of π·E*/(2a): nearly the inverse of the displacement. Its zero
-/// mode is half its first, which the mean of a masked signal needs to be neither lost nor amplified.
-pub(crate) fn inverse_filter(planner: &mut RealFftPlanner<f64>, points: usize) -> EvenFilter {
+/// The filter |q|·E*/2 in units of π·E*/(2a): nearly the inverse of the displacement, so that single
+/// precision is enough. Its zero mode is half its first, which the mean of a masked signal needs to
+/// be neither lost nor amplified.
+pub(crate) fn inverse_filter(planner: &mut RealFftPlanner<f32>, points: usize) -> EvenFilter<f32> {
     let length = good_fft_length(points);
     let symbol = |wave: usize| if wave == 0 { 0.5 } else { wave as f64 } / length as f64;
     EvenFilter::from_symbol(planner, points, length, symbol)

@@ -1,7 +1,19 @@
 //! Rough line contact of elastic half-planes: boundary elements, plasticity, subsurface stress.
 //!
-//! Plane strain, pressures and loads per metre of face width. Give [`solve`] a gap and a load, or
-//! keep a [`Solver`] for many problems of one size.
+//! Plane strain, pressures and loads per metre of face width. Give [`solve`] a gap and a load, keep a
+//! [`Solver`] for many problems of one size, follow a [`Path`] of loads or positions, or solve many
+//! paths at once with [`solve_paths`]. Every solution comes with a [`Certificate`]; what is not
+//! solved to its tolerance is a [`ContactError`] with evidence.
+//!
+//! | for | see |
+//! |---|---|
+//! | two profiles face to face | [`two_flanks`] |
+//! | plastic flow of the surface, running-in | [`plasticity`], [`running_in`] |
+//! | friction, partial slip, dissimilar materials | [`friction`] |
+//! | stress below the surface | [`subsurface`] |
+//! | closed forms | [`hertz_line`], [`westergaard`], [`flat_punch`] |
+//! | the kernel and its fast product, the dense judge | [`strip_kernel`], [`half_plane`], [`direct`] |
+//! | files | [`array_file`] |
 
 pub mod array_file;
 mod cascade;
@@ -35,3 +47,8 @@ pub use problem::{
     Boundary, ContactProblem, ContactSolution, Control, PeriodicKernel, SolverSettings,
 };
 pub use solver::{Solver, solve};
+
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -244,14 +244,22 @@ fn precondition(level: Level, work: &mut Workspace, task: &Task, residual_mean: 
             *r -= residual_mean;
         }
     }
-    let (buffers, residual) = (&mut work.buffers, work.residual.iter().copied());
-    let stiffness = 0.5 / task.compliance;
+    // Scaled so that single precision neither overflows nor vanishes, whatever the units.
+    let largest = work.residual.iter().fold(0.0, |m: f64, r| m.max(r.abs()));
+    let scale = if largest > 0.0 { largest } else { 1.0 };
+    let scaled = work.residual.iter().map(|r| (r / scale) as f32);
+    let buffers = &mut work.inverse_buffers;
     level
         .inverse
-        .filter_sparse(buffers, stiffness, &work.list, residual);
+        .filter_sparse(buffers, 1.0, &work.list, scaled);
     let z = buffers.signal(work.pressure.len());
+    let stiffness = 0.5 / task.compliance * scale;
+    let values = work
+        .list
+        .iter()
+        .map(|&i| stiffness * f64::from(z[i as usize]));
     work.ascent.clear();
-    work.ascent.extend(work.list.iter().map(|&i| z[i as usize]));
+    work.ascent.extend(values);
 }
 
 /// Length of the step along d that minimises the energy without bounds.

@@ -62,8 +62,9 @@ pub struct Solver {
 struct Levels {
     boundary: Boundary,
     planner: RealFftPlanner<f64>,
+    inverse_planner: RealFftPlanner<f32>,
     displacements: BTreeMap<usize, EvenFilter>,
-    inverses: BTreeMap<usize, EvenFilter>,
+    inverses: BTreeMap<usize, EvenFilter<f32>>,
 }
 
 impl Levels {
@@ -73,6 +74,7 @@ impl Levels {
             self.displacements.clear();
             self.inverses.clear();
             self.planner = RealFftPlanner::new();
+            self.inverse_planner = RealFftPlanner::new();
         }
     }
 
@@ -88,15 +90,16 @@ impl Levels {
         filter
     }
 
-    /// What an iteration needs of a grid, with room for it in `buffers`.
-    fn level(&mut self, points: usize, buffers: &mut Buffers) -> Level<'_> {
+    /// What an iteration needs of a grid, with room for it in the workspace.
+    fn level(&mut self, points: usize, work: &mut Workspace) -> Level<'_> {
         self.make_room(points);
-        let planner = &mut self.planner;
+        let planner = &mut self.inverse_planner;
         let inverse = self
             .inverses
             .entry(points)
             .or_insert_with(|| inverse_filter(planner, points));
-        buffers.reserve(inverse);
+        work.inverse_buffers.reserve(inverse);
+        let (planner, buffers) = (&mut self.planner, &mut work.buffers);
         let displacement = self
             .displacements
             .entry(points)
@@ -126,6 +129,7 @@ impl Solver {
             levels: Levels {
                 boundary,
                 planner: RealFftPlanner::new(),
+                inverse_planner: RealFftPlanner::new(),
                 displacements: BTreeMap::new(),
                 inverses: BTreeMap::new(),
             },
@@ -223,7 +227,7 @@ impl Solver {
         self.work
             .pressure
             .extend_from_slice(&pressure[window.range()]);
-        let level = self.levels.level(window.points, &mut self.work.buffers);
+        let level = self.levels.level(window.points, &mut self.work);
         let iterations = minimise(level, &mut self.work, task);
         pressure.fill(0.0);
         pressure[window.range()].copy_from_slice(&self.work.pressure);

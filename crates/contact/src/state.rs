@@ -18,7 +18,7 @@ const BLOCK: usize = 64;
 #[derive(Clone, Copy)]
 pub(crate) struct Level<'a> {
     pub(crate) displacement: &'a EvenFilter,
-    pub(crate) inverse: &'a EvenFilter,
+    pub(crate) inverse: &'a EvenFilter<f32>,
 }
 
 /// What is minimised on one grid.
@@ -53,6 +53,7 @@ impl Task<'_> {
 #[derive(Default)]
 pub(crate) struct Workspace {
     pub(crate) buffers: Buffers,
+    pub(crate) inverse_buffers: Buffers<f32>,
     pub(crate) pressure: Vec<f64>,
     /// v
     pub(crate) opening: Vec<f64>,

@@ -30,9 +30,9 @@ use crate::hertz_line::HertzLine;
 /// use asperity_contact::{friction::carter_traction, hertz_line::HertzLine};
 /// let contact = HertzLine { half_width: "100 um".parse()?, max_pressure: "1 GPa".parse()? };
 /// let load = asperity_core::quantity::LineLoad::from_si(0.075 * contact.load().si());
-/// // Half the contact sticks: 0..b. At its trailing end all friction is used up.
-/// let edge = carter_traction(&contact, 0.1, load, "0 um".parse()?)?;
-/// assert!((edge.si() - 0.1e9).abs() < 1e-3);
+/// // Half the contact sticks: 0..b. Behind it all friction is used up.
+/// let behind = carter_traction(&contact, 0.1, load, "-60 um".parse()?)?;
+/// assert!((behind.si() - 0.08e9).abs() < 1e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn carter_traction(
