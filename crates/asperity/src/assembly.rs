@@ -40,6 +40,8 @@ pub(crate) fn assemble(
     let (equations, references) = provenance::used(case, touched);
     let mut warnings = loaded.warnings.clone();
     warnings.extend(attention::warnings(loaded, &positions, &summary)?);
+    let forces = case.gears.forces(case.torque)?;
+    let per_width = forces.transverse_base.si() / case.gears.face_width.si();
     let result = RunResult {
         schema_version: SCHEMA_VERSION,
         program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
@@ -49,7 +51,7 @@ pub(crate) fn assemble(
         path: positions
             .iter()
             .zip(rolling)
-            .map(|(position, rolling)| row(case, position, *rolling))
+            .map(|(position, rolling)| row(case, position, *rolling, per_width))
             .collect(),
         running_in: running_in(case, &meshes),
         summary,
@@ -189,7 +191,9 @@ fn with_law(
     Ok(mean(efficiencies.into_iter()))
 }
 
-fn row(case: &Case, position: &Position, rolling: f64) -> PositionRow {
+/// A row of the path; `per_width` is the transverse base force over the face width \[N/m\], which is the
+/// load of a line of contact that carries everything.
+fn row(case: &Case, position: &Position, rolling: f64, per_width: f64) -> PositionRow {
     let station = &position.station;
     let motion = &station.motion;
     let offsets = &position.offsets;
@@ -215,6 +219,7 @@ fn row(case: &Case, position: &Position, rolling: f64) -> PositionRow {
         path_fraction: (station.s - path.a) / (path.e - path.a),
         weight_m: station.weight,
         line_load_n_per_mm: station.load.si() * 1e-3,
+        load_share: station.load.si() / per_width,
         radius_mm: motion.radius.si() * 1e3,
         u1_m_per_s: motion.u1.si(),
         u2_m_per_s: motion.u2.si(),

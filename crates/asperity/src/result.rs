@@ -134,6 +134,8 @@ pub struct PositionRow {
     pub weight_m: f64,
     /// Line load \[N/mm\].
     pub line_load_n_per_mm: f64,
+    /// Share of the whole tooth force that a line of contact over the full face carries here.
+    pub load_share: f64,
     /// Relative radius of curvature \[mm\].
     pub radius_mm: f64,
     /// Surface speed of the pinion \[m/s\].

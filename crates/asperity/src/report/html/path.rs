@@ -48,6 +48,12 @@ struct Along {
 
 const CHARTS: &[Along] = &[
     Along {
+        id: "load-share",
+        title: "Share of the tooth force on one pair",
+        axis: ["share", "-"],
+        curves: &[("share", "load_share", 1.0)],
+    },
+    Along {
         id: "load",
         title: "Load per length of contact line",
         axis: ["line load", "N/mm"],
