@@ -1,0 +1,57 @@
+//! Text that is not a quantity.
+
+/// Text that is not a quantity, and what was expected.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum QuantityError {
+    /// No number at the front.
+    #[error(
+        "cannot read \"{text}\" as a {quantity}: it must start with a number; accepted units: {accepted}"
+    )]
+    NotANumber {
+        /// Name of the quantity.
+        quantity: &'static str,
+        /// The text seen.
+        text: String,
+        /// Accepted units.
+        accepted: String,
+    },
+    /// A decimal comma.
+    #[error("cannot read \"{text}\" as a {quantity}: write the decimal sign as a point")]
+    DecimalComma {
+        /// Name of the quantity.
+        quantity: &'static str,
+        /// The text seen.
+        text: String,
+    },
+    /// A number without a unit.
+    #[error("{text} has no unit; a {quantity} needs one of: {accepted} (as \"{text} {example}\")")]
+    NoUnit {
+        /// Name of the quantity.
+        quantity: &'static str,
+        /// The text seen.
+        text: String,
+        /// Accepted units.
+        accepted: String,
+        /// One accepted unit.
+        example: &'static str,
+    },
+    /// A unit of something else, or misspelt.
+    #[error("\"{unit}\" is not a unit of {quantity}; accepted: {accepted}")]
+    UnknownUnit {
+        /// Name of the quantity.
+        quantity: &'static str,
+        /// The unit seen.
+        unit: String,
+        /// Accepted units.
+        accepted: String,
+    },
+    /// Too large for a number, or below absolute zero.
+    #[error("\"{text}\" is not a possible {quantity}")]
+    Impossible {
+        /// Name of the quantity.
+        quantity: &'static str,
+        /// The text seen.
+        text: String,
+    },
+}
