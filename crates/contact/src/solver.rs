@@ -267,6 +267,9 @@ impl Solver {
         let task = scene.task(Window::whole(pressure.len()), settings, 0);
         self.work.pressure.clear();
         self.work.pressure.extend_from_slice(pressure);
+        if pressure.len() > LARGE {
+            self.work.release();
+        }
         let buffers = &mut self.work.buffers;
         let displacement = self.levels.displacement(pressure.len(), buffers);
         self.work.refresh(displacement, &task);
@@ -293,8 +296,10 @@ impl Solver {
         let pressure = std::mem::take(&mut self.work.pressure);
         let (problem, dx) = (scene.problem, scene.problem.spacing.si());
         let approach = scene.approach(&pressure, assessment.approach);
-        let opening = self.work.opening.iter();
-        let mut gap: Vec<f64> = opening.map(|v| v - assessment.approach).collect();
+        let mut gap = std::mem::take(&mut self.work.opening);
+        for g in &mut gap {
+            *g -= assessment.approach;
+        }
         let displacement: Vec<f64> = gap
             .iter()
             .zip(problem.gap)

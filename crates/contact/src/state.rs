@@ -110,6 +110,19 @@ impl Workspace {
         self.next.reserve(points);
     }
 
+    /// Gives back the memory that only an iteration needs.
+    pub(crate) fn release(&mut self) {
+        self.inverse_buffers = Buffers::default();
+        for array in [
+            &mut self.direction,
+            &mut self.previous,
+            &mut self.ascent,
+            &mut self.trial,
+        ] {
+            *array = Vec::new();
+        }
+    }
+
     /// v = A p + h, with all points listed.
     pub(crate) fn refresh(&mut self, displacement: &EvenFilter, task: &Task) {
         let points = self.pressure.len();
