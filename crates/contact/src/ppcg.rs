@@ -196,18 +196,11 @@ fn choose_direction(
     let count = assessment.free as f64;
     let mean = |sum: f64| if task.sum.is_some() { sum / count } else { 0.0 };
     precondition(level, work, task, mean(assessment.residual_sum));
-    let (mut z_sum, mut r_z, mut old_sum, mut old_z) = (0.0, 0.0, 0.0, 0.0);
-    for (k, &i) in work.list.iter().enumerate().filter(|(k, _)| work.free[*k]) {
-        let (z, old) = (work.ascent[k], work.previous[i as usize]);
-        z_sum += z;
-        r_z += work.residual[k] * z;
-        old_sum += old;
-        old_z += old * z;
-    }
-    let z_mean = mean(z_sum);
-    old_z -= z_mean * old_sum;
+    let sums = ascent_sums(work);
+    let z_mean = mean(sums.z);
+    let old_z = sums.old_z - z_mean * sums.old;
     let beta = if search.descent > 0.0 {
-        ((r_z - old_z) / search.descent).max(0.0)
+        ((sums.r_z - old_z) / search.descent).max(0.0)
     } else {
         0.0
     };
@@ -234,7 +227,32 @@ fn choose_direction(
         }
         work.previous[i as usize] = work.residual[k];
     }
-    search.descent = r_z;
+    search.descent = sums.r_z;
+}
+
+/// Sums over F: of z, r·z, the residual of the last iteration, and that times z.
+struct AscentSums {
+    z: f64,
+    r_z: f64,
+    old: f64,
+    old_z: f64,
+}
+
+fn ascent_sums(work: &Workspace) -> AscentSums {
+    let mut sums = AscentSums {
+        z: 0.0,
+        r_z: 0.0,
+        old: 0.0,
+        old_z: 0.0,
+    };
+    for (k, &i) in work.list.iter().enumerate().filter(|(k, _)| work.free[*k]) {
+        let (z, old) = (work.ascent[k], work.previous[i as usize]);
+        sums.z += z;
+        sums.r_z += work.residual[k] * z;
+        sums.old += old;
+        sums.old_z += old * z;
+    }
+    sums
 }
 
 /// Takes the mean from r, and z = M r.

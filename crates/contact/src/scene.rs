@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
-use asperity_core::quantity::{Length, Pressure};
+use asperity_core::quantity::{Length, LineEnergy, Pressure};
 
 use crate::cascade::Window;
 use crate::certificate::Certificate;
@@ -140,9 +140,13 @@ impl<'a> Scene<'a> {
         self.sum.map_or(0.0, |sum| sum / self.gap.len() as f64)
     }
 
-    /// Prescribed pressure in Pa of a cell.
-    pub(crate) fn prescribed(&self, cell: usize) -> f64 {
-        self.problem.prescribed_pressure.map_or(0.0, |p| p[cell])
+    /// ½ ∫ (p + prescribed)·u dx
+    pub(crate) fn elastic_energy(&self, pressure: &[f64], displacement: &[f64]) -> LineEnergy {
+        let prescribed = |cell: usize| self.problem.prescribed_pressure.map_or(0.0, |p| p[cell]);
+        let work: f64 = (0..pressure.len())
+            .map(|i| (pressure[i] + prescribed(i)) * displacement[i])
+            .sum();
+        LineEnergy::from_si(0.5 * work * self.problem.spacing.si())
     }
 
     /// δ in m from the datum of the problem, from the α of the iteration, which has none.

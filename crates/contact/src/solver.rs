@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use asperity_core::DomainError;
-use asperity_core::quantity::{Length, LineEnergy, Pressure};
+use asperity_core::quantity::{Length, Pressure};
 use realfft::RealFftPlanner;
 
 use crate::cascade::{Window, grids, prolong, restrict};
@@ -294,7 +294,7 @@ impl Solver {
             });
         }
         let pressure = std::mem::take(&mut self.work.pressure);
-        let (problem, dx) = (scene.problem, scene.problem.spacing.si());
+        let problem = scene.problem;
         let approach = scene.approach(&pressure, assessment.approach);
         let mut gap = std::mem::take(&mut self.work.opening);
         for g in &mut gap {
@@ -306,25 +306,20 @@ impl Solver {
             .map(|(g, h)| g - h + approach)
             .collect();
         let plastic_displacement = plastic_displacement(&pressure, &gap, problem.pressure_limit);
+        let limit = problem.pressure_limit;
+        let dissipated = dissipated_energy(&plastic_displacement, problem.spacing, limit);
         for (g, w) in gap.iter_mut().zip(&plastic_displacement) {
             *g += w;
         }
         let touching = pressure.iter().filter(|&&p| p > 0.0).count();
-        let energy: f64 = (0..pressure.len())
-            .map(|i| (pressure[i] + scene.prescribed(i)) * displacement[i])
-            .sum();
         Ok(ContactSolution {
             load: line_load(&pressure, problem.spacing),
             approach: Length::from_si(approach),
             datum: problem.datum(),
             contact_fraction: touching as f64 / pressure.len() as f64,
             max_pressure: Pressure::from_si(pressure.iter().fold(0.0, |m, &p| f64::max(m, p))),
-            dissipated: dissipated_energy(
-                &plastic_displacement,
-                problem.spacing,
-                problem.pressure_limit,
-            ),
-            elastic_energy: LineEnergy::from_si(0.5 * energy * dx),
+            dissipated,
+            elastic_energy: scene.elastic_energy(&pressure, &displacement),
             plastic_displacement,
             pressure,
             displacement,
