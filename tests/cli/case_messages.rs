@@ -270,6 +270,37 @@ fn options_that_make_no_sense_are_refused_before_any_work() {
             "--tolerance NaN",
         ),
         (
+            &["compare", "case.toml", "--finish", "a=pinion.csv"][..],
+            "E205",
+            "give at least two",
+        ),
+        (
+            &[
+                "compare",
+                "case.toml",
+                "--finish",
+                "a=pinion.csv",
+                "--finish",
+                "a=wheel.csv",
+            ],
+            "E205",
+            "two finishes have this name",
+        ),
+        (
+            &[
+                "compare",
+                "case.toml",
+                "--finish",
+                "a=pinion.csv",
+                "--finish",
+                "b=wheel.csv",
+                "--offsets",
+                "1",
+            ],
+            "E209",
+            "--offsets 1: must be at least 2",
+        ),
+        (
             &["equations", "P99"],
             "E210",
             "no equation has the tag \"P99\"",

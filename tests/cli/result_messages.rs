@@ -313,6 +313,11 @@ fn what_calls_for_attention_in_a_result_is_said_with_it() {
         "W402",
         &["mu_eq 0.001 is outside 0.01-0.12 for lubricated steel"],
     );
+    let says = [
+        "is the pitch point, where nothing slides",
+        "Set model.position",
+    ];
+    warns(&plain, &["--formulation", "paper"], "W412", &says);
     let many = bench_with("offsets", "offsets = 16");
     warns(
         &many,
@@ -375,6 +380,17 @@ fn what_calls_for_attention_in_the_flanks_is_said_with_the_result() {
         "W406",
         &["fewer than 5 asperities reach into the peak zone"],
     );
+    // Grooves of a square wave on a smooth flank: all core, no peaks.
+    let as_is = "cutoff = \"0 mm\"\nnoise_cutoff = \"0 um\"\nform = \"none\"";
+    let grooves = bench_with("cutoff", as_is);
+    let table = |height: fn(usize) -> f64| {
+        let rows = rows(6000, |i, _| format!("{:.1},{}", 0.5 * i as f64, height(i)));
+        format!("x_um,z_um\n{rows}")
+    };
+    grooves.write("pinion.csv", table(|i| if i % 40 < 20 { 0.5 } else { 0.0 }));
+    grooves.write("wheel.csv", table(|_| 0.0));
+    let says = ["no peaks above the core in 8 of 8 mixed contacts"];
+    warns(&grooves, &[], "W411", &says);
     let raw = bench_with("cutoff", "cutoff = \"0.25 mm\"\nform = \"none\"");
     let arc = |i: usize| 38.0 * (i as f64 / 3000.0 - 1.0).powi(2);
     let table = rows(6001, |i, z| {

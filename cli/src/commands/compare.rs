@@ -16,6 +16,19 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
         let message = "--finish: one finish compares with nothing; give at least two";
         return Err(Failure::new("E205", message));
     }
+    for (index, finish) in args.finishes.iter().enumerate() {
+        let before = &args.finishes[..index];
+        if before.iter().any(|other| other.name == finish.name) {
+            let name = &finish.name;
+            let message = format!("--finish {name}: two finishes have this name; rename one");
+            return Err(Failure::new("E205", message));
+        }
+    }
+    if args.offsets < 2 {
+        let offsets = args.offsets;
+        let message = format!("--offsets {offsets}: must be at least 2, one has no spread");
+        return Err(Failure::new("E209", message));
+    }
     let finishes = args
         .finishes
         .iter()
