@@ -118,11 +118,11 @@ fn replay(bench: &Bench, document: &str) -> Vec<(String, String)> {
         match block.language {
             "sh" => {
                 let next = blocks.get(index + 1).filter(|next| next.language == "text");
-                let shows_error = |line: &&str| {
-                    line.starts_with('E') && line[1..].starts_with(|c: char| c.is_ascii_digit())
+                let is_error = |line: &&str| {
+                    let code = line.strip_prefix('E');
+                    code.is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
                 };
-                let may_fail =
-                    next.is_some_and(|next| next.lines.iter().any(|line| shows_error(&line)));
+                let may_fail = next.is_some_and(|next| next.lines.iter().any(is_error));
                 let output = block
                     .lines
                     .iter()
