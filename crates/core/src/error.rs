@@ -3,10 +3,11 @@
 use serde::Serialize;
 
 use crate::quantity::Quantity;
+use crate::unit_text;
 
 /// An input that an equation does not accept, with what it must satisfy.
 #[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
-#[error("{name} = {value} {unit}: {rule}")]
+#[error("{name} = {}: {rule}", value_with_unit(*value, unit))]
 pub struct DomainError {
     /// The input, by the name a reader of the signature knows.
     pub name: &'static str,
@@ -16,6 +17,21 @@ pub struct DomainError {
     pub unit: &'static str,
     /// What was expected, as a phrase: "must be positive".
     pub rule: &'static str,
+}
+
+/// Six digits that mean something; a number without unit stands alone.
+fn value_with_unit(value: f64, unit: &str) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    let number = if rounded.is_finite() {
+        unit_text::format_shifted(rounded, 0)
+    } else {
+        rounded.to_string()
+    };
+    if unit.is_empty() || unit == "-" {
+        number
+    } else {
+        format!("{number} {unit}")
+    }
 }
 
 impl DomainError {
@@ -73,5 +89,27 @@ impl DomainError {
                 rule,
             })
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_message_reads_like_a_sentence() {
+        let error = |value, unit| DomainError {
+            name: "cut-off",
+            value,
+            unit,
+            rule: "must be positive",
+        };
+        let text = |value, unit| error(value, unit).to_string();
+        assert_eq!(text(-0.0025, "m"), "cut-off = -0.0025 m: must be positive");
+        assert_eq!(text(f64::NAN, "-"), "cut-off = NaN: must be positive");
+        assert_eq!(
+            text(2.200_499_999_999_8e-3, "m"),
+            "cut-off = 0.0022005 m: must be positive"
+        );
     }
 }

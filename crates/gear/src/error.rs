@@ -32,7 +32,7 @@ pub enum GearError {
     Domain(#[from] DomainError),
     /// The base circles overlap at the centre distance.
     #[error(
-        "the centre distance {given} must be larger than the sum of the base radii, {base_radii}"
+        "the centre distance {given:.5} must be larger than the sum of the base radii, {base_radii:.5}"
     )]
     CentreDistanceTooSmall {
         /// Centre distance given.
@@ -42,7 +42,7 @@ pub enum GearError {
     },
     /// Centre distance and profile shifts contradict each other.
     #[error(
-        "the centre distance {given} contradicts the profile shifts, which give {from_shifts}; they may differ by {tolerance} at most"
+        "the centre distance {given:.5} contradicts the profile shifts, which give {from_shifts:.5}; they may differ by {tolerance:.5} at most"
     )]
     InconsistentCentreDistance {
         /// Centre distance given.
@@ -62,7 +62,7 @@ pub enum GearError {
     },
     /// A tip reaches beyond the involute of the other gear.
     #[error(
-        "the tip of the {gear} reaches {reach} along the line of action, past the end of the mating involute at {limit}: interference or undercut"
+        "the tip of the {gear} reaches {reach:.5} along the line of action, past the end of the mating involute at {limit:.5}: interference or undercut"
     )]
     Interference {
         /// The gear whose tip reaches too far.
@@ -73,7 +73,7 @@ pub enum GearError {
         limit: Length,
     },
     /// A tooth comes to a point below its tip.
-    #[error("the tooth of the {gear} is pointed: its thickness at the tip would be {thickness}")]
+    #[error("the tooth of the {gear} is pointed: its thickness at the tip would be {thickness:.5}")]
     PointedTip {
         /// The gear.
         gear: Gear,
@@ -89,7 +89,7 @@ pub enum GearError {
         sum: f64,
     },
     /// The tips do not reach each other.
-    #[error("the gears do not touch: the path of contact would be {length} long")]
+    #[error("the gears do not touch: the path of contact would be {length:.5} long")]
     NoContact {
         /// Length A to E.
         length: Length,
@@ -107,7 +107,7 @@ pub enum GearError {
         eps_gamma: f64,
     },
     /// A place where the gears do not touch.
-    #[error("s = {s} is off the path of contact, which goes from {from} to {to}")]
+    #[error("s = {s:.5} is off the path of contact, which goes from {from:.5} to {to:.5}")]
     OffPath {
         /// Distance from T₁ asked for.
         s: Length,
