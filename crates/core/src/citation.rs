@@ -33,6 +33,38 @@ pub struct Equation {
     pub misprint: Option<&'static str>,
 }
 
+impl Equation {
+    /// A row of the table of equations, for an equation that no misprint touches.
+    #[must_use]
+    pub const fn new(
+        tag: &'static str,
+        title: &'static str,
+        formula: &'static str,
+        file: &'static str,
+        test: &'static str,
+        references: &'static [Reference],
+    ) -> Self {
+        Self {
+            tag,
+            title,
+            formula,
+            file,
+            test,
+            references,
+            misprint: None,
+        }
+    }
+
+    /// The same row with what the 2022 paper prints, and what is used instead.
+    #[must_use]
+    pub const fn mended(self, misprint: &'static str) -> Self {
+        Self {
+            misprint: Some(misprint),
+            ..self
+        }
+    }
+}
+
 /// The paper whose model this workspace builds.
 pub const RODRIGUEZ_2022: Reference = Reference {
     key: "rodriguez_2022",

@@ -56,32 +56,6 @@ pub const ZHU_HU_2001: Reference = Reference {
     text: "D. Zhu, Y.-Z. Hu, A computer program package for the prediction of EHL and mixed lubrication characteristics, friction, subsurface stresses and flash temperatures based on measured 3-D surface roughness, Tribol. Trans. 44 (2001) 383-390",
 };
 
-const fn row(
-    tag: &'static str,
-    title: &'static str,
-    formula: &'static str,
-    file: &'static str,
-    test: &'static str,
-    references: &'static [Reference],
-) -> Equation {
-    Equation {
-        tag,
-        title,
-        formula,
-        file,
-        test,
-        references,
-        misprint: None,
-    }
-}
-
-const fn mended(equation: Equation, misprint: &'static str) -> Equation {
-    Equation {
-        misprint: Some(misprint),
-        ..equation
-    }
-}
-
 const DIMENSIONLESS: &str = "crates/ehl-regime/src/dimensionless.rs";
 const LINE: &str = "crates/ehl-regime/src/film_line.rs";
 const ELLIPTIC: &str = "crates/ehl-regime/src/film_elliptic.rs";
@@ -91,7 +65,7 @@ const REGIME: &str = "crates/ehl-regime/src/regime.rs";
 
 /// Every equation of this crate.
 pub const EQUATIONS: &[Equation] = &[
-    row(
+    Equation::new(
         "Film-groups",
         "Dimensionless material, speed and load groups",
         "G = α E′,  U = η₀ V_e/(E′ R),  W = w/(E′ R)",
@@ -99,7 +73,7 @@ pub const EQUATIONS: &[Equation] = &[
         "groups_of_the_reference_case",
         &[DOWSON_HIGGINSON_1977],
     ),
-    row(
+    Equation::new(
         "Dowson-Toyoda",
         "Central film of a line contact",
         "h_c = 3.06 U^0.69 G^0.56 W^−0.10 R",
@@ -107,7 +81,7 @@ pub const EQUATIONS: &[Equation] = &[
         "line_films_of_the_reference_case",
         &[DOWSON_TOYODA_1979],
     ),
-    row(
+    Equation::new(
         "Dowson-Higginson",
         "Minimum film of a line contact",
         "h_m = 2.65 U^0.70 G^0.54 W^−0.13 R",
@@ -115,7 +89,7 @@ pub const EQUATIONS: &[Equation] = &[
         "line_films_of_the_reference_case",
         &[DOWSON_HIGGINSON_1977],
     ),
-    row(
+    Equation::new(
         "Ertel-Grubin",
         "Film of a line contact from the inlet",
         "h_c = 1.95 (G U)^(8/11) W^(−1/11) R",
@@ -123,7 +97,7 @@ pub const EQUATIONS: &[Equation] = &[
         "ertel_grubin_agrees_with_its_own_inlet_integral",
         &[GRUBIN_1949],
     ),
-    row(
+    Equation::new(
         "Moes",
         "Central film of a line contact in all four regimes",
         "h_c = R √U_Σ [ (H_RI^(7/3) + H_EI^(7/3))^(3s/7) + (H_RP^(−7/2) + H_EP^(−7/2))^(−2s/7) ]^(1/s)",
@@ -131,7 +105,7 @@ pub const EQUATIONS: &[Equation] = &[
         "moes_tends_to_each_of_its_asymptotes",
         &[MOES_2000],
     ),
-    row(
+    Equation::new(
         "Ellipticity",
         "Ellipticity of a contact from its radii",
         "k = 1.03 (R_y/R_x)^(2/π)",
@@ -139,7 +113,7 @@ pub const EQUATIONS: &[Equation] = &[
         "hamrock_dowson_films_of_published_test_cases",
         &[HAMROCK_DOWSON_1977],
     ),
-    row(
+    Equation::new(
         "P13",
         "Minimum film of an elliptical contact",
         "h_m = 3.63 U^0.68 G^0.49 W^−0.073 (1 − e^(−0.68 k)) R_x",
@@ -147,29 +121,23 @@ pub const EQUATIONS: &[Equation] = &[
         "hamrock_dowson_films_of_published_test_cases",
         &[HAMROCK_DOWSON_1977],
     ),
-    mended(
-        row(
+    Equation::new(
             "P14",
             "Central film of an elliptical contact",
             "h_c = 2.69 U^0.67 G^0.53 W^−0.067 (1 − 0.61 e^(−0.73 k)) R_x",
             ELLIPTIC,
             "hamrock_dowson_films_of_published_test_cases",
             &[HAMROCK_DOWSON_1977],
-        ),
-        "prints k = 1.03 (R_y/R_x)^(1/π); 2/π is used, as in eq. 13 and as 0.73·1.03 = 0.75 of eq. 15 asks",
-    ),
-    mended(
-        row(
+        ).mended("prints k = 1.03 (R_y/R_x)^(1/π); 2/π is used, as in eq. 13 and as 0.73·1.03 = 0.75 of eq. 15 asks"),
+    Equation::new(
             "P10",
             "Thermal reduction of film and rolling",
             "φ = max(0, 1 − 13.2 (p₀/E′) L^0.42)/(1 + 0.213 (1 + 2.23 |SRR|^0.83) L^0.64)",
             THERMAL,
             "thermal_reduction_of_the_reference_case",
             &[GUPTA_1992],
-        ),
-        "prints dν/dT and then takes it as zero; −(dη/dT)/η₀ is used, and φ is 0.74 to 0.83 in the reference case",
-    ),
-    row(
+        ).mended("prints dν/dT and then takes it as zero; −(dη/dT)/η₀ is used, and φ is 0.74 to 0.83 in the reference case"),
+    Equation::new(
         "Thermal-load",
         "Thermal loading of the inlet",
         "L = η₀ β_T V_e²/k_oil",
@@ -177,7 +145,7 @@ pub const EQUATIONS: &[Equation] = &[
         "thermal_reduction_of_the_reference_case",
         &[GUPTA_1992],
     ),
-    row(
+    Equation::new(
         "Murch-Wilson",
         "Thermal reduction in pure rolling",
         "φ = 3.94/(3.94 + L^0.62)",
@@ -185,7 +153,7 @@ pub const EQUATIONS: &[Equation] = &[
         "murch_wilson_of_a_published_test_case",
         &[MURCH_WILSON_1975],
     ),
-    row(
+    Equation::new(
         "P11",
         "Film parameter of rough contacts",
         "Λ* = h*/S_pk",
@@ -193,18 +161,15 @@ pub const EQUATIONS: &[Equation] = &[
         "lambda_star_of_the_reference_case",
         &[HANSEN_2021],
     ),
-    mended(
-        row(
+    Equation::new(
             "P12",
             "Effective film of rough contacts",
             "h* = h_m + f_q h_c",
             LAMBDA,
             "lambda_star_of_the_reference_case",
             &[HANSEN_2021],
-        ),
-        "calls h_c the undeformed distance; it is the central smooth film of the source",
-    ),
-    row(
+        ).mended("calls h_c the undeformed distance; it is the central smooth film of the source"),
+    Equation::new(
         "P15",
         "Film between asperity and flank over the smooth film",
         "f_q = (R_xa/R_xb)^α [1 − γ₁ exp(−γ₂ (R_ya/R_xa)^γ₃)]/[1 − γ₁ exp(−γ₂ (R_yb/R_xb)^γ₃)]",
@@ -212,7 +177,7 @@ pub const EQUATIONS: &[Equation] = &[
         "film_factor_is_the_ratio_of_two_elliptical_films",
         &[HANSEN_2021],
     ),
-    row(
+    Equation::new(
         "Film-share",
         "Share of the load carried by the film",
         "c_f = 1 − (1 − min(Λ*, 1))²",
@@ -220,7 +185,7 @@ pub const EQUATIONS: &[Equation] = &[
         "film_share_is_one_from_lambda_star_one_on_and_rises_to_it",
         &[],
     ),
-    row(
+    Equation::new(
         "Zhu-Hu",
         "Share of the load carried by the film, by the classical film ratio",
         "c_f = min(1, 1.21 λ^0.64/(1 + 0.37 λ^1.26))",
@@ -228,7 +193,7 @@ pub const EQUATIONS: &[Equation] = &[
         "zhu_hu_share_rises_to_one_and_stays",
         &[ZHU_HU_2001],
     ),
-    row(
+    Equation::new(
         "Film-ratio",
         "Classical film ratio",
         "λ = φ h/Sq",

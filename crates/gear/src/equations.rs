@@ -50,28 +50,9 @@ pub const WIMMER_2006: Reference = Reference {
     text: "A. Wimmer, Lastverluste von Stirnradverzahnungen, Dissertation, TU München, 2006",
 };
 
-const fn equation(
-    tag: &'static str,
-    title: &'static str,
-    formula: &'static str,
-    file: &'static str,
-    test: &'static str,
-    references: &'static [Reference],
-) -> Equation {
-    Equation {
-        tag,
-        title,
-        formula,
-        file,
-        test,
-        references,
-        misprint: None,
-    }
-}
-
 /// Equations of this crate.
 pub const EQUATIONS: &[Equation] = &[
-    equation(
+    Equation::new(
         "Involute-1",
         "Involute function",
         "inv α = tan α − α",
@@ -79,7 +60,7 @@ pub const EQUATIONS: &[Equation] = &[
         "the_involute_of_twenty_degrees_is_the_tabulated_one",
         &[ISO_21771],
     ),
-    equation(
+    Equation::new(
         "Involute-2",
         "Inverse involute function",
         "t ← t − (t − arctan t − inv α)(1 + t²)/t², t = tan α",
@@ -87,7 +68,7 @@ pub const EQUATIONS: &[Equation] = &[
         "the_inverse_undoes_the_involute_in_a_few_steps",
         &[ISO_21771],
     ),
-    equation(
+    Equation::new(
         "Involute-3",
         "Thickness of a tooth",
         "s = 2 r (π/(2z) + 2 x tan αₙ/z + inv αₜ − inv α_r)",
@@ -95,7 +76,7 @@ pub const EQUATIONS: &[Equation] = &[
         "the_rack_tooth_of_a_large_gear_has_the_thickness_of_its_tool",
         &[ISO_21771],
     ),
-    equation(
+    Equation::new(
         "Pair-1",
         "Transverse section",
         "mₜ = mₙ/cos β, tan αₜ = tan αₙ/cos β, sin β_b = sin β cos αₙ, r = mₜ z/2, r_b = r cos αₜ",
@@ -103,7 +84,7 @@ pub const EQUATIONS: &[Equation] = &[
         "the_reference_case_has_the_geometry_of_table_2",
         &[ISO_21771],
     ),
-    equation(
+    Equation::new(
         "Pair-2",
         "Working pressure angle and centre distance from the profile shifts",
         "inv α_wt = inv αₜ + 2 tan αₙ (x₁ + x₂)/(z₁ + z₂), a = (r_b1 + r_b2)/cos α_wt",
@@ -111,7 +92,7 @@ pub const EQUATIONS: &[Equation] = &[
         "profile_shifts_give_the_centre_distances_printed_by_a_gear_tool",
         &[ISO_21771],
     ),
-    equation(
+    Equation::new(
         "Pair-3",
         "Profile shift sum from the centre distance",
         "cos α_wt = (r_b1 + r_b2)/a, x₁ + x₂ = (inv α_wt − inv αₜ)(z₁ + z₂)/(2 tan αₙ)",
@@ -119,7 +100,7 @@ pub const EQUATIONS: &[Equation] = &[
         "the_centre_distance_gives_back_the_profile_shifts",
         &[ISO_21771],
     ),
-    equation(
+    Equation::new(
         "Pair-4",
         "Tip radius",
         "r_a = r + mₙ (hₐ* + x)",
@@ -127,7 +108,7 @@ pub const EQUATIONS: &[Equation] = &[
         "the_reference_case_has_the_geometry_of_table_2",
         &[ISO_21771],
     ),
-    equation(
+    Equation::new(
         "Path-1",
         "Points on the line of action",
         "A = T₁T₂ − √(r_a2² − r_b2²), E = √(r_a1² − r_b1²), C = r_b1 tan α_wt, B = E − p_et, D = A + p_et",
@@ -135,7 +116,7 @@ pub const EQUATIONS: &[Equation] = &[
         "the_reference_case_has_the_path_of_contact_of_table_2",
         &[ISO_21771],
     ),
-    equation(
+    Equation::new(
         "Path-2",
         "Contact ratios",
         "ε₁ = (E − C)/p_et, ε₂ = (C − A)/p_et, ε_α = ε₁ + ε₂, ε_β = b tan β_b/p_et",
@@ -143,7 +124,7 @@ pub const EQUATIONS: &[Equation] = &[
         "the_reference_case_has_the_path_of_contact_of_table_2",
         &[ISO_21771],
     ),
-    equation(
+    Equation::new(
         "Path-3",
         "Profile coordinate",
         "ξ = (s − A)/p_et",
@@ -151,7 +132,7 @@ pub const EQUATIONS: &[Equation] = &[
         "coordinates_and_places_are_inverse_to_each_other",
         &[PEDRERO_2010],
     ),
-    equation(
+    Equation::new(
         "Kinematics-1",
         "Radii of curvature",
         "ρ₁ = s, ρ₂ = T₁T₂ − s, R = ρ₁ρ₂/(ρ₁ + ρ₂)/cos β_b",
@@ -159,7 +140,7 @@ pub const EQUATIONS: &[Equation] = &[
         "the_reference_case_moves_as_table_2_says",
         &[NIEMANN_WINTER],
     ),
-    equation(
+    Equation::new(
         "Kinematics-2",
         "Surface speeds",
         "uᵢ = ωᵢρᵢ, V_s = u₁ − u₂ = (ω₁ + ω₂)(s − C), V_e = (u₁ + u₂)/2",
@@ -167,7 +148,7 @@ pub const EQUATIONS: &[Equation] = &[
         "sliding_is_the_difference_of_the_surface_speeds",
         &[NIEMANN_WINTER],
     ),
-    equation(
+    Equation::new(
         "Force-1",
         "Tooth forces",
         "F_bt = |T₁|/r_b1, F_bn = F_bt/cos β_b, F_t = |T₁|/r_w1, F_r = F_t tan α_wt, F_a = F_bt tan β_b",
@@ -175,7 +156,7 @@ pub const EQUATIONS: &[Equation] = &[
         "the_reference_case_carries_the_forces_of_table_2",
         &[ISO_6336_1],
     ),
-    equation(
+    Equation::new(
         "Load-share-1",
         "Equal shares",
         "v = 1",
@@ -183,7 +164,7 @@ pub const EQUATIONS: &[Equation] = &[
         "equal_shares_are_one_over_the_number_of_pairs",
         &[NIEMANN_WINTER],
     ),
-    equation(
+    Equation::new(
         "Load-share-2",
         "Trapezoidal shares",
         "v = 1/3 + ξ/(3(ε_α − 1)) in double contact, 1 in single contact",
@@ -191,7 +172,7 @@ pub const EQUATIONS: &[Equation] = &[
         "the_trapezoid_passes_through_its_corners",
         &[ISO_TR_13989_1],
     ),
-    equation(
+    Equation::new(
         "Load-share-3",
         "Weights of least elastic energy",
         "v = cos(b₀(ξ − ε_α/2)), b₀ = (½(1 + ε_α/2)² − 1)^(−1/2)",
@@ -199,7 +180,7 @@ pub const EQUATIONS: &[Equation] = &[
         "least_energy_shares_rise_from_about_a_third_to_two_thirds",
         &[PEDRERO_2010],
     ),
-    equation(
+    Equation::new(
         "Load-share-4",
         "Share of a pair",
         "R(ξ) = v(ξ)/Σⱼ v(ξ + j)",
@@ -207,7 +188,7 @@ pub const EQUATIONS: &[Equation] = &[
         "the_shares_of_all_pairs_in_contact_sum_to_one",
         &[PEDRERO_2010],
     ),
-    equation(
+    Equation::new(
         "Load-1",
         "Line load of a spur pair",
         "f = F_bn R(ξ)/b",
@@ -215,7 +196,7 @@ pub const EQUATIONS: &[Equation] = &[
         "the_mean_load_on_all_contact_lines_is_the_tooth_force",
         &[NIEMANN_WINTER],
     ),
-    equation(
+    Equation::new(
         "Load-2",
         "Line load of a helical pair",
         "f = F_bn cos β_b v(ξ)/(b ∫₀^ε_α v dξ)",
@@ -223,7 +204,7 @@ pub const EQUATIONS: &[Equation] = &[
         "the_mean_load_on_all_contact_lines_is_the_tooth_force",
         &[NIEMANN_WINTER, PEDRERO_2010],
     ),
-    equation(
+    Equation::new(
         "Length-1",
         "Length of the contact lines at a mesh phase",
         "l(φ) = b/(ε_β cos β_b) Σⱼ [min(φ + j + ε_β, ε_α) − max(φ + j, 0)]₊",
@@ -231,7 +212,7 @@ pub const EQUATIONS: &[Equation] = &[
         "a_whole_overlap_ratio_keeps_the_contact_length_constant",
         &[NIEMANN_WINTER],
     ),
-    equation(
+    Equation::new(
         "Length-2",
         "Mean length of the contact lines",
         "l̄ = b ε_α/cos β_b",
@@ -239,7 +220,7 @@ pub const EQUATIONS: &[Equation] = &[
         "the_mean_contact_length_is_the_mean_over_the_phases",
         &[NIEMANN_WINTER],
     ),
-    equation(
+    Equation::new(
         "Mean-1",
         "Mean over a mesh cycle",
         "ḡ = b/(cos β_b p_et) ∫_A^E g ds",
@@ -247,7 +228,7 @@ pub const EQUATIONS: &[Equation] = &[
         "means_over_positions_are_means_over_the_mesh_cycle",
         &[WIMMER_2006],
     ),
-    equation(
+    Equation::new(
         "Loss-1",
         "Loss factor after Ohlendorf",
         "H_V = π(u + 1)/(z₁ u cos β_b) (1 − ε_α + ε₁² + ε₂²)",
@@ -255,7 +236,7 @@ pub const EQUATIONS: &[Equation] = &[
         "loss_factors_are_those_printed_by_a_gear_tool",
         &[OHLENDORF_1958, ISO_TR_14179_2],
     ),
-    equation(
+    Equation::new(
         "Loss-2",
         "Local loss factor",
         "H_V = b/(cos β_b p_et) ∫_A^E f |V_s| ds/(F_bt v_b)",
@@ -263,7 +244,7 @@ pub const EQUATIONS: &[Equation] = &[
         "local_loss_factors_of_spur_pairs_follow_the_sharing",
         &[WIMMER_2006],
     ),
-    equation(
+    Equation::new(
         "Loss-3",
         "Local loss factor averaged over the mesh phases",
         "H_V = ∫₀¹ (∫ v |V_s| dξ/∫ v dξ) dφ/(v_b cos β_b)",
@@ -271,7 +252,7 @@ pub const EQUATIONS: &[Equation] = &[
         "the_reference_case_has_the_loss_factors_of_table_2",
         &[WIMMER_2006],
     ),
-    equation(
+    Equation::new(
         "Loss-4",
         "Loss factor of a wide helical pair",
         "H_V = π(u + 1)/(z₁ u cos β_b) (ε₁|ε₁| + ε₂|ε₂|)/ε_α",

@@ -75,28 +75,9 @@ pub const BLOK_1937: Reference = Reference {
     text: "H. Blok, Theoretical study of temperature rise at surfaces of actual contact under oiliness lubricating conditions, Proc. General Discussion on Lubrication, IMechE 2 (1937) 222-235",
 };
 
-const fn row(
-    tag: &'static str,
-    title: &'static str,
-    formula: &'static str,
-    file: &'static str,
-    test: &'static str,
-    references: &'static [Reference],
-) -> Equation {
-    Equation {
-        tag,
-        title,
-        formula,
-        file,
-        test,
-        references,
-        misprint: None,
-    }
-}
-
 /// Every equation of this crate.
 pub const EQUATIONS: &[Equation] = &[
-    row(
+    Equation::new(
         "P7",
         "Friction coefficient of a thermal mixed EHL contact",
         "μ = e^f P_h^b₂ |SR|^b₃ V_e^b₆ ν₀^b₇ R^b₈, f = b₁ + b₄ q + b₅ e^(−q) + b₉ e^S, q = |SR| P_h log₁₀ ν₀",
@@ -104,7 +85,7 @@ pub const EQUATIONS: &[Equation] = &[
         "xu_of_the_reference_case",
         &[XU_2005, XU_2007],
     ),
-    row(
+    Equation::new(
         "Benedict-Kelley",
         "Friction coefficient of roller tests",
         "μ = 0.0127 · 1.13/(1.13 − Ra) · log₁₀(29 700 w/(η |V_s| V_Σ²))",
@@ -112,7 +93,7 @@ pub const EQUATIONS: &[Equation] = &[
         "benedict_kelley_of_the_reference_case",
         &[BENEDICT_KELLEY_1961, AGMA_925],
     ),
-    row(
+    Equation::new(
         "ISO-14179-1",
         "Mesh coefficient of friction",
         "f_m = ν^−0.223 K^−0.40/(3.239 V^0.70)",
@@ -120,7 +101,7 @@ pub const EQUATIONS: &[Equation] = &[
         "whole_mesh_laws_of_the_reference_case",
         &[ISO_14179_1],
     ),
-    row(
+    Equation::new(
         "Schlenk",
         "Mean friction coefficient of a mesh",
         "μ_mz = 0.048 ((F_bt/b)/(v_ΣC ρ_redC))^0.2 η^−0.05 Ra^0.25 X_L",
@@ -128,7 +109,7 @@ pub const EQUATIONS: &[Equation] = &[
         "whole_mesh_laws_of_the_reference_case",
         &[SCHLENK_1994, ISO_14179_2],
     ),
-    row(
+    Equation::new(
         "Matsumoto-share",
         "Load share of the asperities by maximum heights",
         "ξ = ½ log₁₀((Rz₁ + Rz₂)/h_m), 0 ≤ ξ ≤ 1",
@@ -136,7 +117,7 @@ pub const EQUATIONS: &[Equation] = &[
         "asperity_shares_of_the_published_functions",
         &[MATSUMOTO_2014, ARANA_2019],
     ),
-    row(
+    Equation::new(
         "Matsumoto",
         "Friction coefficient by maximum heights",
         "μ = (1 − ξ) μ_ehd + ξ μ_bdr",
@@ -144,7 +125,7 @@ pub const EQUATIONS: &[Equation] = &[
         "shared_laws_run_from_boundary_to_fluid_friction",
         &[MATSUMOTO_2014],
     ),
-    row(
+    Equation::new(
         "Doleschel-share",
         "Load share of the asperities by the film ratio",
         "ξ = (1 − λ/2)² for λ < 2, else 0",
@@ -152,7 +133,7 @@ pub const EQUATIONS: &[Equation] = &[
         "asperity_shares_of_the_published_functions",
         &[DOLESCHEL_2002, ARANA_2019],
     ),
-    row(
+    Equation::new(
         "Doleschel",
         "Friction coefficient by the film ratio",
         "μ = (1 − ξ) μ_ehd + ξ μ_bdr",
@@ -160,7 +141,7 @@ pub const EQUATIONS: &[Equation] = &[
         "shared_laws_run_from_boundary_to_fluid_friction",
         &[DOLESCHEL_2002],
     ),
-    row(
+    Equation::new(
         "Eyring",
         "Fluid friction coefficient of a full film",
         "μ = min((τ_E/p̄) arsinh(η |V_s|/(τ_E h)), Λ), τ_E = 2 Λ/α, p̄ = π p₀/4",
@@ -168,7 +149,7 @@ pub const EQUATIONS: &[Equation] = &[
         "eyring_spot_values",
         &[ARANA_2019],
     ),
-    row(
+    Equation::new(
         "P21",
         "Friction force of film and asperities",
         "F_s = ∫ (μ_m p_solid + μ p_fluid) dx",
@@ -180,7 +161,7 @@ pub const EQUATIONS: &[Equation] = &[
         misprint: Some(
             "called a force; it is a force per length, on one surface (within 5 % of a numerical Grubin inlet)",
         ),
-        ..row(
+        ..Equation::new(
             "P9",
             "Rolling resistance on one surface",
             "F_r = 4.318 φ (G U)^0.658 W^0.0126 R/α",
@@ -189,7 +170,7 @@ pub const EQUATIONS: &[Equation] = &[
             &[GOKSEM_HARGREAVES_1978],
         )
     },
-    row(
+    Equation::new(
         "Rolling-loss",
         "Power lost to rolling per length",
         "P/l = 2 F_r V_e (both surfaces) or F_r V_e (one)",
@@ -197,7 +178,7 @@ pub const EQUATIONS: &[Equation] = &[
         "rolling_takes_power_on_both_surfaces",
         &[GOKSEM_HARGREAVES_1978],
     ),
-    row(
+    Equation::new(
         "Goksem-long",
         "Rolling resistance, longer form",
         "F_r α/(W R) = e^(0.658228 ln D − 0.162625) e^(0.0106383 L^0.3174603 ln D)/(1 + 0.411483 L^0.707071), D = (3/4) (2π)^(3/2) G U/W^(3/2)",
@@ -205,7 +186,7 @@ pub const EQUATIONS: &[Equation] = &[
         "goksem_factor_of_a_published_test_case",
         &[GOKSEM_HARGREAVES_1978],
     ),
-    row(
+    Equation::new(
         "Blok",
         "Flash temperature of a line contact",
         "ΔT = 1.11 μ w |u₁ − u₂|/((B₁ √u₁ + B₂ √u₂) √(2a)), B = √(k ρ c)",

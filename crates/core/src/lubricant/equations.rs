@@ -48,28 +48,9 @@ const PRESSURE: &str = "crates/core/src/lubricant/viscosity_pressure.rs";
 const DENSITY: &str = "crates/core/src/lubricant/density.rs";
 const HEAT: &str = "crates/core/src/lubricant/heat.rs";
 
-const fn row(
-    tag: &'static str,
-    title: &'static str,
-    formula: &'static str,
-    file: &'static str,
-    test: &'static str,
-    references: &'static [Reference],
-) -> Equation {
-    Equation {
-        tag,
-        title,
-        formula,
-        file,
-        test,
-        references,
-        misprint: None,
-    }
-}
-
 /// Every equation of the lubricant.
 pub const EQUATIONS: &[Equation] = &[
-    row(
+    Equation::new(
         "ASTM-1",
         "Constants of ASTM D341 from a data sheet",
         "B = (Y₁ − Y₂)/(log₁₀ T₂ − log₁₀ T₁), A = Y₁ + B·log₁₀ T₁, Yᵢ = log₁₀ log₁₀ (νᵢ + 0.7)",
@@ -77,7 +58,7 @@ pub const EQUATIONS: &[Equation] = &[
         "astm_d341_passes_through_the_data_sheet_and_60_degrees",
         &[ASTM_D341],
     ),
-    row(
+    Equation::new(
         "ASTM-2",
         "Kinematic viscosity over temperature",
         "log₁₀ log₁₀ (ν + 0.7) = A − B·log₁₀ T",
@@ -85,7 +66,7 @@ pub const EQUATIONS: &[Equation] = &[
         "astm_d341_passes_through_the_data_sheet_and_60_degrees",
         &[ASTM_D341],
     ),
-    row(
+    Equation::new(
         "ASTM-3",
         "Temperature coefficient of the kinematic viscosity",
         "β_ν = B·(ν + 0.7)·ln(ν + 0.7)/(ν·T)",
@@ -93,7 +74,7 @@ pub const EQUATIONS: &[Equation] = &[
         "the_temperature_coefficients_are_the_slopes_of_their_laws",
         &[ASTM_D341],
     ),
-    row(
+    Equation::new(
         "Vogel-1",
         "Dynamic viscosity over temperature",
         "η = K·exp(b/(T − θ))",
@@ -101,7 +82,7 @@ pub const EQUATIONS: &[Equation] = &[
         "the_temperature_coefficients_are_the_slopes_of_their_laws",
         &[VOGEL_1921],
     ),
-    row(
+    Equation::new(
         "Vogel-2",
         "Temperature coefficient of Vogel's law",
         "β = b/(T − θ)²",
@@ -109,7 +90,7 @@ pub const EQUATIONS: &[Equation] = &[
         "the_temperature_coefficients_are_the_slopes_of_their_laws",
         &[VOGEL_1921],
     ),
-    row(
+    Equation::new(
         "Reynolds-eta",
         "Dynamic viscosity near a known one",
         "η = η_r·exp(−β·(T − T_r))",
@@ -117,7 +98,7 @@ pub const EQUATIONS: &[Equation] = &[
         "the_exponential_law_stays_within_a_tenth_of_astm_d341_over_20_kelvin",
         &[REYNOLDS_1886],
     ),
-    row(
+    Equation::new(
         "Barus-1",
         "Viscosity over pressure, exponential",
         "η = η₀·exp(α·p)",
@@ -125,7 +106,7 @@ pub const EQUATIONS: &[Equation] = &[
         "roelands_and_barus_hit_the_reference_case",
         &[BARUS_1893, STACHOWIAK_2014],
     ),
-    row(
+    Equation::new(
         "Roelands-1",
         "Roelands' exponent",
         "Z = α/(5.1·10⁻⁹·(ln η₀ + 9.67))",
@@ -133,7 +114,7 @@ pub const EQUATIONS: &[Equation] = &[
         "both_laws_start_with_the_slope_alpha",
         &[ROELANDS_1966],
     ),
-    row(
+    Equation::new(
         "Roelands-2",
         "Viscosity over pressure",
         "η = η₀·exp((ln η₀ + 9.67)·((1 + 5.1·10⁻⁹·p)^Z − 1))",
@@ -141,7 +122,7 @@ pub const EQUATIONS: &[Equation] = &[
         "roelands_and_barus_hit_the_reference_case",
         &[ROELANDS_1966],
     ),
-    row(
+    Equation::new(
         "Density-1",
         "Density over temperature",
         "ρ = ρ_r·(1 − ε·(T − T_r))",
@@ -149,7 +130,7 @@ pub const EQUATIONS: &[Equation] = &[
         "density_falls_linearly_and_its_coefficient_is_its_slope",
         &[FERNANDES_2013],
     ),
-    row(
+    Equation::new(
         "Density-2",
         "Density over pressure",
         "ρ = ρ₀·(1 + 0.6·10⁻⁹·p/(1 + 1.7·10⁻⁹·p))",
@@ -157,7 +138,7 @@ pub const EQUATIONS: &[Equation] = &[
         "dowson_higginson_hits_the_reference_case_and_its_limit",
         &[DOWSON_1966],
     ),
-    row(
+    Equation::new(
         "Gold-1",
         "Pressure-viscosity coefficient of a class of base oil",
         "α = s·ν^t",
@@ -165,7 +146,7 @@ pub const EQUATIONS: &[Equation] = &[
         "mineral_oil_is_stiffer_under_pressure_than_synthetic_oil",
         &[GOLD_2001, FERNANDES_2013],
     ),
-    row(
+    Equation::new(
         "Cragoe-1",
         "Thermal conductivity of an oil",
         "k = 0.1172/d·(1 − 0.00054·t)",
@@ -173,7 +154,7 @@ pub const EQUATIONS: &[Equation] = &[
         "heat_properties_agree_with_cragoe_in_his_own_units",
         &[CRAGOE_1929],
     ),
-    row(
+    Equation::new(
         "Cragoe-2",
         "Specific heat capacity of an oil",
         "c = (1685 + 3.39·t)/√d",
