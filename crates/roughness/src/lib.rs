@@ -33,6 +33,7 @@ pub mod robust_filter;
 pub mod spectral;
 pub mod summits;
 mod warning;
+pub mod write;
 
 pub use equations::EQUATIONS;
 pub use error::RoughnessError;
