@@ -17,6 +17,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod autocorrelation;
 pub mod composite;
 mod elements;
 pub mod equations;
@@ -25,7 +26,10 @@ pub mod form;
 pub mod gaussian_filter;
 pub mod generate;
 pub mod height_parameters;
+pub mod hurst;
+pub mod involute;
 pub mod material_ratio;
+pub mod outliers;
 mod parameters;
 pub mod preparation;
 pub mod read;
