@@ -17,6 +17,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod ambiguity;
 pub mod autocorrelation;
 pub mod composite;
 mod elements;

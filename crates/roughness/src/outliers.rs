@@ -5,9 +5,9 @@
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | z̃ᵢ | median over ±w points | m |
-//! | d | 1.4826 · median of \|zᵢ − z̃ᵢ\|, a robust standard deviation | m |
+//! | d | 1.4826 · median of \|z − z̃ᵢ\| over the same points, a robust standard deviation | m |
 //!
-//! Dust and lost light make spikes of a few points. A pit or scratch is wider than the window, moves
+//! d is not taken below its median over the profile, so that a flat spot is no trap. Dust and lost light make spikes of a few points. A pit or scratch is wider than the window, moves
 //! the median with it, and stays. Towards the ends the window narrows evenly; the outermost points have
 //! none and stay.
 
@@ -44,7 +44,7 @@ pub struct OutlierRecord {
     pub longest: usize,
     /// Largest distance of a replaced point from the running median.
     pub farthest: Length,
-    /// Distance beyond which points were replaced.
+    /// Least distance at which a point was replaced.
     pub threshold: Length,
 }
 
@@ -85,18 +85,10 @@ pub fn replace(
         "points",
         "must lie between 1 and 1000 and fit into the profile",
     )?;
-    let mut window = Vec::with_capacity(2 * w + 1);
-    let distances: Vec<f64> = (0..z.len())
-        .map(|i| {
-            window.clear();
-            // A one-sided window would take a slope at the ends for spikes.
-            let w = w.min(i).min(z.len() - 1 - i);
-            window.extend_from_slice(&z[i - w..=i + w]);
-            (z[i] - median(&mut window)).abs()
-        })
-        .collect();
-    let threshold = k * NORMAL * median(&mut distances.clone());
-    let outlier = |i: usize| distances[i] > threshold;
+    let (distances, deviations) = distances(z, w);
+    let floor = median(&mut deviations.clone());
+    let threshold = |i: usize| k * NORMAL * deviations[i].max(floor);
+    let outlier = |i: usize| distances[i] > threshold(i);
     let (mut cleaned, mut longest, mut replaced) = (z.to_vec(), 0, 0);
     let mut start = 0;
     while start < z.len() {
@@ -116,9 +108,25 @@ pub fn replace(
         replaced,
         longest,
         farthest: Length::from_si(far.fold(0.0, f64::max)),
-        threshold: Length::from_si(threshold),
+        threshold: Length::from_si(k * NORMAL * floor),
     };
     Ok((Profile::new(profile.spacing(), cleaned)?, record))
+}
+
+/// Distance of every point from its running median, and the median distance of its window from it.
+fn distances(z: &[f64], half_window: usize) -> (Vec<f64>, Vec<f64>) {
+    let mut window = Vec::with_capacity(2 * half_window + 1);
+    (0..z.len())
+        .map(|i| {
+            window.clear();
+            // A one-sided window would take a slope at the ends for spikes.
+            let w = half_window.min(i).min(z.len() - 1 - i);
+            window.extend_from_slice(&z[i - w..=i + w]);
+            let middle = median(&mut window);
+            window.iter_mut().for_each(|z| *z = (*z - middle).abs());
+            ((z[i] - middle).abs(), median(&mut window))
+        })
+        .unzip()
 }
 
 /// A straight line over `length` points from `start`; level at an end of the profile.
