@@ -27,8 +27,17 @@ use serde::Serialize;
 
 use crate::RoughnessError;
 
-/// Reach of the weights in cut-offs: beyond it they are below 10⁻⁶ of the middle one,
-/// γ √(ln 10⁶/π).
+/// γ of ISO 16610-31: the quadratic regression then passes half the amplitude at λ_c.
+const GAMMA: f64 = 0.730_913_4;
+/// c = 4.4478 median|r|: three standard deviations of Gaussian residuals (ISO 16610-31).
+const SCALE: f64 = 4.4478;
+/// Relative change of c at which the iteration stops.
+const SETTLED: f64 = 1e-8;
+/// Residuals below this share of the heights are rounding of the transforms.
+const ROUNDING: f64 = 1e-13;
+/// Iterations allowed; damaged flanks take 17 to 28.
+const MOST: usize = 100;
+/// Reach of the weights in cut-offs: beyond it they are below 10⁻⁶ of the middle one, γ √(ln 10⁶/π).
 const SUPPORT: f64 = 1.532_8;
 
 /// A mean line that ignores outliers, with the evidence that it settled.
