@@ -121,12 +121,6 @@ pub enum Warning {
         /// Relative uncertainty of the spacing.
         uncertainty: f64,
     },
-    /// A statement of the file that is read but not used.
-    #[error("the file says \"{stated}\", which is not applied to the heights")]
-    NotApplied {
-        /// The line.
-        stated: String,
-    },
 }
 
 /// A length as a message shows it: four digits, "38.12 um".
@@ -151,7 +145,6 @@ impl Warning {
             Self::TraceAborted { .. } => "W121",
             Self::SpacingFromFirstLine { .. } => "W122",
             Self::LengthRounded { .. } => "W123",
-            Self::NotApplied { .. } => "W124",
         }
     }
 }

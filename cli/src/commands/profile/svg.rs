@@ -174,21 +174,16 @@ fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     }
     let size = points.len().div_ceil(MOST / 2);
     let ends = |bin: &[(f64, f64)]| {
-        let mut low = bin[0];
-        let mut high = bin[0];
-        for point in bin {
-            if point.1 < low.1 {
-                low = *point;
+        let (mut low, mut high) = (0, 0);
+        for (at, point) in bin.iter().enumerate() {
+            if point.1 < bin[low].1 {
+                low = at;
             }
-            if point.1 > high.1 {
-                high = *point;
+            if point.1 > bin[high].1 {
+                high = at;
             }
         }
-        if low.0 <= high.0 {
-            [low, high]
-        } else {
-            [high, low]
-        }
+        [bin[low.min(high)], bin[low.max(high)]]
     };
     points.chunks(size).flat_map(ends).collect()
 }
