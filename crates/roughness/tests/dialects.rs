@@ -622,3 +622,19 @@ fn options_read_from_text_as_a_case_file_writes_them() {
     );
     assert!(serde_json::from_str::<ReadOptions>(r#"{"unit": "mm"}"#).is_err());
 }
+
+#[test]
+fn a_height_column_beyond_the_second_needs_no_x_when_the_spacing_is_stated() {
+    // Found by fuzzing: the place of an x among two columns was computed for three.
+    let text: String = (0..POINTS)
+        .map(|i| format!("{i};7;{:.4}\n", height(i)))
+        .collect();
+    let text = format!("Nr;flag;z [um]\n{text}");
+    assert_eq!(read_text(&text).unwrap_err().code(), "E112");
+    let options = ReadOptions {
+        dx: Some(Length::from_si(0.5e-6)),
+        ..ReadOptions::default()
+    };
+    let reading = read_bytes("a.csv", text.as_bytes(), &options).unwrap();
+    assert_eq!(reading.table.unwrap().columns, Columns { x: None, z: 3 });
+}
