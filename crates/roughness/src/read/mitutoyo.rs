@@ -32,7 +32,11 @@ struct Sheet {
 
 /// Reads the profile of a workbook.
 pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Trace, ReadError> {
-    let mut archive = Archive::open(file, FORMAT, bytes)?;
+    let unknown = || ReadError::FormatNotRead {
+        file: file.to_owned(),
+        format: Format::Excel,
+    };
+    let mut archive = Archive::open(file, FORMAT, bytes).map_err(|_| unknown())?;
     let texts = texts(file, &mut archive)?;
     let mut metadata = Metadata::default();
     let mut state = FilterState::Unknown;
@@ -53,12 +57,7 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Trace, ReadError> {
             best = Some(found);
         }
     }
-    let (x, heights) = best
-        .filter(|_| known)
-        .ok_or_else(|| ReadError::FormatNotRead {
-            file: file.to_owned(),
-            format: Format::Excel,
-        })?;
+    let (x, heights) = best.filter(|_| known).ok_or_else(unknown)?;
     let dx = (x[x.len() - 1] - x[0]) / (x.len() - 1) as f64;
     Ok(Trace {
         z_unit: LengthUnit::Micrometre,

@@ -136,17 +136,23 @@ fn load(path: &Path, name: &str, most: u64) -> Result<Vec<u8>, ReadError> {
         source,
     };
     let file = std::fs::File::open(path).map_err(unreadable)?;
+    let too_large = |bytes| ReadError::TooLarge {
+        file: name.to_owned(),
+        what: "the file",
+        bytes,
+        most,
+    };
+    // Said beforehand by files; a pipe is measured as it comes.
+    let stated = file.metadata().map_or(0, |metadata| metadata.len());
+    if stated > most {
+        return Err(too_large(stated));
+    }
     let mut bytes = Vec::new();
     file.take(most + 1)
         .read_to_end(&mut bytes)
         .map_err(unreadable)?;
     if bytes.len() as u64 > most {
-        return Err(ReadError::TooLarge {
-            file: name.to_owned(),
-            what: "the file",
-            bytes: bytes.len() as u64,
-            most,
-        });
+        return Err(too_large(bytes.len() as u64));
     }
     Ok(bytes)
 }
