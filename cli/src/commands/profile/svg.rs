@@ -68,19 +68,19 @@ impl Panel {
         for (tick, label) in self.ticks(x0, x1) {
             let at = LEFT + (tick - x0) / (x1 - x0) * w;
             let (foot, low) = (top + TOP + h, top + TOP);
-            let _ = write!(
+            let _ = writeln!(
                 svg,
                 "<path d=\"M{at:.1} {low:.1}V{foot:.1}\" stroke=\"#e4e4e4\"/>\
-                 <text x=\"{at:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{label}</text>\n",
+                 <text x=\"{at:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{label}</text>",
                 foot + 16.0
             );
         }
         for (tick, label) in self.ticks(y0, y1) {
             let at = top + TOP + (y1 - tick) / (y1 - y0) * h;
-            let _ = write!(
+            let _ = writeln!(
                 svg,
                 "<path d=\"M{LEFT} {at:.1}h{w:.1}\" stroke=\"#e4e4e4\"/>\
-                 <text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{label}</text>\n",
+                 <text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{label}</text>",
                 LEFT - 6.0,
                 at + 4.0
             );
