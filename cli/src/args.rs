@@ -1,13 +1,17 @@
 //! The command line.
 
+mod profile;
+
 use std::path::PathBuf;
 
 use asperity::case::PathPoint;
 use asperity_core::quantity::{Length, LineLoad, Pressure, QuantityError};
-use asperity_roughness::form::Form;
-use asperity_roughness::gaussian_filter::Ends;
-use asperity_roughness::read::{Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator};
 use clap::{Args, Parser, Subcommand, ValueEnum};
+
+pub use profile::{
+    PreparingArgs, ProfileCommand, ProfileConvertArgs, ProfileFilterArgs, ProfileGenerateArgs,
+    ProfileInfoArgs, ProfilePart, ProfilePlotArgs, ReadingArgs,
+};
 
 /// Mesh efficiency of a gear pair from the measured roughness of its tooth flanks.
 #[derive(Debug, Parser)]
@@ -277,72 +281,6 @@ pub struct ContactArgs {
     /// Write pressure, gap and displacement per point
     #[arg(long, short)]
     pub output: Option<PathBuf>,
-}
-
-/// What to do with a profile.
-#[derive(Debug, Subcommand)]
-pub enum ProfileCommand {
-    /// Format, units, spacing, and roughness parameters of profile files
-    Info(ProfileInfoArgs),
-}
-
-/// Profiles and how to read and prepare them.
-#[derive(Debug, Args)]
-pub struct ProfileInfoArgs {
-    /// Profile files
-    #[arg(required = true)]
-    pub files: Vec<PathBuf>,
-    /// Take the heights as they are: no form removal, no filter
-    #[arg(long)]
-    pub as_is: bool,
-    /// Remove a straight line only, no filter
-    #[arg(long, conflicts_with = "as_is")]
-    pub level: bool,
-    /// Form removed: none, level, poly2
-    #[arg(long, value_parser = choice::<Form>)]
-    pub form: Option<Form>,
-    /// Cut-off lambda_c, or none [default: 0.8 mm]
-    #[arg(long, value_parser = cutoff, allow_hyphen_values = true)]
-    pub lambda_c: Option<Length>,
-    /// Cut-off lambda_s, or none [default: 2.5 um]
-    #[arg(long, value_parser = cutoff, allow_hyphen_values = true)]
-    pub lambda_s: Option<Length>,
-    /// What the filter does at the ends: cut, reg0, reg1, reflect
-    #[arg(long, value_parser = choice::<Ends>)]
-    pub ends: Option<Ends>,
-    /// How the file is read.
-    #[command(flatten)]
-    pub reading: ReadingArgs,
-}
-
-/// What the file does not say; an option wins over what the file seems to say.
-#[derive(Debug, Clone, Args)]
-#[command(next_help_heading = "Reading the file")]
-pub struct ReadingArgs {
-    /// Unit of the positions: um, mm, nm, m
-    #[arg(long)]
-    pub x_unit: Option<LengthUnit>,
-    /// Unit of the heights: um, mm, nm, m
-    #[arg(long)]
-    pub z_unit: Option<LengthUnit>,
-    /// Spacing of the points, as "0.5 um"
-    #[arg(long, allow_hyphen_values = true)]
-    pub dx: Option<Length>,
-    /// Columns of position and height, counted from 1: "1,2", or the height alone: "2"
-    #[arg(long)]
-    pub columns: Option<Columns>,
-    /// Decimal sign: point or comma
-    #[arg(long)]
-    pub decimal: Option<DecimalSign>,
-    /// Column separator: comma, semicolon, tab, blank, none
-    #[arg(long)]
-    pub separator: Option<Separator>,
-    /// Text encoding: utf-8, utf-16le, utf-16be, windows-1252
-    #[arg(long)]
-    pub encoding: Option<Encoding>,
-    /// Missing points: refuse or interpolate
-    #[arg(long)]
-    pub gaps: Option<Gaps>,
 }
 
 /// Which equations to print.

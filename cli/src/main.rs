@@ -8,7 +8,7 @@ mod output;
 use std::panic::AssertUnwindSafe;
 use std::process::ExitCode;
 
-use args::{Cli, Command, ProfileCommand};
+use args::{Cli, Command};
 use clap::Parser;
 use failure::Failure;
 
@@ -50,7 +50,7 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
         Command::Regime(args) => commands::regime::regime(args, common),
         Command::Contact(args) => commands::contact::contact(args, common),
         Command::Film(args) => commands::film::film(args, common),
-        Command::Profile(ProfileCommand::Info(args)) => commands::profile::info(args, common),
+        Command::Profile(command) => commands::profile::run(command, common),
         Command::Equations(args) => commands::reference::equations(args, common),
         Command::Explain { code } => commands::reference::explain(code.as_deref(), common),
         Command::Schema => commands::reference::schema(),

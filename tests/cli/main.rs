@@ -13,6 +13,7 @@ mod case_messages;
 mod codes;
 mod file_messages;
 mod fuzz;
+mod instrument_files;
 mod result_messages;
 mod results;
 mod single_modules;

@@ -80,6 +80,9 @@ explanations! {
     "E114" "unit not known": "The header names a unit that is not one of m, mm, um, nm." => "Convert the file, or say --z-unit or --x-unit if the header is wrong.";
     "E115" "separator does not fit": "The file does not read with the separator that was stated." => "Leave --separator away, or say what separates the columns.";
     "E116" "impossible trace": "The numbers make no profile: no extent, or beyond all measure." => "Check units, columns and --dx.";
+    "E117" "damaged file": "The file breaks the rules of its own format: a header that cannot be read, or fewer heights than it says." => "Export it again, or as text; a file that was cut off in transfer is the usual cause.";
+    "E118" "file too large": "The file, or what it unpacks to, is larger than any profile." => "Export a single profile.";
+    "E119" "several profiles": "The file holds several profiles, and none was chosen." => "Say --row with the number of one of them, from 1.";
     "E120" "the trace cannot be prepared": "Form removal or filtering is not possible on this trace, mostly because it is shorter than the cut-off or too coarse for it." => "Choose another cut-off with --lambda-c and --lambda-s (surface.cutoff and surface.noise_cutoff in a case; 0.25 mm is usual on gears).";
     "E121" "spacing too coarse for the contact": "Fewer than 20 points fall on one Hertz half-width, so the contact cannot be resolved." => "Measure with a finer spacing; with a stylus 0.5 um is usual.";
     "E122" "trace shorter than the contact window": "The prepared trace does not cover the window of the contact." => "Measure a longer trace, choose a shorter cut-off (the filter drops its ends), or reduce model.window.";
@@ -110,6 +113,10 @@ explanations! {
     "W117" "stated spacing differs": "The spacing stated with --dx is not that of the column of positions; the stated one was used." => "Leave --dx out unless the column is wrong.";
     "W118" "filtered already": "The file says that its heights are a roughness profile, and filtering twice changes it." => "Say --lambda-c none (surface.cutoff = \"0 mm\" in a case), or export the unfiltered profile.";
     "W119" "flanks spaced differently": "The traces of pinion and wheel have different spacings; the coarser was resampled by straight lines." => "Measure both flanks with one spacing.";
+    "W120" "checksum differs": "A checksum in the file is not that of its content: the file was changed after the measurement, or its writer counts differently." => "Compare with the original; the heights are read as they stand.";
+    "W121" "trace aborted": "The header states a nominal length that was not traced. The spacing follows from what was traced." => "Measure again if the whole length is needed.";
+    "W122" "spacing from line 1": "Line 1 is written unlike the rest and is taken as the spacing in um, as in NPL text profiles." => "Say --dx to be sure.";
+    "W123" "length rounded": "The spacing follows from a length that is printed with few digits." => "Say --dx to be exact.";
     "W401" "outside a fitted range": "A correlation was used outside the data it was fitted to; its value may be wrong." => "Compare the other friction laws printed, or choose another law.";
     "W402" "equivalent friction implausible": "The mean friction coefficient that explains the loss is outside 0.01 to 0.12, which lubricated steel does not do." => "Check the roughness (form removed? units?) and the oil. In the paper formulation look at model.position: at the pitch point C nothing slides.";
     "W403" "roughness clamped in Xu's law": "The term exp(exp S) of Xu's law explodes above S = 0.6 um; the roughness was held there." => "Choose another friction law for rough flanks, or model.clamp_roughness = false to see the law as printed.";

@@ -12,6 +12,7 @@ use asperity_roughness::generate::SelfAffine;
 use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::preparation::{Preparation, prepare};
 use asperity_roughness::read::{ReadOptions, read_bytes};
+use asperity_roughness::robust_filter::robust_mean_line;
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 
 fn recipe(points: usize) -> SelfAffine {
@@ -54,6 +55,42 @@ fn reading(c: &mut Criterion) {
     });
 }
 
+fn info(c: &mut Criterion) {
+    let mut text = String::from("x [mm];z [um]\n");
+    for (i, z) in rough(1_000_000).heights().iter().enumerate() {
+        text += &format!("{:.4};{:.5}\n", 0.0005 * i as f64, z * 1e6);
+    }
+    let mut group = c.benchmark_group("info");
+    group.sample_size(10);
+    group.bench_function("read, prepare and evaluate 1e6 points in both modes", |b| {
+        b.iter(|| {
+            let reading =
+                read_bytes("flank.csv", text.as_bytes(), &ReadOptions::default()).expect("valid");
+            let prepared = prepare(&reading.profile, &Preparation::default()).expect("long enough");
+            [Mode::Iso4287, Mode::Iso21920].map(|mode| {
+                Parameters::of(&prepared.profile, mode, Length::from_si(0.8e-3)).expect("long")
+            })
+        });
+    });
+    group.finish();
+}
+
+fn robust(c: &mut Criterion) {
+    let mut group = c.benchmark_group("robust gaussian filter");
+    group.sample_size(10);
+    for points in [10_000, 100_000, 1_000_000] {
+        let profile = rough(points);
+        group.bench_with_input(
+            BenchmarkId::from_parameter(points),
+            &profile,
+            |b, profile| {
+                b.iter(|| robust_mean_line(black_box(profile), Length::from_si(0.8e-3)));
+            },
+        );
+    }
+    group.finish();
+}
+
 fn filtering(c: &mut Criterion) {
     let mut group = c.benchmark_group("gaussian filter");
     group.sample_size(20);
@@ -78,5 +115,5 @@ fn generating(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, reading, filtering, generating);
+criterion_group!(benches, reading, info, filtering, robust, generating);
 criterion_main!(benches);

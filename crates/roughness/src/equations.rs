@@ -74,6 +74,30 @@ pub const RODRIGUEZ_2022: Reference = Reference {
     text: "I. Victoria Rodríguez, Modelling of gear surface roughness impact on gear meshing efficiency, manuscript and thesis, KTH and Volvo, 2022",
 };
 
+/// Estimates of correlation.
+pub const BENDAT_2010: Reference = Reference {
+    key: "bendat_2010",
+    text: "J. S. Bendat and A. G. Piersol, Random Data: Analysis and Measurement Procedures, 4th edition, Wiley 2010",
+};
+
+/// Outliers by the running median.
+pub const HAMPEL_1974: Reference = Reference {
+    key: "hampel_1974",
+    text: "F. R. Hampel, The influence curve and its role in robust estimation, Journal of the American Statistical Association 69 (1974) 383-393, doi:10.2307/2285666",
+};
+
+/// Geometry of involute flanks.
+pub const LITVIN_2004: Reference = Reference {
+    key: "litvin_2004",
+    text: "F. L. Litvin and A. Fuentes, Gear Geometry and Applied Theory, 2nd edition, Cambridge University Press 2004",
+};
+
+/// Non-Gaussian surfaces.
+pub const PEREZ_RAFOLS_2019: Reference = Reference {
+    key: "perez_rafols_2019",
+    text: "F. Pérez-Ràfols and A. Almqvist, Generating randomly rough surfaces with given height probability distribution and power spectrum, Tribology International 131 (2019) 591-604, doi:10.1016/j.triboint.2018.11.020",
+};
+
 macro_rules! equation {
     ($tag:literal, $title:literal, $formula:literal, $file:literal, $test:literal, [$($reference:ident),*]) => {
         Equation {
@@ -313,5 +337,85 @@ pub const EQUATIONS: &[Equation] = &[
         "generate/plateau.rs",
         "generated_profiles_have_the_asked_height_and_repeat_with_their_seed",
         []
+    ),
+    equation!(
+        "ACF-1",
+        "Autocorrelation over the overlap",
+        "ρ_k = (1/(n − k)) Σ z_i z_{i+k} / ((1/n) Σ z_i²)",
+        "autocorrelation.rs",
+        "the_fast_autocorrelation_is_the_slow_sum",
+        [BENDAT_2010]
+    ),
+    equation!(
+        "ACF-2",
+        "Autocorrelation lengths",
+        "ρ(τ) = 0.2, 1/e",
+        "autocorrelation.rs",
+        "a_cosine_forgets_itself_after_its_arccosine",
+        [BENDAT_2010]
+    ),
+    equation!(
+        "Nayak-2",
+        "Bandwidth",
+        "α = m₀ m₄/m₂²",
+        "spectral.rs",
+        "two_waves_have_their_bandwidth",
+        [NAYAK_1971]
+    ),
+    equation!(
+        "Summit-3",
+        "Density of summits",
+        "D = √(m₄/m₂)/(2π)",
+        "summits.rs",
+        "summits_of_a_gaussian_profile_are_as_dense_as_its_moments_say",
+        [NAYAK_1971]
+    ),
+    equation!(
+        "Hurst-1",
+        "Hurst exponent of a spectrum",
+        "log C = a + b log f, H = −(b + 1)/2",
+        "hurst.rs",
+        "the_hurst_fit_finds_the_exponent_of_its_recipe",
+        [JACOBS_2017]
+    ),
+    equation!(
+        "Outlier-1",
+        "Outliers by the running median",
+        "|zᵢ − z̃ᵢ| > k d",
+        "outliers.rs",
+        "spikes_are_replaced_and_pits_stay",
+        [HAMPEL_1974]
+    ),
+    equation!(
+        "Form-3",
+        "Involute about a point of its flank",
+        "x = r_b (cos θ + ξ sin θ − 1), z = r_b (ξ cos θ − sin θ − ξ₀)",
+        "involute.rs",
+        "an_involute_traced_from_its_definition_is_removed",
+        [LITVIN_2004]
+    ),
+    equation!(
+        "NonGaussian-1",
+        "Heights and spectrum in turn",
+        "z ← h_(rank z) after |F z| ← √C",
+        "generate/non_gaussian.rs",
+        "heights_are_those_of_the_distribution_and_the_spectrum_is_near",
+        [PEREZ_RAFOLS_2019]
+    ),
+    equation!(
+        "Plateau-3",
+        "Plateau-honed profile",
+        "z = min(z₁, z₂ − d)",
+        "generate/plateau.rs",
+        "plateau_honed_profiles_have_the_heights_of_both_processes",
+        [RODRIGUEZ_2022]
+    ),
+    equation!(
+        "Prep-2",
+        "Waviness and roughness",
+        "P = W + R, W = w̄(P; λ_c)",
+        "preparation.rs",
+        "waviness_and_roughness_add_up_to_the_primary_profile",
+        [ISO_21920_2]
     ),
 ];

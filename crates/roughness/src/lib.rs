@@ -17,6 +17,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod ambiguity;
+pub mod autocorrelation;
 pub mod composite;
 mod elements;
 pub mod equations;
@@ -25,7 +27,10 @@ pub mod form;
 pub mod gaussian_filter;
 pub mod generate;
 pub mod height_parameters;
+pub mod hurst;
+pub mod involute;
 pub mod material_ratio;
+pub mod outliers;
 mod parameters;
 pub mod preparation;
 pub mod read;
@@ -33,6 +38,7 @@ pub mod robust_filter;
 pub mod spectral;
 pub mod summits;
 mod warning;
+pub mod write;
 
 pub use equations::EQUATIONS;
 pub use error::RoughnessError;

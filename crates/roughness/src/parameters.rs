@@ -4,7 +4,7 @@ use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use serde::Serialize;
 
-use crate::height_parameters::{HeightParameters, Mode, height_parameters};
+use crate::height_parameters::{HeightParameters, Mode, in_sections, sections_in};
 use crate::material_ratio::{RkParameters, rk_parameters};
 use crate::spectral::{SpectralMoments, moments};
 use crate::{RoughnessError, Warning};
@@ -45,24 +45,35 @@ impl Parameters {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn of(profile: &Profile, mode: Mode, lambda_c: Length) -> Result<Self, RoughnessError> {
-        let heights = height_parameters(profile, mode, lambda_c)?;
-        let evaluation_length = profile.spacing() * profile.len() as f64;
-        let mut warnings = Vec::new();
-        if heights.sections < NORMAL_SECTIONS {
-            let (sections, length) = (heights.sections, evaluation_length);
-            warnings.push(Warning::FewSections {
-                sections,
+        let mut found = Self::with_sections(profile, mode, sections_in(profile, lambda_c)?)?;
+        found.lambda_c = lambda_c;
+        if found.heights.sections < NORMAL_SECTIONS {
+            found.warnings.push(Warning::FewSections {
+                sections: found.heights.sections,
                 lambda_c,
-                length,
+                length: found.evaluation_length,
             });
         }
+        Ok(found)
+    }
+
+    /// The parameters of `profile` cut into `sections` equal sections, however long.
+    ///
+    /// # Errors
+    /// When the profile has too few points.
+    pub fn with_sections(
+        profile: &Profile,
+        mode: Mode,
+        sections: usize,
+    ) -> Result<Self, RoughnessError> {
+        let evaluation_length = profile.spacing() * profile.len() as f64;
         Ok(Self {
-            heights,
+            heights: in_sections(profile, mode, sections)?,
             material: rk_parameters(profile.heights())?,
             spectral: moments(profile)?,
-            lambda_c,
+            lambda_c: evaluation_length / sections.max(1) as f64,
             evaluation_length,
-            warnings,
+            warnings: Vec::new(),
         })
     }
 }

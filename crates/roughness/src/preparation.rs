@@ -130,17 +130,8 @@ pub fn prepare_with(
     recipe: &Preparation,
     filter: RoughnessFilter,
 ) -> Result<Prepared, RoughnessError> {
-    let mut warnings = Vec::new();
     let spacing = profile.spacing();
-    let mut current = form::remove(profile, recipe.form)?;
-    if let Some(lambda_s) = recipe.lambda_s {
-        // Five points per cut-off sample the weights to 0.1 % (the sum of the neglected aliases).
-        const POINTS_PER_LAMBDA_S: f64 = 5.0;
-        if spacing.si() * POINTS_PER_LAMBDA_S > lambda_s.si() * (1.0 + 1e-9) {
-            warnings.push(Warning::CoarseForLambdaS { spacing, lambda_s });
-        }
-        current = Profile::new(spacing, mean_line(&current, lambda_s, recipe.ends)?)?;
-    }
+    let (mut current, mut warnings) = primary(profile, recipe)?;
     let (mut dropped, mut robust) = (0, None);
     if let Some(lambda_c) = recipe.lambda_c {
         (current, robust) = roughness(&current, lambda_c, recipe.ends, filter)?;
@@ -165,6 +156,71 @@ pub fn prepare_with(
         record,
         warnings,
     })
+}
+
+/// The three profiles of a trace: P, and the W and R into which λ_c parts it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Profiles {
+    /// Primary profile, over the whole trace.
+    pub primary: Profile,
+    /// Waviness profile, over the points of the roughness profile; none without λ_c.
+    pub waviness: Option<Profile>,
+    /// Roughness profile with its record.
+    pub roughness: Prepared,
+}
+
+/// P = W + R, W = w̄(P; λ_c)                                                  `[Prep-2]`
+///
+/// No long-wave filter bounds W: its form is what was removed.
+///
+/// # Errors
+/// As [`prepare_with`].
+///
+/// ```
+/// use asperity_core::{Profile, quantity::Length};
+/// use asperity_roughness::preparation::{Preparation, RoughnessFilter, profiles};
+/// let wave = |i: usize| 1e-6 * (i as f64 * 0.5e-6 / 50e-6 * std::f64::consts::TAU).sin();
+/// let profile = Profile::new(Length::from_si(0.5e-6), (0..11_201).map(wave).collect())?;
+/// let found = profiles(&profile, &Preparation::default(), RoughnessFilter::Gaussian)?;
+/// // A wave of a sixteenth of λ_c is roughness alone, but for the tilt of its ends.
+/// assert!(found.waviness.unwrap().heights().iter().all(|w| w.abs() < 30e-9));
+/// # Ok::<(), asperity_roughness::RoughnessError>(())
+/// ```
+pub fn profiles(
+    profile: &Profile,
+    recipe: &Preparation,
+    filter: RoughnessFilter,
+) -> Result<Profiles, RoughnessError> {
+    let roughness = prepare_with(profile, recipe, filter)?;
+    let (primary, _) = primary(profile, recipe)?;
+    let waviness = recipe.lambda_c.map(|_| {
+        let from = primary.heights().iter().skip(roughness.first_index);
+        let pairs = from.zip(roughness.profile.heights());
+        Profile::new(primary.spacing(), pairs.map(|(p, r)| p - r).collect())
+    });
+    Ok(Profiles {
+        waviness: waviness.transpose()?,
+        primary,
+        roughness,
+    })
+}
+
+/// P = S(z − form; λ_s), with the warning that the grid is too coarse for it.
+fn primary(
+    profile: &Profile,
+    recipe: &Preparation,
+) -> Result<(Profile, Vec<Warning>), RoughnessError> {
+    let (mut warnings, spacing) = (Vec::new(), profile.spacing());
+    let mut current = form::remove(profile, recipe.form)?;
+    if let Some(lambda_s) = recipe.lambda_s {
+        // Five points per cut-off sample the weights to 0.1 % (the sum of the neglected aliases).
+        const POINTS_PER_LAMBDA_S: f64 = 5.0;
+        if spacing.si() * POINTS_PER_LAMBDA_S > lambda_s.si() * (1.0 + 1e-9) {
+            warnings.push(Warning::CoarseForLambdaS { spacing, lambda_s });
+        }
+        current = Profile::new(spacing, mean_line(&current, lambda_s, recipe.ends)?)?;
+    }
+    Ok((current, warnings))
 }
 
 /// R = P − mean line(λ_c), with the evidence of a filter that iterates.

@@ -37,9 +37,8 @@ const SETTLED: f64 = 1e-8;
 const ROUNDING: f64 = 1e-13;
 /// Iterations allowed; damaged flanks take 17 to 28.
 const MOST: usize = 100;
-/// Reach of the weights on either side, in cut-offs, where they are e^−23 of their middle. The wide
-/// weights leave errors of 1e-3 when cut at one cut-off.
-const SUPPORT: f64 = 2.0;
+/// Reach of the weights in cut-offs: beyond it they are below 10⁻⁶ of the middle one, γ √(ln 10⁶/π).
+const SUPPORT: f64 = 1.532_8;
 
 /// A mean line that ignores outliers, with the evidence that it settled.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -24,7 +24,7 @@ use crate::RoughnessError;
 /// Mean squares of a profile and its derivatives.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SpectralMoments {
-    /// Mean square height `[m²]`.
+    /// Mean square height about the mean `[m²]`: a mean height is no wave.
     pub m0: f64,
     /// Mean square slope, 7-point.
     pub m2: f64,
@@ -77,13 +77,34 @@ pub fn moments(profile: &Profile) -> Result<SpectralMoments, RoughnessError> {
         let (sum, count) = values.fold((0.0, 0_usize), |(sum, count), v| (sum + v * v, count + 1));
         sum / count as f64
     };
+    let mean = z.iter().sum::<f64>() / z.len() as f64;
     let curvature = |z: &[f64]| (z[0] - 2.0 * z[1] + z[2]) / (dx * dx);
     Ok(SpectralMoments {
-        m0: mean_square(&mut z.iter().copied()),
+        m0: mean_square(&mut z.iter().map(|z| z - mean)),
         m2: mean_square(&mut slopes(z, dx).into_iter()),
         m4: mean_square(&mut z.windows(3).map(curvature)),
         spacing: profile.spacing(),
     })
+}
+
+impl SpectralMoments {
+    /// α = m₀ m₄/m₂²                                                          `[Nayak-2]`
+    ///
+    /// Bandwidth: 1 for a single wave, larger the more scales a profile has. None for a profile without
+    /// slope.
+    ///
+    /// ```
+    /// use asperity_core::{Profile, quantity::Length};
+    /// let wave = |i: usize| 1e-6 * (i as f64 / 100.0 * std::f64::consts::TAU).sin();
+    /// let profile = Profile::new(Length::from_si(1e-6), (0..10_000).map(wave).collect())?;
+    /// let found = asperity_roughness::spectral::moments(&profile)?;
+    /// // ⟨sin²⟩ ⟨sin²⟩/⟨cos²⟩² = 1 for one wave of even height.
+    /// assert!((found.bandwidth().unwrap() - 1.0).abs() < 1e-3);
+    /// # Ok::<(), asperity_roughness::RoughnessError>(())
+    /// ```
+    pub fn bandwidth(&self) -> Option<f64> {
+        Some(self.m0 * self.m4 / (self.m2 * self.m2)).filter(|alpha| alpha.is_finite())
+    }
 }
 
 /// A one-sided power spectral density.

@@ -115,6 +115,86 @@ pub fn asperity_radius(
     })
 }
 
+/// What the summits of a profile are like.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct SummitStatistics {
+    /// Summits found, those within a window of an end left out.
+    pub count: usize,
+    /// Summits per length [1/m].
+    pub density: f64,
+    /// Mean height of the summits over the mean line.
+    pub mean_height: Length,
+    /// Standard deviation of their heights.
+    pub height_deviation: Length,
+    /// Mean curvature [1/m], by a least-squares parabola.
+    pub mean_curvature: f64,
+    /// One over the mean curvature; none when summits are flat or hollow on average.
+    pub mean_radius: Option<Length>,
+    /// √(m₄/m₂)/(2π), the density [1/m] that a Gaussian profile of the same moments would have.
+    pub spectral_density: f64,
+}
+
+/// D = √(m₄/m₂)/(2π) for a Gaussian profile, counted and measured here                `[Summit-3]`
+///
+/// All summits, whatever their height; κ is measured over ±`window`.
+///
+/// # Errors
+/// When the window is shorter than half the spacing, or there is no summit.
+///
+/// ```
+/// use asperity_core::{Profile, quantity::Length};
+/// use asperity_roughness::summits::summit_statistics;
+/// let wave = |i: usize| 1e-6 * (i as f64 / 100.0 * std::f64::consts::TAU).sin();
+/// let profile = Profile::new(Length::from_si(0.5e-6), (0..20_000).map(wave).collect())?;
+/// let found = summit_statistics(&profile, Length::from_si(0.5e-6))?;
+/// assert_eq!(found.count, 200);
+/// assert!((found.density * 50e-6 - 1.0).abs() < 0.01);
+/// # Ok::<(), asperity_roughness::RoughnessError>(())
+/// ```
+pub fn summit_statistics(
+    profile: &Profile,
+    window: Length,
+) -> Result<SummitStatistics, RoughnessError> {
+    let (z, dx) = (profile.heights(), profile.spacing().si());
+    let m = window_points(window, dx)?;
+    let all = summits(z, m);
+    if all.is_empty() {
+        return Err(RoughnessError::NoSummit {
+            window,
+            level: "lowest point",
+        });
+    }
+    let count = all.len() as f64;
+    let mean = z.iter().sum::<f64>() / z.len() as f64;
+    let height = all.iter().map(|&i| z[i]).sum::<f64>() / count;
+    let variance = all.iter().map(|&i| (z[i] - height).powi(2)).sum::<f64>() / count;
+    let curvature = |&i: &usize| parabola_curvature(&z[i - m..=i + m], dx);
+    let curvature = all.iter().map(curvature).sum::<f64>() / count;
+    let moments = moments(profile)?;
+    Ok(SummitStatistics {
+        count: all.len(),
+        density: count / ((z.len() - 2 * m) as f64 * dx),
+        mean_height: Length::from_si(height - mean),
+        height_deviation: Length::from_si(variance.sqrt()),
+        mean_curvature: curvature,
+        mean_radius: (curvature > 0.0).then(|| Length::from_si(1.0 / curvature)),
+        spectral_density: (moments.m4 / moments.m2).sqrt() / std::f64::consts::TAU,
+    })
+}
+
+/// Points of a curvature window on either side.
+fn window_points(window: Length, dx: f64) -> Result<usize, RoughnessError> {
+    let window = DomainError::positive("window", window)?;
+    DomainError::require(
+        window >= 0.5 * dx,
+        "window",
+        window,
+        "m",
+        "must not be shorter than half the spacing",
+    )?;
+    Ok((window / dx).round() as usize)
+}
+
 /// The summits in the peak zone, or above the mean line when those are too few; with the level.
 fn carrying(z: &[f64], all: &[usize]) -> Result<(ReferenceLevel, f64, Vec<usize>), RoughnessError> {
     let above = |level: f64| {

@@ -85,6 +85,42 @@ pub enum Warning {
         "the file says it holds an already filtered roughness profile; filtering it again changes it. Use --lambda-c none"
     )]
     AlreadyFiltered,
+    /// A checksum in the file is not that of its content.
+    #[error(
+        "the {what} checksum {stated} is not that of the content, {found}: the file was changed, or its writer counts differently"
+    )]
+    ChecksumDiffers {
+        /// Which checksum.
+        what: &'static str,
+        /// As the file says.
+        stated: String,
+        /// Of the content.
+        found: String,
+    },
+    /// The trace is shorter than the header says.
+    #[error("the header says {} but {} were traced: the trace was aborted; the spacing follows from what was traced", rounded(*nominal), rounded(*traced))]
+    TraceAborted {
+        /// As the header says.
+        nominal: Length,
+        /// Evaluation length.
+        traced: Length,
+    },
+    /// The spacing comes from a number that looks like one.
+    #[error(
+        "line 1 reads {value} and is taken as the spacing in um, as in NPL text profiles. Say --dx to be sure"
+    )]
+    SpacingFromFirstLine {
+        /// The number.
+        value: f64,
+    },
+    /// The spacing comes from a length printed with few digits.
+    #[error("the spacing follows from an evaluation length printed as {length}: it is known to {:.4} % only. Say --dx to be exact", 100.0 * uncertainty)]
+    LengthRounded {
+        /// The length.
+        length: Length,
+        /// Relative uncertainty of the spacing.
+        uncertainty: f64,
+    },
 }
 
 /// A length as a message shows it: four digits, "38.12 um".
@@ -105,6 +141,10 @@ impl Warning {
             Self::Reversed => "W116",
             Self::SpacingOverridden { .. } => "W117",
             Self::AlreadyFiltered => "W118",
+            Self::ChecksumDiffers { .. } => "W120",
+            Self::TraceAborted { .. } => "W121",
+            Self::SpacingFromFirstLine { .. } => "W122",
+            Self::LengthRounded { .. } => "W123",
         }
     }
 }

@@ -171,7 +171,8 @@ fn every_separator_and_decimal_sign_reads_the_same() {
     for (dialect, separator, decimal) in cases {
         let reading = read_text(&dialect.text()).unwrap();
         check(&reading);
-        assert_eq!((reading.separator, reading.decimal), (separator, decimal));
+        let table = reading.table.unwrap();
+        assert_eq!((table.separator, table.decimal), (separator, decimal));
         assert_eq!(reading.warnings, []);
     }
 }
@@ -208,7 +209,7 @@ fn every_encoding_reads_the_same() {
     ] {
         let reading = read_bytes("flank.csv", &bytes, &ReadOptions::default()).unwrap();
         check(&reading);
-        assert_eq!(reading.encoding, encoding);
+        assert_eq!(reading.encoding, Some(encoding));
     }
 }
 
@@ -304,7 +305,7 @@ fn a_header_names_the_columns_in_any_order() {
         text += &format!("{i},{:.3},1,{:.6}\n", 1e3 * height(i), 0.0005 * i as f64);
     }
     let reading = read_text(&text).unwrap();
-    assert_eq!(reading.columns, Columns { x: Some(4), z: 2 });
+    assert_eq!(reading.table.unwrap().columns, Columns { x: Some(4), z: 2 });
     check(&reading);
     let bare: String = text.lines().skip(1).flat_map(|line| [line, "\n"]).collect();
     assert_eq!(read_text(&bare).unwrap_err().code(), "E112");
@@ -392,12 +393,20 @@ fn heights_alone_need_a_spacing_and_header_numbers_are_no_heights() {
     );
 
     let npl = format!("0.500\r\n{column}");
-    let refused = read_text(&npl).unwrap_err();
+    let reading = read_text(&npl).unwrap();
+    check(&reading);
+    assert_eq!(reading.spacing_source, SpacingSource::FirstLine);
+    assert_eq!(
+        reading.warnings,
+        [Warning::SpacingFromFirstLine { value: 0.5 }]
+    );
+    // 5600 is no spacing in um: it may be a length.
+    let refused = read_text(&npl.replacen("0.500", "5600", 1)).unwrap_err();
     assert!(
         matches!(
             refused,
             ReadError::NoSpacing {
-                hint: SpacingHint::FirstLine(0.5),
+                hint: SpacingHint::FirstLine(5600.0),
                 ..
             }
         ),
@@ -559,17 +568,13 @@ fn an_unreadable_cell_is_shown_with_what_the_file_looks_like() {
 #[test]
 fn formats_that_are_not_read_are_named() {
     for (name, bytes, format) in [
-        ("a.x3p", b"PK\x03\x04xxxx".as_slice(), Format::X3p),
-        ("a.xlsx", b"PK\x03\x04xxxx", Format::Excel),
-        ("a.mat", b"MATLAB 5.0 MAT-file", Format::Matlab),
+        ("a.mat", b"MATLAB 5.0 MAT-file".as_slice(), Format::Matlab),
+        ("a.xls", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", Format::Excel),
         ("a.opdx", b"VCA DATA\x01\x00", Format::Opdx),
         ("a.hwp", b"\x00\x01\x02\x03", Format::HommelHwp),
         ("a.pcd", b"\x00\x01\x02\x03", Format::MahrPcd),
         ("a.mnt", b"\x00\x01\x02\x03", Format::DigitalSurf),
         ("a.bin", b"\x00\x01\x02\x03", Format::UnknownBinary),
-        ("a.sdf", b"aISO-1.0\nManufacID = x", Format::SdfAscii),
-        ("a.sig", b"SigmaSurf_Data 1.0\r\n", Format::SigmaSurf),
-        ("a.txt", b"[PROFILE_HEADER]\r\nNAME=a", Format::MahrText),
         ("a.tx3", b"Fecha\t08.04.2025\n", Format::SurfcomConditions),
     ] {
         let refused = read_bytes(name, bytes, &ReadOptions::default()).unwrap_err();
@@ -616,4 +621,20 @@ fn options_read_from_text_as_a_case_file_writes_them() {
         (Some(LengthUnit::Millimetre), Gaps::Interpolate)
     );
     assert!(serde_json::from_str::<ReadOptions>(r#"{"unit": "mm"}"#).is_err());
+}
+
+#[test]
+fn a_height_column_beyond_the_second_needs_no_x_when_the_spacing_is_stated() {
+    // Found by fuzzing: the place of an x among two columns was computed for three.
+    let text: String = (0..POINTS)
+        .map(|i| format!("{i};7;{:.4}\n", height(i)))
+        .collect();
+    let text = format!("Nr;flag;z [um]\n{text}");
+    assert_eq!(read_text(&text).unwrap_err().code(), "E112");
+    let options = ReadOptions {
+        dx: Some(Length::from_si(0.5e-6)),
+        ..ReadOptions::default()
+    };
+    let reading = read_bytes("a.csv", text.as_bytes(), &options).unwrap();
+    assert_eq!(reading.table.unwrap().columns, Columns { x: None, z: 3 });
 }

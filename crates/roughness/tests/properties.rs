@@ -169,6 +169,7 @@ fn any_options() -> impl Strategy<Value = ReadOptions> {
                 separator,
                 encoding,
                 gaps,
+                row: None,
             },
         )
 }

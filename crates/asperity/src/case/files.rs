@@ -253,6 +253,7 @@ fn trace(
         separator: input.separator,
         encoding: input.encoding,
         gaps: input.gaps.unwrap_or_default(),
+        row: None,
     };
     let reading = read_bytes(&name, &bytes, &options).map_err(|error| CaseError::Profile {
         place: source.place_of(key),

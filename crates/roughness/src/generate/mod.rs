@@ -4,16 +4,22 @@
 //! gives the same profile on every machine up to the rounding of the transforms. The flank that meets a
 //! generated one is made with [`Profile::mirrored`](asperity_core::Profile::mirrored) or another seed.
 
+mod achieved;
 mod damage;
 mod ground;
+mod non_gaussian;
 mod plateau;
 mod random;
+mod recipe;
 mod self_affine;
 
+pub use achieved::{Achieved, Generated};
 pub use damage::{Pits, Scratches};
 pub use ground::Ground;
-pub use plateau::{lower_envelope, truncated};
-pub use self_affine::SelfAffine;
+pub use non_gaussian::{HeightDistribution, NonGaussian};
+pub use plateau::{PlateauHoned, lower_envelope, truncated};
+pub use recipe::{Recipe, Surface};
+pub use self_affine::{Amplitudes, SelfAffine};
 
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};

@@ -2,9 +2,55 @@
 
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
+use super::SelfAffine;
 use crate::RoughnessError;
 use crate::material_ratio::abbott_curve;
+
+/// Recipe of a plateau-honed profile.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct PlateauHoned {
+    /// The deep process, which leaves the dales.
+    pub coarse: SelfAffine,
+    /// The fine process, which leaves the plateau; same points and spacing.
+    pub fine: SelfAffine,
+    /// How far the mean of the fine process lies below that of the coarse one.
+    pub depth: Length,
+}
+
+impl PlateauHoned {
+    /// z(x) = min(z₁(x), z₂(x) − d), about its mean                                  `[Plateau-3]`
+    ///
+    /// # Errors
+    /// As [`SelfAffine::generate`], and when the two differ in spacing or number of points.
+    ///
+    /// ```
+    /// use asperity_core::quantity::Length;
+    /// use asperity_roughness::generate::{Achieved, PlateauHoned, SelfAffine};
+    /// let fine = SelfAffine {
+    ///     points: 8192, spacing: Length::from_si(0.5e-6), rq: Length::from_si(0.05e-6), hurst: 0.8,
+    ///     roll_off: Length::from_si(20e-6), short_cut: Length::from_si(5e-6), seed: 1,
+    /// };
+    /// let coarse = SelfAffine { rq: Length::from_si(1e-6), roll_off: Length::from_si(100e-6), seed: 2, ..fine };
+    /// let profile = PlateauHoned { coarse, fine, depth: Length::from_si(0.5e-6) }.generate()?;
+    /// // A flat top over deep dales.
+    /// assert!(Achieved::of(&profile).rsk.unwrap() < -0.5);
+    /// # Ok::<(), asperity_roughness::RoughnessError>(())
+    /// ```
+    pub fn generate(&self) -> Result<Profile, RoughnessError> {
+        let depth = DomainError::finite("depth", self.depth)?;
+        let (coarse, fine) = (self.coarse.generate()?, self.fine.generate()?);
+        let lowered = fine.heights().iter().map(|z| z - depth).collect();
+        let lowered = Profile::new(fine.spacing(), lowered)?;
+        let honed = lower_envelope(&coarse, &lowered)?;
+        let mean = honed.heights().iter().sum::<f64>() / honed.len() as f64;
+        let centred = honed.heights().iter().map(|z| z - mean).collect();
+        Ok(Profile::new(honed.spacing(), centred)?)
+    }
+}
 
 /// z(x) = min(z₁(x), z₂(x))                                                  [Plateau-1]
 ///

@@ -21,6 +21,17 @@ use serde::{Deserialize, Serialize};
 use super::random::Random;
 use super::{check_points, scaled};
 
+/// How the waves of a recipe get their amplitudes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Amplitudes {
+    /// Exactly √C: the spectrum is the recipe's, line by line.
+    #[default]
+    Fixed,
+    /// √C times a Rayleigh number, as a finite piece of a Gaussian surface has them.
+    Random,
+}
+
 /// Recipe of a self-affine profile. The profile is periodic over its length.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
@@ -64,6 +75,14 @@ impl SelfAffine {
     /// # Ok::<(), asperity_core::DomainError>(())
     /// ```
     pub fn generate(&self) -> Result<Profile, DomainError> {
+        self.generate_with(Amplitudes::Fixed)
+    }
+
+    /// As [`generate`](Self::generate), with a choice of amplitudes.
+    ///
+    /// # Errors
+    /// As [`generate`](Self::generate).
+    pub fn generate_with(&self, amplitudes: Amplitudes) -> Result<Profile, DomainError> {
         let n = check_points(self.points)?;
         let dx = DomainError::positive("spacing", self.spacing)?;
         let h = DomainError::require(
@@ -101,7 +120,12 @@ impl SelfAffine {
                 continue;
             }
             let density = (q / q_r).max(1.0).powf(-(1.0 + 2.0 * h));
-            *value = Complex::from_polar(density.sqrt(), phase);
+            let amplitude = match amplitudes {
+                Amplitudes::Fixed => density.sqrt(),
+                // Rayleigh: the size of two normal numbers.
+                Amplitudes::Random => (-density * (1.0 - random.uniform()).ln()).sqrt(),
+            };
+            *value = Complex::from_polar(amplitude, phase);
         }
         let mut heights = plan.make_output_vec();
         let done = plan.process(&mut spectrum, &mut heights);

@@ -190,6 +190,44 @@ pub enum ReadError {
         /// As stated.
         separator: Separator,
     },
+    /// A file that breaks the rules of its own format.
+    #[error("{file}: not a sound {format} file: {what}{}. Export it again, or as text", if seen.is_empty() { String::new() } else { format!(" (\"{seen}\")") })]
+    Damaged {
+        /// Name of the file.
+        file: String,
+        /// Its format.
+        format: Format,
+        /// What is wrong.
+        what: &'static str,
+        /// What was seen, empty when there is nothing to show.
+        seen: String,
+    },
+    /// More bytes than a profile has.
+    #[error(
+        "{file}: {what} has {bytes} bytes, more than the {most} allowed. Export a single profile"
+    )]
+    TooLarge {
+        /// Name of the file.
+        file: String,
+        /// What is too large.
+        what: &'static str,
+        /// Its size.
+        bytes: u64,
+        /// The largest size read.
+        most: u64,
+    },
+    /// Several profiles in one file.
+    #[error("{file}: the file holds {rows} profiles of {points} points{}. Say --row 1 .. {rows}", if *asked == 0 { String::new() } else { format!(", row {asked} is not among them") })]
+    SeveralProfiles {
+        /// Name of the file.
+        file: String,
+        /// Profiles in the file.
+        rows: usize,
+        /// Points of each.
+        points: usize,
+        /// The row asked for, 0 for none.
+        asked: usize,
+    },
     /// Numbers that make no profile: beyond the range of numbers, or no extent.
     #[error(
         "{file}: {what} is {value} {unit}, which no profile has. Check the unit and the columns"
@@ -226,6 +264,9 @@ impl ReadError {
             Self::UnknownUnit { .. } => "E114",
             Self::SeparatorDoesNotFit { .. } => "E115",
             Self::Impossible { .. } => "E116",
+            Self::Damaged { .. } => "E117",
+            Self::TooLarge { .. } => "E118",
+            Self::SeveralProfiles { .. } => "E119",
         }
     }
 }

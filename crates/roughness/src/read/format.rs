@@ -21,6 +21,8 @@ pub enum Format {
     X3p,
     /// A workbook, old or new.
     Excel,
+    /// Mitutoyo SurfTest workbook.
+    MitutoyoXlsx,
     /// Bruker Dektak, binary.
     Opdx,
     /// Wyko and Veeco, binary.
@@ -45,8 +47,14 @@ pub enum Format {
     SdfBinary,
     /// SigmaSurf text.
     SigmaSurf,
-    /// ISO 5436-2 SMD and the Taylor Hobson text profile that grew out of it.
+    /// ISO 5436-2 SMD.
     Smd,
+    /// Taylor Hobson text profile (prf), as NPL writes it too.
+    TaylorHobsonPrf,
+    /// Hommel text profile (hfm).
+    HommelHfm,
+    /// Dektak profile with its meta data as text.
+    DektakCsv,
     /// PTB reference software text.
     PtbPr,
     /// A compressed archive.
@@ -66,6 +74,7 @@ impl std::fmt::Display for Format {
             Self::SurfcomConditions => "Surfcom measuring conditions (tx3)",
             Self::X3p => "X3P (ISO 25178-72)",
             Self::Excel => "Excel workbook",
+            Self::MitutoyoXlsx => "Mitutoyo SurfTest workbook",
             Self::Opdx => "Bruker OPDx",
             Self::Opd => "Wyko OPD",
             Self::Matlab => "MATLAB data (mat)",
@@ -79,6 +88,9 @@ impl std::fmt::Display for Format {
             Self::SdfBinary => "binary SDF (ISO 25178-71)",
             Self::SigmaSurf => "SigmaSurf sig",
             Self::Smd => "SMD (ISO 5436-2)",
+            Self::TaylorHobsonPrf => "Taylor Hobson text profile (prf)",
+            Self::HommelHfm => "Hommel text profile (hfm)",
+            Self::DektakCsv => "Dektak csv",
             Self::PtbPr => "PTB pr",
             Self::Archive => "a compressed archive",
             Self::Document => "a picture or document",
@@ -112,6 +124,9 @@ const MAGIC: &[(&[u8], Format)] = &[
     (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", Format::Excel),
     (b"aISO-", Format::SdfAscii),
     (b"aBCR-", Format::SdfAscii),
+    (b"aBCR ", Format::SdfAscii),
+    (b"aBC-", Format::SdfAscii),
+    (b"aNPL-", Format::SdfAscii),
     (b"bISO-", Format::SdfBinary),
     (b"bBCR-", Format::SdfBinary),
     (b"SigmaSurf_Data", Format::SigmaSurf),
@@ -142,9 +157,12 @@ const EXTENSIONS: &[(&str, Format)] = &[
     ("sdf", Format::SdfBinary),
 ];
 
+/// First bytes of a zip.
+pub(super) const ZIP: &[u8] = b"PK\x03\x04";
+
 /// The format that the first bytes settle, if they do.
 pub(super) fn by_magic(name: &str, bytes: &[u8]) -> Option<Format> {
-    if bytes.starts_with(b"PK\x03\x04") {
+    if bytes.starts_with(ZIP) {
         // A zip names its members in plain text: X3P holds a main.xml, a workbook a folder xl.
         let holds = |member: &[u8]| bytes.windows(member.len()).any(|part| part == member);
         return Some(match by_extension(name) {
@@ -172,27 +190,35 @@ pub(super) fn extension(name: &str) -> String {
     found.map_or_else(String::new, |(_, extension)| extension.to_lowercase())
 }
 
-/// The text format that telling lines near the top settle, if they do.
-pub(super) fn by_lines<'a>(name: &str, lines: impl Iterator<Item = &'a str>) -> Option<Format> {
+/// The text format that telling lines near the top settle, or the name; none for a table.
+pub(super) fn of_text(name: &str, text: &str) -> Option<Format> {
     const LINES_LOOKED_AT: usize = 60;
+    let magic = MAGIC
+        .iter()
+        .find(|(magic, _)| text.as_bytes().starts_with(magic));
+    if let Some(&(_, format @ (Format::SdfAscii | Format::SigmaSurf))) = magic {
+        return Some(format);
+    }
     let (mut cx, mut cz) = (false, false);
-    for line in lines.take(LINES_LOOKED_AT) {
+    for line in text.lines().take(LINES_LOOKED_AT) {
         let line = line.trim();
         if line == "[PROFILE_VALUES]" || line == "[PROFILE_HEADER]" {
             return Some(Format::MahrText);
         }
-        // Record 1 of ISO 5436-2 describes the two axes in lines that start CX and CZ.
+        // Record 1 describes the two axes in lines that start CX and CZ.
         cx |= line.starts_with("CX ");
         cz |= line.starts_with("CZ ");
         if cx && cz {
-            return Some(Format::Smd);
+            return Some(Format::TaylorHobsonPrf);
         }
     }
-    match extension(name).as_str() {
-        "tx3" => Some(Format::SurfcomConditions),
-        "pr" => Some(Format::PtbPr),
-        _ => None,
+    if text.lines().nth(1).is_some_and(super::ptb::recognised) {
+        return Some(Format::PtbPr);
     }
+    if extension(name) == "tx3" {
+        return Some(Format::SurfcomConditions);
+    }
+    super::surfcom::recognised(text).then_some(Format::SurfcomText)
 }
 
 #[cfg(test)]
@@ -215,10 +241,10 @@ mod tests {
 
     #[test]
     fn telling_lines_win_over_the_name() {
-        let mahr = ["[PROFILE_HEADER]", "NAME=a"];
-        assert_eq!(by_lines("a.csv", mahr.into_iter()), Some(Format::MahrText));
-        assert_eq!(by_lines("a.csv", ["0.5", "1"].into_iter()), None);
-        let smd = ["1 2", "a PRF", "CX M 3.0", "CZ M 3.0"];
-        assert_eq!(by_lines("a.prf", smd.into_iter()), Some(Format::Smd));
+        let mahr = "[PROFILE_HEADER]\nNAME=a";
+        assert_eq!(of_text("a.csv", mahr), Some(Format::MahrText));
+        assert_eq!(of_text("a.csv", "0.5\n1"), None);
+        let prf = "1 2\na PRF\nCX M 3.0\nCZ M 3.0";
+        assert_eq!(of_text("a.txt", prf), Some(Format::TaylorHobsonPrf));
     }
 }

@@ -28,6 +28,12 @@ pub enum SpacingSource {
     XColumn,
     /// Stated by the user.
     Stated,
+    /// Written in the header of the file.
+    Header,
+    /// The first line of the file, in um, as NPL text profiles have it.
+    FirstLine,
+    /// Evaluation length of the measuring conditions over the number of points.
+    EvaluationLength,
 }
 
 /// Checks number, order and evenness; the mean spacing in the unit of x, rising x. `None` without x.

@@ -7,10 +7,11 @@ use super::format::extension;
 use super::options::LengthUnit;
 
 /// Whether the heights have been through a roughness filter, as far as the file says.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FilterState {
     /// The file does not say.
+    #[default]
     Unknown,
     /// Primary or unfiltered profile.
     Primary,
@@ -162,6 +163,7 @@ fn unit(text: &str) -> Option<LengthUnit> {
         "millimeter" | "millimeters" | "millimetre" | "millimetres" => Some(LengthUnit::Millimetre),
         "nanometer" | "nanometers" | "nanometre" | "nanometres" => Some(LengthUnit::Nanometre),
         "meter" | "meters" | "metre" | "metres" => Some(LengthUnit::Metre),
+        "å" | "a\u{30a}" => Some(LengthUnit::Angstrom),
         other => other.parse().ok(),
     }
 }

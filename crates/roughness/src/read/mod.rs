@@ -13,18 +13,34 @@
 //!
 //! Reading is linear in the length of the file. This is the only module of the crate that opens files.
 
+mod archive;
+mod delimited;
 mod dialect;
 mod encoding;
 mod error;
 mod format;
 mod grid;
 mod header;
+mod mahr;
+mod metadata;
+mod mitutoyo;
 mod options;
+mod ptb;
+mod sdf;
+mod sigmasurf;
 mod single_column;
+mod smd;
+mod surfcom;
 mod table;
+mod taylor_hobson;
+mod trace;
 mod units;
+mod x3p;
+mod xml;
 
-use std::path::Path;
+use std::borrow::Cow;
+use std::io::Read as _;
+use std::path::{Path, PathBuf};
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
@@ -35,17 +51,29 @@ pub use error::{FirstLine, ReadError, SpacingHint};
 pub use format::Format;
 pub use grid::SpacingSource;
 pub use header::FilterState;
+pub use metadata::{Metadata, PrintedParameter};
 pub use options::{
     Axis, Columns, DecimalSign, Encoding, Gaps, LengthUnit, ReadOptions, Separator, UnknownChoice,
 };
 
 use crate::Warning;
-use crate::height_parameters::extremes;
-use dialect::{Line, Sniffed};
-use header::Label;
-use single_column::Special;
-use table::{Chosen, Row};
-use units::Extent;
+use trace::Trace;
+
+/// Bytes of the largest file read: fifty million points of text.
+const MOST_BYTES: u64 = 4 << 30;
+/// Bytes of the largest file of measuring conditions.
+const MOST_CONDITIONS: u64 = 1 << 20;
+
+/// How a table of text is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct TableLayout {
+    /// What separates the columns.
+    pub separator: Separator,
+    /// The decimal sign.
+    pub decimal: DecimalSign,
+    /// Columns read.
+    pub columns: Columns,
+}
 
 /// A profile with all that was found out about its file. Serialises without the heights, as the echo.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -57,14 +85,10 @@ pub struct Reading {
     pub profile: Profile,
     /// Format of the file.
     pub format: Format,
-    /// Character encoding.
-    pub encoding: Encoding,
-    /// What separates the columns.
-    pub separator: Separator,
-    /// The decimal sign.
-    pub decimal: DecimalSign,
-    /// Columns read.
-    pub columns: Columns,
+    /// Character encoding; none for binary formats.
+    pub encoding: Option<Encoding>,
+    /// How the table is written; none for formats that are no table.
+    pub table: Option<TableLayout>,
     /// Unit of x; none when the spacing was stated and no x column was needed.
     pub x_unit: Option<LengthUnit>,
     /// Unit of the heights in the file.
@@ -81,6 +105,8 @@ pub struct Reading {
     pub points: usize,
     /// Points that were interpolated on request.
     pub gaps_filled: usize,
+    /// What the file says beside the heights.
+    pub metadata: Metadata,
     /// What the user should know.
     pub warnings: Vec<Warning>,
 }
@@ -98,11 +124,48 @@ pub struct Reading {
 /// ```
 pub fn read(path: &Path, options: &ReadOptions) -> Result<Reading, ReadError> {
     let name = path.display().to_string();
-    let bytes = std::fs::read(path).map_err(|source| ReadError::NotReadable {
-        file: name.clone(),
+    let bytes = load(path, &name, MOST_BYTES)?;
+    let conditions = beside(path).and_then(|path| load(&path, &name, MOST_CONDITIONS).ok());
+    read_with_conditions(&name, &bytes, conditions.as_deref(), options)
+}
+
+/// The bytes of a file that is no larger than `most`.
+fn load(path: &Path, name: &str, most: u64) -> Result<Vec<u8>, ReadError> {
+    let unreadable = |source| ReadError::NotReadable {
+        file: name.to_owned(),
         source,
-    })?;
-    read_bytes(&name, &bytes, options)
+    };
+    let file = std::fs::File::open(path).map_err(unreadable)?;
+    let too_large = |bytes| ReadError::TooLarge {
+        file: name.to_owned(),
+        what: "the file",
+        bytes,
+        most,
+    };
+    // Said beforehand by files; a pipe is measured as it comes.
+    let stated = file.metadata().map_or(0, |metadata| metadata.len());
+    if stated > most {
+        return Err(too_large(stated));
+    }
+    let mut bytes = Vec::new();
+    file.take(most + 1)
+        .read_to_end(&mut bytes)
+        .map_err(unreadable)?;
+    if bytes.len() as u64 > most {
+        return Err(too_large(bytes.len() as u64));
+    }
+    Ok(bytes)
+}
+
+/// The measuring conditions that lie beside a Surfcom profile.
+fn beside(path: &Path) -> Option<PathBuf> {
+    let extension = path.extension()?.to_str()?;
+    let conditions = match extension {
+        "tx1" | "tx2" => "tx3",
+        "TX1" | "TX2" => "TX3",
+        _ => return None,
+    };
+    Some(path.with_extension(conditions))
 }
 
 /// Reads the profile in `bytes`, the content of a file called `name`.
@@ -123,299 +186,80 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Reading, ReadError> {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn read_bytes(name: &str, bytes: &[u8], options: &ReadOptions) -> Result<Reading, ReadError> {
+    read_with_conditions(name, bytes, None, options)
+}
+
+/// As [`read_bytes`], with the content of the file of measuring conditions (Surfcom `.tx3`) beside it.
+///
+/// # Errors
+/// As [`read_bytes`].
+///
+/// ```
+/// use asperity_roughness::read::{ReadOptions, read_with_conditions};
+/// let heights: String = (0..200).map(|i| format!("{}.5\n", i % 7)).collect();
+/// let profile = format!("10.00000\n200\n{heights}");
+/// let conditions = "Evaluation length\t0.1000000mm\n";
+/// let options = ReadOptions::default();
+/// let reading = read_with_conditions("a.tx1", profile.as_bytes(), Some(conditions.as_bytes()), &options)?;
+/// assert_eq!(reading.spacing, "0.5 um".parse()?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn read_with_conditions(
+    name: &str,
+    bytes: &[u8],
+    conditions: Option<&[u8]>,
+    options: &ReadOptions,
+) -> Result<Reading, ReadError> {
     let refused = |format| ReadError::FormatNotRead {
         file: name.to_owned(),
         format,
     };
-    if let Some(format) = format::by_magic(name, bytes) {
-        return Err(refused(format));
+    match format::by_magic(name, bytes) {
+        Some(Format::X3p) => return x3p::read(name, bytes, options)?.finish(name, options),
+        Some(Format::Excel) if bytes.starts_with(format::ZIP) => {
+            return mitutoyo::read(name, bytes)?.finish(name, options);
+        }
+        None | Some(Format::SdfAscii | Format::SigmaSurf) => {}
+        Some(format) => return Err(refused(format)),
     }
     let (text, encoding) = encoding::decode(bytes, options.encoding);
     let text = text.trim_end_matches(['\0', '\u{1a}']);
-    if !encoding::is_text(text) {
+    let smd = smd::recognised(bytes);
+    if !smd && !encoding::is_text(text) {
         return Err(refused(
             format::by_extension(name).unwrap_or(Format::UnknownBinary),
         ));
     }
-    let lines = lines(text);
-    if let Some(format) = format::by_lines(name, lines.iter().map(|line| line.text)) {
-        return Err(refused(format));
-    }
-    let sniffed = sniff(name, &lines, options)?;
-    table::check_line_above(name, &lines, &sniffed)?;
-    if options.separator.is_none() && options.columns.is_none() {
-        table::check_commas(name, &lines[sniffed.first..], &sniffed)?;
-    }
-    let (header, _) = lines.split_at(sniffed.first);
-    let labels = header::labels(header, sniffed.dialect, sniffed.columns);
-    let chosen = table::choose(name, sniffed.columns, &labels, options)?;
-    let rows = table::rows(name, &lines, &sniffed, chosen)?;
-    let found = Found {
-        name,
-        lines: &lines,
-        sniffed,
-        labels,
-        chosen,
-        encoding,
-        options,
+    let text = with_newlines(text);
+    let conditions = conditions.map(|bytes| encoding::decode(bytes, options.encoding).0);
+    let format = if smd {
+        Some(Format::Smd)
+    } else {
+        format::of_text(name, &text)
     };
-    found.assemble(rows)
-}
-
-/// Lines that are not blank, numbered as an editor does; a stray CR before CR LF is no line.
-fn lines(text: &str) -> Vec<Line<'_>> {
-    let end = if text.contains('\n') { '\n' } else { '\r' };
-    text.split(end)
-        .enumerate()
-        .map(|(at, line)| Line {
-            number: at + 1,
-            text: line.trim_end_matches('\r'),
-        })
-        .filter(|line| !line.text.trim().is_empty())
-        .collect()
-}
-
-fn sniff(name: &str, lines: &[Line<'_>], options: &ReadOptions) -> Result<Sniffed, ReadError> {
-    let stated = dialect::Stated {
-        separator: options.separator,
-        decimal: options.decimal,
-        columns: options.columns,
+    let found: Trace = match format {
+        Some(Format::Smd) => smd::read(name, &text)?,
+        Some(Format::SdfAscii) => sdf::read(name, &text, options)?,
+        Some(Format::SigmaSurf) => sigmasurf::read(name, &text)?,
+        Some(Format::MahrText) => mahr::read(name, &text)?,
+        Some(Format::TaylorHobsonPrf) => taylor_hobson::read(name, &text)?,
+        Some(Format::PtbPr) => ptb::read(name, &text)?,
+        Some(Format::SurfcomText) => surfcom::read(name, &text, conditions.as_deref(), options)?,
+        Some(format) => return Err(refused(format)),
+        None => return delimited::read(name, &text, encoding, options),
     };
-    if let Some(sniffed) = dialect::sniff(lines, stated) {
-        return Ok(sniffed);
-    }
-    let free = dialect::sniff(
-        lines,
-        dialect::Stated {
-            columns: options.columns,
-            ..Default::default()
-        },
-    );
-    let Some(free) = free else {
-        let first = lines.first().map(|line| table::shortened(line.text));
-        return Err(ReadError::NoData {
-            file: name.to_owned(),
-            lines: lines.len(),
-            first: FirstLine(first),
-        });
+    let found = Trace {
+        encoding: Some(encoding),
+        ..found
     };
-    // The file is a table, but not in the stated dialect: show the first cell that fails.
-    let used = Dialect {
-        separator: options.separator.unwrap_or(free.dialect.separator),
-        decimal: options.decimal.unwrap_or(free.dialect.decimal),
-    };
-    let line = &lines[free.first];
-    let cells = used.cells(line.text);
-    match cells
-        .iter()
-        .find(|cell| used.cell(cell) == dialect::Cell::Other)
-    {
-        Some(cell) => Err(table::unreadable(name, lines, line, cell, used)),
-        None => Err(ReadError::SeparatorDoesNotFit {
-            file: name.to_owned(),
-            separator: used.separator,
-        }),
-    }
+    found.finish(name, options)
 }
 
-/// A file on its way to a [`Reading`].
-struct Found<'a> {
-    name: &'a str,
-    lines: &'a [Line<'a>],
-    sniffed: Sniffed,
-    labels: Vec<Label>,
-    chosen: Chosen,
-    encoding: Encoding,
-    options: &'a ReadOptions,
-}
-
-/// Spacing `[m]` with its origin, and the units.
-struct Measured {
-    spacing: f64,
-    source: SpacingSource,
-    x_unit: Option<LengthUnit>,
-    z_unit: LengthUnit,
-}
-
-impl Found<'_> {
-    fn assemble(self, mut rows: Vec<Row>) -> Result<Reading, ReadError> {
-        let name = self.name;
-        let mut warnings = Vec::new();
-        let table = &self.lines[self.sniffed.first..];
-        let special = match self.chosen.x {
-            None => single_column::interpret(name, &mut rows, table, self.options)?,
-            Some(_) => Special::delimited(),
-        };
-        let column = match self.options.dx {
-            // A stated spacing makes x unnecessary, even an x that would be refused.
-            Some(_) if rows.len() >= grid::FEWEST_POINTS => None,
-            _ => grid::spacing(name, &mut rows, &mut warnings)?,
-        };
-        let text_of = |number: usize| {
-            let line = self.lines.iter().find(|line| line.number == number);
-            line.map_or_else(String::new, |line| table::shortened(line.text))
-        };
-        let (heights, gaps_filled) =
-            grid::heights(name, &rows, self.options.gaps, text_of, &mut warnings)?;
-        let measured = self.measure(&rows, &heights, column, special.unit, &mut warnings)?;
-        let profile = self.profile(&heights, &measured)?;
-        let filter_state = header::filter_state(name, self.header());
-        if filter_state == FilterState::Roughness {
-            warnings.push(Warning::AlreadyFiltered);
-        }
-        Ok(Reading {
-            name: name.to_owned(),
-            format: special.format,
-            encoding: self.encoding,
-            separator: self.sniffed.dialect.separator,
-            decimal: self.sniffed.dialect.decimal,
-            columns: self.chosen.columns(),
-            x_unit: measured.x_unit,
-            z_unit: measured.z_unit,
-            spacing: profile.spacing(),
-            spacing_source: measured.source,
-            length: profile.length(),
-            filter_state,
-            points: profile.len(),
-            gaps_filled,
-            warnings,
-            profile,
-        })
-    }
-
-    fn header(&self) -> &[Line<'_>] {
-        &self.lines[..self.sniffed.first]
-    }
-
-    /// The unit a column has by statement or header.
-    fn unit(&self, axis: Axis, column: usize) -> Result<Option<LengthUnit>, ReadError> {
-        let stated = match axis {
-            Axis::Trace => self.options.x_unit,
-            Axis::Height => self.options.z_unit,
-        };
-        match (
-            stated,
-            self.labels
-                .get(column)
-                .and_then(|label| label.unit.as_ref()),
-        ) {
-            (Some(unit), _) | (None, Some(&header::Stated::Length(unit))) => Ok(Some(unit)),
-            (None, Some(header::Stated::Other(unit))) => Err(ReadError::UnknownUnit {
-                file: self.name.to_owned(),
-                axis,
-                unit: table::shortened(unit),
-            }),
-            (None, None) => Ok(None),
-        }
-    }
-
-    fn no_spacing(&self, hint: SpacingHint) -> ReadError {
-        ReadError::NoSpacing {
-            file: self.name.to_owned(),
-            hint,
-        }
-    }
-
-    fn no_unit(&self, axis: Axis, span: f64) -> ReadError {
-        ReadError::NoUnit {
-            file: self.name.to_owned(),
-            axis,
-            span,
-        }
-    }
-
-    /// Spacing and units: stated, from the header, or the only possible ones.
-    fn measure(
-        &self,
-        rows: &[Row],
-        heights: &[f64],
-        column: Option<f64>,
-        format_unit: Option<LengthUnit>,
-        warnings: &mut Vec<Warning>,
-    ) -> Result<Measured, ReadError> {
-        let (low, high) = extremes(heights);
-        let span = high - low;
-        let z_stated = self.unit(Axis::Height, self.chosen.z)?.or(format_unit);
-        if let Some(dx) = self.options.dx {
-            warnings.extend(self.overridden(rows, dx));
-            let length = dx.si() * (heights.len() - 1) as f64;
-            return self.with_stated_spacing(dx, z_stated, Extent { length, span }, warnings);
-        }
-        let (Some(column), Some(x_column)) = (column, self.chosen.x) else {
-            return Err(self.no_spacing(SpacingHint::None));
-        };
-        let x_stated = self.unit(Axis::Trace, x_column)?;
-        if x_stated.is_none() && grid::counts_points(rows) {
-            return Err(self.no_spacing(SpacingHint::XCounts));
-        }
-        let length = column * (rows.len() - 1) as f64;
-        let extent = Extent { length, span };
-        let found = units::pair(extent, x_stated, z_stated);
-        let (x_unit, z_unit) = found.ok_or_else(|| match z_stated {
-            None => self.no_unit(Axis::Height, span),
-            Some(_) => self.no_unit(Axis::Trace, length),
-        })?;
-        for (axis, stated, unit) in [
-            (Axis::Trace, x_stated, x_unit),
-            (Axis::Height, z_stated, z_unit),
-        ] {
-            if stated.is_none() {
-                warnings.push(Warning::UnitAssumed { axis, unit });
-            }
-        }
-        let (spacing, source) = (x_unit.metres(column), SpacingSource::XColumn);
-        Ok(Measured {
-            spacing,
-            source,
-            x_unit: Some(x_unit),
-            z_unit,
-        })
-    }
-
-    fn with_stated_spacing(
-        &self,
-        dx: Length,
-        z_stated: Option<LengthUnit>,
-        extent: Extent,
-        warnings: &mut Vec<Warning>,
-    ) -> Result<Measured, ReadError> {
-        let z_unit = z_stated.or_else(|| units::heights_only(extent.span, extent.length));
-        let z_unit = z_unit.ok_or_else(|| self.no_unit(Axis::Height, extent.span))?;
-        if z_stated.is_none() {
-            warnings.push(Warning::UnitAssumed {
-                axis: Axis::Height,
-                unit: z_unit,
-            });
-        }
-        let (spacing, source) = (dx.si(), SpacingSource::Stated);
-        Ok(Measured {
-            spacing,
-            source,
-            x_unit: None,
-            z_unit,
-        })
-    }
-
-    /// The warning that a stated spacing differs from what the x column says, where it says anything.
-    fn overridden(&self, rows: &[Row], stated: Length) -> Option<Warning> {
-        const DIFFERS: f64 = 0.01;
-        let unit = self.unit(Axis::Trace, self.chosen.x?).ok().flatten()?;
-        let (first, last) = (rows.first()?.x?, rows.last()?.x?);
-        let column = Length::from_si(unit.metres((last - first).abs() / (rows.len() - 1) as f64));
-        let differs = (column / stated - 1.0).abs() > DIFFERS;
-        differs.then_some(Warning::SpacingOverridden { stated, column })
-    }
-
-    fn profile(&self, heights: &[f64], measured: &Measured) -> Result<Profile, ReadError> {
-        let unit = measured.z_unit;
-        let metres = heights.iter().map(|z| unit.metres(*z)).collect();
-        Profile::new(Length::from_si(measured.spacing), metres).map_err(|error| {
-            ReadError::Impossible {
-                file: self.name.to_owned(),
-                what: error.name,
-                value: error.value,
-                unit: LengthUnit::Metre,
-            }
-        })
+/// The text with LF at the end of its lines, where it has CR alone.
+fn with_newlines(text: &str) -> Cow<'_, str> {
+    if text.contains('\n') || !text.contains('\r') {
+        Cow::Borrowed(text)
+    } else {
+        Cow::Owned(text.replace('\r', "\n"))
     }
 }

@@ -33,6 +33,8 @@ pub struct ReadOptions {
     pub encoding: Option<Encoding>,
     /// What to do about missing points.
     pub gaps: Gaps,
+    /// Which profile of a file that holds several, counted from 1.
+    pub row: Option<usize>,
 }
 
 /// Text that names none of the choices.
@@ -83,9 +85,12 @@ pub enum LengthUnit {
     /// 10⁻⁹ m.
     #[serde(rename = "nm")]
     Nanometre,
+    /// 10⁻¹⁰ m.
+    #[serde(rename = "angstrom")]
+    Angstrom,
 }
 
-choice!(LengthUnit, "m, mm, um, nm": Metre "m", Millimetre "mm", Micrometre "um", Nanometre "nm");
+choice!(LengthUnit, "m, mm, um, nm, angstrom": Metre "m", Millimetre "mm", Micrometre "um", Nanometre "nm", Angstrom "angstrom");
 
 impl LengthUnit {
     /// This many of the unit make one metre: the exact way to convert is to divide by it.
@@ -95,6 +100,7 @@ impl LengthUnit {
             Self::Millimetre => 1e3,
             Self::Micrometre => 1e6,
             Self::Nanometre => 1e9,
+            Self::Angstrom => 1e10,
         }
     }
 

@@ -1,13 +1,7 @@
-//! One column of heights under header numbers: NPL and Surfcom text profiles.
+//! One column of heights under a header number: NPL text profiles.
 //!
-//! Both start with numbers that are no heights. NPL text gives the spacing in um on line 1. Surfcom
-//! gives the nominal length in mm on line 1 and the number of points on line 2; the nominal length
-//! also stands there when the trace was aborted, so no spacing is derived from it.
-//!
-//! A first line that is a header number is told by its decimals: instruments write all heights with
-//! the same number of them.
-
-use asperity_core::quantity::Length;
+//! NPL text gives the spacing in um on line 1. A first line that is such a number is told by its decimals:
+//! instruments write all heights with the same number of them.
 
 use super::ReadOptions;
 use super::dialect::Line;
@@ -16,11 +10,14 @@ use super::format::Format;
 use super::grid;
 use super::options::LengthUnit;
 use super::table::Row;
+use crate::Warning;
 
 /// What a file turned out to be, and the unit its format prescribes for heights.
 pub(super) struct Special {
     pub format: Format,
     pub unit: Option<LengthUnit>,
+    /// Spacing [m] that the file gives in its own way.
+    pub spacing: Option<f64>,
 }
 
 impl Special {
@@ -29,6 +26,7 @@ impl Special {
         Self {
             format: Format::DelimitedText,
             unit: None,
+            spacing: None,
         }
     }
 }
@@ -39,26 +37,15 @@ pub(super) fn interpret(
     rows: &mut Vec<Row>,
     table: &[Line<'_>],
     options: &ReadOptions,
+    warnings: &mut Vec<Warning>,
 ) -> Result<Special, ReadError> {
-    let (Some(first), Some(second)) = (rows.first().copied(), rows.get(1).copied()) else {
+    let Some(first) = rows.first().copied() else {
         return Ok(Special::delimited());
     };
     let no_spacing = |hint| ReadError::NoSpacing {
         file: file.to_owned(),
         hint,
     };
-    let points = rows.len() - 2;
-    if let (Some(length), true) = (first.z, second.z == Some(points as f64)) {
-        let length = Length::from_si(LengthUnit::Millimetre.metres(length));
-        options
-            .dx
-            .ok_or_else(|| no_spacing(SpacingHint::NominalLength { length, points }))?;
-        rows.drain(..2);
-        return Ok(Special {
-            format: Format::SurfcomText,
-            unit: Some(LengthUnit::Micrometre),
-        });
-    }
     if rows.len() < grid::FEWEST_POINTS {
         return Ok(Special::delimited());
     }
@@ -71,10 +58,27 @@ pub(super) fn interpret(
             Ok(Special {
                 format: Format::NplText,
                 unit: Some(LengthUnit::Micrometre),
+                spacing: None,
+            })
+        }
+        (None, Some(value)) if plausible(value, rows.len()) => {
+            rows.remove(0);
+            warnings.push(Warning::SpacingFromFirstLine { value });
+            Ok(Special {
+                format: Format::NplText,
+                unit: Some(LengthUnit::Micrometre),
+                spacing: Some(LengthUnit::Micrometre.metres(value)),
             })
         }
         (_, Some(value)) => Err(no_spacing(SpacingHint::FirstLine(value))),
     }
+}
+
+/// Whether a number is the spacing of a trace in um, as styluses and NPL's softgauges have them.
+fn plausible(value: f64, points: usize) -> bool {
+    const SPACINGS: std::ops::RangeInclusive<f64> = 0.005..=20.0;
+    const LENGTHS: std::ops::RangeInclusive<f64> = 25.0..=200_000.0;
+    SPACINGS.contains(&value) && LENGTHS.contains(&(value * points as f64))
 }
 
 /// Equal to the four digits a header may have.

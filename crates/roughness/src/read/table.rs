@@ -70,7 +70,7 @@ pub(super) fn choose(
             _ => None,
         });
     let z = z.ok_or_else(unclear)?;
-    let x = with(Role::X).or_else(|| (count == 2).then_some(1 - z).filter(free));
+    let x = with(Role::X).or_else(|| (count == 2).then(|| 1 - z).filter(free));
     if x.is_none() && count > 2 && options.dx.is_none() {
         return Err(unclear());
     }

@@ -1,0 +1,201 @@
+//! Arguments of `asperity profile`.
+
+use std::path::PathBuf;
+
+use asperity_core::quantity::Length;
+use asperity_roughness::form::Form;
+use asperity_roughness::gaussian_filter::Ends;
+use asperity_roughness::read::{Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator};
+use clap::{Args, Subcommand, ValueEnum};
+
+use super::{choice, cutoff};
+
+/// What to do with a profile.
+#[derive(Debug, Subcommand)]
+pub enum ProfileCommand {
+    /// Format, units, spacing, and roughness parameters of profile files
+    Info(ProfileInfoArgs),
+    /// Profile, filtered profile, material ratio curve with its Rk construction, and spectrum as SVG
+    Plot(ProfilePlotArgs),
+    /// Any readable format to CSV, X3P or SMD, heights to the last bit
+    #[command(after_help = "Example:\n  asperity profile convert flank.x3p flank.csv")]
+    Convert(ProfileConvertArgs),
+    /// Form and waviness off, the roughness profile into a file
+    Filter(ProfileFilterArgs),
+    /// A synthetic profile from a recipe, with what it achieved
+    Generate(ProfileGenerateArgs),
+    /// The parameters of several profiles beside each other, relative to the first
+    Compare(ProfileInfoArgs),
+}
+
+/// One profile and its picture.
+#[derive(Debug, Args)]
+pub struct ProfilePlotArgs {
+    /// Profile file
+    pub file: PathBuf,
+    /// SVG file to write [default: the name of the profile with .svg]
+    #[arg(long, short)]
+    pub output: Option<PathBuf>,
+    /// How it is prepared.
+    #[command(flatten)]
+    pub preparing: PreparingArgs,
+    /// How it is read.
+    #[command(flatten)]
+    pub reading: ReadingArgs,
+}
+
+/// One profile into another format.
+#[derive(Debug, Args)]
+pub struct ProfileConvertArgs {
+    /// Profile file
+    pub file: PathBuf,
+    /// File to write; its extension (csv, x3p, smd) chooses the format
+    pub output: PathBuf,
+    /// Resample linearly to this spacing
+    #[arg(long, value_name = "DX")]
+    pub resample: Option<Length>,
+    /// Replace spikes of up to six points farther than K robust deviations from the running median
+    #[arg(long, value_name = "K")]
+    pub outliers: Option<f64>,
+    /// How it is read.
+    #[command(flatten)]
+    pub reading: ReadingArgs,
+}
+
+/// One profile through form removal and filters.
+#[derive(Debug, Args)]
+pub struct ProfileFilterArgs {
+    /// Profile file
+    pub file: PathBuf,
+    /// File to write; its extension (csv, x3p, smd) chooses the format
+    pub output: PathBuf,
+    /// Which profile is written
+    #[arg(long, value_enum, default_value = "roughness")]
+    pub part: ProfilePart,
+    /// How it is prepared.
+    #[command(flatten)]
+    pub preparing: PreparingArgs,
+    /// How it is read.
+    #[command(flatten)]
+    pub reading: ReadingArgs,
+}
+
+/// Into what the filters part a trace.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ProfilePart {
+    /// R: what lambda_c leaves of P
+    Roughness,
+    /// W: what lambda_c takes off P
+    Waviness,
+    /// P: without form and without waves below lambda_s
+    Primary,
+}
+
+/// A recipe and where its profile goes.
+#[derive(Debug, Args)]
+pub struct ProfileGenerateArgs {
+    /// Recipe, JSON; without it a self-affine profile from the options below
+    #[arg(long)]
+    pub recipe: Option<PathBuf>,
+    /// File to write; its extension (csv, x3p, smd) chooses the format
+    #[arg(long, short)]
+    pub output: PathBuf,
+    /// Number of points
+    #[arg(long, default_value_t = 11_201)]
+    pub points: usize,
+    /// Spacing
+    #[arg(long, default_value = "0.5 um")]
+    pub spacing: Length,
+    /// Root mean square height
+    #[arg(long, default_value = "0.3 um")]
+    pub rq: Length,
+    /// Hurst exponent
+    #[arg(long, default_value_t = 0.8)]
+    pub hurst: f64,
+    /// Wavelength above which the spectrum is flat
+    #[arg(long, default_value = "100 um")]
+    pub roll_off: Length,
+    /// Wavelength below which there is nothing
+    #[arg(long, default_value = "5 um")]
+    pub short_cut: Length,
+    /// Seed
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+}
+
+/// Profiles and how to read and prepare them.
+#[derive(Debug, Args)]
+pub struct ProfileInfoArgs {
+    /// Profile files
+    #[arg(required = true)]
+    pub files: Vec<PathBuf>,
+    /// How they are prepared.
+    #[command(flatten)]
+    pub preparing: PreparingArgs,
+    /// How the file is read.
+    #[command(flatten)]
+    pub reading: ReadingArgs,
+}
+
+/// Form removal, filters and sections.
+#[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "Preparing the profile")]
+pub struct PreparingArgs {
+    /// Take the heights as they are: no form removal, no filter
+    #[arg(long)]
+    pub as_is: bool,
+    /// Remove a straight line only, no filter
+    #[arg(long, conflicts_with = "as_is")]
+    pub level: bool,
+    /// Form removed: none, level, poly2
+    #[arg(long, value_parser = choice::<Form>)]
+    pub form: Option<Form>,
+    /// Cut-off lambda_c, or none [default: 0.8 mm]
+    #[arg(long, value_parser = cutoff, allow_hyphen_values = true)]
+    pub lambda_c: Option<Length>,
+    /// Cut-off lambda_s, or none [default: 2.5 um]
+    #[arg(long, value_parser = cutoff, allow_hyphen_values = true)]
+    pub lambda_s: Option<Length>,
+    /// What the filter does at the ends: cut, reg0, reg1, reflect
+    #[arg(long, value_parser = choice::<Ends>)]
+    pub ends: Option<Ends>,
+    /// Use the robust Gaussian filter for lambda_c, for damaged flanks
+    #[arg(long)]
+    pub robust: bool,
+    /// Number of sections [default: whole cut-offs in the evaluation length; five without filter]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub sections: Option<u16>,
+}
+
+/// What the file does not say; an option wins over what the file seems to say.
+#[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "Reading the file")]
+pub struct ReadingArgs {
+    /// Unit of the positions: um, mm, nm, m
+    #[arg(long)]
+    pub x_unit: Option<LengthUnit>,
+    /// Unit of the heights: um, mm, nm, m
+    #[arg(long)]
+    pub z_unit: Option<LengthUnit>,
+    /// Spacing of the points, as "0.5 um"
+    #[arg(long, allow_hyphen_values = true)]
+    pub dx: Option<Length>,
+    /// Columns of position and height, counted from 1: "1,2", or the height alone: "2"
+    #[arg(long)]
+    pub columns: Option<Columns>,
+    /// Decimal sign: point or comma
+    #[arg(long)]
+    pub decimal: Option<DecimalSign>,
+    /// Column separator: comma, semicolon, tab, blank, none
+    #[arg(long)]
+    pub separator: Option<Separator>,
+    /// Text encoding: utf-8, utf-16le, utf-16be, windows-1252
+    #[arg(long)]
+    pub encoding: Option<Encoding>,
+    /// Missing points: refuse or interpolate
+    #[arg(long)]
+    pub gaps: Option<Gaps>,
+    /// Which profile of a file that holds several, from 1
+    #[arg(long)]
+    pub row: Option<usize>,
+}

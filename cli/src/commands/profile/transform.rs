@@ -1,0 +1,165 @@
+//! `asperity profile convert`, `filter` and `generate`: a profile into a file.
+
+use asperity_roughness::composite::resampled;
+use asperity_roughness::generate::{Recipe, SelfAffine, Surface};
+use asperity_roughness::outliers::{Outliers, replace};
+use asperity_roughness::preparation::profiles;
+use asperity_roughness::read::Metadata;
+use serde_json::json;
+
+use super::{filter as filter_of, opened, recipe, refusal, save, um};
+use crate::args::{
+    Common, ProfileConvertArgs, ProfileFilterArgs, ProfileGenerateArgs, ProfilePart,
+};
+use crate::failure::Failure;
+use crate::output::{print_json, print_text};
+
+/// Points on either side in the running median of `--outliers`.
+const HALF_WINDOW: usize = 6;
+
+/// `asperity profile convert`
+pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure> {
+    let reading = opened(&args.file, &args.reading)?;
+    let mut profile = reading.profile.clone();
+    let mut outliers = None;
+    if let Some(deviations) = args.outliers {
+        let rule = Outliers {
+            deviations,
+            half_window: HALF_WINDOW,
+        };
+        let (cleaned, record) = replace(&profile, rule).map_err(|e| refusal(&args.file, &e))?;
+        profile = cleaned;
+        outliers = Some(record);
+    }
+    if let Some(dx) = args.resample {
+        profile = resampled(&profile, dx).map_err(|e| refusal(&args.file, &e.into()))?;
+    }
+    save(&args.output, &profile, &reading.metadata)?;
+    let (output, n) = (args.output.display().to_string(), profile.len());
+    if common.json {
+        return print_json(&json!({
+            "reading": reading, "output": output, "n": n, "dx_um": um(profile.spacing()),
+            "resampled_from_um": args.resample.map(|_| um(reading.spacing)), "outliers": outliers,
+        }));
+    }
+    let mut text = format!(
+        "{} ({}, {} points) -> {output}, {n} points\n",
+        reading.name, reading.format, reading.points
+    );
+    if let Some(record) = outliers {
+        text += &format!(
+            "  {} outliers replaced (longest run {}, farthest {:.3} um)\n",
+            record.replaced,
+            record.longest,
+            um(record.farthest)
+        );
+    }
+    if args.resample.is_some() {
+        text += &format!("  resampled from {} by straight lines\n", reading.spacing);
+    }
+    for warning in &reading.warnings {
+        text += &format!("  {} {warning}\n", warning.code());
+    }
+    print_text(common, &text)
+}
+
+/// `asperity profile filter`
+pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> {
+    let reading = opened(&args.file, &args.reading)?;
+    let recipe = recipe(&args.preparing);
+    let parts = profiles(&reading.profile, &recipe, filter_of(&args.preparing))
+        .map_err(|error| refusal(&args.file, &error))?;
+    let profile = match args.part {
+        ProfilePart::Roughness => &parts.roughness.profile,
+        ProfilePart::Primary => &parts.primary,
+        ProfilePart::Waviness => parts.waviness.as_ref().ok_or_else(|| {
+            let text = format!(
+                "{}: there is no waviness without lambda_c",
+                args.file.display()
+            );
+            Failure::new("E205", text)
+        })?,
+    };
+    save(&args.output, profile, &reading.metadata)?;
+    let record = &parts.roughness.record;
+    let output = args.output.display().to_string();
+    if common.json {
+        let n = profile.len();
+        return print_json(
+            &json!({ "reading": reading, "preparation": record, "output": output, "n": n }),
+        );
+    }
+    let robust = record.robust.map_or(String::new(), |robust| {
+        format!(
+            ", {} iterations, {:.2} % ignored",
+            robust.iterations,
+            100.0 * robust.ignored
+        )
+    });
+    let text = format!(
+        "{} -> {output}: {} of {} points{robust}\n",
+        reading.name,
+        profile.len(),
+        reading.points
+    );
+    print_text(common, &text)
+}
+
+/// `asperity profile generate`
+pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failure> {
+    let recipe = match &args.recipe {
+        None => Recipe::of(Surface::SelfAffine(SelfAffine {
+            points: args.points,
+            spacing: args.spacing,
+            rq: args.rq,
+            hurst: args.hurst,
+            roll_off: args.roll_off,
+            short_cut: args.short_cut,
+            seed: args.seed,
+        })),
+        Some(path) => {
+            let name = path.display();
+            let text = std::fs::read_to_string(path).map_err(|error| {
+                Failure::new("E103", format!("{name}: cannot be read: {error}"))
+            })?;
+            serde_json::from_str(&text)
+                .map_err(|error| Failure::new("E204", format!("{name}: no recipe: {error}")))?
+        }
+    };
+    let made = recipe
+        .generate()
+        .map_err(|error| Failure::new("E209", error.to_string()))?;
+    let metadata = Metadata {
+        title: Some(format!("synthetic, seed {}", seed(&recipe))),
+        instrument: Some("asperity profile generate".to_owned()),
+        ..Metadata::default()
+    };
+    save(&args.output, &made.profile, &metadata)?;
+    let output = args.output.display().to_string();
+    if common.json {
+        let achieved = made.achieved;
+        return print_json(&json!({ "recipe": recipe, "achieved": achieved, "output": output }));
+    }
+    let a = made.achieved;
+    let number = |value: Option<f64>| value.map_or("none".to_owned(), |v| format!("{v:.3}"));
+    let text = format!(
+        "{output}: {} points, achieved Ra {:.4} Rq {:.4} Rt {:.4} um Rsk {} Rku {} Rdq {}\n",
+        made.profile.len(),
+        um(a.ra),
+        um(a.rq),
+        um(a.rt),
+        number(a.rsk),
+        number(a.rku),
+        number(a.rdq)
+    );
+    print_text(common, &text)
+}
+
+fn seed(recipe: &Recipe) -> u64 {
+    match recipe.surface {
+        Surface::SelfAffine(recipe) => recipe.seed,
+        Surface::NonGaussian(recipe) => recipe.spectrum.seed,
+        Surface::PlateauHoned(recipe) => recipe.fine.seed,
+        Surface::Ground(recipe) => recipe.seed,
+    }
+}

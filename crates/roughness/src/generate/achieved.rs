@@ -1,0 +1,82 @@
+//! What a generated profile turned out to be.
+
+use asperity_core::Profile;
+use asperity_core::quantity::Length;
+use serde::Serialize;
+
+use crate::spectral;
+
+/// A profile with what it achieved.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Generated {
+    /// The profile.
+    #[serde(skip)]
+    pub profile: Profile,
+    /// Its parameters.
+    pub achieved: Achieved,
+}
+
+impl Generated {
+    /// A profile measured over its whole length.
+    pub fn new(profile: Profile) -> Self {
+        let achieved = Achieved::of(&profile);
+        Self { profile, achieved }
+    }
+}
+
+/// Parameters of a generated profile over its whole length, about its mean.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Achieved {
+    /// Arithmetic mean height.
+    pub ra: Length,
+    /// Root mean square height.
+    pub rq: Length,
+    /// Skewness; none for a flat profile.
+    pub rsk: Option<f64>,
+    /// Kurtosis; none for a flat profile.
+    pub rku: Option<f64>,
+    /// Highest minus lowest.
+    pub rt: Length,
+    /// Root mean square slope; none below seven points.
+    pub rdq: Option<f64>,
+    /// Root mean square of the differences between the amplitudes and those asked for, over those asked for.
+    pub spectrum_error: Option<f64>,
+    /// Iterations of a recipe that iterates.
+    pub iterations: Option<usize>,
+}
+
+impl Achieved {
+    /// The parameters of `profile`.
+    ///
+    /// ```
+    /// use asperity_core::{Profile, quantity::Length};
+    /// use asperity_roughness::generate::Achieved;
+    /// let heights = (0..100).map(|i| if i % 2 == 0 { 1e-6 } else { -1e-6 }).collect();
+    /// let found = Achieved::of(&Profile::new(Length::from_si(1e-6), heights)?);
+    /// assert!((found.rq.si() - 1e-6).abs() < 1e-18);
+    /// assert!((found.rku.unwrap() - 1.0).abs() < 1e-12);
+    /// # Ok::<(), asperity_core::DomainError>(())
+    /// ```
+    pub fn of(profile: &Profile) -> Self {
+        let z = profile.heights();
+        let n = z.len() as f64;
+        let mean = z.iter().sum::<f64>() / n;
+        let moment = |power: i32| z.iter().map(|z| (z - mean).powi(power)).sum::<f64>() / n;
+        let rq = moment(2).sqrt();
+        let shape = |power: i32| Some(moment(power) / rq.powi(power)).filter(|v| v.is_finite());
+        let (low, high) = crate::height_parameters::extremes(z);
+        let slope = spectral::moments(profile)
+            .ok()
+            .map(|moments| moments.m2.sqrt());
+        Self {
+            ra: Length::from_si(z.iter().map(|z| (z - mean).abs()).sum::<f64>() / n),
+            rq: Length::from_si(rq),
+            rsk: shape(3),
+            rku: shape(4),
+            rt: Length::from_si(high - low),
+            rdq: slope,
+            spectrum_error: None,
+            iterations: None,
+        }
+    }
+}

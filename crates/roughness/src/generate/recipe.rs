@@ -1,0 +1,97 @@
+//! All recipes under one name, so that a file can hold any of them.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{
+    Amplitudes, Generated, Ground, NonGaussian, Pits, PlateauHoned, Scratches, SelfAffine,
+};
+use crate::RoughnessError;
+
+/// A surface to generate.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Surface {
+    /// Self-affine with roll-off and cut-offs.
+    SelfAffine(SelfAffine),
+    /// Given spectrum and distribution of heights.
+    NonGaussian(NonGaussian),
+    /// A fine process over a coarse one.
+    PlateauHoned(PlateauHoned),
+    /// Traced across a grinding lay.
+    Ground(Ground),
+}
+
+/// A surface with what is done to it, in this order.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Recipe {
+    /// The surface.
+    pub surface: Surface,
+    /// Amplitudes of a self-affine surface.
+    #[serde(default)]
+    pub amplitudes: Amplitudes,
+    /// Pits or micropitting added.
+    #[serde(default)]
+    pub pits: Option<Pits>,
+    /// Scratches added.
+    #[serde(default)]
+    pub scratches: Option<Scratches>,
+    /// Whether the result is run from its other end.
+    #[serde(default)]
+    pub mirrored: bool,
+}
+
+impl Recipe {
+    /// A surface and nothing else.
+    pub fn of(surface: Surface) -> Self {
+        Self {
+            surface,
+            amplitudes: Amplitudes::default(),
+            pits: None,
+            scratches: None,
+            mirrored: false,
+        }
+    }
+
+    /// The profile with what it achieved.
+    ///
+    /// # Errors
+    /// When the recipe has a number outside its domain.
+    ///
+    /// ```
+    /// use asperity_core::quantity::Length;
+    /// use asperity_roughness::generate::{Recipe, SelfAffine, Surface};
+    /// let spectrum = SelfAffine {
+    ///     points: 4096, spacing: Length::from_si(0.5e-6), rq: Length::from_si(0.3e-6), hurst: 0.8,
+    ///     roll_off: Length::from_si(100e-6), short_cut: Length::from_si(5e-6), seed: 7,
+    /// };
+    /// let found = Recipe::of(Surface::SelfAffine(spectrum)).generate()?;
+    /// assert!((found.achieved.rq.si() - 0.3e-6).abs() < 1e-18);
+    /// # Ok::<(), asperity_roughness::RoughnessError>(())
+    /// ```
+    pub fn generate(&self) -> Result<Generated, RoughnessError> {
+        let made = match self.surface {
+            Surface::SelfAffine(recipe) => Generated::new(recipe.generate_with(self.amplitudes)?),
+            Surface::NonGaussian(recipe) => recipe.generate()?,
+            Surface::PlateauHoned(recipe) => Generated::new(recipe.generate()?),
+            Surface::Ground(recipe) => Generated::new(recipe.generate()?),
+        };
+        let mut profile = made.profile;
+        if let Some(pits) = self.pits {
+            profile = pits.add_to(&profile)?;
+        }
+        if let Some(scratches) = self.scratches {
+            profile = scratches.add_to(&profile)?;
+        }
+        if self.mirrored {
+            profile = profile.mirrored();
+        }
+        let achieved = super::Achieved {
+            spectrum_error: made.achieved.spectrum_error,
+            iterations: made.achieved.iterations,
+            ..super::Achieved::of(&profile)
+        };
+        Ok(Generated { profile, achieved })
+    }
+}

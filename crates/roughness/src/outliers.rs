@@ -1,0 +1,148 @@
+//! Spikes that are no surface, replaced when asked for and recorded.
+//!
+//! Source: Hampel 1974 (distance from a running median in median deviations).
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | z̃ᵢ | median over ±w points | m |
+//! | d | 1.4826 · median of \|z − z̃ᵢ\| over the same points, a robust standard deviation | m |
+//!
+//! d is not taken below its median over the profile, so that a flat spot is no trap. Dust and lost light make spikes of a few points. A pit or scratch is wider than the window, moves
+//! the median with it, and stays. Towards the ends the window narrows evenly; the outermost points have
+//! none and stay.
+
+use asperity_core::quantity::Length;
+use asperity_core::{DomainError, Profile};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::RoughnessError;
+
+/// Median deviation of normal heights over their standard deviation, inverted.
+const NORMAL: f64 = 1.4826;
+/// Widest window; the running median costs points times window.
+const WIDEST: usize = 1000;
+
+/// Which points count as outliers.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Outliers {
+    /// Distance from the running median in robust standard deviations beyond which a point is replaced.
+    pub deviations: f64,
+    /// Points on either side in the running median; spikes up to this wide are found.
+    pub half_window: usize,
+}
+
+/// What was replaced.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct OutlierRecord {
+    /// The rule.
+    pub rule: Outliers,
+    /// Points replaced.
+    pub replaced: usize,
+    /// Longest run of them.
+    pub longest: usize,
+    /// Largest distance of a replaced point from the running median.
+    pub farthest: Length,
+    /// Least distance at which a point was replaced.
+    pub threshold: Length,
+}
+
+/// zᵢ ← linear between its neighbours, where |zᵢ − z̃ᵢ| > k d                     `[Outlier-1]`
+///
+/// # Errors
+/// When the rule is not positive or its window wider than the profile.
+///
+/// ```
+/// use asperity_core::{Profile, quantity::Length};
+/// use asperity_roughness::outliers::{Outliers, replace};
+/// let mut z: Vec<f64> = (0..1000).map(|i| 1e-7 * (0.05 * f64::from(i)).sin() + 2e-9 * f64::from(7919 * i % 13)).collect();
+/// z[500] = 20e-6;
+/// let profile = Profile::new(Length::from_si(1e-6), z)?;
+/// let (cleaned, record) = replace(&profile, Outliers { deviations: 6.0, half_window: 5 })?;
+/// assert_eq!((record.replaced, record.longest), (1, 1));
+/// assert!((cleaned.heights()[500] - 1e-7 * 25f64.sin()).abs() < 30e-9);
+/// # Ok::<(), asperity_roughness::RoughnessError>(())
+/// ```
+pub fn replace(
+    profile: &Profile,
+    rule: Outliers,
+) -> Result<(Profile, OutlierRecord), RoughnessError> {
+    let z = profile.heights();
+    let k = rule.deviations;
+    DomainError::require(
+        k > 0.0 && k.is_finite(),
+        "deviations",
+        k,
+        "-",
+        "must be positive",
+    )?;
+    let w = rule.half_window;
+    DomainError::require(
+        (1..=WIDEST).contains(&w) && 2 * w < z.len(),
+        "half window",
+        w as f64,
+        "points",
+        "must lie between 1 and 1000 and fit into the profile",
+    )?;
+    let (distances, deviations) = distances(z, w);
+    let floor = median(&mut deviations.clone());
+    let threshold = |i: usize| k * NORMAL * deviations[i].max(floor);
+    let outlier = |i: usize| distances[i] > threshold(i);
+    let (mut cleaned, mut longest, mut replaced) = (z.to_vec(), 0, 0);
+    let mut start = 0;
+    while start < z.len() {
+        if !outlier(start) {
+            start += 1;
+            continue;
+        }
+        let length = (start..z.len()).take_while(|&i| outlier(i)).count();
+        bridge(&mut cleaned, start, length);
+        replaced += length;
+        longest = longest.max(length);
+        start += length;
+    }
+    let far = (0..z.len()).filter(|&i| outlier(i)).map(|i| distances[i]);
+    let record = OutlierRecord {
+        rule,
+        replaced,
+        longest,
+        farthest: Length::from_si(far.fold(0.0, f64::max)),
+        threshold: Length::from_si(k * NORMAL * floor),
+    };
+    Ok((Profile::new(profile.spacing(), cleaned)?, record))
+}
+
+/// Distance of every point from its running median, and the median distance of its window from it.
+fn distances(z: &[f64], half_window: usize) -> (Vec<f64>, Vec<f64>) {
+    let mut window = Vec::with_capacity(2 * half_window + 1);
+    (0..z.len())
+        .map(|i| {
+            window.clear();
+            // A one-sided window would take a slope at the ends for spikes.
+            let w = half_window.min(i).min(z.len() - 1 - i);
+            window.extend_from_slice(&z[i - w..=i + w]);
+            let middle = median(&mut window);
+            window.iter_mut().for_each(|z| *z = (*z - middle).abs());
+            ((z[i] - middle).abs(), median(&mut window))
+        })
+        .unzip()
+}
+
+/// A straight line over `length` points from `start`; level at an end of the profile.
+fn bridge(z: &mut [f64], start: usize, length: usize) {
+    let before = start.checked_sub(1).map(|at| z[at]);
+    let after = z.get(start + length).copied();
+    let (Some(from), Some(to)) = (before.or(after), after.or(before)) else {
+        return;
+    };
+    for (step, z) in z[start..start + length].iter_mut().enumerate() {
+        *z = from + (to - from) * (step + 1) as f64 / (length + 1) as f64;
+    }
+}
+
+/// The middle value, of an even number the upper one of the two.
+fn median(values: &mut [f64]) -> f64 {
+    let middle = values.len() / 2;
+    *values.select_nth_unstable_by(middle, f64::total_cmp).1
+}

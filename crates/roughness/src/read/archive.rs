@@ -1,0 +1,133 @@
+//! Members of zip files, with a bound on what they may unpack to.
+//!
+//! A zip of some kilobytes can unpack to gigabytes. Members are streamed, never unpacked as a whole,
+//! and refused beyond a size that grows with their packed size: heights pack to a tenth or so, and a
+//! flat trace to a hundredth.
+
+use std::io::{Cursor, Read};
+
+use zip::ZipArchive;
+
+use super::error::ReadError;
+use super::format::Format;
+
+/// Bytes any member may unpack to.
+const FREE: u64 = 16 << 20;
+/// Times its packed size that a larger member may unpack to.
+const RATIO: u64 = 200;
+/// Bytes no member may exceed: 10⁸ heights.
+const MOST: u64 = 1 << 30;
+/// Members an archive may have; X3P has four, a workbook some dozens.
+const MOST_MEMBERS: usize = 10_000;
+
+/// An opened zip file.
+pub(super) struct Archive<'a> {
+    file: &'a str,
+    format: Format,
+    zip: ZipArchive<Cursor<&'a [u8]>>,
+    names: Vec<String>,
+    size: u64,
+}
+
+impl<'a> Archive<'a> {
+    pub(super) fn open(file: &'a str, format: Format, bytes: &'a [u8]) -> Result<Self, ReadError> {
+        let damaged = || damaged(file, format, "the zip directory cannot be read", "");
+        let zip = ZipArchive::new(Cursor::new(bytes)).map_err(|_| damaged())?;
+        if zip.len() > MOST_MEMBERS {
+            return Err(damaged());
+        }
+        let names = zip
+            .file_names()
+            .map(|name| name.map_or_else(|_| String::new(), |name| name.replace('\\', "/")))
+            .collect();
+        Ok(Self {
+            file,
+            format,
+            zip,
+            names,
+            size: bytes.len() as u64,
+        })
+    }
+
+    /// Full name of the member called `name` (without its folder) that lies least deep.
+    pub(super) fn find(&self, name: &str) -> Option<String> {
+        let called = |full: &&String| {
+            let last = full.rsplit('/').next().unwrap_or_default();
+            last.eq_ignore_ascii_case(name)
+        };
+        let found = self.names.iter().filter(called);
+        found.min_by_key(|full| full.matches('/').count()).cloned()
+    }
+
+    /// Whether there is a member of this full name.
+    pub(super) fn holds(&self, full: &str) -> bool {
+        self.names.iter().any(|name| name == full)
+    }
+
+    /// Hands the content of a member to `read`, which sees at most the bytes allowed.
+    pub(super) fn read<T>(
+        &mut self,
+        full: &str,
+        read: impl FnOnce(&mut Bounded<'_>) -> Result<T, ReadError>,
+    ) -> Result<T, ReadError> {
+        let missing = || damaged(self.file, self.format, "a member is missing", full);
+        let at = self.names.iter().position(|name| name == full);
+        let at = at.ok_or_else(missing)?;
+        let unreadable = |_| damaged(self.file, self.format, "a member cannot be unpacked", full);
+        let member = self.zip.by_index(at).map_err(unreadable)?;
+        let packed = member.compressed_size().min(self.size);
+        let limit = FREE.max(packed.saturating_mul(RATIO)).min(MOST);
+        if member.size() > limit {
+            return Err(ReadError::TooLarge {
+                file: self.file.to_owned(),
+                what: "an unpacked member",
+                bytes: member.size(),
+                most: limit,
+            });
+        }
+        let mut bounded = Bounded {
+            inner: Box::new(member),
+            left: limit,
+            over: false,
+        };
+        let result = read(&mut bounded);
+        if bounded.over {
+            return Err(ReadError::TooLarge {
+                file: self.file.to_owned(),
+                what: "an unpacked member",
+                bytes: limit + 1,
+                most: limit,
+            });
+        }
+        result
+    }
+}
+
+/// A reader that ends with an error once more than its limit came through.
+pub(super) struct Bounded<'a> {
+    inner: Box<dyn Read + 'a>,
+    left: u64,
+    over: bool,
+}
+
+impl Read for Bounded<'_> {
+    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        let count = self.inner.read(buffer)?;
+        if count as u64 > self.left {
+            self.over = true;
+            return Err(std::io::Error::other("larger than allowed"));
+        }
+        self.left -= count as u64;
+        Ok(count)
+    }
+}
+
+/// The error for a file that breaks the rules of its format.
+pub(super) fn damaged(file: &str, format: Format, what: &'static str, seen: &str) -> ReadError {
+    ReadError::Damaged {
+        file: file.to_owned(),
+        format,
+        what,
+        seen: super::table::shortened(seen),
+    }
+}

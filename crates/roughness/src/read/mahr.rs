@@ -1,0 +1,129 @@
+//! Mahr text profiles: sections in brackets, heights under `[PROFILE_VALUES]`.
+//!
+//! A point is `index=X Y Z C Lock`, all in millimetres; a locked point has no height. X and Z carry the
+//! offset of the machine. The layout is known from files, not from a definition.
+
+use super::archive::damaged;
+use super::error::ReadError;
+use super::format::Format;
+use super::grid::SpacingSource;
+use super::header::FilterState;
+use super::metadata::{Metadata, number, short};
+use super::options::LengthUnit;
+use super::trace::Trace;
+use asperity_core::quantity::Length;
+
+const FORMAT: Format = Format::MahrText;
+
+/// Reads a Mahr text profile.
+pub(super) fn read(file: &str, text: &str) -> Result<Trace, ReadError> {
+    let mut header = Header::default();
+    let (mut x, mut heights) = (Vec::new(), Vec::new());
+    let mut first_line = None;
+    let mut values = false;
+    for (at, line) in text.lines().enumerate() {
+        let line = line.trim();
+        if line.starts_with('[') {
+            values = line == "[PROFILE_VALUES]";
+        } else if !values {
+            header.take(line);
+        } else if !line.is_empty() && !line.starts_with("//") {
+            let (place, z) = point(file, line)?;
+            first_line.get_or_insert(at + 1);
+            x.push(place);
+            heights.push(z);
+        }
+    }
+    if let Some(stated) = header.points.filter(|stated| *stated != heights.len()) {
+        let seen = format!("{} of {stated}", heights.len());
+        let what = "the number of heights is not that of the header";
+        return Err(damaged(file, FORMAT, what, &seen));
+    }
+    let (dx, source) = match even(&x) {
+        Some(dx) => (Some(dx), SpacingSource::XColumn),
+        None => (header.interval, SpacingSource::Header),
+    };
+    Ok(Trace {
+        z_unit: LengthUnit::Millimetre,
+        x_unit: LengthUnit::Millimetre,
+        spacing: dx.map(|dx| (dx, source)),
+        filter_state: header.state,
+        metadata: header.metadata,
+        first_line: first_line.unwrap_or(1),
+        ..Trace::new(FORMAT, heights)
+    })
+}
+
+#[derive(Default)]
+struct Header {
+    points: Option<usize>,
+    interval: Option<f64>,
+    state: FilterState,
+    metadata: Metadata,
+}
+
+impl Header {
+    fn take(&mut self, line: &str) {
+        let Some((key, value)) = line.split_once('=') else {
+            return;
+        };
+        let value = value.trim();
+        match key.trim() {
+            "NAME" => self.metadata.title = short(value),
+            "NO_POINTS" => self.points = value.parse().ok(),
+            "INTERVAL_LIN" => self.interval = number(value).filter(|dx| *dx > 0.0),
+            "PB_RADIUS" => {
+                let radius = number(value).filter(|radius| *radius > 0.0);
+                self.metadata.stylus_radius =
+                    radius.map(|r| Length::from_si(LengthUnit::Millimetre.metres(r)));
+            }
+            "DateTime" => self.metadata.date = short(value),
+            "MachineName" => self.metadata.instrument = short(value),
+            "ProductName" => {
+                let before = self.metadata.instrument.take();
+                self.metadata.instrument = before.or_else(|| short(value));
+            }
+            "Profile.Type" => {
+                self.state = match value.to_lowercase().as_str() {
+                    "surface" | "primary" | "p" => FilterState::Primary,
+                    "roughness" | "r" => FilterState::Roughness,
+                    _ => FilterState::Unknown,
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// X and Z of "index=X Y Z C Lock"; Z is NaN for a locked point.
+fn point(file: &str, line: &str) -> Result<(f64, f64), ReadError> {
+    let broken = || damaged(file, FORMAT, "a point cannot be read", line);
+    let (_, values) = line.split_once('=').ok_or_else(broken)?;
+    let mut fields = values.split_whitespace();
+    let x = fields.next().and_then(number).ok_or_else(broken)?;
+    let z = fields.nth(1).ok_or_else(broken)?;
+    let locked = fields
+        .nth(1)
+        .is_some_and(|lock| number(lock).is_some_and(|lock| lock != 0.0));
+    let z = match (locked, number(z)) {
+        (true, _) => f64::NAN,
+        (false, Some(z)) => z,
+        (false, None) if z.eq_ignore_ascii_case("nan") => f64::NAN,
+        (false, None) => return Err(broken()),
+    };
+    Ok((x, z))
+}
+
+/// The spacing of a column that rises evenly, as written with nine decimals of a millimetre.
+fn even(x: &[f64]) -> Option<f64> {
+    const EVENNESS: f64 = 0.25;
+    let (first, last) = (x.first()?, x.last()?);
+    let dx = (last - first) / (x.len().checked_sub(1).filter(|n| *n > 0)? as f64);
+    let off = |(i, x): (usize, &f64)| (x - first - dx * i as f64).abs();
+    let even = dx > 0.0
+        && x.iter()
+            .enumerate()
+            .map(off)
+            .all(|off| off <= EVENNESS * dx);
+    even.then_some(dx)
+}

@@ -1,0 +1,64 @@
+//! Text profiles (`.pr`) of PTB's reference software.
+//!
+//! Line 1 is `Profil` and a name; line 2 gives length, resolution in points per millimetre and number of
+//! points, in German (`X-Maß = 5.6 X-Auflösung 2000 Punkte/Zeile : 11201`) or English (`X-len`,
+//! `X-resolution`, `points/scanline`); heights in micrometres follow. The layout is that of a public
+//! writer of the format; no file of PTB's own was at hand. The length is not used: writers give it in
+//! millimetres or micrometres.
+
+use super::archive::damaged;
+use super::error::ReadError;
+use super::format::Format;
+use super::grid::SpacingSource;
+use super::metadata::{Metadata, number, short};
+use super::options::LengthUnit;
+use super::trace::Trace;
+
+const FORMAT: Format = Format::PtbPr;
+const HEADER_LINES: usize = 2;
+
+/// Whether line 2 is a PTB header.
+pub(super) fn recognised(line: &str) -> bool {
+    line.starts_with("X-") && (line.contains("Punkte/Zeile") || line.contains("points/scanline"))
+}
+
+/// Reads a `.pr` profile.
+pub(super) fn read(file: &str, text: &str) -> Result<Trace, ReadError> {
+    let mut lines = text.lines();
+    let title = lines.next().unwrap_or_default().trim();
+    let header = lines.next().unwrap_or_default();
+    let numbers: Vec<f64> = header
+        .split(|c: char| c.is_whitespace() || c == '=' || c == ':')
+        .filter_map(number)
+        .collect();
+    let &[_, per_millimetre, points] = numbers.as_slice() else {
+        return Err(damaged(
+            file,
+            FORMAT,
+            "line 2 gives no length, resolution and number",
+            header,
+        ));
+    };
+    let mut heights = Vec::new();
+    for line in lines.map(str::trim).filter(|line| !line.is_empty()) {
+        let value = number(line);
+        heights.push(value.ok_or_else(|| damaged(file, FORMAT, "a height is no number", line))?);
+    }
+    if heights.len() as f64 != points {
+        let seen = format!("{} of {points}", heights.len());
+        let what = "the number of heights is not that of the header";
+        return Err(damaged(file, FORMAT, what, &seen));
+    }
+    let dx = Some(1.0 / per_millimetre).filter(|dx| dx.is_finite() && *dx > 0.0);
+    Ok(Trace {
+        z_unit: LengthUnit::Micrometre,
+        x_unit: LengthUnit::Millimetre,
+        spacing: dx.map(|dx| (dx, SpacingSource::Header)),
+        metadata: Metadata {
+            title: short(title.trim_start_matches("Profil ")),
+            ..Metadata::default()
+        },
+        first_line: HEADER_LINES + 1,
+        ..Trace::new(FORMAT, heights)
+    })
+}

@@ -1,0 +1,109 @@
+//! SDF as text (ISO 25178-71, EUNA 15178, "BCR").
+//!
+//! A header of `name = value` lines, `*`, the heights in any number per line, `*`, a trailer. A height is
+//! value · Zscale metres; `BAD` has none. One row of several is read when it is asked for.
+
+use super::archive::damaged;
+use super::error::ReadError;
+use super::format::Format;
+use super::grid::SpacingSource;
+use super::metadata::{Metadata, number, short};
+use super::options::ReadOptions;
+use super::trace::Trace;
+
+const FORMAT: Format = Format::SdfAscii;
+
+#[derive(Default)]
+struct Header {
+    points: Option<u64>,
+    profiles: Option<u64>,
+    x_scale: Option<f64>,
+    z_scale: Option<f64>,
+    compressed: bool,
+    metadata: Metadata,
+}
+
+impl Header {
+    fn take(&mut self, line: &str) {
+        let Some((key, value)) = line.split_once('=') else {
+            return;
+        };
+        let value = value.trim();
+        match key.trim().to_ascii_lowercase().as_str() {
+            "manufacid" => self.metadata.instrument = short(value),
+            "createdate" => self.metadata.date = short(value),
+            "numpoints" => self.points = value.parse().ok(),
+            "numprofiles" => self.profiles = value.parse().ok(),
+            "xscale" => self.x_scale = number(value).filter(|scale| *scale > 0.0),
+            "zscale" => self.z_scale = number(value).filter(|scale| *scale != 0.0),
+            "compression" => self.compressed = number(value).is_some_and(|kind| kind != 0.0),
+            _ => {}
+        }
+    }
+}
+
+/// Reads an SDF text file.
+pub(super) fn read(file: &str, text: &str, options: &ReadOptions) -> Result<Trace, ReadError> {
+    let mut header = Header::default();
+    let mut lines = text.lines().enumerate();
+    let mut first_line = 1;
+    for (at, line) in lines.by_ref() {
+        first_line = at + 2;
+        if line.trim() == "*" {
+            break;
+        }
+        header.take(line);
+    }
+    let missing = |what| damaged(file, FORMAT, what, "");
+    let points = header.points.filter(|n| *n > 0);
+    let points = points.ok_or_else(|| missing("NumPoints is missing"))?;
+    let z_scale = header.z_scale.ok_or_else(|| missing("Zscale is missing"))?;
+    if header.compressed {
+        return Err(missing("the heights are compressed"));
+    }
+    let rows = header.profiles.unwrap_or(1).max(1);
+    let asked = options.row.unwrap_or(if rows == 1 { 1 } else { 0 }) as u64;
+    if asked == 0 || asked > rows {
+        return Err(ReadError::SeveralProfiles {
+            file: file.to_owned(),
+            rows: rows as usize,
+            points: points as usize,
+            asked: asked as usize,
+        });
+    }
+    let first = (asked - 1).saturating_mul(points);
+    let mut heights = Vec::new();
+    let mut passed = 0_u64;
+    'data: for (_, line) in lines {
+        for field in line.split_whitespace() {
+            if field == "*" || passed >= first.saturating_add(points) {
+                break 'data;
+            }
+            if passed >= first {
+                heights.push(value(file, field)? * z_scale);
+            }
+            passed += 1;
+        }
+    }
+    if heights.len() as u64 != points {
+        let seen = format!("{} of {points}", heights.len());
+        let what = "the number of heights is not that of the header";
+        return Err(damaged(file, FORMAT, what, &seen));
+    }
+    Ok(Trace {
+        spacing: header.x_scale.map(|dx| (dx, SpacingSource::Header)),
+        metadata: header.metadata,
+        first_line,
+        ..Trace::new(FORMAT, heights)
+    })
+}
+
+fn value(file: &str, field: &str) -> Result<f64, ReadError> {
+    match number(field) {
+        Some(value) => Ok(value),
+        None if field.eq_ignore_ascii_case("bad") || field.eq_ignore_ascii_case("nan") => {
+            Ok(f64::NAN)
+        }
+        None => Err(damaged(file, FORMAT, "a height is no number", field)),
+    }
+}

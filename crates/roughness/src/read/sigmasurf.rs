@@ -1,0 +1,56 @@
+//! SigmaSurf text (`.sig`): `NAME: value` lines, then the heights in micrometres under `PROFILE_UM:`.
+
+use super::archive::damaged;
+use super::error::ReadError;
+use super::format::Format;
+use super::grid::SpacingSource;
+use super::metadata::{Metadata, number, short};
+use super::options::LengthUnit;
+use super::trace::Trace;
+
+const FORMAT: Format = Format::SigmaSurf;
+
+/// Reads a SigmaSurf profile.
+pub(super) fn read(file: &str, text: &str) -> Result<Trace, ReadError> {
+    let mut metadata = Metadata::default();
+    let (mut spacing, mut points, mut first_line) = (None, None, 1);
+    let mut heights: Option<Vec<f64>> = None;
+    for (at, line) in text.lines().enumerate() {
+        let line = line.trim();
+        if let Some(heights) = &mut heights {
+            if !line.is_empty() {
+                let value = number(line);
+                heights.push(
+                    value.ok_or_else(|| damaged(file, FORMAT, "a height is no number", line))?,
+                );
+            }
+            continue;
+        }
+        let (key, value) = line.split_once(':').unwrap_or((line, ""));
+        match key.trim() {
+            "IDENTIFICATION" => metadata.title = short(value),
+            "DATE" => metadata.date = short(value),
+            "SPACING_UM" => spacing = number(value).filter(|dx| *dx > 0.0),
+            "NUMBER_OF_POINTS" => points = value.trim().parse::<usize>().ok(),
+            "PROFILE_UM" => {
+                heights = Some(Vec::new());
+                first_line = at + 2;
+            }
+            _ => {}
+        }
+    }
+    let heights = heights.ok_or_else(|| damaged(file, FORMAT, "there is no PROFILE_UM", ""))?;
+    if let Some(stated) = points.filter(|stated| *stated != heights.len()) {
+        let seen = format!("{} of {stated}", heights.len());
+        let what = "the number of heights is not that of the header";
+        return Err(damaged(file, FORMAT, what, &seen));
+    }
+    Ok(Trace {
+        z_unit: LengthUnit::Micrometre,
+        x_unit: LengthUnit::Micrometre,
+        spacing: spacing.map(|dx| (dx, SpacingSource::Header)),
+        metadata,
+        first_line,
+        ..Trace::new(FORMAT, heights)
+    })
+}
