@@ -112,7 +112,7 @@ const DOMAINS: &[Bad] = &[
     bad("positions", "positions = 1", "E209", &["model.positions", "1 mesh positions asked for", "from 2 to"]),
     bad("offsets", "offsets = 0", "E209", &["model.offsets = 0", "1 to 10000"]),
     bad("offsets", "window = nan", "E209", &["model.window = nan", "1.5 to 100"]),
-    bad("offsets", "tolerance = 1e-30", "E209", &["model.tolerance = 1e-30", "1e-12 to 1e-2"]),
+    bad("offsets", "tolerance = 1e-30", "E209", &["model.tolerance = 1e-30", "1e-16 to 1e-2"]),
     bad("offsets", "load_sharing = \"trapezoid\"", "E209", &["model.load_sharing", "for spur pairs"]),
 ];
 

@@ -1,9 +1,5 @@
 //! Messages about solutions and results: errors that end a run, warnings that go with a result.
 
-use asperity::{PositionError, RunError};
-use asperity_contact::{Certificate, ContactError};
-use asperity_core::quantity::Length;
-
 use crate::bench::{Bench, root, rows, with_line};
 
 /// A bench with the small case, its flanks, and a change to one line.
@@ -79,31 +75,32 @@ fn a_contact_that_does_not_converge_reports_no_pressure() {
 }
 
 #[test]
-fn a_run_that_does_not_converge_says_where_and_that_there_is_no_efficiency() {
-    // No input is known that keeps the solver from converging in a run; the message is held here.
-    let certificate = Certificate {
-        duality_gap: 2e-3,
-        penetration: 1e-4,
-        load_error: 0.041,
-        reference_gap: Length::from_si(1e-6),
-    };
-    let error = RunError::Position {
-        number: 7,
-        count: 32,
-        source: Box::new(PositionError::Contact(ContactError::NotConverged {
-            iterations: 200,
-            certificate,
-            tolerance: 1e-8,
-        })),
-    };
-    assert_eq!(error.code(), "E301");
-    let said = error.to_string();
-    assert!(
-        said.starts_with("position 7 of 32: not converged to 1e-8 after 200 iterations"),
-        "{said}"
+fn a_run_that_does_not_converge_says_where_saves_the_gap_and_reports_no_efficiency() {
+    // 1e-16 is below the round-off of a sum over the window.
+    let bench = bench_with("offsets", "tolerance = 1e-16");
+    let said = bench.run(&["run", "case.toml"]);
+    said.refused(
+        3,
+        "E301",
+        &[
+            "case.toml: position ",
+            " of ",
+            "not converged to 1e-16 after",
+            "load error",
+            "No efficiency is reported. Fields saved in results/failed/case.csv",
+        ],
     );
-    assert!(said.contains("load error 4.1e-2"), "{said}");
-    assert!(said.ends_with("No efficiency is reported"), "{said}");
+    assert!(!bench.path("results/case").exists());
+    let alone = bench.run(&[
+        "contact",
+        "--gap",
+        "results/failed/case.csv",
+        "--e-star",
+        "115 GPa",
+        "--load",
+        "100 N/mm",
+    ]);
+    assert_eq!(alone.status, 0, "{}", alone.err);
 }
 
 #[test]

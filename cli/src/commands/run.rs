@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use asperity::pipeline;
 use asperity::report::{self, ReportError};
 use asperity::result::RunResult;
+use asperity::{RunError, pipeline};
 
 use super::load_case;
 use crate::args::{Common, RunArgs};
@@ -30,8 +30,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     };
     let outcome = pipeline::run(&loaded, &shown);
     bar.finish_and_clear();
-    let outcome = outcome
-        .map_err(|error| Failure::new(error.code(), format!("{}: {error}", args.case.display())))?;
+    let outcome = outcome.map_err(|error| failed(&error, args, folder.as_deref()))?;
     if let Some(folder) = &folder {
         report::write_folder(&outcome, folder).map_err(|error| not_written(&error))?;
     }
@@ -73,6 +72,26 @@ fn text(result: &RunResult, args: &RunArgs, folder: Option<&Path>, begin: Instan
 
 fn not_written(error: &ReportError) -> Failure {
     Failure::new("E401", error.to_string())
+}
+
+/// The error of a run; a contact without solution is saved beside the result folders.
+fn failed(error: &RunError, args: &RunArgs, folder: Option<&Path>) -> Failure {
+    let mut message = format!("{}: {error}", args.case.display());
+    if let (Some(contact), Some(folder)) = (error.unsolved(), folder) {
+        let name = folder.file_name().unwrap_or_default();
+        let file = folder
+            .with_file_name("failed")
+            .join(name)
+            .with_extension("csv");
+        match report::write_unsolved(contact, &file) {
+            Ok(()) => message.push_str(&format!(
+                ". Fields saved in {}: asperity contact --gap solves it alone",
+                file.display()
+            )),
+            Err(error) => message.push_str(&format!(". Its fields could not be saved: {error}")),
+        }
+    }
+    Failure::new(error.code(), message)
 }
 
 fn result_folder(args: &RunArgs) -> PathBuf {

@@ -3,6 +3,8 @@
 use asperity_contact::ContactError;
 use asperity_core::DomainError;
 
+use crate::encounter::Encounter;
+
 /// Why a mesh position has no solution.
 #[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]
@@ -85,6 +87,45 @@ pub enum PositionError {
         /// Steps made.
         steps: usize,
     },
+    /// A rough contact without solution, with the gap that it had to close.
+    #[error(transparent)]
+    Unsolved(Box<UnsolvedContact>),
+}
+
+/// The rough contact that was not solved, to be looked at.
+#[derive(Debug, Clone, thiserror::Error)]
+#[error("{source}")]
+pub struct UnsolvedContact {
+    /// Position across the contact, 0 at its middle \[m\].
+    pub x: Vec<f64>,
+    /// Undeformed gap of the flanks \[m\].
+    pub gap: Vec<f64>,
+    /// Why it has no solution.
+    pub source: PositionError,
+}
+
+impl PositionError {
+    /// The same error with the gap of `encounter`, where it is about one that was not closed.
+    pub(crate) fn keeping(self, encounter: &Encounter) -> Self {
+        match self {
+            Self::Contact(ContactError::NotConverged { .. }) => {
+                Self::Unsolved(Box::new(UnsolvedContact {
+                    x: encounter.x.clone(),
+                    gap: encounter.gap.clone(),
+                    source: self,
+                }))
+            }
+            other => other,
+        }
+    }
+
+    /// The reason, without what was kept to look at.
+    fn reason(&self) -> &Self {
+        match self {
+            Self::Unsolved(kept) => kept.source.reason(),
+            other => other,
+        }
+    }
 }
 
 /// Why a run has no result.
@@ -116,7 +157,7 @@ fn digits(value: f64) -> String {
 }
 
 fn advice(source: &PositionError) -> &'static str {
-    match source {
+    match source.reason() {
         PositionError::Contact(ContactError::NotConverged { .. })
         | PositionError::FlashNotSettled { .. }
         | PositionError::Marching { .. } => ". No efficiency is reported",
@@ -125,12 +166,23 @@ fn advice(source: &PositionError) -> &'static str {
 }
 
 impl RunError {
+    fn source(&self) -> &PositionError {
+        match self {
+            Self::Position { source, .. } | Self::Whole(source) => source,
+        }
+    }
+
+    /// The rough contact that was not solved, where that is the reason.
+    pub fn unsolved(&self) -> Option<&UnsolvedContact> {
+        match self.source() {
+            PositionError::Unsolved(kept) => Some(kept),
+            _ => None,
+        }
+    }
+
     /// Stable code of the message.
     pub fn code(&self) -> &'static str {
-        let source = match self {
-            Self::Position { source, .. } | Self::Whole(source) => source,
-        };
-        match **source {
+        match self.source().reason() {
             PositionError::TooCoarse { .. } => "E121",
             PositionError::TraceTooShort { .. } => "E122",
             PositionError::NoProfile => "E303",

@@ -26,5 +26,5 @@ pub mod station;
 pub mod surfaces;
 pub mod survey;
 
-pub use error::{PositionError, RunError};
+pub use error::{PositionError, RunError, UnsolvedContact};
 pub use pipeline::run;

@@ -96,7 +96,7 @@ explanations! {
     "E208" "the oil is incomplete": "The oil's data do not suffice, or contradict each other." => "Give nu at 40 and 100 °C, density and base_oil, or the name of an oil of the library.";
     "E209" "a number outside its domain": "A number in the case or on the command line cannot be, such as a negative module." => "Correct the value named.";
     "E210" "nothing of that name": "No equation has that tag, or no message that code." => "asperity equations and asperity explain list all there are.";
-    "E301" "a position did not converge": "The contact at a mesh position did not reach its tolerance. No efficiency is reported." => "Loosen model.tolerance, or look for spikes in the profile with asperity profile info.";
+    "E301" "a position did not converge": "The contact at a mesh position did not reach its tolerance. No efficiency is reported." => "Loosen model.tolerance, or look for spikes in the profile with asperity profile info; the gap that was not closed is saved in the folder failed beside the results.";
     "E302" "the surface is too soft for the load": "The flow pressure is below what the load needs, so no distribution of pressure can carry it." => "Check material.pinion.flow_pressure and elastic_limit; case-hardened steel has 6 to 8 GPa and 1.5 to 2 GPa.";
     "E303" "a measured profile is needed": "The rough contact presses two profiles together, but a flank is given by roughness values only." => "Give surface.pinion.file and surface.wheel.file, or use asperity run with the corrected formulation.";
     "E304" "the marching did not reach the load": "Lowering the surfaces into each other step by step did not meet the load within the numerical error." => "Reduce model.delta_step or raise model.numerical_error.";

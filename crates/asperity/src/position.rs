@@ -120,7 +120,8 @@ impl Position {
         };
         let decision = decide(case, station, &encounter.roughness)?;
         let friction = friction::in_film(case, station, &encounter.roughness)?;
-        let mut carried = carry(case, station, &encounter, &decision, solver)?;
+        let mut carried = carry(case, station, &encounter, &decision, solver)
+            .map_err(|error| error.keeping(&encounter))?;
         let rubbing = match case.formulation {
             // Exact shares rather than sums over the points of a window.
             Formulation::Corrected => Rubbing::of_share(case, station, decision.film_share),
@@ -157,7 +158,8 @@ impl Position {
                     encounter: &encounter,
                     film_share: decision.film_share,
                 };
-                carried.history = load_path(&problem, solver, &carried)?;
+                carried.history = load_path(&problem, solver, &carried)
+                    .map_err(|error| error.keeping(&encounter))?;
             }
             self.keep_fields(case, &encounter, carried, friction.mu)?;
         }

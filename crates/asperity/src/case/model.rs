@@ -258,8 +258,8 @@ fn check_model(model: &Model, source: &Source) -> Result<(), CaseError> {
             "model.tolerance",
             "tolerance",
             model.tolerance,
-            (1e-12..=1e-2).contains(&model.tolerance),
-            "must be 1e-12 to 1e-2",
+            (1e-16..=1e-2).contains(&model.tolerance),
+            "must be 1e-16 to 1e-2",
         ),
         (
             "model.hysteresis",

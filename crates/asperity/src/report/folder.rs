@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::{flanks, html, losses, tables};
+use crate::error::UnsolvedContact;
 use crate::result::Outcome;
 
 /// Why a result was not written; nothing is left half-written.
@@ -148,6 +149,24 @@ fn check(target: &Path, contents: &Contents) -> Result<(), ReportError> {
 /// When the system refuses, or `target` holds something else.
 pub fn write_folder(outcome: &Outcome, target: &Path) -> Result<(), ReportError> {
     write_whole(target, &RESULT, |folder| fill(outcome, folder))
+}
+
+/// Writes the gap of a contact without solution as CSV, in the form `asperity contact --gap` reads.
+///
+/// # Errors
+/// When the system refuses.
+pub fn write_unsolved(contact: &UnsolvedContact, file: &Path) -> Result<(), ReportError> {
+    let parent = match file.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    fs::create_dir_all(parent).map_err(io_at(parent))?;
+    let draft = tempfile::NamedTempFile::new_in(parent).map_err(io_at(parent))?;
+    tables::gap(&contact.x, &contact.gap, draft.path())?;
+    draft
+        .persist(file)
+        .map(|_| ())
+        .map_err(|error| io_at(file)(error.error))
 }
 
 /// Fills a folder beside its place and moves it there.

@@ -10,7 +10,7 @@ mod losses;
 mod summary;
 mod tables;
 
-pub use folder::{ReportError, check_place, write_folder};
+pub use folder::{ReportError, check_place, write_folder, write_unsolved};
 pub use summary::summary;
 
 /// Metres to micrometres.

@@ -38,6 +38,17 @@ pub(super) fn convergence(fields: &[PositionFields], file: &Path) -> Result<(), 
     write(file, rows)
 }
 
+/// The gap of a contact: position and undeformed gap in metres, to the last bit.
+pub(super) fn gap(x: &[f64], gap: &[f64], file: &Path) -> Result<(), ReportError> {
+    #[derive(Serialize)]
+    struct Row {
+        x_m: f64,
+        h_m: f64,
+    }
+    let rows = x.iter().zip(gap).map(|(&x_m, &h_m)| Row { x_m, h_m });
+    write(file, rows)
+}
+
 /// `surface.csv`: fields along the contact, with the pressure of the smooth dry contact.
 pub(super) fn surface(
     fields: &PositionFields,
