@@ -5,7 +5,7 @@ use std::io::Read;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-use crate::bench::{Bench, E_DRIVE, program};
+use crate::bench::{Bench, E_DRIVE, program, root};
 
 fn small_case() -> Bench {
     let bench = Bench::new();
@@ -248,5 +248,22 @@ fn no_colour_comes_out_of_a_pipe() {
         assert!(!said.out.contains('\u{1b}') && !said.err.contains('\u{1b}'));
         let said = bench.run_with(&["run", "nosuch.toml"], environment);
         assert!(!said.err.contains('\u{1b}'), "{}", said.err);
+    }
+}
+
+#[test]
+fn the_summary_keeps_to_80_columns() {
+    for name in ["table2", "e-drive", "e-drive-superfinished", "fzg-c"] {
+        for formulation in ["corrected", "paper"] {
+            let bench = Bench::new();
+            let case = root().join(format!("fixtures/cases/{name}.toml"));
+            let case = case.to_str().unwrap();
+            let said = bench.run(&["run", case, "--formulation", formulation, "--no-output"]);
+            assert_eq!(said.status, 0, "{}", said.err);
+            // Messages are lines of their own, as long as what they say.
+            for line in said.out.lines().filter(|line| !line.starts_with('W')) {
+                assert!(line.chars().count() <= 80, "{line}");
+            }
+        }
     }
 }

@@ -4,6 +4,9 @@ use std::fmt::Write as _;
 
 use crate::result::{ComparisonOutcome, PositionRow, RunResult};
 
+/// Width that the numbers of the summary keep to; messages may be longer.
+const COLUMNS: usize = 80;
+
 /// Efficiency, losses, regime and what calls for attention, as plain text.
 pub fn summary(result: &RunResult) -> String {
     let mut text = String::new();
@@ -34,19 +37,18 @@ fn write_losses(text: &mut String, result: &RunResult) -> std::fmt::Result {
         format!("sliding {}", watts(s.sliding_w)),
         format!("rolling {}", watts(s.rolling_w)),
     ];
-    if s.deformation_w.iter().any(|&power| power != 0.0) {
-        for (body, power) in ["pinion", "wheel"].iter().zip(s.deformation_w) {
-            parts.push(format!("deformation {body} {}", watts(power)));
-        }
+    let [pinion, wheel] = s.deformation_w;
+    if pinion != 0.0 || wheel != 0.0 {
+        parts.push(format!("deformation {} + {}", watts(pinion), watts(wheel)));
     }
-    writeln!(
-        text,
-        "  [{}]   mu_eq {:.4}   H_V {:.4} (local {:.4})",
-        parts.join(" | "),
-        s.mu_equivalent,
-        s.loss_factor,
-        s.loss_factor_local
-    )
+    let losses = format!("  [{}]", parts.join(" | "));
+    let factors = format!(
+        "mu_eq {:.4}   H_V {:.4} (local {:.4})",
+        s.mu_equivalent, s.loss_factor, s.loss_factor_local
+    );
+    let together = losses.chars().count() + 3 + factors.chars().count();
+    let between = if together <= COLUMNS { "   " } else { "\n  " };
+    writeln!(text, "{losses}{between}{factors}")
 }
 
 fn write_regime(text: &mut String, result: &RunResult) -> std::fmt::Result {
@@ -98,7 +100,7 @@ fn write_regime(text: &mut String, result: &RunResult) -> std::fmt::Result {
             if result.running_in.included {
                 ""
             } else {
-                " (not in the efficiency)"
+                " (not counted)"
             }
         )?;
     }
@@ -117,7 +119,7 @@ fn write_laws(text: &mut String, result: &RunResult) -> std::fmt::Result {
                 ComparisonOutcome::Refused(_) => format!("{} -", entry.law),
             })
             .collect();
-        writeln!(text, "friction laws side by side (%)  {}", laws.join("   "))?;
+        writeln!(text, "friction laws (%)  {}", laws.join("   "))?;
     }
     Ok(())
 }
