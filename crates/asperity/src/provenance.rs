@@ -33,7 +33,18 @@ const ALWAYS: &[&str] = &[
     "Plausible-1",
 ];
 /// Equations of the rough contact.
-const ROUGH_CONTACT: &[&str] = &["P1", "P2", "P3", "P4", "P6", "Subsurface-3", "Mises-1"];
+const ROUGH_CONTACT: &[&str] = &[
+    "P1",
+    "P2",
+    "P3",
+    "P4",
+    "Plastic-1",
+    "Plastic-2",
+    "Share-1",
+    "Share-2",
+    "Subsurface-3",
+    "Mises-1",
+];
 
 /// Tags of the equations that `case` uses; `touched` when any position was a rough contact.
 fn tags(case: &Case, touched: bool) -> Vec<&'static str> {
@@ -94,4 +105,21 @@ pub(crate) fn used(case: &Case, touched: bool) -> (Vec<EquationUse>, Vec<Referen
         })
         .collect();
     (uses, equations::bibliography(&found))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::equations;
+
+    #[test]
+    fn every_tag_named_here_is_that_of_an_equation() {
+        // Tags are the quoted words of this file before its tests.
+        let source = include_str!("provenance.rs");
+        let code = source.split("#[cfg(test)]").next().unwrap();
+        let tags: Vec<&str> = code.split('"').skip(1).step_by(2).collect();
+        assert!(tags.len() > 40, "{} tags", tags.len());
+        for tag in tags {
+            assert!(equations::find(tag).is_some(), "no equation {tag}");
+        }
+    }
 }

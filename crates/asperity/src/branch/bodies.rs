@@ -28,11 +28,11 @@ impl Bodies {
     }
 
     /// Shares the solution's displacements: the elastic part by compliance (1 − ν²)/E, the plastic
-    /// part by yield: the softer body takes it all, equal bodies half each.
+    /// part in inverse proportion to the pressures that the bodies flow at; equal bodies take half each.
     pub(crate) fn new(case: &Case, solution: &ContactSolution) -> Result<Self, PositionError> {
         let [pinion, wheel] = &case.materials;
         let [elastic_share, _] = elastic_shares(pinion, wheel)?;
-        // What flows first is decided by the pressure it flows at.
+        // The shares are defined by elastic limits; here the flow pressures stand for them.
         let flowing = |body: usize| Material {
             elastic_limit: case.flow_pressure[body],
             ..case.materials[body]

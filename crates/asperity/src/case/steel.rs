@@ -1,5 +1,6 @@
 //! Steel of the gears: what the case says, completed with a case-hardened steel.
 
+use asperity_contact::plasticity::FLOW_OVER_YIELD;
 use asperity_core::DomainError;
 use asperity_core::material::Material;
 use asperity_core::quantity::{Density, Pressure, Quantity, SpecificHeat, ThermalConductivity};
@@ -16,8 +17,6 @@ const STEEL_POISSON: f64 = 0.3;
 /// Elastic limit of a case-hardened gear steel: 0.2 % proof stress of the hardened case,
 /// about 1500 MPa for 18CrNiMo7-6 at 60 HRC.
 const STEEL_ELASTIC_LIMIT: Pressure = Pressure::from_si(1500e6);
-/// Indentation hardness over yield strength of a fully plastic contact (Tabor 1951).
-const TABOR_RATIO: f64 = 3.0;
 /// Density, conductivity and heat capacity of case-hardening steel at 60 °C.
 const STEEL_DENSITY: Density = Density::from_si(7830.0);
 const STEEL_CONDUCTIVITY: ThermalConductivity = ThermalConductivity::from_si(45.0);
@@ -86,7 +85,7 @@ fn body(
     let flow = defaults.take(
         keys.flow_pressure,
         given.flow_pressure,
-        elastic_limit * TABOR_RATIO,
+        elastic_limit * FLOW_OVER_YIELD,
     );
     positive("elastic limit", elastic_limit, source, keys.elastic_limit)?;
     positive("flow pressure", flow, source, keys.flow_pressure)?;
