@@ -75,7 +75,7 @@ pub fn transmission(wavelength: Length, cutoff: Length) -> Result<f64, DomainErr
 
 /// s(x) = exp(−π (x/(α λ_c))²)/(α λ_c), sampled: w_k = s(k dx)/Σ s(j dx)          [Gauss-3]
 ///
-/// The weights w₀, w₁ .. w_m of one side, m = ⌊λ_c/dx⌋.
+/// The weights w₀, w₁ .. w_m of one side, m = ⌈λ_c/dx⌉: the first beyond the cut-off is the last.
 ///
 /// # Errors
 /// When cut-off or spacing is not positive, or the cut-off is shorter than the spacing.
@@ -89,7 +89,7 @@ pub fn transmission(wavelength: Length, cutoff: Length) -> Result<f64, DomainErr
 /// # Ok::<(), asperity_core::DomainError>(())
 /// ```
 pub fn weights(cutoff: Length, spacing: Length) -> Result<Vec<f64>, DomainError> {
-    // A cut-off that is a whole number of spacings must not lose its last weight to rounding.
+    // A cut-off that is a whole number of spacings must not gain a weight by rounding.
     const ROUNDING: f64 = 1e-9;
     // 10^8 weights are a gigabyte; no trace is that long.
     const MOST: f64 = 1e8;
@@ -109,7 +109,7 @@ pub fn weights(cutoff: Length, spacing: Length) -> Result<Vec<f64>, DomainError>
         "m",
         "must not exceed 1e8 spacings",
     )?;
-    let m = (SUPPORT * lc / dx + ROUNDING).floor() as usize;
+    let m = (SUPPORT * lc / dx - ROUNDING).ceil() as usize;
     let mut w: Vec<f64> = (0..=m)
         .map(|k| (-PI * (k as f64 * dx / (alpha() * lc)).powi(2)).exp())
         .collect();

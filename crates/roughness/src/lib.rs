@@ -29,6 +29,7 @@ pub mod generate;
 pub mod height_parameters;
 pub mod hurst;
 pub mod involute;
+mod local_parabolas;
 pub mod material_ratio;
 pub mod outliers;
 mod parameters;

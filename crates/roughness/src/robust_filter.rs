@@ -15,20 +15,18 @@
 //! and one 3 × 3 system is solved per point.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
-use asperity_core::numerics::good_fft_length;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
-use nalgebra::{Matrix3, Vector3};
-use realfft::num_complex::Complex;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use serde::Serialize;
 
 use crate::RoughnessError;
+use crate::gaussian_filter::{SUPPORT, alpha};
+use crate::local_parabolas::LocalParabolas;
 
-/// γ of ISO 16610-31: the quadratic regression then passes half the amplitude at λ_c.
-const GAMMA: f64 = 0.730_913_4;
+/// γ of ISO 16610-31: the quadratic regression then passes half the amplitude at λ_c; the root of
+/// (1 + πγ²) exp(−πγ²) = ½, which the standard prints as 0.7309.
+const GAMMA: f64 = 0.730_913_428_094_675_9;
 /// c = 4.4478 median|r|: three standard deviations of Gaussian residuals (ISO 16610-31).
 const SCALE: f64 = 4.4478;
 /// Relative change of c at which the iteration stops.
@@ -37,8 +35,6 @@ const SETTLED: f64 = 1e-8;
 const ROUNDING: f64 = 1e-13;
 /// Iterations allowed; damaged flanks take 17 to 28.
 const MOST: usize = 100;
-/// Reach of the weights in cut-offs: beyond it they are below 10⁻⁶ of the middle one, γ √(ln 10⁶/π).
-const SUPPORT: f64 = 1.532_8;
 
 /// A mean line that ignores outliers, with the evidence that it settled.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -88,18 +84,24 @@ pub fn robust_mean_line(profile: &Profile, cutoff: Length) -> Result<RobustLine,
     let z: Vec<f64> = profile.heights().iter().map(|z| z - offset).collect();
     // A trace that is a parabola but for rounding has no outliers to look for.
     let rounding = ROUNDING * z.iter().fold(0.0_f64, |m, z| m.max(z.abs()));
-    let regression = Regression::new(n, points_per_cutoff);
-    let mut weights = vec![1.0; n];
+    let mut parabolas = LocalParabolas::new(n, &weights(n, points_per_cutoff));
+    let (mut delta, mut weighted, mut line) = (vec![1.0; n], z.clone(), vec![0.0; n]);
+    let (mut sizes, mut median) = (vec![0.0; n], Median::default());
     let mut distance = f64::INFINITY;
     let mut residual = f64::INFINITY;
     for iteration in 1..=MOST {
-        let line = regression.line(&z, &weights, profile.spacing())?;
-        let r: Vec<f64> = z.iter().zip(&line).map(|(z, w)| z - w).collect();
-        let next = SCALE * median_of_sizes(&r);
+        let done = parabolas.heights(&delta, &weighted, &mut line);
+        done.map_err(|place| RoughnessError::NoSupport {
+            place: profile.spacing() * place.at as f64,
+        })?;
+        for (size, (z, w)) in sizes.iter_mut().zip(z.iter().zip(&line)) {
+            *size = (z - w).abs();
+        }
+        let next = SCALE * median.of(&sizes);
         residual = ((next - distance) / next).abs();
         distance = next;
         if residual < SETTLED || distance <= rounding {
-            let ignored = r.iter().filter(|r| r.abs() > distance).count();
+            let ignored = sizes.iter().filter(|size| **size > distance).count();
             return Ok(RobustLine {
                 heights: line.iter().map(|w| w + offset).collect(),
                 evidence: RobustEvidence {
@@ -110,8 +112,10 @@ pub fn robust_mean_line(profile: &Profile, cutoff: Length) -> Result<RobustLine,
                 },
             });
         }
-        for (weight, r) in weights.iter_mut().zip(&r) {
-            *weight = (1.0 - (r / distance).powi(2)).max(0.0).powi(2);
+        for (i, size) in sizes.iter().enumerate() {
+            let weight = (1.0 - (size / distance).powi(2)).max(0.0).powi(2);
+            delta[i] = weight;
+            weighted[i] = weight * z[i];
         }
     }
     Err(RoughnessError::NotConverged {
@@ -119,6 +123,14 @@ pub fn robust_mean_line(profile: &Profile, cutoff: Length) -> Result<RobustLine,
         iterations: MOST,
         residual,
     })
+}
+
+/// s₀ .. s_m of one side; those that reach past both ends of a trace of `n` points meet no point.
+fn weights(n: usize, points_per_cutoff: f64) -> Vec<f64> {
+    let reach = SUPPORT * GAMMA / alpha() * points_per_cutoff;
+    let m = (reach.ceil() as usize).clamp(1, n - 1);
+    let weight = |k: usize| (-PI * (k as f64 / (GAMMA * points_per_cutoff)).powi(2)).exp();
+    (0..=m).map(weight).collect()
 }
 
 /// λ_c/dx, when the trace is long enough and fine enough for it.
@@ -137,110 +149,46 @@ fn check(profile: &Profile, cutoff: Length) -> Result<f64, RoughnessError> {
     Ok(lc / dx)
 }
 
-fn median_of_sizes(r: &[f64]) -> f64 {
-    let mut sizes: Vec<f64> = r.iter().map(|r| r.abs()).collect();
-    let middle = sizes.len() / 2;
-    let even = sizes.len().is_multiple_of(2);
-    let (below, &mut upper, _) = sizes.select_nth_unstable_by(middle, f64::total_cmp);
-    if even {
-        let lower = below.iter().copied().fold(0.0, f64::max);
-        0.5 * (lower + upper)
-    } else {
-        upper
+/// Medians of sizes that change little from call to call.
+#[derive(Default)]
+struct Median {
+    last: f64,
+    near: Vec<f64>,
+}
+
+impl Median {
+    /// The median; the mean of the two middle sizes of an even number.
+    fn of(&mut self, sizes: &[f64]) -> f64 {
+        // Between passes the median moves by a few per cent; a wider window sorts more sizes.
+        const WINDOW: f64 = 1.1;
+        self.last = self
+            .within(sizes, self.last / WINDOW, self.last * WINDOW)
+            .or_else(|| self.within(sizes, 0.0, f64::INFINITY))
+            .unwrap_or(f64::NAN);
+        self.last
     }
-}
 
-/// Weighted local parabolas at all points by transforms.
-struct Regression {
-    n: usize,
-    forward: Arc<dyn RealToComplex<f64>>,
-    inverse: Arc<dyn ComplexToReal<f64>>,
-    /// Transforms of s_k uʲ, j = 0 .. 4.
-    kernels: [Vec<Complex<f64>>; 5],
-}
-
-impl Regression {
-    fn new(n: usize, points_per_cutoff: f64) -> Self {
-        // Weights that reach past both ends of the trace meet no point.
-        let m = ((SUPPORT * points_per_cutoff) as usize).clamp(1, n - 1);
-        let length = good_fft_length(n + m);
-        let mut planner = RealFftPlanner::new();
-        let forward = planner.plan_fft_forward(length);
-        let inverse = planner.plan_fft_inverse(length);
-        let weight = |k: f64| (-PI * (k / (GAMMA * points_per_cutoff)).powi(2)).exp();
-        let kernels = [0, 1, 2, 3, 4].map(|power| {
-            let mut kernel = forward.make_input_vec();
-            for k in 0..=m {
-                let u = k as f64 / m as f64;
-                let value = weight(k as f64) * u.powi(power) / length as f64;
-                // Point i gathers i + k: the kernel runs backwards.
-                kernel[(length - k) % length] = value;
-                kernel[k] = if power % 2 == 0 || k == 0 {
-                    value
-                } else {
-                    -value
-                };
-            }
-            transformed(&*forward, &mut kernel)
-        });
-        Self {
-            n,
-            forward,
-            inverse,
-            kernels,
+    /// The median when it lies between `low` and `high`, from a selection among the sizes there.
+    fn within(&mut self, sizes: &[f64], low: f64, high: f64) -> Option<f64> {
+        self.near.resize(sizes.len(), 0.0);
+        let (mut below, mut count) = (0, 0);
+        for &size in sizes {
+            // Written always and kept when it counts: no branch to mispredict.
+            self.near[count] = size;
+            count += usize::from(size >= low && size <= high);
+            below += usize::from(size < low);
         }
+        let middle = (sizes.len() / 2).checked_sub(below)?;
+        let even = sizes.len().is_multiple_of(2);
+        if middle >= count || (even && middle == 0) {
+            return None;
+        }
+        let near = &mut self.near[..count];
+        let (lower, &mut upper, _) = near.select_nth_unstable_by(middle, f64::total_cmp);
+        Some(if even {
+            0.5 * (lower.iter().copied().fold(0.0, f64::max) + upper)
+        } else {
+            upper
+        })
     }
-
-    fn line(
-        &self,
-        z: &[f64],
-        weights: &[f64],
-        spacing: Length,
-    ) -> Result<Vec<f64>, RoughnessError> {
-        let weighted: Vec<f64> = z
-            .iter()
-            .zip(weights)
-            .map(|(z, weight)| z * weight)
-            .collect();
-        let s = self.sums(weights, 5);
-        let t = self.sums(&weighted, 3);
-        (0..self.n)
-            .map(|i| {
-                let matrix = Matrix3::from_fn(|row, column| s[row + column][i]);
-                let right = Vector3::from_fn(|row, _| t[row][i]);
-                let solved = matrix.cholesky().map(|factors| factors.solve(&right)[0]);
-                solved.ok_or(RoughnessError::NoSupport {
-                    place: spacing * i as f64,
-                })
-            })
-            .collect()
-    }
-
-    /// Σ s_k uʲ x_i+k for j = 0 .. `count`.
-    fn sums(&self, x: &[f64], count: usize) -> Vec<Vec<f64>> {
-        let mut padded = self.forward.make_input_vec();
-        padded[..self.n].copy_from_slice(x);
-        let spectrum = transformed(&*self.forward, &mut padded);
-        let convolved = |kernel: &Vec<Complex<f64>>| {
-            let mut product: Vec<_> = spectrum.iter().zip(kernel).map(|(a, b)| a * b).collect();
-            // The first and last coefficient of a real signal are real.
-            product[0].im = 0.0;
-            if let Some(last) = product.last_mut() {
-                last.im = 0.0;
-            }
-            let mut out = self.inverse.make_output_vec();
-            let done = self.inverse.process(&mut product, &mut out);
-            debug_assert!(done.is_ok(), "buffers are made by the plan");
-            out.truncate(self.n);
-            out
-        };
-        self.kernels[..count].iter().map(convolved).collect()
-    }
-}
-
-fn transformed(plan: &dyn RealToComplex<f64>, signal: &mut [f64]) -> Vec<Complex<f64>> {
-    let mut spectrum = plan.make_output_vec();
-    let done = plan.process(signal, &mut spectrum);
-    debug_assert!(done.is_ok(), "buffers are made by the plan");
-    spectrum
 }

@@ -1,0 +1,209 @@
+//! Weighted parabolas about every point of a trace, for the robust filter.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | s_k | weights of the places, symmetric, k = −m .. m | - |
+//! | δ | weights of the points | - |
+//! | S_j, T_j | Σ s_k δ_i+k uʲ and Σ s_k δ_i+k z_i+k uʲ, u = k/m | -, m |
+//!
+//! The sums are convolutions by fast Fourier transform in blocks that stay in the cache, each reaching m
+//! points into its neighbours: n log m, ten real transforms a block. A symmetric kernel has a real
+//! transform and an antisymmetric one an imaginary one, so one number per frequency is kept.
+
+use std::sync::Arc;
+
+use asperity_core::numerics::good_fft_length;
+use realfft::num_complex::Complex;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+
+/// Shortest transform of a trace in blocks: shorter ones do not pay their overhead.
+const SHORTEST: usize = 8192;
+/// Transform length in reaches m: of 16 m points 14 m are new.
+const REACHES: usize = 16;
+/// Least determinant of a place with a parabola, over what an error of the full sums K₀, K₂, K₄ makes
+/// of it: the transforms are good to about 10⁻¹⁵ of the full sums, and three digits shall remain.
+const LEAST_DETERMINANT: f64 = 1e-12;
+
+/// A place about which the weighted points give no parabola.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct NoParabola {
+    /// Index of the point.
+    pub at: usize,
+}
+
+/// Weighted local parabolas of traces of one length.
+pub(crate) struct LocalParabolas {
+    n: usize,
+    m: usize,
+    /// New points per block.
+    step: usize,
+    forward: Arc<dyn RealToComplex<f64>>,
+    inverse: Arc<dyn ComplexToReal<f64>>,
+    /// Transforms of s_k uʲ, j = 0 .. 4: real for even j, imaginary for odd.
+    kernels: [Vec<f64>; 5],
+    /// K₀, K₂, K₄: S₀, S₂, S₄ where no point is left out.
+    full: [f64; 3],
+    signal: Vec<f64>,
+    scratch: Vec<Complex<f64>>,
+    product: Vec<Complex<f64>>,
+    /// Transforms of δ and δ z.
+    spectra: [Vec<Complex<f64>>; 2],
+    /// S₀ .. S₄ and T₀ .. T₂ of a block.
+    sums: [Vec<f64>; 8],
+}
+
+impl LocalParabolas {
+    /// For traces of `n` points and `weights` s₀ .. s_m of one side, m < n.
+    pub(crate) fn new(n: usize, weights: &[f64]) -> Self {
+        let m = weights.len() - 1;
+        let blockwise = good_fft_length((REACHES * m).max(SHORTEST));
+        let whole = good_fft_length(n + m);
+        let (length, step) = if whole <= blockwise {
+            (whole, n)
+        } else {
+            (blockwise, blockwise - 2 * m)
+        };
+        let mut planner = RealFftPlanner::new();
+        let forward = planner.plan_fft_forward(length);
+        let inverse = planner.plan_fft_inverse(length);
+        let scratch = forward.get_scratch_len().max(inverse.get_scratch_len());
+        let spectrum = forward.make_output_vec();
+        let mut parabolas = Self {
+            n,
+            m,
+            step,
+            kernels: Default::default(),
+            full: [0, 2, 4].map(|power| full_sum(weights, power)),
+            signal: forward.make_input_vec(),
+            scratch: vec![Complex::default(); scratch],
+            product: spectrum.clone(),
+            spectra: [spectrum.clone(), spectrum],
+            sums: std::array::from_fn(|_| inverse.make_output_vec()),
+            forward,
+            inverse,
+        };
+        parabolas.kernels = [0, 1, 2, 3, 4].map(|power| parabolas.kernel(weights, power));
+        parabolas
+    }
+
+    fn kernel(&mut self, weights: &[f64], power: i32) -> Vec<f64> {
+        let length = self.signal.len();
+        let even = power % 2 == 0;
+        self.signal.fill(0.0);
+        for (k, weight) in weights.iter().enumerate() {
+            let u = k as f64 / self.m as f64;
+            let value = weight * u.powi(power) / length as f64;
+            // Point i gathers i + k: the kernel runs backwards.
+            self.signal[(length - k) % length] = value;
+            self.signal[k] = if even || k == 0 { value } else { -value };
+        }
+        self.transform(0);
+        let part = |c: &Complex<f64>| if even { c.re } else { c.im };
+        self.spectra[0].iter().map(part).collect()
+    }
+
+    /// The heights at their own places of the parabolas through `weighted` = δ z with the weights δ.
+    pub(crate) fn heights(
+        &mut self,
+        weights: &[f64],
+        weighted: &[f64],
+        heights: &mut [f64],
+    ) -> Result<(), NoParabola> {
+        for start in (0..self.n).step_by(self.step) {
+            let end = (start + self.step).min(self.n);
+            self.place(weights, start);
+            self.transform(0);
+            self.place(weighted, start);
+            self.transform(1);
+            for (sum, (spectrum, kernel)) in
+                [(0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (1, 0), (1, 1), (1, 2)]
+                    .into_iter()
+                    .enumerate()
+            {
+                self.convolve(spectrum, kernel, sum);
+            }
+            solve(&self.sums, self.full, &mut heights[start..end]).map_err(|NoParabola { at }| {
+                NoParabola { at: start + at }
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Block from `start`: its own points first, those before it at the end of the signal.
+    fn place(&mut self, x: &[f64], start: usize) {
+        let (n, m, length) = (self.n, self.m, self.signal.len());
+        let before = start.min(m);
+        let after = (start + self.step + m).min(n) - start;
+        self.signal[..after].copy_from_slice(&x[start..start + after]);
+        self.signal[after..length - before].fill(0.0);
+        self.signal[length - before..].copy_from_slice(&x[start - before..start]);
+    }
+
+    fn transform(&mut self, spectrum: usize) {
+        let (signal, scratch) = (&mut self.signal, &mut self.scratch);
+        let out = &mut self.spectra[spectrum];
+        let done = self.forward.process_with_scratch(signal, out, scratch);
+        debug_assert!(done.is_ok(), "buffers are made by the plan");
+    }
+
+    fn convolve(&mut self, spectrum: usize, power: usize, sum: usize) {
+        let values = self.spectra[spectrum].iter().zip(&self.kernels[power]);
+        if power % 2 == 0 {
+            for (out, (value, kernel)) in self.product.iter_mut().zip(values) {
+                *out = value * kernel;
+            }
+        } else {
+            for (out, (value, kernel)) in self.product.iter_mut().zip(values) {
+                *out = Complex::new(-value.im * kernel, value.re * kernel);
+            }
+        }
+        // The first and last coefficient of a real signal are real.
+        self.product[0].im = 0.0;
+        if let Some(last) = self.product.last_mut() {
+            last.im = 0.0;
+        }
+        let (product, scratch) = (&mut self.product, &mut self.scratch);
+        let out = &mut self.sums[sum];
+        let done = self.inverse.process_with_scratch(product, out, scratch);
+        debug_assert!(done.is_ok(), "buffers are made by the plan");
+    }
+}
+
+/// Σ s_k uʲ over k = −m .. m, for even j.
+fn full_sum(weights: &[f64], power: i32) -> f64 {
+    let m = (weights.len() - 1) as f64;
+    let terms = weights.iter().enumerate().skip(1);
+    let side: f64 = terms.map(|(k, s)| s * (k as f64 / m).powi(power)).sum();
+    2.0 * side + if power == 0 { weights[0] } else { 0.0 }
+}
+
+/// The first unknown of S (a b c)ᵀ = T at every point, by Cramer's rule.
+fn solve(
+    sums: &[Vec<f64>; 8],
+    [k0, k2, k4]: [f64; 3],
+    heights: &mut [f64],
+) -> Result<(), NoParabola> {
+    let count = heights.len();
+    let [s0, s1, s2, s3, s4, t0, t1, t2] = sums.each_ref().map(|sum| &sum[..count]);
+    let mut supported = true;
+    let determined = |i: usize| {
+        let a = s2[i] * s4[i] - s3[i] * s3[i];
+        let b = s2[i] * s3[i] - s1[i] * s4[i];
+        let c = s1[i] * s3[i] - s2[i] * s2[i];
+        let determinant = a * s0[i] + b * s1[i] + c * s2[i];
+        let error = k0 * s2[i] * s4[i] + s0[i] * k2 * s4[i] + s0[i] * s2[i] * k4;
+        let height = (a * t0[i] + b * t1[i] + c * t2[i]) / determinant;
+        let supported = error > 0.0 && s0[i] > 0.0 && determinant > LEAST_DETERMINANT * error;
+        (height, supported)
+    };
+    for (i, height) in heights.iter_mut().enumerate() {
+        let (found, good) = determined(i);
+        *height = found;
+        supported &= good;
+    }
+    if supported {
+        return Ok(());
+    }
+    let at = (0..count).find(|&i| !determined(i).1);
+    Err(NoParabola { at: at.unwrap_or(0) })
+}
