@@ -12,7 +12,7 @@ use serde::Serialize;
 use crate::RoughnessError;
 use crate::gaussian_filter::Ends;
 use crate::height_parameters::{HeightParameters, Mode, in_sections, sections_in};
-use crate::material_ratio::{Line, RkParameters, rk_parameters_with};
+use crate::material_ratio::{RkParameters, rk_of_both_lines};
 use crate::preparation::{Preparation, RoughnessFilter, prepare_with};
 
 /// The range of one parameter over all allowed choices.
@@ -106,16 +106,12 @@ fn evaluated(
 ) -> Result<([HeightParameters; 2], [RkParameters; 2]), RoughnessError> {
     let prepared = prepare_with(profile, recipe, filter)?.profile;
     let sections = sections_in(&prepared, lambda_c)?;
-    let z = prepared.heights();
     Ok((
         [
             in_sections(&prepared, Mode::Iso4287, sections)?,
             in_sections(&prepared, Mode::Iso21920, sections)?,
         ],
-        [
-            rk_parameters_with(z, Line::LeastSquares)?,
-            rk_parameters_with(z, Line::Secant)?,
-        ],
+        rk_of_both_lines(prepared.heights())?,
     ))
 }
 

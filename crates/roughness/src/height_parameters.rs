@@ -19,10 +19,13 @@ use serde::{Deserialize, Serialize};
 
 use crate::RoughnessError;
 use crate::elements::{Element, elements, overlapping_elements};
-use crate::spectral::slopes;
+use crate::spectral::{each_slope, mean_square};
 
 /// Share of Rz (or Rp, Rv) that a profile element must exceed on either side (ISO 4287, 21920-2).
 const DISCRIMINATION: f64 = 0.1;
+
+/// Independent running sums and extremes: an addition takes four cycles, but four can run at once.
+const LANES: usize = 8;
 
 /// The standard whose definitions are used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
@@ -174,10 +177,17 @@ pub fn in_sections(
 
 /// Lowest and highest value; (∞, −∞) for none.
 pub(crate) fn extremes(z: &[f64]) -> (f64, f64) {
-    z.iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), z| {
-            (low.min(*z), high.max(*z))
-        })
+    let (groups, rest) = z.as_chunks::<LANES>();
+    let mut lanes = [(f64::INFINITY, f64::NEG_INFINITY); LANES];
+    let widened = |(low, high): (f64, f64), z: f64| (low.min(z), high.max(z));
+    for group in groups {
+        for (lane, z) in lanes.iter_mut().zip(group) {
+            *lane = widened(*lane, *z);
+        }
+    }
+    let all = lanes.into_iter().reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
+    let all = all.unwrap_or((f64::INFINITY, f64::NEG_INFINITY));
+    rest.iter().fold(all, |all, z| widened(all, *z))
 }
 
 /// Numbers in SI on their way to [`HeightParameters`].
@@ -226,17 +236,30 @@ struct Moments {
 /// Ra = ⟨|z|⟩,  Rq = √⟨z²⟩,  Rsk = ⟨z³⟩/Rq³,  Rku = ⟨z⁴⟩/Rq⁴                      [Height-1]
 fn moments(z: &[f64]) -> Moments {
     let n = z.len() as f64;
-    let rq = (z.iter().map(|z| z * z).sum::<f64>() / n).sqrt();
+    let rq = (sum(z, |z| z * z) / n).sqrt();
     // Heights are scaled by Rq before they are raised, so that no power underflows.
     let shape = (rq > 0.0).then(|| {
-        let power = |p: i32| z.iter().map(|z| (z / rq).powi(p)).sum::<f64>() / n;
+        let scale = 1.0 / rq;
+        let power = |p: i32| sum(z, |z| (z * scale).powi(p)) / n;
         (power(3), power(4))
     });
     Moments {
-        ra: z.iter().map(|z| z.abs()).sum::<f64>() / n,
+        ra: sum(z, f64::abs) / n,
         rq,
         shape,
     }
+}
+
+/// Σ f(z) in eight running parts, which do not wait for each other.
+pub(crate) fn sum(z: &[f64], f: impl Fn(f64) -> f64) -> f64 {
+    let (groups, rest) = z.as_chunks::<LANES>();
+    let mut parts = [0.0; LANES];
+    for group in groups {
+        for (part, z) in parts.iter_mut().zip(group) {
+            *part += f(*z);
+        }
+    }
+    parts.iter().sum::<f64>() + rest.iter().map(|z| f(*z)).sum::<f64>()
 }
 
 fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {
@@ -248,34 +271,48 @@ fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {
 
 /// X = (1/n) Σ Xᵢ over the sampling lengths; Rp = ⟨max z⟩, Rv = ⟨−min z⟩, Rz = Rp + Rv   [Height-2]
 fn per_section(parts: &[&[f64]], dx: f64) -> Raw {
-    let average = |value: &dyn Fn(&[f64]) -> f64| {
-        mean(parts.iter().map(|part| value(part))).unwrap_or_default()
-    };
-    let each: Vec<Moments> = parts.iter().map(|part| moments(part)).collect();
-    let shapes = || each.iter().filter_map(|m| m.shape);
+    let each: Vec<Section> = parts.iter().map(|part| Section::of(part, dx)).collect();
+    let average = |value: fn(&Section) -> f64| mean(each.iter().map(value)).unwrap_or_default();
+    let shapes = || each.iter().filter_map(|section| section.moments.shape);
     let shape = mean(shapes().map(|s| s.0)).zip(mean(shapes().map(|s| s.1)));
-    let per_part: Vec<Option<Element>> = parts
-        .iter()
-        .map(|part| {
-            let (low, high) = extremes(part);
-            let threshold = DISCRIMINATION * (high - low);
-            mean_element(&elements(part, threshold, threshold))
-        })
-        .collect();
-    let found: Vec<Element> = per_part.iter().flatten().copied().collect();
+    let found: Vec<Element> = each.iter().filter_map(|section| section.element).collect();
+    let ranges = each.iter().map(|section| section.high - section.low);
     Raw {
         moments: Moments {
-            ra: mean(each.iter().map(|m| m.ra)).unwrap_or_default(),
-            rq: mean(each.iter().map(|m| m.rq)).unwrap_or_default(),
+            ra: average(|section| section.moments.ra),
+            rq: average(|section| section.moments.rq),
             shape,
         },
-        rp: average(&|part| extremes(part).1),
-        rv: average(&|part| -extremes(part).0),
-        rz1max: largest_range(parts),
+        rp: average(|section| section.high),
+        rv: average(|section| -section.low),
+        rz1max: ranges.fold(0.0, f64::max),
         empty: parts.len() - found.len(),
         element: mean_element(&found),
-        rdq: average(&|part| root_mean_square(&slopes(part, dx))),
+        rdq: average(|section| section.rdq),
         dx,
+    }
+}
+
+/// What is measured in one sampling length.
+struct Section {
+    moments: Moments,
+    low: f64,
+    high: f64,
+    element: Option<Element>,
+    rdq: f64,
+}
+
+impl Section {
+    fn of(z: &[f64], dx: f64) -> Self {
+        let (low, high) = extremes(z);
+        let threshold = DISCRIMINATION * (high - low);
+        Self {
+            moments: moments(z),
+            low,
+            high,
+            element: mean_element(&elements(z, threshold, threshold)),
+            rdq: mean_square(each_slope(z, dx)).sqrt(),
+        }
     }
 }
 
@@ -295,7 +332,7 @@ fn over_the_length(z: &[f64], parts: &[&[f64]], dx: f64) -> Raw {
         rz1max: ranges.fold(0.0, f64::max),
         empty: usize::from(found.is_empty()),
         element: mean_element(&found),
-        rdq: root_mean_square(&slopes(z, dx)),
+        rdq: mean_square(each_slope(z, dx)).sqrt(),
         dx,
     }
 }
@@ -304,25 +341,27 @@ fn over_the_length(z: &[f64], parts: &[&[f64]], dx: f64) -> Raw {
 /// points on one side of the mean line and belongs to the section of its extremum.
 fn hills_and_dales(z: &[f64], n: usize) -> (Vec<f64>, Vec<f64>) {
     let (mut hills, mut dales) = (vec![0.0; n], vec![0.0; n]);
-    let mut start = 0;
-    while start < z.len() {
-        let up = z[start] > 0.0;
-        let length = z[start..].iter().take_while(|z| (**z > 0.0) == up).count();
-        let run = z[start..start + length].iter().enumerate();
-        let (at, size) = run.fold((0, f64::NEG_INFINITY), |best, (at, z)| {
-            if z.abs() > best.1 {
-                (at, z.abs())
-            } else {
-                best
-            }
-        });
+    // Side, place and size of the extremum of the run so far.
+    let (mut up, mut at, mut size) = (z.first().is_some_and(|z| *z > 0.0), 0, f64::NEG_INFINITY);
+    let mut close = |up: bool, at: usize, size: f64| {
         // Section i holds the points i N/n .. (i+1) N/n, rounded down.
-        let section = ((start + at + 1) * n).div_ceil(z.len()) - 1;
+        let section = ((at + 1) * n).div_ceil(z.len()) - 1;
         let target = if up { &mut hills } else { &mut dales };
         if let Some(best) = target.get_mut(section) {
             *best = size.max(*best);
         }
-        start += length;
+    };
+    for (i, height) in z.iter().enumerate() {
+        if (*height > 0.0) != up {
+            close(up, at, size);
+            (up, size) = (!up, f64::NEG_INFINITY);
+        }
+        if height.abs() > size {
+            (at, size) = (i, height.abs());
+        }
+    }
+    if !z.is_empty() {
+        close(up, at, size);
     }
     (hills, dales)
 }
@@ -331,20 +370,4 @@ fn mean_element(found: &[Element]) -> Option<Element> {
     let width = mean(found.iter().map(|element| element.width))?;
     let height = mean(found.iter().map(|element| element.height))?;
     Some(Element { width, height })
-}
-
-fn largest_range(parts: &[&[f64]]) -> f64 {
-    parts
-        .iter()
-        .map(|part| {
-            let (low, high) = extremes(part);
-            high - low
-        })
-        .fold(0.0, f64::max)
-}
-
-fn root_mean_square(values: &[f64]) -> f64 {
-    mean(values.iter().map(|v| v * v))
-        .unwrap_or_default()
-        .sqrt()
 }

@@ -19,6 +19,7 @@
 
 pub mod ambiguity;
 pub mod autocorrelation;
+mod blocks;
 pub mod composite;
 mod elements;
 pub mod equations;

@@ -12,14 +12,11 @@
 
 use std::sync::Arc;
 
-use asperity_core::numerics::good_fft_length;
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 
-/// Shortest transform of a trace in blocks: shorter ones do not pay their overhead.
-const SHORTEST: usize = 8192;
-/// Transform length in reaches m: of 16 m points 14 m are new.
-const REACHES: usize = 16;
+use crate::blocks::Blocks;
+
 /// Least determinant of a place with a parabola, over what an error of the full sums K₀, K₂, K₄ makes
 /// of it: the transforms are good to about 10⁻¹⁵ of the full sums, and three digits shall remain.
 const LEAST_DETERMINANT: f64 = 1e-12;
@@ -56,13 +53,7 @@ impl LocalParabolas {
     /// For traces of `n` points and `weights` s₀ .. s_m of one side, m < n.
     pub(crate) fn new(n: usize, weights: &[f64]) -> Self {
         let m = weights.len() - 1;
-        let blockwise = good_fft_length((REACHES * m).max(SHORTEST));
-        let whole = good_fft_length(n + m);
-        let (length, step) = if whole <= blockwise {
-            (whole, n)
-        } else {
-            (blockwise, blockwise - 2 * m)
-        };
+        let Blocks { length, step } = Blocks::of(n, m);
         let mut planner = RealFftPlanner::new();
         let forward = planner.plan_fft_forward(length);
         let inverse = planner.plan_fft_inverse(length);
@@ -148,7 +139,7 @@ impl LocalParabolas {
 
     fn convolve(&mut self, spectrum: usize, power: usize, sum: usize) {
         let values = self.spectra[spectrum].iter().zip(&self.kernels[power]);
-        if power % 2 == 0 {
+        if power.is_multiple_of(2) {
             for (out, (value, kernel)) in self.product.iter_mut().zip(values) {
                 *out = value * kernel;
             }

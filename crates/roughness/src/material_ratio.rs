@@ -93,6 +93,17 @@ pub fn rk_parameters(heights: &[f64]) -> Result<RkParameters, RoughnessError> {
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn rk_parameters_with(heights: &[f64], line: Line) -> Result<RkParameters, RoughnessError> {
+    Ok(rk_of_curve(&curve(heights)?, line))
+}
+
+/// The Rk family with the line by least squares and as a secant, from one curve.
+pub(crate) fn rk_of_both_lines(heights: &[f64]) -> Result<[RkParameters; 2], RoughnessError> {
+    let s = curve(heights)?;
+    Ok([Line::LeastSquares, Line::Secant].map(|line| rk_of_curve(&s, line)))
+}
+
+/// The material ratio curve of enough heights.
+fn curve(heights: &[f64]) -> Result<Vec<f64>, RoughnessError> {
     const LEAST: usize = 10;
     if heights.len() < LEAST {
         return Err(RoughnessError::TooFewPoints {
@@ -101,20 +112,26 @@ pub fn rk_parameters_with(heights: &[f64], line: Line) -> Result<RkParameters, R
             purpose: "the material ratio curve",
         });
     }
-    let s = abbott_curve(heights)?;
+    Ok(abbott_curve(heights)?)
+}
+
+/// The Rk family of a material ratio curve of ten points or more.
+fn rk_of_curve(s: &[f64], line: Line) -> RkParameters {
     let n = s.len();
     let ratio = |k: usize| (k as f64 + 0.5) / n as f64 * 100.0;
     let m = (WINDOW * n as f64).round() as usize;
-    let start = flattest_window(&s, m);
-    let (c0, c100) = equivalent_line(&s, start, m, line);
+    let start = flattest_window(s, m);
+    let (c0, c100) = equivalent_line(s, start, m, line);
     let share = 100.0 / n as f64;
     // Sums of heights times percent; a triangle of base Mr1 and height Rpk has the area A₁.
-    let a1 = share * s.iter().map(|s| (s - c0).max(0.0)).sum::<f64>();
-    let a2 = share * s.iter().map(|s| (c100 - s).max(0.0)).sum::<f64>();
-    let mr1 = cut(&s, c0, ratio);
-    let mr2 = cut(&s, c100, ratio);
+    let above = s.iter().map(|s| s - c0).take_while(|s| *s > 0.0);
+    let below = s.iter().rev().map(|s| c100 - s).take_while(|s| *s > 0.0);
+    let a1 = share * above.fold(0.0, |sum, s| sum + s);
+    let a2 = share * below.fold(0.0, |sum, s| sum + s);
+    let mr1 = cut(s, c0, ratio);
+    let mr2 = cut(s, c100, ratio);
     let reduced = |area: f64, base: f64| if base > 0.0 { 2.0 * area / base } else { 0.0 };
-    Ok(RkParameters {
+    RkParameters {
         rk: Length::from_si(c0 - c100),
         rpk: Length::from_si(reduced(a1, mr1)),
         rvk: Length::from_si(reduced(a2, 100.0 - mr2)),
@@ -126,7 +143,7 @@ pub fn rk_parameters_with(heights: &[f64], line: Line) -> Result<RkParameters, R
         lower: Length::from_si(c100),
         window_start: ratio(start),
         line,
-    })
+    }
 }
 
 /// s: the heights `[m]` in falling order; point k has the material ratio (k + ½)/N        [Rk-2]
@@ -148,9 +165,18 @@ pub fn abbott_curve(heights: &[f64]) -> Result<Vec<f64>, DomainError> {
             rule: "every height must be finite",
         });
     }
-    let mut s = heights.to_vec();
-    s.sort_unstable_by(|a, b| b.total_cmp(a));
-    Ok(s)
+    Ok(falling(heights))
+}
+
+/// Heights in falling order, sorted as the integers of the same order, which takes half the time.
+fn falling(heights: &[f64]) -> Vec<f64> {
+    // The bits below the sign of negative numbers run backwards; swapping them is its own inverse.
+    let ordered = |bits: i64| bits ^ (((bits >> 63) as u64) >> 1) as i64;
+    let keys = heights.iter().map(|z| ordered(z.to_bits() as i64));
+    let mut keys: Vec<i64> = keys.collect();
+    keys.sort_unstable();
+    let height = |key: i64| f64::from_bits(ordered(key) as u64);
+    keys.into_iter().rev().map(height).collect()
 }
 
 /// i* = argmin (s_i − s_i+m), the first of several that differ by rounding only.

@@ -130,8 +130,20 @@ pub fn prepare_with(
     recipe: &Preparation,
     filter: RoughnessFilter,
 ) -> Result<Prepared, RoughnessError> {
+    let (primary, warnings) = primary(profile, recipe)?;
+    from_primary(profile, primary, warnings, recipe, filter)
+}
+
+/// The roughness profile of `profile` from its primary profile.
+fn from_primary(
+    profile: &Profile,
+    primary: Profile,
+    mut warnings: Vec<Warning>,
+    recipe: &Preparation,
+    filter: RoughnessFilter,
+) -> Result<Prepared, RoughnessError> {
     let spacing = profile.spacing();
-    let (mut current, mut warnings) = primary(profile, recipe)?;
+    let mut current = primary;
     let (mut dropped, mut robust) = (0, None);
     if let Some(lambda_c) = recipe.lambda_c {
         (current, robust) = roughness(&current, lambda_c, recipe.ends, filter)?;
@@ -191,8 +203,8 @@ pub fn profiles(
     recipe: &Preparation,
     filter: RoughnessFilter,
 ) -> Result<Profiles, RoughnessError> {
-    let roughness = prepare_with(profile, recipe, filter)?;
-    let (primary, _) = primary(profile, recipe)?;
+    let (primary, warnings) = primary(profile, recipe)?;
+    let roughness = from_primary(profile, primary.clone(), warnings, recipe, filter)?;
     let waviness = recipe.lambda_c.map(|_| {
         let from = primary.heights().iter().skip(roughness.first_index);
         let pairs = from.zip(roughness.profile.heights());

@@ -20,6 +20,7 @@ use realfft::RealFftPlanner;
 use serde::Serialize;
 
 use crate::RoughnessError;
+use crate::height_parameters::sum;
 
 /// Mean squares of a profile and its derivatives.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -43,9 +44,15 @@ pub struct SpectralMoments {
 /// assert_eq!(slopes, [2.0]);
 /// ```
 pub fn slopes(heights: &[f64], dx: f64) -> Vec<f64> {
-    let slope =
-        |z: &[f64]| (z[6] - z[0] - 9.0 * (z[5] - z[1]) + 45.0 * (z[4] - z[2])) / (60.0 * dx);
-    heights.windows(7).map(slope).collect()
+    each_slope(heights, dx).collect()
+}
+
+/// The slopes one by one.
+pub(crate) fn each_slope(heights: &[f64], dx: f64) -> impl Iterator<Item = f64> {
+    let slope = move |z: &[f64]| {
+        (z[6] - z[0] - 9.0 * (z[5] - z[1]) + 45.0 * (z[4] - z[2])) / (60.0 * dx)
+    };
+    heights.windows(7).map(slope)
 }
 
 /// m₀ = ⟨z²⟩,  m₂ = ⟨z′²⟩ (7-point),  m₄ = ⟨z″²⟩ (3-point)                        [Moment-1]
@@ -73,18 +80,20 @@ pub fn moments(profile: &Profile) -> Result<SpectralMoments, RoughnessError> {
             purpose: "spectral moments",
         });
     }
-    let mean_square = |values: &mut dyn Iterator<Item = f64>| {
-        let (sum, count) = values.fold((0.0, 0_usize), |(sum, count), v| (sum + v * v, count + 1));
-        sum / count as f64
-    };
-    let mean = z.iter().sum::<f64>() / z.len() as f64;
+    let mean = sum(z, |z| z) / z.len() as f64;
     let curvature = |z: &[f64]| (z[0] - 2.0 * z[1] + z[2]) / (dx * dx);
     Ok(SpectralMoments {
-        m0: mean_square(&mut z.iter().map(|z| z - mean)),
-        m2: mean_square(&mut slopes(z, dx).into_iter()),
-        m4: mean_square(&mut z.windows(3).map(curvature)),
+        m0: sum(z, |z| (z - mean).powi(2)) / z.len() as f64,
+        m2: mean_square(each_slope(z, dx)),
+        m4: mean_square(z.windows(3).map(curvature)),
         spacing: profile.spacing(),
     })
+}
+
+/// ⟨v²⟩; 0 for no values.
+pub(crate) fn mean_square(values: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) = values.fold((0.0, 0_usize), |(sum, count), v| (sum + v * v, count + 1));
+    sum / count.max(1) as f64
 }
 
 impl SpectralMoments {
@@ -153,7 +162,8 @@ pub fn power_spectrum(profile: &Profile) -> Result<PowerSpectrum, RoughnessError
     let mut spectrum = plan.make_output_vec();
     let done = plan.process(&mut signal, &mut spectrum);
     debug_assert!(done.is_ok(), "buffers are made by the plan");
-    let squares: f64 = (0..n).map(|i| window(i).powi(2)).sum();
+    // Σ h² of a Hann window that ends in zeros.
+    let squares = 0.375 * (n - 1) as f64;
     let density = spectrum.iter().enumerate().map(|(k, value)| {
         let sides = if k == 0 || 2 * k == n { 1.0 } else { 2.0 };
         sides * dx * value.norm_sqr() / squares
