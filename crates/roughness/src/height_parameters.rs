@@ -191,7 +191,9 @@ pub(crate) fn extremes(z: &[f64]) -> (f64, f64) {
             *lane = widened(*lane, *z);
         }
     }
-    let all = lanes.into_iter().reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
+    let all = lanes
+        .into_iter()
+        .reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
     let all = all.unwrap_or((f64::INFINITY, f64::NEG_INFINITY));
     rest.iter().fold(all, |all, z| widened(all, *z))
 }

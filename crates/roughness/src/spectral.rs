@@ -49,9 +49,8 @@ pub fn slopes(heights: &[f64], dx: f64) -> Vec<f64> {
 
 /// The slopes one by one.
 pub(crate) fn each_slope(heights: &[f64], dx: f64) -> impl Iterator<Item = f64> {
-    let slope = move |z: &[f64]| {
-        (z[6] - z[0] - 9.0 * (z[5] - z[1]) + 45.0 * (z[4] - z[2])) / (60.0 * dx)
-    };
+    let slope =
+        move |z: &[f64]| (z[6] - z[0] - 9.0 * (z[5] - z[1]) + 45.0 * (z[4] - z[2])) / (60.0 * dx);
     heights.windows(7).map(slope)
 }
 

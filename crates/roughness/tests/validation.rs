@@ -1,44 +1,20 @@
-//! Closed forms and direct sums against the fast code.
+//! Closed forms of parameters, spectra, summits, composites and generators.
 
 #![allow(clippy::unwrap_used, clippy::panic)]
+
+mod common;
 
 use std::f64::consts::{PI, SQRT_2, TAU};
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use asperity_roughness::composite::{Pairing, combined_rq, compose};
-use asperity_roughness::form::Form;
-use asperity_roughness::gaussian_filter::{Ends, alpha, mean_line, transmission, weights};
-use asperity_roughness::generate::{Ground, Pits, SelfAffine, lower_envelope, truncated};
+use asperity_roughness::generate::{Ground, SelfAffine, lower_envelope, truncated};
 use asperity_roughness::height_parameters::{Mode, height_parameters, in_sections};
 use asperity_roughness::material_ratio::{Line, abbott_curve, rk_parameters, rk_parameters_with};
-use asperity_roughness::preparation::{Preparation, RoughnessFilter, prepare, prepare_with};
-use asperity_roughness::robust_filter::robust_mean_line;
 use asperity_roughness::spectral::{moments, power_spectrum, slopes};
 use asperity_roughness::summits::{ReferenceLevel, asperity_radius};
-use asperity_roughness::{Parameters, Warning};
-
-fn profile(dx: f64, n: usize, z: impl Fn(f64) -> f64) -> Profile {
-    Profile::new(
-        Length::from_si(dx),
-        (0..n).map(|i| z(i as f64 * dx)).collect(),
-    )
-    .unwrap()
-}
-
-fn close(found: f64, expected: f64, relative: f64) {
-    assert!(
-        (found - expected).abs() <= relative * expected.abs(),
-        "{found} is not {expected}"
-    );
-}
-
-/// Fractional noise without a random generator, for oracles.
-fn rough(n: usize) -> Vec<f64> {
-    (0..n)
-        .map(|i| ((i * i * 7 + 13 * i) as f64 * 0.618_033_988_75).fract() - 0.4)
-        .collect()
-}
+use common::{close, profile};
 
 #[test]
 fn a_sine_has_its_textbook_heights_in_both_modes() {
@@ -124,201 +100,6 @@ fn areas_of_peaks_and_pits_are_those_of_their_triangles() {
     close(found.rvk.si(), 0.8, 1e-3);
     close(found.a1.si(), 0.5 * 0.9 * 0.09, 1e-3);
     assert!(abbott_curve(&heights).unwrap().is_sorted_by(|a, b| a >= b));
-}
-
-#[test]
-fn the_filter_passes_half_the_amplitude_at_its_cutoff() {
-    let cutoff = Length::from_si(0.25e-3);
-    for ratio in [0.25, 0.5, 1.0, 2.0, 4.0] {
-        let wavelength = 0.25e-3 * ratio;
-        let wave = profile(0.5e-6, 6001, |x| (TAU * x / wavelength).cos());
-        let line = mean_line(&wave, cutoff, Ends::Cut).unwrap();
-        let expected = transmission(Length::from_si(wavelength), cutoff).unwrap();
-        // The weights are cut off at ±λ_c, where they are e^−14.2 = 6e-7 of their middle.
-        assert!(
-            (line[3000] - expected * wave.heights()[3000]).abs() < 1e-6,
-            "{ratio}"
-        );
-    }
-    close(transmission(cutoff, cutoff).unwrap(), 0.5, 1e-15);
-    close(alpha(), 0.469_718_639, 1e-9);
-}
-
-#[test]
-fn regression_of_degree_one_keeps_a_line_to_its_ends() {
-    let line = profile(1e-6, 3000, |x| 0.1 + 0.3 * x);
-    let cutoff = Length::from_si(0.8e-3);
-    let largest = |ends| {
-        let filtered = mean_line(&line, cutoff, ends).unwrap();
-        let pairs = filtered.iter().zip(line.heights());
-        pairs.map(|(w, z)| (w - z).abs()).fold(0.0, f64::max)
-    };
-    // Heights of 0.1 m have an error of 1.4e-17; the transform adds a few.
-    assert!(largest(Ends::Reg1) < 1e-15, "{:e}", largest(Ends::Reg1));
-    assert!(largest(Ends::Reg0) > 1e-5);
-    assert!(largest(Ends::Reflect) > 1e-5);
-}
-
-/// Weighted mean, weighted line or mirrored mean by direct sums.
-fn direct(z: &[f64], w: &[f64], ends: Ends) -> Vec<f64> {
-    let (n, m) = (z.len() as i64, w.len() as i64 - 1);
-    let weight = |k: i64| w[k.unsigned_abs() as usize];
-    (0..n)
-        .map(|i| {
-            let inside = (i - m).max(0)..=(i + m).min(n - 1);
-            let sum =
-                |f: &dyn Fn(i64) -> f64| inside.clone().map(|j| weight(j - i) * f(j)).sum::<f64>();
-            let height = |j: i64| z[j as usize];
-            match ends {
-                Ends::Cut | Ends::Reg0 => sum(&height) / sum(&|_| 1.0),
-                Ends::Reg1 => {
-                    let lever = |j: i64| (j - i) as f64;
-                    let (s0, s1, s2) = (sum(&|_| 1.0), sum(&lever), sum(&|j| lever(j).powi(2)));
-                    let (t0, t1) = (sum(&height), sum(&|j| lever(j) * height(j)));
-                    (s2 * t0 - s1 * t1) / (s0 * s2 - s1 * s1)
-                }
-                Ends::Reflect => {
-                    let mirrored = |j: i64| match j {
-                        j if j < 0 => -1 - j,
-                        j if j >= n => 2 * n - 1 - j,
-                        j => j,
-                    };
-                    (-m..=m).map(|k| weight(k) * height(mirrored(i + k))).sum()
-                }
-            }
-        })
-        .collect()
-}
-
-#[test]
-fn the_fast_filter_equals_direct_sums_with_every_treatment_of_the_ends() {
-    let dx = Length::from_si(1e-6);
-    // The trace is shorter than two supports, just longer, and much longer.
-    for (n, reach) in [(60, 50), (110, 50), (400, 30), (40, 40)] {
-        let z = rough(n);
-        let cutoff = Length::from_si(f64::from(reach) * 1e-6);
-        let trace = Profile::new(dx, z.clone()).unwrap();
-        let w = weights(cutoff, dx).unwrap();
-        if n < w.len() {
-            assert!(mean_line(&trace, cutoff, Ends::Cut).is_err());
-            continue;
-        }
-        for ends in [Ends::Cut, Ends::Reg0, Ends::Reg1, Ends::Reflect] {
-            let fast = mean_line(&trace, cutoff, ends).unwrap();
-            for (i, (fast, slow)) in fast.iter().zip(direct(&z, &w, ends)).enumerate() {
-                // Sums of a hundred terms of size one; levers of 100 points in Reg1.
-                assert!(
-                    (fast - slow).abs() < 1e-12,
-                    "{ends:?} {n} {i}: {fast} {slow}"
-                );
-            }
-        }
-    }
-}
-
-#[test]
-fn preparing_drops_half_a_cutoff_and_says_what_was_done() {
-    let wave = profile(0.5e-6, 11_200, |x| {
-        1e-6 * (TAU * x / 50e-6).sin() + 0.02 * x + 0.1
-    });
-    let prepared = prepare(&wave, &Preparation::default()).unwrap();
-    assert_eq!((prepared.first_index, prepared.profile.len()), (800, 9600));
-    assert_eq!(prepared.record.dropped_each_end, 800);
-    assert_eq!(prepared.warnings, []);
-    let found = Parameters::of(&prepared.profile, Mode::Iso4287, Length::from_si(0.8e-3)).unwrap();
-    assert_eq!(found.heights.sections, 6);
-    // λ_c leaves 1 − a(50 um) = 1 of the wave, λ_s = 2.5 um takes 1 − a = 0.17 %.
-    let passed = transmission(Length::from_si(50e-6), Length::from_si(2.5e-6)).unwrap();
-    close(found.heights.rq.si(), passed * 1e-6 / SQRT_2, 2e-4);
-}
-
-#[test]
-fn the_robust_line_of_a_damaged_flank_is_that_of_the_sound_one() {
-    let recipe = SelfAffine {
-        points: 8000,
-        spacing: Length::from_si(0.5e-6),
-        rq: Length::from_si(0.4e-6),
-        hurst: 0.8,
-        roll_off: Length::from_si(60e-6),
-        short_cut: Length::from_si(4e-6),
-        seed: 12,
-    };
-    let sound = recipe.generate().unwrap();
-    let pit = Pits {
-        count: 1,
-        width: Length::from_si(80e-6),
-        depth: Length::from_si(12e-6),
-        seed: 5,
-    };
-    let damaged = pit.add_to(&sound).unwrap();
-    let recipe = Preparation::default();
-    let rpk = |profile: &Profile, filter| {
-        let prepared = prepare_with(profile, &recipe, filter).unwrap();
-        rk_parameters(prepared.profile.heights()).unwrap().rpk.si()
-    };
-    let (plain, robust) = (RoughnessFilter::Gaussian, RoughnessFilter::RobustGaussian);
-    // The pit raises false shoulders under the plain filter only.
-    assert!((rpk(&damaged, robust) / rpk(&sound, robust) - 1.0).abs() < 0.03);
-    assert!(rpk(&damaged, plain) > 1.2 * rpk(&sound, plain));
-
-    // Regression of degree two keeps a parabola, to the ends, in the least number of passes.
-    // Also on a trace hardly longer than the cut-off, shorter than the reach of the weights.
-    for points in [3000, 900] {
-        let parabola = profile(1e-6, points, |x| 0.1 + 0.2 * x - 30.0 * x * x);
-        let kept = robust_mean_line(&parabola, Length::from_si(0.8e-3)).unwrap();
-        for (w, z) in kept.heights.iter().zip(parabola.heights()) {
-            assert!((w - z).abs() < 1e-12, "{points}");
-        }
-    }
-}
-
-#[test]
-fn a_sine_at_the_cutoff_passes_half_of_the_robust_filter_too() {
-    let cutoff = 0.25e-3;
-    let wave = profile(0.5e-6, 6001, |x| (TAU * x / cutoff).cos());
-    let line = robust_mean_line(&wave, Length::from_si(cutoff)).unwrap();
-    // Tukey's weights on a sine move the share a little from the ½ of equal weights.
-    assert!(
-        (line.heights[3000] / wave.heights()[3000] - 0.5).abs() < 0.1,
-        "{}",
-        line.heights[3000]
-    );
-}
-
-#[test]
-fn form_that_was_not_removed_is_reported() {
-    let crowned = profile(0.5e-6, 6001, |x| {
-        1e-7 * (TAU * x / 40e-6).sin() - 25.0 * (x - 1.5e-3).powi(2)
-    });
-    let recipe = Preparation {
-        lambda_c: None,
-        ..Preparation::default()
-    };
-    let prepared = prepare(&crowned, &recipe).unwrap();
-    let sag = match prepared.warnings.as_slice() {
-        [Warning::FormNotRemoved { sag, .. }] => sag.si(),
-        other => panic!("{other:?}"),
-    };
-    let message = prepared.warnings[0].to_string();
-    assert!(
-        message.starts_with("form not removed (parabola of 56."),
-        "{message}"
-    );
-    assert!(
-        message.ends_with("um is not roughness. Try --form poly2"),
-        "{message}"
-    );
-    // 25/m · (1.5 mm)² = 56 um.
-    close(sag, 56.2e-6, 2e-3);
-    let removed = prepare(
-        &crowned,
-        &Preparation {
-            form: Form::Poly2,
-            ..recipe
-        },
-    )
-    .unwrap();
-    assert_eq!(removed.warnings, []);
 }
 
 #[test]
