@@ -183,7 +183,7 @@ pub const EQUATIONS: &[Equation] = &[
         "Robust mean line",
         "min Σ s_k δ_i+k (z_i+k − a − b u − c u²)², δ = (1 − (r/c)²)²",
         "robust_filter.rs",
-        "the_robust_line_of_a_damaged_flank_is_that_of_the_sound_one",
+        "the_robust_line_is_that_of_direct_sums_by_the_definition",
         [ISO_16610_31]
     ),
     equation!(

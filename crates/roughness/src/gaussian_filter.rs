@@ -76,7 +76,7 @@ pub fn transmission(wavelength: Length, cutoff: Length) -> Result<f64, DomainErr
 
 /// s(x) = exp(−π (x/(α λ_c))²)/(α λ_c), sampled: w_k = s(k dx)/Σ s(j dx)          [Gauss-3]
 ///
-/// The weights w₀, w₁ .. w_m of one side, m = ⌈λ_c/dx⌉: the first beyond the cut-off is the last.
+/// The weights w₀, w₁ .. w_m of one side, m = ⌈λ_c/dx⌉.
 ///
 /// # Errors
 /// When cut-off or spacing is not positive, or the cut-off is shorter than the spacing.

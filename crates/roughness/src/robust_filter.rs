@@ -4,15 +4,25 @@
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | s_k | weights exp(−π (k dx/(γ λ_c))²), γ = 0.7309134 | - |
+//! | s_k | weights exp(−π (k dx/(γ λ_c))²), γ = 0.7309134, k = −m .. m | - |
+//! | m | reach of the weights, ⌈γ/α λ_c/dx⌉ | - |
 //! | δ | Tukey's weight of a point | - |
 //! | r | distance from the mean line | m |
 //! | c | distance beyond which a point counts nothing | m |
-//! | S_j, T_j | Σ s δ uʲ and Σ s δ z uʲ, u = k/m | -, m |
+//! | u | position k/m | - |
 //!
 //! The plain filter is drawn into a pit and raises false shoulders beside it; a 10 um pit makes
-//! Rpk 1.0 um of 0.4 um. All sums are convolutions by fast Fourier transform, so a pass costs n log n,
-//! and one 3 × 3 system is solved per point.
+//! Rpk 1.0 um of 0.4 um. A pass takes ten real transforms and a 3 × 3 system per point.
+//!
+//! Where no source at hand says so, the choices are those of an independent computation, whose lines and
+//! numbers of iterations are met: the weights end where they have fallen to exp(−π/α²) = 6.6·10⁻⁷ as those
+//! of the plain filter do at ±λ_c, the first pass is unweighted, c is renewed in every pass from the line
+//! of that pass, and the line of the pass in which c stands is the result. Weights that end at ±λ_c would
+//! move the line by 0.5 to 5 % of Rq.
+//!
+//! On a trace across a feature as wide as λ_c and far deeper than the roughness the iteration need not
+//! settle: the line within the feature hangs on a few points, and a change of the heights by 10⁻¹⁸ m grows
+//! to micrometres in 100 passes. Such a trace is refused; there is no robust line that its heights define.
 
 use std::f64::consts::PI;
 
@@ -24,8 +34,8 @@ use crate::RoughnessError;
 use crate::gaussian_filter::{SUPPORT, alpha};
 use crate::local_parabolas::LocalParabolas;
 
-/// γ of ISO 16610-31: the quadratic regression then passes half the amplitude at λ_c; the root of
-/// (1 + πγ²) exp(−πγ²) = ½, which the standard prints as 0.7309.
+/// γ of ISO 16610-31, with which the quadratic regression passes half the amplitude at λ_c: the root of
+/// (1 + πγ²) exp(−πγ²) = ½.
 const GAMMA: f64 = 0.730_913_428_094_675_9;
 /// c = 4.4478 median|r|: three standard deviations of Gaussian residuals (ISO 16610-31).
 const SCALE: f64 = 4.4478;
@@ -33,7 +43,7 @@ const SCALE: f64 = 4.4478;
 const SETTLED: f64 = 1e-8;
 /// Residuals below this share of the heights are rounding of the transforms.
 const ROUNDING: f64 = 1e-13;
-/// Iterations allowed; damaged flanks take 17 to 28.
+/// Iterations allowed; flanks take 14 to 33, a trace across a wear track took 84.
 const MOST: usize = 100;
 
 /// A mean line that ignores outliers, with the evidence that it settled.
@@ -63,7 +73,8 @@ pub struct RobustEvidence {
 ///
 /// # Errors
 /// When the cut-off is not positive, shorter than two spacings or longer than the profile, when all
-/// points within reach of a place are outliers, or when 100 iterations do not suffice.
+/// points within reach of a place are outliers, or when 100 iterations do not suffice, as on a trace
+/// across a wide and deep wear track.
 ///
 /// ```
 /// use asperity_core::{Profile, quantity::Length};
