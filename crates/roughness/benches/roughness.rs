@@ -67,11 +67,24 @@ fn info(c: &mut Criterion) {
             let reading =
                 read_bytes("flank.csv", text.as_bytes(), &ReadOptions::default()).expect("valid");
             let prepared = prepare(&reading.profile, &Preparation::default()).expect("long enough");
-            [Mode::Iso4287, Mode::Iso21920].map(|mode| {
-                Parameters::of(&prepared.profile, mode, Length::from_si(0.8e-3)).expect("long")
-            })
+            let rough = &prepared.profile;
+            let found = Parameters::of(rough, Mode::Iso4287, Length::from_si(0.8e-3));
+            let found = found.expect("long enough");
+            found.in_mode(rough, Mode::Iso21920)
         });
     });
+    group.finish();
+}
+
+fn parameters(c: &mut Criterion) {
+    let prepared = prepare(&rough(1_000_000), &Preparation::default()).expect("long enough");
+    let mut group = c.benchmark_group("parameters of 1e6 points");
+    group.sample_size(20);
+    for mode in [Mode::Iso4287, Mode::Iso21920] {
+        group.bench_function(mode.to_string(), |b| {
+            b.iter(|| Parameters::of(black_box(&prepared.profile), mode, Length::from_si(0.8e-3)));
+        });
+    }
     group.finish();
 }
 
@@ -115,5 +128,7 @@ fn generating(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, reading, info, filtering, robust, generating);
+criterion_group!(
+    benches, reading, info, parameters, filtering, robust, generating
+);
 criterion_main!(benches);

@@ -184,11 +184,11 @@ fn flattest_window(s: &[f64], m: usize) -> usize {
     // The curve of a symmetric profile has two windows that are equal but for rounding.
     const TIE: f64 = 1e-9;
     let tie = TIE * (s[0] - s[s.len() - 1]);
-    let fall = |i: usize| s[i] - s[i + m];
-    let mut best = 0;
-    for i in 1..s.len() - m {
-        if fall(i) < fall(best) - tie {
-            best = i;
+    let (mut best, mut least) = (0, f64::INFINITY);
+    for (i, (upper, lower)) in s.iter().zip(&s[m..]).enumerate() {
+        let fall = upper - lower;
+        if fall < least - tie {
+            (best, least) = (i, fall);
         }
     }
     best

@@ -57,6 +57,17 @@ impl Parameters {
         Ok(found)
     }
 
+    /// The same in another mode, of the same `profile`: only the heights are worked again.
+    ///
+    /// # Errors
+    /// As [`with_sections`](Self::with_sections).
+    pub fn in_mode(&self, profile: &Profile, mode: Mode) -> Result<Self, RoughnessError> {
+        Ok(Self {
+            heights: in_sections(profile, mode, self.heights.sections)?,
+            ..self.clone()
+        })
+    }
+
     /// The parameters of `profile` cut into `sections` equal sections, however long.
     ///
     /// # Errors

@@ -57,15 +57,14 @@ impl Evaluated {
         let recipe = recipe(preparing);
         let parts = profiles(&reading.profile, &recipe, filter(preparing)).map_err(refused)?;
         let rough = &parts.roughness.profile;
-        let evaluated = |mode| match (preparing.sections, recipe.lambda_c) {
+        let mode = Mode::Iso4287;
+        let evaluated = match (preparing.sections, recipe.lambda_c) {
             (Some(n), _) => Parameters::with_sections(rough, mode, n.into()),
             (None, Some(lambda_c)) => Parameters::of(rough, mode, lambda_c),
             (None, None) => Parameters::with_sections(rough, mode, SECTIONS),
         };
-        let (iso4287, iso21920) = (
-            evaluated(Mode::Iso4287).map_err(refused)?,
-            evaluated(Mode::Iso21920).map_err(refused)?,
-        );
+        let iso4287 = evaluated.map_err(refused)?;
+        let iso21920 = iso4287.in_mode(rough, Mode::Iso21920).map_err(refused)?;
         let whole = |profile: &Profile| in_sections(profile, Mode::Iso4287, 1).map_err(refused);
         Ok(Self {
             primary: whole(&parts.primary)?,
