@@ -8,7 +8,8 @@
 //! | τ | shift along the trace | m |
 //!
 //! Over the overlap means that a shift of k points averages n − k products: unbiased, and noisy where
-//! little overlaps. All products come from one fast Fourier transform of the padded profile.
+//! little overlaps. The products come from fast Fourier transforms, the lengths from as few shifts as
+//! they need.
 
 use asperity_core::numerics::good_fft_length;
 use asperity_core::quantity::Length;
@@ -18,6 +19,7 @@ use realfft::num_complex::Complex;
 use serde::Serialize;
 
 use crate::RoughnessError;
+use crate::height_parameters::sum;
 
 /// Lengths over which a profile forgets itself.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -43,49 +45,88 @@ pub struct AutocorrelationLengths {
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn autocorrelation(heights: &[f64]) -> Result<Vec<f64>, RoughnessError> {
+    let n = at_least_two(heights)?.len();
+    Ok(normalised(&products(&centred(heights)?, n), n))
+}
+
+fn at_least_two(heights: &[f64]) -> Result<&[f64], RoughnessError> {
     const LEAST: usize = 2;
-    let n = heights.len();
-    if n < LEAST {
+    if heights.len() < LEAST {
         return Err(RoughnessError::TooFewPoints {
-            points: n,
+            points: heights.len(),
             needed: LEAST,
             purpose: "the autocorrelation",
         });
     }
-    let mean = heights.iter().sum::<f64>() / n as f64;
-    let length = good_fft_length(2 * n);
+    Ok(heights)
+}
+
+/// Heights about their mean.
+fn centred(heights: &[f64]) -> Result<Vec<f64>, DomainError> {
+    let n = heights.len() as f64;
+    let mean = heights.iter().sum::<f64>() / n;
+    let z: Vec<f64> = heights.iter().map(|z| z - mean).collect();
+    let square = sum(&z, |z| z * z);
+    // Rounding of a mean is no roughness.
+    let rounding = (f64::EPSILON * mean).powi(2) * n;
+    DomainError::require(
+        square > rounding && square.is_finite(),
+        "mean square height",
+        square / n,
+        "m2",
+        "must be positive: a flat profile has no autocorrelation",
+    )?;
+    Ok(z)
+}
+
+/// Σ z_i z_i+k for k = 0 .. `shifts` − 1, with the transforms of blocks added up before they go back.
+fn products(z: &[f64], shifts: usize) -> Vec<f64> {
+    // New points per transform in shifts: three of four points are new.
+    const STEP: usize = 3;
+    let step = (STEP * shifts).min(z.len());
+    let length = good_fft_length(step + shifts);
     let mut planner = RealFftPlanner::<f64>::new();
     let (forward, inverse) = (
         planner.plan_fft_forward(length),
         planner.plan_fft_inverse(length),
     );
     let mut signal = forward.make_input_vec();
-    for (padded, z) in signal.iter_mut().zip(heights) {
-        *padded = z - mean;
-    }
-    let square: f64 = signal.iter().map(|z| z * z).sum();
-    // Rounding of a mean is no roughness.
-    let rounding = (f64::EPSILON * mean).powi(2) * n as f64;
-    if square <= rounding || !square.is_finite() {
-        return Err(DomainError {
-            name: "mean square height",
-            value: square / n as f64,
-            unit: "m2",
-            rule: "must be positive: a flat profile has no autocorrelation",
+    let (mut own, mut reached) = (forward.make_output_vec(), forward.make_output_vec());
+    let mut total = vec![Complex::default(); own.len()];
+    for start in (0..z.len()).step_by(step) {
+        let mut transform = |points: usize, out: &mut [Complex<f64>]| {
+            let block = &z[start..(start + points).min(z.len())];
+            signal[..block.len()].copy_from_slice(block);
+            signal[block.len()..].fill(0.0);
+            let done = forward.process(&mut signal, out);
+            debug_assert!(done.is_ok(), "buffers are made by the plan");
+        };
+        transform(step, &mut own);
+        if start + step < z.len() {
+            transform(step + shifts, &mut reached);
+        } else {
+            reached.copy_from_slice(&own);
         }
-        .into());
+        for (total, (own, reached)) in total.iter_mut().zip(own.iter().zip(&reached)) {
+            *total += own.conj() * reached;
+        }
     }
-    let mut spectrum = forward.make_output_vec();
-    let done = forward.process(&mut signal, &mut spectrum);
-    debug_assert!(done.is_ok(), "buffers are made by the plan");
-    for value in &mut spectrum {
-        *value = Complex::new(value.norm_sqr(), 0.0);
+    // The first and last coefficient of a real signal are real.
+    total[0].im = 0.0;
+    if let Some(last) = total.last_mut() {
+        last.im = 0.0;
     }
-    let done = inverse.process(&mut spectrum, &mut signal);
+    let done = inverse.process(&mut total, &mut signal);
     debug_assert!(done.is_ok(), "buffers are made by the plan");
-    let scale = n as f64 / (length as f64 * square);
-    let over_overlap = |(k, sum): (usize, &f64)| sum * scale / (n - k) as f64;
-    Ok(signal[..n].iter().enumerate().map(over_overlap).collect())
+    signal.truncate(shifts);
+    signal
+}
+
+/// Products over their overlap of `n` − k points, 1 at k = 0.
+fn normalised(products: &[f64], n: usize) -> Vec<f64> {
+    let scale = n as f64 / products[0];
+    let over_overlap = |(k, product): (usize, &f64)| product * scale / (n - k) as f64;
+    products.iter().enumerate().map(over_overlap).collect()
 }
 
 /// Shifts at which ρ first falls to 0.2 and to 1/e, linear between points              `[ACF-2]`
@@ -105,16 +146,30 @@ pub fn autocorrelation(heights: &[f64]) -> Result<Vec<f64>, RoughnessError> {
 /// ```
 pub fn lengths(profile: &Profile) -> Result<AutocorrelationLengths, RoughnessError> {
     const ONE_FIFTH: f64 = 0.2;
-    let rho = autocorrelation(profile.heights())?;
-    let falls_to = |level: f64| {
-        let k = rho
-            .windows(2)
-            .position(|pair| pair[0] > level && pair[1] <= level)?;
-        let part = (rho[k] - level) / (rho[k] - rho[k + 1]);
-        Some(profile.spacing() * (k as f64 + part))
-    };
-    Ok(AutocorrelationLengths {
-        to_one_fifth: falls_to(ONE_FIFTH),
-        to_one_over_e: falls_to((-1.0_f64).exp()),
-    })
+    // Most profiles forget themselves within these shifts; few need more than eight times as many.
+    const FIRST: usize = 4096;
+    const MORE: usize = 8;
+    let (n, spacing) = (profile.len(), profile.spacing());
+    let z = centred(at_least_two(profile.heights())?)?;
+    let mut shifts = FIRST.min(n);
+    loop {
+        let rho = normalised(&products(&z, shifts), n);
+        let to_one_fifth = falls_to(&rho, ONE_FIFTH).map(|points| spacing * points);
+        if to_one_fifth.is_some() || shifts == n {
+            let to_one_over_e = falls_to(&rho, (-1.0_f64).exp()).map(|points| spacing * points);
+            return Ok(AutocorrelationLengths {
+                to_one_fifth,
+                to_one_over_e,
+            });
+        }
+        shifts = (MORE * shifts).min(n);
+    }
+}
+
+/// Where ρ first falls to `level`, in points.
+fn falls_to(rho: &[f64], level: f64) -> Option<f64> {
+    let k = rho
+        .windows(2)
+        .position(|pair| pair[0] > level && pair[1] <= level)?;
+    Some(k as f64 + (rho[k] - level) / (rho[k] - rho[k + 1]))
 }
