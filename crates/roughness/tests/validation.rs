@@ -8,6 +8,8 @@ use std::f64::consts::{PI, SQRT_2, TAU};
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
+use asperity_roughness::Parameters;
+use asperity_roughness::autocorrelation::{autocorrelation, lengths};
 use asperity_roughness::composite::{Pairing, combined_rq, compose};
 use asperity_roughness::generate::{Ground, SelfAffine, lower_envelope, truncated};
 use asperity_roughness::height_parameters::{Mode, height_parameters, in_sections};
@@ -113,6 +115,40 @@ fn moments_of_a_sine_are_those_of_its_derivatives() {
     // 3-point: (k dx)²/12 of the curvature.
     close(found.m4, 0.5e-12 * k.powi(4), 1e-3);
     assert_eq!(slopes(&[0.0; 6], 1.0), [0.0; 0]);
+}
+
+#[test]
+fn correlation_lengths_are_where_the_whole_function_falls() {
+    let recipe = |roll_off: f64| SelfAffine {
+        points: 40_000,
+        spacing: Length::from_si(0.5e-6),
+        rq: Length::from_si(0.3e-6),
+        hurst: 0.8,
+        roll_off: Length::from_si(roll_off),
+        short_cut: Length::from_si(2.5e-6),
+        seed: 8,
+    };
+    // Found among the first 4096 shifts, by blocks; and only among more of them.
+    for roll_off in [100e-6, 12e-3] {
+        let rough = recipe(roll_off).generate().unwrap();
+        let rho = autocorrelation(rough.heights()).unwrap();
+        let after = rho.iter().position(|rho| *rho <= 0.2).unwrap();
+        assert_eq!(after > 4096, roll_off > 1e-3, "{after}");
+        let part = (rho[after - 1] - 0.2) / (rho[after - 1] - rho[after]);
+        let found = lengths(&rough).unwrap().to_one_fifth.unwrap();
+        close(found.si(), 0.5e-6 * (after as f64 - 1.0 + part), 1e-9);
+    }
+}
+
+#[test]
+fn parameters_in_another_mode_are_those_worked_anew() {
+    let rough = profile(0.5e-6, 9000, |x| {
+        1e-6 * (TAU * x / 70e-6).sin() + 3e-7 * (TAU * x / 9e-6).sin()
+    });
+    let of = |mode| Parameters::of(&rough, mode, Length::from_si(0.8e-3)).unwrap();
+    let found = of(Mode::Iso4287).in_mode(&rough, Mode::Iso21920).unwrap();
+    assert_eq!(found, of(Mode::Iso21920));
+    assert_ne!(found, of(Mode::Iso4287));
 }
 
 #[test]
