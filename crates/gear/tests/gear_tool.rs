@@ -4,6 +4,7 @@
 
 mod common;
 
+use asperity_core::quantity::Torque;
 use asperity_gear::{GearPair, GearPairInput, LoadSharing};
 use common::{ROUNDING, assert_close, degrees, mm};
 

@@ -5,13 +5,12 @@ mod common;
 
 use std::f64::consts::PI;
 
-use asperity_core::quantity::{
-    Angle, AngularSpeed, Density, DynamicViscosity, Length, Pressure, Speed,
-};
+use asperity_core::quantity::{Angle, AngularSpeed, Density, DynamicViscosity, Length, Speed};
 use asperity_ns_film::film_pressure::{Rupture, film_pressure};
 use asperity_ns_film::gap::{GapShape, exact_gap, paper_gap};
 use asperity_ns_film::model::wall_speed;
 use asperity_ns_film::paper::{angular_pitch, base_radius};
+use asperity_ns_film::reynolds_cross::FilmSection;
 use asperity_ns_film::velocity_profile::VelocityProfile;
 use asperity_ns_film::{
     FilmConditions, FluidModel, pressure_difference_across, pressure_difference_over_thickness,
