@@ -152,8 +152,8 @@ fn load_flanks(case: Case, source: &Source, folder: &Path) -> Result<LoadedCase,
         folder,
         &mut warnings,
     )?;
-    let same_trace = pinion.sha256.is_some() && pinion.sha256 == wheel.sha256;
-    if same_trace {
+    let same_trace = are_one_trace(&pinion, &wheel);
+    if pinion.file.is_some() && pinion.file == wheel.file {
         // Said once, for the file they share.
         warnings.dedup();
         let mut seen = std::collections::BTreeSet::new();
@@ -167,6 +167,14 @@ fn load_flanks(case: Case, source: &Source, folder: &Path) -> Result<LoadedCase,
         flanks: [pinion, wheel],
         warnings,
     })
+}
+
+/// Whether both flanks run on one trace; rows of one surface are traces of their own.
+fn are_one_trace(pinion: &FlankReport, wheel: &FlankReport) -> bool {
+    match (&pinion.reading, &wheel.reading) {
+        (Some(first), Some(second)) => first.profile == second.profile,
+        _ => false,
+    }
 }
 
 fn flank(
@@ -253,7 +261,7 @@ fn trace(
         separator: input.separator,
         encoding: input.encoding,
         gaps: input.gaps.unwrap_or_default(),
-        row: None,
+        row: input.row,
     };
     let reading = read_bytes(&name, &bytes, &options).map_err(|error| CaseError::Profile {
         place: source.place_of(key),
