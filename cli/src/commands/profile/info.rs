@@ -2,75 +2,50 @@
 
 use std::fmt::Write as _;
 
-use asperity_core::quantity::Length;
-use asperity_roughness::ambiguity::ambiguity;
-use asperity_roughness::autocorrelation;
-use asperity_roughness::summits::summit_statistics;
+use asperity::report::wrapped;
 
-use super::{Evaluated, filter, recipe, um};
+use super::details::Details;
+use super::{Evaluated, json, text, um};
 use crate::args::{Common, ProfileInfoArgs};
-use crate::commands::profile::report;
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 
 /// `asperity profile info`
 pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
-    let found = evaluated(args)?;
-    if common.json {
-        let reports: Vec<_> = found.iter().map(|found| as_json(found, args)).collect();
-        return match reports.as_slice() {
-            [one] => print_json(one),
-            many => print_json(many),
-        };
+    let found = evaluated(args, common)?;
+    match found.as_slice() {
+        [one] if common.json => print_json(&as_json(one, args)),
+        [one] => print_text(common, &text::report(one, &Details::of(one, args.hurst))),
+        many if common.json => print_json(&all_as_json(many, args)),
+        many => print_text(common, &table(many)),
     }
-    if let [one] = found.as_slice() {
-        return print_text(common, &report::text(one, &args.preparing));
-    }
-    print_text(common, &table(&found))
 }
 
 /// `asperity profile compare`
 pub fn compare(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
-    let found = evaluated(args)?;
+    let found = evaluated(args, common)?;
     if common.json {
-        let reports: Vec<_> = found.iter().map(|found| as_json(found, args)).collect();
-        return print_json(&reports);
+        return print_json(&all_as_json(&found, args));
     }
     print_text(common, &(table(&found) + &ratios(&found)))
 }
 
-fn evaluated(args: &ProfileInfoArgs) -> Result<Vec<Evaluated>, Failure> {
+fn evaluated(args: &ProfileInfoArgs, common: &Common) -> Result<Vec<Evaluated>, Failure> {
+    if args.curves && !common.json {
+        let text =
+            "--curves are for programs: say --json with it, or asperity profile plot for a picture";
+        return Err(Failure::new("E205", text));
+    }
     let of = |file: &std::path::PathBuf| Evaluated::of(file, &args.preparing, &args.reading);
     args.files.iter().map(of).collect()
 }
 
-/// The report with what costs more than a look: correlation, summits, what is ambiguous.
 fn as_json(found: &Evaluated, args: &ProfileInfoArgs) -> serde_json::Value {
-    let mut value = report::json(found);
-    let rough = &found.parts.roughness.profile;
-    let lengths = autocorrelation::lengths(rough).ok();
-    let window = recipe(&args.preparing).lambda_s.unwrap_or(rough.spacing());
-    let summits = summit_statistics(
-        rough,
-        Length::from_si(window.si().max(rough.spacing().si())),
-    )
-    .ok();
-    let open = recipe(&args.preparing).lambda_c.and_then(|lambda_c| {
-        let recipe = recipe(&args.preparing);
-        ambiguity(
-            &found.reading.profile,
-            &recipe,
-            filter(&args.preparing),
-            lambda_c,
-        )
-        .ok()
-    });
-    if let Some(object) = value.as_object_mut() {
-        object.insert("autocorrelation".into(), serde_json::json!(lengths));
-        object.insert("summits".into(), serde_json::json!(summits));
-        object.insert("ambiguity".into(), serde_json::json!(open));
-    }
-    value
+    json::report(found, &Details::of(found, args.hurst), args.curves)
+}
+
+fn all_as_json(found: &[Evaluated], args: &ProfileInfoArgs) -> Vec<serde_json::Value> {
+    found.iter().map(|found| as_json(found, args)).collect()
 }
 
 type Column = (&'static str, fn(&Evaluated) -> f64);
@@ -105,12 +80,9 @@ fn table(found: &[Evaluated]) -> String {
     }
     for found in found {
         for warning in found.warnings() {
-            let _ = writeln!(
-                text,
-                "{}: {} {warning}",
-                shortened(&found.reading.name),
-                warning.code()
-            );
+            let name = shortened(&found.reading.name);
+            let note = format!("{name}: {} {warning}", warning.code());
+            let _ = writeln!(text, "{}", wrapped(&note, "    "));
         }
     }
     text
