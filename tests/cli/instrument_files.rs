@@ -107,6 +107,9 @@ fn a_case_runs_on_rows_of_a_surface() {
     }
     let said = run("pinion = { file = \"surface.x3p\", row = 4 }");
     assert!(said.err.contains("row 4 is not among them"), "{}", said.err);
+    let said = run("pinion = { file = \"pinion.csv\", row = 2 }");
+    let says = "surface.pinion.file: this file holds a single profile; leave row out";
+    assert!(said.err.contains(says), "{}", said.err);
     let of_row = |row: usize| {
         let result = run(&format!(
             "pinion = {{ file = \"surface.x3p\", row = {row} }}"

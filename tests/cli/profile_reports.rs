@@ -159,7 +159,7 @@ fn the_text_fits_on_a_screen_of_eighty_columns() {
     }
     assert!(said.lines().count() <= 40, "{said}");
     for part in [
-        "open: by ends",
+        "open: over ends",
         "Hurst exponent",
         "summits",
         "half of m0",
@@ -304,4 +304,104 @@ fn an_involute_without_its_place_is_refused() {
         "E120",
         &["flank.csv: base radius"],
     );
+}
+
+#[test]
+fn a_trace_too_short_is_told_what_it_is_long_enough_for() {
+    let bench = Bench::new();
+    let refused = |name: &str, says: &[&str]| {
+        let said = bench.run(&["profile", "info", name]);
+        said.refused(2, "E120", says);
+    };
+    bench.write("1mm.csv", trace("x_um,z_um", 2000));
+    refused(
+        "1mm.csv",
+        &[
+            "read as delimited text, 2000 points",
+            "Say --lambda-c 0.25mm, or --level",
+        ],
+    );
+    let said = bench.run(&["profile", "info", "1mm.csv", "--lambda-c", "0.25mm"]);
+    said.well();
+    bench.write("short.csv", trace("x_um,z_um", 120));
+    refused("short.csv", &["120 points. Say --level for no filter"]);
+    let heights = rows(2000, |_, z| format!("{z:.4}"));
+    bench.write("r.tx2", format!("1.00000\n2000\n{heights}"));
+    let conditions = "Evaluation length\t1.0mm\nCutoff value\t0.25mm\n";
+    bench.write("r.tx3", conditions);
+    refused("r.tx2", &["It was filtered before: say --as-is"]);
+    let many = ["profile", "info", "1mm.csv", "--as-is", "--sections", "900"];
+    bench
+        .run(&many)
+        .refused(2, "E120", &["Say fewer --sections"]);
+}
+
+#[test]
+fn a_roughness_profile_taken_as_it_is_is_not_warned_of() {
+    let bench = Bench::new();
+    bench.write("r.csv", trace("roughness profile\nx_um,z_um", 6000));
+    let codes = |options: &[&str]| {
+        let arguments = [&["profile", "info", "r.csv", "--json"], options].concat();
+        bench.run(&arguments).well().json()["warnings"].to_string()
+    };
+    assert!(codes(&["--lambda-c", "0.25mm"]).contains("W118"));
+    assert!(!codes(&["--as-is"]).contains("W118"));
+    let said = bench.run(&["profile", "info", "r.csv", "--lambda-c", "0.25mm"]);
+    let hint = "to take it as the instrument filtered it, say --as-is";
+    assert!(said.well().unwrapped().contains(hint));
+}
+
+#[test]
+fn of_many_files_the_good_ones_are_shown_and_the_others_named() {
+    let bench = Bench::new();
+    bench.write("good.csv", trace("x_um,z_um", 6000));
+    bench.write("few.csv", trace("x_um,z_um", 5));
+    let files = ["profile", "info", "good.csv", "few.csv", "nosuch.csv"];
+    let said = bench.run(&files);
+    assert_eq!(said.status, 2);
+    assert!(
+        said.out.contains("good.csv") && !said.out.contains("few.csv"),
+        "{said:?}"
+    );
+    assert!(said.err.contains("E106 few.csv: 5 points"), "{said:?}");
+    assert!(said.err.contains("E103 nosuch.csv"), "{said:?}");
+    let said = bench.run(&[&files[..], &["--json"]].concat());
+    assert_eq!(said.status, 2);
+    let entries = said.json();
+    assert!(number(&entries[0]["iso4287"]["ra_um"]) > 0.0);
+    assert_eq!(entries[1]["error"]["code"], "E106");
+    assert_eq!(entries[2]["file"], "nosuch.csv");
+}
+
+#[test]
+fn what_cannot_be_written_or_resampled_is_refused() {
+    let bench = Bench::new();
+    bench.write("flank.csv", trace("x_um,z_um", 1000));
+    let refused = |options: &[&str], code: &str, says: &[&str]| {
+        let arguments = [&["profile", "convert", "flank.csv"], options].concat();
+        bench.run(&arguments).refused(2, code, says);
+    };
+    refused(
+        &["no/out.csv"],
+        "E401",
+        &["no/out.csv", "there is no folder no"],
+    );
+    refused(
+        &["o.csv", "--resample", "0um"],
+        "E209",
+        &["--resample", "greater than zero"],
+    );
+    refused(
+        &["o.csv", "--resample", "-1um"],
+        "E209",
+        &["--resample -1 um"],
+    );
+    refused(&["o.csv", "--resample", "1e-9um"], "E209", &["is too fine"]);
+    refused(&["o.csv", "--outliers", "-2"], "E209", &["--outliers -2"]);
+    refused(
+        &["o.csv", "--row", "2"],
+        "E119",
+        &["flank.csv: the file holds a single profile"],
+    );
+    assert_eq!(bench.listing(), ["flank.csv"]);
 }

@@ -51,10 +51,10 @@ pub struct ProfileConvertArgs {
     /// File to write; its extension (csv, x3p, smd) chooses the format
     pub output: PathBuf,
     /// Resample linearly to this spacing
-    #[arg(long, value_name = "DX")]
+    #[arg(long, value_name = "DX", allow_hyphen_values = true)]
     pub resample: Option<Length>,
     /// Replace spikes of up to six points farther than K robust deviations from the running median
-    #[arg(long, value_name = "K")]
+    #[arg(long, value_name = "K", allow_hyphen_values = true)]
     pub outliers: Option<f64>,
     /// How it is read.
     #[command(flatten)]
@@ -103,19 +103,19 @@ pub struct ProfileGenerateArgs {
     #[arg(long, default_value_t = 11_201)]
     pub points: usize,
     /// Spacing
-    #[arg(long, default_value = "0.5 um")]
+    #[arg(long, default_value = "0.5 um", allow_hyphen_values = true)]
     pub spacing: Length,
     /// Root mean square height
-    #[arg(long, default_value = "0.3 um")]
+    #[arg(long, default_value = "0.3 um", allow_hyphen_values = true)]
     pub rq: Length,
     /// Hurst exponent
-    #[arg(long, default_value_t = 0.8)]
+    #[arg(long, default_value_t = 0.8, allow_hyphen_values = true)]
     pub hurst: f64,
     /// Wavelength above which the spectrum is flat
-    #[arg(long, default_value = "100 um")]
+    #[arg(long, default_value = "100 um", allow_hyphen_values = true)]
     pub roll_off: Length,
     /// Wavelength below which there is nothing
-    #[arg(long, default_value = "5 um")]
+    #[arg(long, default_value = "5 um", allow_hyphen_values = true)]
     pub short_cut: Length,
     /// Seed
     #[arg(long, default_value_t = 1)]

@@ -1,6 +1,7 @@
 //! `asperity profile info` and `compare`: one report, or a table of many.
 
 use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
 
 use asperity::report::wrapped;
 
@@ -10,42 +11,80 @@ use crate::args::{Common, ProfileInfoArgs};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 
-/// `asperity profile info`
+/// `asperity profile info`; of many files those that can be read, and then what is wrong with the others.
 pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
-    let found = evaluated(args, common)?;
-    match found.as_slice() {
-        [one] if common.json => print_json(&as_json(one, args)),
-        [one] => print_text(common, &text::report(one, &Details::of(one, args.hurst))),
-        many if common.json => print_json(&all_as_json(many, args)),
-        many => print_text(common, &table(many)),
+    check(args, common)?;
+    if let [file] = args.files.as_slice() {
+        let found = evaluated(file, args)?;
+        return match common.json {
+            true => print_json(&as_json(&found, args)),
+            false => print_text(
+                common,
+                &text::report(&found, &Details::of(&found, args.hurst)),
+            ),
+        };
     }
+    let all: Vec<_> = args
+        .files
+        .iter()
+        .map(|file| evaluated(file, args))
+        .collect();
+    if common.json {
+        let entry = |(file, found): (&PathBuf, &Result<Evaluated, Failure>)| match found {
+            Ok(found) => as_json(found, args),
+            Err(failure) => {
+                let mut entry = failure.json();
+                entry["file"] = serde_json::json!(file.display().to_string());
+                entry
+            }
+        };
+        let entries: Vec<_> = args.files.iter().zip(&all).map(entry).collect();
+        print_json(&entries)?;
+    }
+    let mut refused = None;
+    let mut good = Vec::new();
+    for found in all {
+        match found {
+            Ok(found) => good.push(found),
+            Err(failure) => {
+                failure.tell();
+                refused = refused.or(Some(failure));
+            }
+        }
+    }
+    if !common.json && !good.is_empty() {
+        print_text(common, &table(&good))?;
+    }
+    refused.map_or(Ok(()), |failure| Err(failure.told()))
 }
 
 /// `asperity profile compare`
 pub fn compare(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
-    let found = evaluated(args, common)?;
+    check(args, common)?;
+    let all = args.files.iter().map(|file| evaluated(file, args));
+    let found = all.collect::<Result<Vec<_>, _>>()?;
     if common.json {
-        return print_json(&all_as_json(&found, args));
+        let reports: Vec<_> = found.iter().map(|found| as_json(found, args)).collect();
+        return print_json(&reports);
     }
     print_text(common, &(table(&found) + &ratios(&found)))
 }
 
-fn evaluated(args: &ProfileInfoArgs, common: &Common) -> Result<Vec<Evaluated>, Failure> {
+fn check(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
     if args.curves && !common.json {
         let text =
             "--curves are for programs: say --json with it, or asperity profile plot for a picture";
         return Err(Failure::new("E205", text));
     }
-    let of = |file: &std::path::PathBuf| Evaluated::of(file, &args.preparing, &args.reading);
-    args.files.iter().map(of).collect()
+    Ok(())
+}
+
+fn evaluated(file: &Path, args: &ProfileInfoArgs) -> Result<Evaluated, Failure> {
+    Evaluated::of(file, &args.preparing, &args.reading)
 }
 
 fn as_json(found: &Evaluated, args: &ProfileInfoArgs) -> serde_json::Value {
     json::report(found, &Details::of(found, args.hurst), args.curves)
-}
-
-fn all_as_json(found: &[Evaluated], args: &ProfileInfoArgs) -> Vec<serde_json::Value> {
-    found.iter().map(|found| as_json(found, args)).collect()
 }
 
 type Column = (&'static str, fn(&Evaluated) -> f64);

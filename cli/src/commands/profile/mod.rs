@@ -16,7 +16,7 @@ use asperity_core::quantity::Length;
 use asperity_roughness::ambiguity::Sections;
 use asperity_roughness::height_parameters::{HeightParameters, Mode, in_sections};
 use asperity_roughness::preparation::{Profiles, profiles};
-use asperity_roughness::read::{Metadata, ReadOptions, Reading, read};
+use asperity_roughness::read::{Format, Metadata, ReadOptions, Reading, read};
 use asperity_roughness::write::{WrittenFormat, write};
 use asperity_roughness::{Parameters, RoughnessError, Warning};
 
@@ -55,7 +55,7 @@ impl Evaluated {
     fn of(file: &Path, preparing: &PreparingArgs, reading: &ReadingArgs) -> Result<Self, Failure> {
         let plan = Plan::of(preparing)?;
         let reading = opened(file, reading)?;
-        let refused = |error: RoughnessError| refusal(file, &error);
+        let refused = |error| refusal(&reading, &plan, &error);
         let without_involute = plan.without_involute(&reading.profile).map_err(refused)?;
         let trace = without_involute.as_ref().unwrap_or(&reading.profile);
         let parts = profiles(trace, &plan.recipe, plan.filter).map_err(refused)?;
@@ -97,7 +97,9 @@ impl Evaluated {
             &self.iso4287.warnings,
         ];
         for warning in lists.into_iter().flatten() {
-            if !all.contains(&warning) {
+            let is_about_filtering = *warning == Warning::AlreadyFiltered;
+            let is_idle = is_about_filtering && self.plan.recipe.lambda_c.is_none();
+            if !is_idle && !all.contains(&warning) {
                 all.push(warning);
             }
         }
@@ -118,11 +120,28 @@ fn opened(file: &Path, args: &ReadingArgs) -> Result<Reading, Failure> {
         gaps: args.gaps.unwrap_or_default(),
         row: args.row,
     };
-    read(file, &options).map_err(|error| Failure::new(error.code(), error.to_string()))
+    let reading =
+        read(file, &options).map_err(|error| Failure::new(error.code(), error.to_string()))?;
+    let row = args.row.unwrap_or(1);
+    if row > 1 && !matches!(reading.format, Format::X3p | Format::SdfAscii) {
+        let name = &reading.name;
+        let text = format!("{name}: the file holds a single profile, row {row} is not in it");
+        return Err(Failure::new("E119", text));
+    }
+    Ok(reading)
 }
 
-fn refusal(file: &Path, error: &RoughnessError) -> Failure {
-    Failure::new("E120", format!("{}: {error}", file.display()))
+/// Why a profile that was read is not evaluated, and what to say instead.
+fn refusal(reading: &Reading, plan: &Plan, error: &RoughnessError) -> Failure {
+    let name = &reading.name;
+    let advice = match error {
+        RoughnessError::TooShort { .. } => plan.advice_for(reading),
+        RoughnessError::TooFewPoints { .. } if matches!(plan.sections, Sections::Number(_)) => {
+            ". Say fewer --sections".to_owned()
+        }
+        _ => String::new(),
+    };
+    Failure::new("E120", format!("{name}: {error}{advice}"))
 }
 
 /// Writes a profile in the format its name asks for; an interrupted run leaves nothing half-written.

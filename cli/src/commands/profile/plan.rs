@@ -7,6 +7,7 @@ use asperity_roughness::ambiguity::Sections;
 use asperity_roughness::form::Form;
 use asperity_roughness::involute::{Involute, remove};
 use asperity_roughness::preparation::{Preparation, PreparationRecord, RoughnessFilter};
+use asperity_roughness::read::{FilterState, Reading};
 use serde_json::{Value, json};
 
 use crate::args::{FormArg, PreparingArgs, name_of};
@@ -74,6 +75,29 @@ impl Plan {
         flank.map(|flank| remove(profile, flank)).transpose()
     }
 
+    /// What to say for a trace that is too short for the filters: what it is, and what it is long enough
+    /// for.
+    pub fn advice_for(&self, reading: &Reading) -> String {
+        if reading.filter_state == FilterState::Roughness {
+            let say = as_is(reading);
+            return format!(". It was filtered before: say {say}");
+        }
+        /// Cut-offs of ISO 3274, in mm.
+        const USUAL: [f64; 5] = [8.0, 2.5, 0.8, 0.25, 0.08];
+        let (length, dx) = (1e3 * reading.length.si(), 1e3 * reading.spacing.si());
+        // With its ends cut a trace is to hold two cut-offs; five points to a cut-off are the least.
+        let fits = |cutoff: &&f64| 2.0 * **cutoff <= length && **cutoff >= 5.0 * dx;
+        let unfiltered = "--level for no filter";
+        let say = USUAL.iter().find(fits).map_or_else(
+            || unfiltered.to_owned(),
+            |cutoff| format!("--lambda-c {cutoff}mm, or {unfiltered}"),
+        );
+        format!(
+            ". It was read as {}, {} points. Say {say}",
+            reading.format, reading.points
+        )
+    }
+
     /// The form that is removed, for reading.
     pub fn form(&self) -> String {
         let Some(flank) = &self.involute else {
@@ -100,6 +124,17 @@ impl Plan {
         }
         value
     }
+}
+
+/// What to say for a roughness profile, in sections of the cut-off that its instrument used.
+pub fn as_is(reading: &Reading) -> String {
+    let sections = reading
+        .metadata
+        .lambda_c
+        .map(|lambda_c| (reading.length / lambda_c).round())
+        .filter(|sections| *sections >= 1.0);
+    let option = sections.map_or(String::new(), |n| format!(" --sections {n}"));
+    format!("--as-is{option}")
 }
 
 /// The form that the recipe removes; an involute takes its line with it.

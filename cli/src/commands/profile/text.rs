@@ -4,8 +4,10 @@ use asperity::report::wrapped;
 use asperity_core::quantity::Length;
 use asperity_roughness::height_parameters::HeightParameters;
 use asperity_roughness::material_ratio::RkParameters;
+use asperity_roughness::read::FilterState;
 
 use super::details::Details;
+use super::plan::as_is;
 use super::{Evaluated, um};
 use crate::args::name_of;
 
@@ -14,6 +16,7 @@ pub fn report(found: &Evaluated, details: &Details) -> String {
     let mut page = Page(format!("{}\n", found.reading.name));
     file(&mut page, found);
     recipe(&mut page, found);
+    stated_cutoffs(&mut page, found);
     heights(&mut page, found, details);
     material(&mut page, found, details);
     spectral(&mut page, found, details);
@@ -99,6 +102,35 @@ fn recipe(page: &mut Page, found: &Evaluated) {
     ));
 }
 
+/// What to say to have the filtering of the instrument, where there is another here.
+fn stated_cutoffs(page: &mut Page, found: &Evaluated) {
+    let (facts, recipe) = (&found.reading.metadata, &found.plan.recipe);
+    let state = found.reading.filter_state;
+    if state == FilterState::Roughness && recipe.lambda_c.is_some() {
+        let say = as_is(&found.reading);
+        page.line(&format!(
+            "to take it as the instrument filtered it, say {say}"
+        ));
+    }
+    let differs = |stated: Option<Length>, used: Option<Length>| {
+        let used = used.unwrap_or_default().si();
+        stated.is_some_and(|stated| (stated.si() - used).abs() > 1e-9 * stated.si())
+    };
+    if state != FilterState::Primary
+        || !(differs(facts.lambda_c, recipe.lambda_c) || differs(facts.lambda_s, recipe.lambda_s))
+    {
+        return;
+    }
+    let option = |name: &str, length: Option<Length>| {
+        length.map_or(String::new(), |length| format!(" --{name} \"{length}\""))
+    };
+    page.line(&format!(
+        "to filter as the instrument did, say{}{}",
+        option("lambda-c", facts.lambda_c),
+        option("lambda-s", facts.lambda_s)
+    ));
+}
+
 /// A parameter of a table: its name, its digits, its value.
 type Row<T> = (&'static str, usize, fn(&T) -> Option<f64>);
 
@@ -155,8 +187,8 @@ fn open(name: &str, digits: usize, details: &Details) -> String {
     let found = details.ambiguity.iter().find(|a| a.parameter == name);
     found.map_or(String::new(), |range| {
         let factor = if range.unit == "m" { 1e6 } else { 1.0 };
-        let (low, high) = (factor * range.low, factor * range.high);
-        format!("{low:.digits$} .. {high:.digits$}")
+        let shown = |value: f64| number(Some(factor * value), digits);
+        format!("{} .. {}", shown(range.low), shown(range.high))
     })
 }
 
@@ -168,10 +200,14 @@ fn choices(page: &mut Page, found: &Evaluated) {
         ends.then_some("ends"),
         Some("standard"),
         Some("line of Rk"),
-        recipe.lambda_s.is_some().then_some("lambda_s or none"),
+        recipe
+            .lambda_s
+            .is_some()
+            .then_some("with or without lambda_s"),
     ];
     let choices: Vec<&str> = choices.into_iter().flatten().collect();
-    page.line(&format!("open: by {}, each alone", choices.join(", ")));
+    let choices = choices.join(", ");
+    page.line(&format!("open: over {choices}, one at a time"));
 }
 
 fn spectral(page: &mut Page, found: &Evaluated, details: &Details) {
@@ -223,8 +259,14 @@ fn hurst(page: &mut Page, details: &Details) {
     );
     let shown = match &details.hurst {
         Ok(fit) => format!(
-            "{:.3} ±{:.3} over {over} ({} bands)",
-            fit.hurst, fit.standard_error, fit.bands
+            "{:.3} ±{:.3} over {over} ({} bands){}",
+            fit.hurst,
+            fit.standard_error,
+            fit.bands,
+            match (0.0..=1.0).contains(&fit.hurst) {
+                true => "",
+                false => ": no self-affine profile",
+            }
         ),
         Err(reason) => format!("none over {over}: {reason}. Say --hurst 200um:8um"),
     };
@@ -291,6 +333,19 @@ fn micrometres(length: Length) -> String {
     format!("{value:.*} um", places.max(0) as usize)
 }
 
+/// A number that fits its column.
 fn number(value: Option<f64>, digits: usize) -> String {
-    value.map_or("none".to_owned(), |v| format!("{v:.digits$}"))
+    const WIDEST: f64 = 1e6;
+    match value {
+        None => "none".to_owned(),
+        Some(v) if v.abs() >= WIDEST => format!("{v:.4e}"),
+        Some(v) => {
+            let shown = format!("{v:.digits$}");
+            let is_zero = shown.trim_start_matches(['-', '0', '.']).is_empty();
+            match shown.strip_prefix('-') {
+                Some(zero) if is_zero => zero.to_owned(),
+                _ => shown,
+            }
+        }
+    }
 }

@@ -29,12 +29,14 @@ pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure
             deviations,
             half_window: HALF_WINDOW,
         };
-        let (cleaned, record) = replace(&profile, rule).map_err(|e| refusal(&args.file, &e))?;
+        let (cleaned, record) = replace(&profile, rule)
+            .map_err(|error| Failure::new("E209", format!("--outliers {deviations}: {error}")))?;
         profile = cleaned;
         outliers = Some(record);
     }
     if let Some(dx) = args.resample {
-        profile = resampled(&profile, dx).map_err(|e| refusal(&args.file, &e.into()))?;
+        profile = resampled(&profile, dx)
+            .map_err(|error| Failure::new("E209", format!("--resample {dx}: {error}")))?;
     }
     save(&args.output, &profile, &reading.metadata)?;
     let (output, n) = (args.output.display().to_string(), profile.len());
@@ -70,7 +72,7 @@ pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure
 pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> {
     let plan = Plan::of(&args.preparing)?;
     let reading = opened(&args.file, &args.reading)?;
-    let refused = |error| refusal(&args.file, &error);
+    let refused = |error| refusal(&reading, &plan, &error);
     let without_involute = plan.without_involute(&reading.profile).map_err(refused)?;
     let trace = without_involute.as_ref().unwrap_or(&reading.profile);
     let parts = profiles(trace, &plan.recipe, plan.filter).map_err(refused)?;

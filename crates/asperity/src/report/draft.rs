@@ -48,9 +48,14 @@ pub fn draft_file(parent: &Path) -> io::Result<NamedTempFile> {
 /// Writes `bytes` as `file`: all of them, or nothing.
 ///
 /// # Errors
-/// When the system refuses.
+/// When there is no folder for it, or the system refuses.
 pub fn save(file: &Path, bytes: &[u8]) -> io::Result<()> {
-    let draft = draft_file(parent_of(file))?;
+    let parent = parent_of(file);
+    if !parent.is_dir() {
+        let text = format!("there is no folder {}", parent.display());
+        return Err(io::Error::new(io::ErrorKind::NotFound, text));
+    }
+    let draft = draft_file(parent)?;
     fs::write(draft.path(), bytes)?;
     draft.persist(file).map_err(|refused| refused.error)?;
     Ok(())
