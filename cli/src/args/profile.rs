@@ -13,6 +13,11 @@ use super::{choice, cutoff};
 #[derive(Debug, Subcommand)]
 pub enum ProfileCommand {
     /// Format, units, spacing, and roughness parameters of profile files
+    #[command(
+        after_help = "Examples:\n  asperity profile info flank.csv --lambda-c 0.25mm\n  \
+            asperity profile info --as-is --sections 5 filtered.x3p\n  \
+            asperity profile info --form involute --base-radius 50mm --roll-length 15mm flank.csv"
+    )]
     Info(ProfileInfoArgs),
     /// Profile, filtered profile, material ratio curve with its Rk construction, and spectrum as SVG
     Plot(ProfilePlotArgs),
