@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use asperity::report::wrapped;
 
 use super::details::Details;
+use super::plan::Plan;
 use super::{Evaluated, json, text, um};
 use crate::args::{Common, ProfileInfoArgs};
 use crate::failure::Failure;
@@ -76,7 +77,8 @@ fn check(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
             "--curves are for programs: say --json with it, or asperity profile plot for a picture";
         return Err(Failure::new("E205", text));
     }
-    Ok(())
+    // A contradiction is told once, not for every file.
+    Plan::of(&args.preparing).map(|_| ())
 }
 
 fn evaluated(file: &Path, args: &ProfileInfoArgs) -> Result<Evaluated, Failure> {
