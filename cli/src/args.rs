@@ -9,8 +9,8 @@ use asperity_core::quantity::{Length, LineLoad, Pressure, QuantityError};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 pub use profile::{
-    PreparingArgs, ProfileCommand, ProfileConvertArgs, ProfileFilterArgs, ProfileGenerateArgs,
-    ProfileInfoArgs, ProfilePart, ProfilePlotArgs, ReadingArgs,
+    FormArg, PreparingArgs, ProfileCommand, ProfileConvertArgs, ProfileFilterArgs,
+    ProfileGenerateArgs, ProfileInfoArgs, ProfilePart, ProfilePlotArgs, ReadingArgs, Wavelengths,
 };
 
 /// Mesh efficiency of a gear pair from the measured roughness of its tooth flanks.

@@ -13,6 +13,7 @@ pub struct Failure {
     code: &'static str,
     message: String,
     snippet: Option<Snippet>,
+    is_told: bool,
 }
 
 #[derive(Debug)]
@@ -28,7 +29,14 @@ impl Failure {
             code,
             message: message.into(),
             snippet: None,
+            is_told: false,
         }
+    }
+
+    /// The same error, of which only the exit status is still to be told.
+    pub fn told(mut self) -> Self {
+        self.is_told = true;
+        self
     }
 
     /// The same error with the place in the case file that it is about.
@@ -55,20 +63,31 @@ impl Failure {
 
     /// Prints the error and gives the exit status.
     pub fn report(&self, json: bool) -> ExitCode {
-        if json {
-            let value = serde_json::json!({
-                "error": {
-                    "code": self.code,
-                    "message": self.message,
-                    "remedy": self.remedy(),
-                    "exit_status": self.status(),
-                }
-            });
+        if json && !self.is_told {
             // Whoever reads may have gone away; the exit status still tells.
-            let _ = writeln!(std::io::stdout(), "{value:#}");
+            let _ = writeln!(std::io::stdout(), "{:#}", self.json());
         }
-        let _ = writeln!(std::io::stderr(), "{}", self.rendered());
+        if !self.is_told {
+            self.tell();
+        }
         ExitCode::from(self.status())
+    }
+
+    /// Prints the error for reading.
+    pub fn tell(&self) {
+        let _ = writeln!(std::io::stderr(), "{}", self.rendered());
+    }
+
+    /// The error for programs.
+    pub fn json(&self) -> serde_json::Value {
+        serde_json::json!({
+            "error": {
+                "code": self.code,
+                "message": self.message,
+                "remedy": self.remedy(),
+                "exit_status": self.status(),
+            }
+        })
     }
 
     /// What to do about it.

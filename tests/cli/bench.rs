@@ -69,6 +69,15 @@ impl Said {
         assert!(!self.err.contains('\u{1b}'), "no colours in a pipe");
     }
 
+    /// Standard output with lines that were broken for the terminal in one piece.
+    pub fn unwrapped(&self) -> String {
+        let whole = |text: String, line: &str| match line.strip_prefix("    ") {
+            Some(rest) => text.trim_end().to_owned() + " " + rest.trim_start() + "\n",
+            None => text + line + "\n",
+        };
+        self.out.lines().fold(String::new(), whole)
+    }
+
     /// Standard output as JSON.
     #[track_caller]
     pub fn json(&self) -> serde_json::Value {

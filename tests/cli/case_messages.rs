@@ -205,7 +205,7 @@ fn a_case_in_json_is_read_and_its_faults_are_placed() {
             "E203",
             "Did you mean \"module\"?",
         ),
-        ("\"1.8 mm\"", "1.8", "E204", "1.8 has no unit"),
+        ("\"1.8 mm\"", "1.8", "E204", "gears.module: 1.8 has no unit"),
         (
             "\"1.8 mm\"",
             "\"-1 mm\"",
@@ -217,6 +217,25 @@ fn a_case_in_json_is_read_and_its_faults_are_placed() {
         bench
             .run(&["run", "bad.json"])
             .refused(2, code, &[&at, says]);
+    }
+    // The parser of JSON places a missing key at the end of its table.
+    for (from, to, says) in [
+        (
+            "\"module\": \"1.8 mm\",",
+            "",
+            "gears: missing key \"module\"",
+        ),
+        (
+            "\"mirrored\": true",
+            "\"mirrored\": 1",
+            "surface.wheel.mirrored: integer `1`",
+        ),
+        ("    23,", "    \"many\",", "gears.teeth: string \"many\""),
+    ] {
+        assert!(good.contains(from), "{from} is not in {good}");
+        bench.write("bad.json", good.replace(from, to));
+        let said = bench.run(&["run", "bad.json"]);
+        said.refused(2, "E204", &["bad.json:", says]);
     }
 }
 

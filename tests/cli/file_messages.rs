@@ -199,8 +199,8 @@ fn what_is_odd_about_a_trace_is_noted_beside_its_numbers() {
         let mut arguments = vec!["profile", "info", "flank.csv"];
         arguments.extend(options);
         let said = bench.run(&arguments).well();
-        let note = said
-            .out
+        let text = said.unwrapped();
+        let note = text
             .lines()
             .find(|line| line.trim_start().starts_with(code));
         let note = note.unwrap_or_else(|| panic!("no {code} in {}", said.out));

@@ -268,11 +268,8 @@ fn warns(bench: &Bench, options: &[&str], code: &str, says: &[&str]) {
     let mut arguments = vec!["run", "case.toml", "--no-output"];
     arguments.extend(options);
     let said = bench.run(&arguments).well();
-    let lines: Vec<&str> = said
-        .out
-        .lines()
-        .filter(|line| line.starts_with(code))
-        .collect();
+    let text = said.unwrapped();
+    let lines: Vec<&str> = text.lines().filter(|line| line.starts_with(code)).collect();
     let holds = |line: &&&str| says.iter().all(|part| line.contains(part));
     assert!(
         lines.iter().any(|line| holds(&line)),

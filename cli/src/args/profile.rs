@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use asperity_core::quantity::Length;
-use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::read::{Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator};
 use clap::{Args, Subcommand, ValueEnum};
@@ -14,6 +13,11 @@ use super::{choice, cutoff};
 #[derive(Debug, Subcommand)]
 pub enum ProfileCommand {
     /// Format, units, spacing, and roughness parameters of profile files
+    #[command(
+        after_help = "Examples:\n  asperity profile info flank.csv --lambda-c 0.25mm\n  \
+            asperity profile info --as-is --sections 5 filtered.x3p\n  \
+            asperity profile info --form involute --base-radius 50mm --roll-length 15mm flank.csv"
+    )]
     Info(ProfileInfoArgs),
     /// Profile, filtered profile, material ratio curve with its Rk construction, and spectrum as SVG
     Plot(ProfilePlotArgs),
@@ -52,10 +56,10 @@ pub struct ProfileConvertArgs {
     /// File to write; its extension (csv, x3p, smd) chooses the format
     pub output: PathBuf,
     /// Resample linearly to this spacing
-    #[arg(long, value_name = "DX")]
+    #[arg(long, value_name = "DX", allow_hyphen_values = true)]
     pub resample: Option<Length>,
     /// Replace spikes of up to six points farther than K robust deviations from the running median
-    #[arg(long, value_name = "K")]
+    #[arg(long, value_name = "K", allow_hyphen_values = true)]
     pub outliers: Option<f64>,
     /// How it is read.
     #[command(flatten)]
@@ -104,19 +108,19 @@ pub struct ProfileGenerateArgs {
     #[arg(long, default_value_t = 11_201)]
     pub points: usize,
     /// Spacing
-    #[arg(long, default_value = "0.5 um")]
+    #[arg(long, default_value = "0.5 um", allow_hyphen_values = true)]
     pub spacing: Length,
     /// Root mean square height
-    #[arg(long, default_value = "0.3 um")]
+    #[arg(long, default_value = "0.3 um", allow_hyphen_values = true)]
     pub rq: Length,
     /// Hurst exponent
-    #[arg(long, default_value_t = 0.8)]
+    #[arg(long, default_value_t = 0.8, allow_hyphen_values = true)]
     pub hurst: f64,
     /// Wavelength above which the spectrum is flat
-    #[arg(long, default_value = "100 um")]
+    #[arg(long, default_value = "100 um", allow_hyphen_values = true)]
     pub roll_off: Length,
     /// Wavelength below which there is nothing
-    #[arg(long, default_value = "5 um")]
+    #[arg(long, default_value = "5 um", allow_hyphen_values = true)]
     pub short_cut: Length,
     /// Seed
     #[arg(long, default_value_t = 1)]
@@ -129,6 +133,12 @@ pub struct ProfileInfoArgs {
     /// Profile files
     #[arg(required = true)]
     pub files: Vec<PathBuf>,
+    /// Wavelengths of the Hurst fit, as 200um:8um [default: lambda_c/3 to 5 lambda_s]
+    #[arg(long, value_name = "LONG:SHORT")]
+    pub hurst: Option<Wavelengths>,
+    /// With --json: also spectrum, autocorrelation and material ratio curve, point by point
+    #[arg(long)]
+    pub curves: bool,
     /// How they are prepared.
     #[command(flatten)]
     pub preparing: PreparingArgs,
@@ -137,19 +147,73 @@ pub struct ProfileInfoArgs {
     pub reading: ReadingArgs,
 }
 
+/// Form to remove from a trace.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum FormArg {
+    /// Nothing, not even the mean height
+    None,
+    /// The mean height
+    Mean,
+    /// The least-squares line (also: line)
+    #[value(alias = "line")]
+    Level,
+    /// The least-squares parabola (also: parabola)
+    #[value(alias = "parabola")]
+    Poly2,
+    /// The least-squares circle
+    Circle,
+    /// The involute of the flank, and the line that setting up leaves; needs --base-radius and
+    /// --roll-length
+    Involute,
+}
+
+/// The wavelengths of a fit, from long to short.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wavelengths {
+    /// Longest.
+    pub longest: Length,
+    /// Shortest.
+    pub shortest: Length,
+}
+
+impl std::str::FromStr for Wavelengths {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        const FORM: &str = "must be two wavelengths, the longer first, as 200um:8um";
+        let (longest, shortest) = text.split_once(':').ok_or(FORM)?;
+        let read = |part: &str| part.parse::<Length>().map_err(|error| error.to_string());
+        let (longest, shortest) = (read(longest)?, read(shortest)?);
+        match longest > shortest && shortest.si() > 0.0 {
+            true => Ok(Self { longest, shortest }),
+            false => Err(FORM.to_owned()),
+        }
+    }
+}
+
 /// Form removal, filters and sections.
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Preparing the profile")]
 pub struct PreparingArgs {
-    /// Take the heights as they are: no form removal, no filter
-    #[arg(long)]
+    /// Take the heights as they are: no form removal, and no filter but one asked for
+    #[arg(long, conflicts_with_all = ["level", "form"])]
     pub as_is: bool,
-    /// Remove a straight line only, no filter
-    #[arg(long, conflicts_with = "as_is")]
+    /// Remove a straight line, and no filter but one asked for
+    #[arg(long, conflicts_with = "form")]
     pub level: bool,
-    /// Form removed: none, level, poly2
-    #[arg(long, value_parser = choice::<Form>)]
-    pub form: Option<Form>,
+    /// Form removed [default: level]
+    #[arg(long, value_enum, value_name = "FORM")]
+    pub form: Option<FormArg>,
+    /// Base radius of the gear, for --form involute, as "50 mm"
+    #[arg(long, value_name = "R_B", allow_hyphen_values = true)]
+    pub base_radius: Option<Length>,
+    /// Roll length (radius of curvature) at the middle of the trace, for --form involute: where the
+    /// flank has radius r it is √(r² − r_b²)
+    #[arg(long, value_name = "RHO", allow_hyphen_values = true)]
+    pub roll_length: Option<Length>,
+    /// The trace runs from tip to root, for --form involute
+    #[arg(long)]
+    pub towards_root: bool,
     /// Cut-off lambda_c, or none [default: 0.8 mm]
     #[arg(long, value_parser = cutoff, allow_hyphen_values = true)]
     pub lambda_c: Option<Length>,

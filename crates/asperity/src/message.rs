@@ -82,7 +82,7 @@ explanations! {
     "E116" "impossible trace": "The numbers make no profile: no extent, or beyond all measure." => "Check units, columns and --dx.";
     "E117" "damaged file": "The file breaks the rules of its own format: a header that cannot be read, or fewer heights than it says." => "Export it again, or as text; a file that was cut off in transfer is the usual cause.";
     "E118" "file too large": "The file, or what it unpacks to, is larger than any profile." => "Export a single profile.";
-    "E119" "several profiles": "The file holds several profiles, and none was chosen." => "Say --row with the number of one of them, from 1.";
+    "E119" "several profiles": "The file holds several profiles, and none was chosen." => "Say --row with the number of one of them, from 1 (row in surface.pinion of a case).";
     "E120" "the trace cannot be prepared": "Form removal or filtering is not possible on this trace, mostly because it is shorter than the cut-off or too coarse for it." => "Choose another cut-off with --lambda-c and --lambda-s (surface.cutoff and surface.noise_cutoff in a case; 0.25 mm is usual on gears).";
     "E121" "spacing too coarse for the contact": "Fewer than 20 points fall on one Hertz half-width, so the contact cannot be resolved." => "Measure with a finer spacing; with a stylus 0.5 um is usual.";
     "E122" "trace shorter than the contact window": "The prepared trace does not cover the window of the contact." => "Measure a longer trace, choose a shorter cut-off (the filter drops its ends), or reduce model.window.";
@@ -101,7 +101,7 @@ explanations! {
     "E303" "a measured profile is needed": "The rough contact presses two profiles together, but a flank is given by roughness values only." => "Give surface.pinion.file and surface.wheel.file, or use asperity run with the corrected formulation.";
     "E304" "the marching did not reach the load": "Lowering the surfaces into each other step by step did not meet the load within the numerical error." => "Reduce model.delta_step or raise model.numerical_error.";
     "E305" "outside the model": "An equation refuses the numbers it is given at a mesh position." => "Check the value named against the ranges in docs/EQUATIONS.md, or choose another law in model.";
-    "E401" "a result cannot be written": "The system refused to write, or the place is taken by something that is not a result." => "Choose another place with -o, or free some space.";
+    "E401" "a result cannot be written": "The system refused to write, or the place is taken by something that is not a result." => "Choose another place or name (-o in most commands), make its folder, or free some space.";
     "E402" "not a result": "What was named is not a result of asperity run, or lacks what was asked of it." => "Name a result folder, as results/e-drive, or its result.json.";
     "E501" "internal fault": "The program contradicts itself. This is a fault of the program, not of the input." => "Please report it with the case file.";
     "W111" "a unit was assumed": "The file does not name a unit, and only one is plausible." => "Say --z-unit or --x-unit to be sure (z_unit, x_unit in surface.pinion of a case).";

@@ -99,11 +99,17 @@ pub fn compose(
 /// The profile on a grid of `spacing`, linear between its points.
 ///
 /// # Errors
-/// When the spacing is not positive.
+/// When the spacing is not positive, or so fine that a hundred million points do not suffice.
 pub fn resampled(profile: &Profile, spacing: Length) -> Result<Profile, DomainError> {
+    /// As many points as the generators make at the most: 800 MB.
+    const MOST: f64 = 1e8;
     let z = profile.heights();
+    let dx = DomainError::positive("spacing", spacing)?;
     let ratio = spacing / profile.spacing();
-    let count = ((z.len() - 1) as f64 / ratio * (1.0 + f64::EPSILON)).floor() as usize + 1;
+    let intervals = (z.len() - 1) as f64 / ratio * (1.0 + f64::EPSILON);
+    let rule = "is too fine: the profile would have more than a hundred million points";
+    DomainError::require(intervals < MOST, "spacing", dx, "m", rule)?;
+    let count = intervals.floor() as usize + 1;
     let at = |i: usize| {
         let position = i as f64 * ratio;
         let k = (position.floor() as usize).min(z.len().saturating_sub(2));

@@ -171,14 +171,6 @@ pub const EQUATIONS: &[Equation] = &[
         )
     },
     Equation::new(
-        "Rolling-loss",
-        "Power lost to rolling per length",
-        "P/l = 2 F_r V_e (both surfaces) or F_r V_e (one)",
-        "crates/tribo-friction/src/rolling.rs",
-        "rolling_takes_power_on_both_surfaces",
-        &[GOKSEM_HARGREAVES_1978],
-    ),
-    Equation::new(
         "Goksem-long",
         "Rolling resistance, longer form",
         "F_r α/(W R) = e^(0.658228 ln D − 0.162625) e^(0.0106383 L^0.3174603 ln D)/(1 + 0.411483 L^0.707071), D = (3/4) (2π)^(3/2) G U/W^(3/2)",

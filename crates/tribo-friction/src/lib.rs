@@ -41,5 +41,5 @@ pub use error::FrictionError;
 pub use flash::{FlashConditions, flash_temperature};
 pub use friction_law::{FrictionLaw, FrictionSettings};
 pub use mixed::{MixedFriction, mixed_friction};
-pub use rolling::{RollingConditions, RollingReading, rolling_force};
+pub use rolling::{RollingConditions, rolling_force};
 pub use xu::{RoughnessReading, XuCalibration, XuCoefficients, XuLaw};

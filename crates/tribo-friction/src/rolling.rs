@@ -20,8 +20,7 @@ use asperity_core::DomainError;
 use asperity_core::quantity::{
     DynamicViscosity, Length, LineLoad, Pressure, PressureViscosity, Speed,
 };
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use crate::error::FrictionError;
 
@@ -53,49 +52,6 @@ pub struct RollingConditions {
     pub pressure_viscosity: PressureViscosity,
     /// Thermal reduction φ; 1 without.
     pub thermal_factor: f64,
-}
-
-/// On how many surfaces the rolling resistance does work.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
-pub enum RollingReading {
-    /// On both, 2 F_r V_e.
-    #[default]
-    BothSurfaces,
-    /// On one, F_r V_e, as the 2022 paper prints.
-    OneSurface,
-}
-
-impl RollingReading {
-    /// Power lost to rolling, per length of contact line [W/m].
-    ///
-    /// ```text
-    /// P/l = 2 F_r V_e (both surfaces) or F_r V_e (one) [W/m]                   [Rolling-loss]
-    /// ```
-    ///
-    /// # Errors
-    /// When force or speed is negative or not finite.
-    ///
-    /// ```
-    /// use asperity_core::quantity::{LineLoad, Speed};
-    /// use asperity_tribo_friction::RollingReading;
-    /// let (force, speed) = (LineLoad::from_si(200.0), Speed::from_si(5.0));
-    /// assert_eq!(RollingReading::BothSurfaces.loss_per_length(force, speed)?, 2000.0);
-    /// # Ok::<(), asperity_tribo_friction::FrictionError>(())
-    /// ```
-    pub fn loss_per_length(
-        self,
-        force: LineLoad,
-        entrainment: Speed,
-    ) -> Result<f64, FrictionError> {
-        let f_r = DomainError::non_negative("rolling resistance", force)?;
-        let v_e = DomainError::non_negative("entrainment speed", entrainment)?;
-        let surfaces = match self {
-            Self::BothSurfaces => 2.0,
-            Self::OneSurface => 1.0,
-        };
-        Ok(surfaces * f_r * v_e)
-    }
 }
 
 /// Rolling resistance on one surface by Goksem and Hargreaves.

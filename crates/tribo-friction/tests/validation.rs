@@ -17,9 +17,8 @@ use asperity_tribo_friction::eyring::EyringConditions;
 use asperity_tribo_friction::rolling::goksem_factor;
 use asperity_tribo_friction::xu::XuConditions;
 use asperity_tribo_friction::{
-    FlashConditions, FrictionLaw, FrictionSettings, RollingConditions, RollingReading,
-    RoughnessReading, XuLaw, doleschel, eyring, flash_temperature, matsumoto, mixed_friction,
-    rolling_force,
+    FlashConditions, FrictionLaw, FrictionSettings, RollingConditions, RoughnessReading, XuLaw,
+    doleschel, eyring, flash_temperature, matsumoto, mixed_friction, rolling_force,
 };
 use reference_case::{ALPHA, LOAD, MODULUS, OIL, POSITIONS, Position, STEEL, conditions};
 
@@ -237,20 +236,6 @@ fn longer_goksem_form_of_the_reference_case() {
             5e-3,
         );
     }
-}
-
-#[test]
-fn rolling_takes_power_on_both_surfaces() {
-    // F_r u₁ + F_r u₂ at A, by hand from the two surface speeds.
-    let position = &POSITIONS[0];
-    let force = rolling_force(&rolling(position, 1.0)).unwrap();
-    let first = position.entrainment + 0.5 * position.sliding;
-    let second = position.entrainment - 0.5 * position.sliding;
-    let speed = Speed::from_si(position.entrainment);
-    let both = RollingReading::BothSurfaces.loss_per_length(force, speed);
-    close(both.unwrap(), force.si() * (first + second), ROUNDING);
-    let one = RollingReading::OneSurface.loss_per_length(force, speed);
-    close(one.unwrap(), force.si() * position.entrainment, ROUNDING);
 }
 
 #[test]

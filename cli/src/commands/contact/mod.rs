@@ -192,9 +192,5 @@ fn write_points(found: &Found, path: &Path) -> Result<(), Failure> {
         _ => Path::new("."),
     };
     std::fs::create_dir_all(folder).map_err(|error| refused(&error))?;
-    // Written beside its place and renamed, so that an interruption leaves no half file.
-    let draft = tempfile::NamedTempFile::new_in(folder).map_err(|error| refused(&error))?;
-    std::fs::write(draft.path(), text).map_err(|error| refused(&error))?;
-    draft.persist(path).map_err(|error| refused(&error.error))?;
-    Ok(())
+    asperity::report::save(path, text.as_bytes()).map_err(|error| refused(&error))
 }

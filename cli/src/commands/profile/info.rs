@@ -1,37 +1,69 @@
 //! `asperity profile info` and `compare`: one report, or a table of many.
 
 use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
 
-use asperity_core::quantity::Length;
-use asperity_roughness::ambiguity::ambiguity;
-use asperity_roughness::autocorrelation;
-use asperity_roughness::summits::summit_statistics;
+use asperity::report::wrapped;
 
-use super::{Evaluated, filter, recipe, um};
+use super::details::Details;
+use super::plan::Plan;
+use super::{Evaluated, json, text, um};
 use crate::args::{Common, ProfileInfoArgs};
-use crate::commands::profile::report;
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 
-/// `asperity profile info`
+/// `asperity profile info`; of many files those that can be read, and then what is wrong with the others.
 pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
-    let found = evaluated(args)?;
-    if common.json {
-        let reports: Vec<_> = found.iter().map(|found| as_json(found, args)).collect();
-        return match reports.as_slice() {
-            [one] => print_json(one),
-            many => print_json(many),
+    check(args, common)?;
+    if let [file] = args.files.as_slice() {
+        let found = evaluated(file, args)?;
+        return match common.json {
+            true => print_json(&as_json(&found, args)),
+            false => print_text(
+                common,
+                &text::report(&found, &Details::of(&found, args.hurst)),
+            ),
         };
     }
-    if let [one] = found.as_slice() {
-        return print_text(common, &report::text(one, &args.preparing));
+    let all: Vec<_> = args
+        .files
+        .iter()
+        .map(|file| evaluated(file, args))
+        .collect();
+    if common.json {
+        let entry = |(file, found): (&PathBuf, &Result<Evaluated, Failure>)| match found {
+            Ok(found) => as_json(found, args),
+            Err(failure) => {
+                let mut entry = failure.json();
+                entry["file"] = serde_json::json!(file.display().to_string());
+                entry
+            }
+        };
+        let entries: Vec<_> = args.files.iter().zip(&all).map(entry).collect();
+        print_json(&entries)?;
     }
-    print_text(common, &table(&found))
+    let mut refused = None;
+    let mut good = Vec::new();
+    for found in all {
+        match found {
+            Ok(found) => good.push(found),
+            Err(failure) => {
+                failure.tell();
+                refused = refused.or(Some(failure));
+            }
+        }
+    }
+    if !common.json && !good.is_empty() {
+        print_text(common, &table(&good))?;
+    }
+    refused.map_or(Ok(()), |failure| Err(failure.told()))
 }
 
 /// `asperity profile compare`
 pub fn compare(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
-    let found = evaluated(args)?;
+    check(args, common)?;
+    let all = args.files.iter().map(|file| evaluated(file, args));
+    let found = all.collect::<Result<Vec<_>, _>>()?;
     if common.json {
         let reports: Vec<_> = found.iter().map(|found| as_json(found, args)).collect();
         return print_json(&reports);
@@ -39,38 +71,22 @@ pub fn compare(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
     print_text(common, &(table(&found) + &ratios(&found)))
 }
 
-fn evaluated(args: &ProfileInfoArgs) -> Result<Vec<Evaluated>, Failure> {
-    let of = |file: &std::path::PathBuf| Evaluated::of(file, &args.preparing, &args.reading);
-    args.files.iter().map(of).collect()
+fn check(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
+    if args.curves && !common.json {
+        let text =
+            "--curves are for programs: say --json with it, or asperity profile plot for a picture";
+        return Err(Failure::new("E205", text));
+    }
+    // A contradiction is told once, not for every file.
+    Plan::of(&args.preparing).map(|_| ())
 }
 
-/// The report with what costs more than a look: correlation, summits, what is ambiguous.
+fn evaluated(file: &Path, args: &ProfileInfoArgs) -> Result<Evaluated, Failure> {
+    Evaluated::of(file, &args.preparing, &args.reading)
+}
+
 fn as_json(found: &Evaluated, args: &ProfileInfoArgs) -> serde_json::Value {
-    let mut value = report::json(found);
-    let rough = &found.parts.roughness.profile;
-    let lengths = autocorrelation::lengths(rough).ok();
-    let window = recipe(&args.preparing).lambda_s.unwrap_or(rough.spacing());
-    let summits = summit_statistics(
-        rough,
-        Length::from_si(window.si().max(rough.spacing().si())),
-    )
-    .ok();
-    let open = recipe(&args.preparing).lambda_c.and_then(|lambda_c| {
-        let recipe = recipe(&args.preparing);
-        ambiguity(
-            &found.reading.profile,
-            &recipe,
-            filter(&args.preparing),
-            lambda_c,
-        )
-        .ok()
-    });
-    if let Some(object) = value.as_object_mut() {
-        object.insert("autocorrelation".into(), serde_json::json!(lengths));
-        object.insert("summits".into(), serde_json::json!(summits));
-        object.insert("ambiguity".into(), serde_json::json!(open));
-    }
-    value
+    json::report(found, &Details::of(found, args.hurst), args.curves)
 }
 
 type Column = (&'static str, fn(&Evaluated) -> f64);
@@ -105,12 +121,9 @@ fn table(found: &[Evaluated]) -> String {
     }
     for found in found {
         for warning in found.warnings() {
-            let _ = writeln!(
-                text,
-                "{}: {} {warning}",
-                shortened(&found.reading.name),
-                warning.code()
-            );
+            let name = shortened(&found.reading.name);
+            let note = format!("{name}: {} {warning}", warning.code());
+            let _ = writeln!(text, "{}", wrapped(&note, "    "));
         }
     }
     text

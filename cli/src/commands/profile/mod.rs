@@ -1,30 +1,28 @@
 //! `asperity profile`: looking at, converting, filtering, making and comparing profiles.
 
+mod details;
 mod info;
+mod json;
+mod plan;
 mod plot;
-mod report;
 mod svg;
+mod text;
 mod transform;
 
-use std::io::Write as _;
 use std::path::Path;
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
-use asperity_roughness::form::Form;
+use asperity_roughness::ambiguity::Sections;
 use asperity_roughness::height_parameters::{HeightParameters, Mode, in_sections};
-use asperity_roughness::preparation::{Preparation, Profiles, RoughnessFilter, profiles};
-use asperity_roughness::read::{Metadata, ReadOptions, Reading, read};
+use asperity_roughness::preparation::{Profiles, profiles};
+use asperity_roughness::read::{Format, Metadata, ReadOptions, Reading, read};
 use asperity_roughness::write::{WrittenFormat, write};
 use asperity_roughness::{Parameters, RoughnessError, Warning};
 
+use self::plan::Plan;
 use crate::args::{Common, PreparingArgs, ProfileCommand, ReadingArgs};
 use crate::failure::Failure;
-
-/// λc where none is asked for: the usual cut-off of Ra 0.1 to 2 µm.
-const CUTOFF: Length = Length::from_si(0.8e-3);
-/// Sections of a trace that is not filtered.
-const SECTIONS: usize = 5;
 
 /// Runs one of the subcommands.
 pub fn run(command: &ProfileCommand, common: &Common) -> Result<(), Failure> {
@@ -41,6 +39,9 @@ pub fn run(command: &ProfileCommand, common: &Common) -> Result<(), Failure> {
 /// A profile, read, prepared and evaluated.
 struct Evaluated {
     reading: Reading,
+    plan: Plan,
+    /// What the recipe of the plan started from, where that is not what was read.
+    without_involute: Option<Profile>,
     parts: Profiles,
     iso4287: Parameters,
     iso21920: Parameters,
@@ -52,16 +53,17 @@ struct Evaluated {
 
 impl Evaluated {
     fn of(file: &Path, preparing: &PreparingArgs, reading: &ReadingArgs) -> Result<Self, Failure> {
+        let plan = Plan::of(preparing)?;
         let reading = opened(file, reading)?;
-        let refused = |error: RoughnessError| refusal(file, &error);
-        let recipe = recipe(preparing);
-        let parts = profiles(&reading.profile, &recipe, filter(preparing)).map_err(refused)?;
+        let refused = |error| refusal(&reading, &plan, &error);
+        let without_involute = plan.without_involute(&reading.profile).map_err(refused)?;
+        let trace = without_involute.as_ref().unwrap_or(&reading.profile);
+        let parts = profiles(trace, &plan.recipe, plan.filter).map_err(refused)?;
         let rough = &parts.roughness.profile;
         let mode = Mode::Iso4287;
-        let evaluated = match (preparing.sections, recipe.lambda_c) {
-            (Some(n), _) => Parameters::with_sections(rough, mode, n.into()),
-            (None, Some(lambda_c)) => Parameters::of(rough, mode, lambda_c),
-            (None, None) => Parameters::with_sections(rough, mode, SECTIONS),
+        let evaluated = match plan.sections {
+            Sections::Number(n) => Parameters::with_sections(rough, mode, n),
+            Sections::OfLength(length) => Parameters::of(rough, mode, length),
         };
         let iso4287 = evaluated.map_err(refused)?;
         let iso21920 = iso4287.in_mode(rough, Mode::Iso21920).map_err(refused)?;
@@ -71,10 +73,18 @@ impl Evaluated {
             waviness: parts.waviness.as_ref().map(whole).transpose()?,
             section: iso4287.lambda_c,
             reading,
+            plan,
+            without_involute,
             parts,
             iso4287,
             iso21920,
         })
+    }
+
+    /// What the recipe of the plan started from.
+    fn trace(&self) -> &Profile {
+        let read = &self.reading.profile;
+        self.without_involute.as_ref().unwrap_or(read)
     }
 
     /// All warnings, each once.
@@ -86,7 +96,9 @@ impl Evaluated {
             &self.iso4287.warnings,
         ];
         for warning in lists.into_iter().flatten() {
-            if !all.contains(&warning) {
+            let is_about_filtering = *warning == Warning::AlreadyFiltered;
+            let is_idle = is_about_filtering && self.plan.recipe.lambda_c.is_none();
+            if !is_idle && !all.contains(&warning) {
                 all.push(warning);
             }
         }
@@ -107,41 +119,28 @@ fn opened(file: &Path, args: &ReadingArgs) -> Result<Reading, Failure> {
         gaps: args.gaps.unwrap_or_default(),
         row: args.row,
     };
-    read(file, &options).map_err(|error| Failure::new(error.code(), error.to_string()))
-}
-
-fn refusal(file: &Path, error: &RoughnessError) -> Failure {
-    Failure::new("E120", format!("{}: {error}", file.display()))
-}
-
-fn filter(args: &PreparingArgs) -> RoughnessFilter {
-    if args.robust {
-        RoughnessFilter::RobustGaussian
-    } else {
-        RoughnessFilter::Gaussian
+    let reading =
+        read(file, &options).map_err(|error| Failure::new(error.code(), error.to_string()))?;
+    let row = args.row.unwrap_or(1);
+    if row > 1 && !matches!(reading.format, Format::X3p | Format::SdfAscii) {
+        let name = &reading.name;
+        let text = format!("{name}: the file holds a single profile, row {row} is not in it");
+        return Err(Failure::new("E119", text));
     }
+    Ok(reading)
 }
 
-fn recipe(args: &PreparingArgs) -> Preparation {
-    let usual = Preparation::default();
-    if args.as_is || args.level {
-        return Preparation {
-            form: if args.as_is { Form::None } else { Form::Level },
-            lambda_s: None,
-            lambda_c: None,
-            ..usual
-        };
-    }
-    let kept = |given: Option<Length>, usual: Option<Length>| match given {
-        None => usual,
-        Some(length) => (length.si() > 0.0).then_some(length),
+/// Why a profile that was read is not evaluated, and what to say instead.
+fn refusal(reading: &Reading, plan: &Plan, error: &RoughnessError) -> Failure {
+    let name = &reading.name;
+    let advice = match error {
+        RoughnessError::TooShort { .. } => plan.advice_for(reading),
+        RoughnessError::TooFewPoints { .. } if matches!(plan.sections, Sections::Number(_)) => {
+            ". Say fewer --sections".to_owned()
+        }
+        _ => String::new(),
     };
-    Preparation {
-        form: args.form.unwrap_or(usual.form),
-        lambda_s: kept(args.lambda_s, usual.lambda_s),
-        lambda_c: kept(args.lambda_c, usual.lambda_c.or(Some(CUTOFF))),
-        ends: args.ends.unwrap_or(usual.ends),
-    }
+    Failure::new("E120", format!("{name}: {error}{advice}"))
 }
 
 /// Writes a profile in the format its name asks for; an interrupted run leaves nothing half-written.
@@ -158,20 +157,12 @@ fn save(output: &Path, profile: &Profile, metadata: &Metadata) -> Result<(), Fai
     save_bytes(output, &bytes)
 }
 
-/// Writes `bytes` beside their place and renames.
+/// Writes `bytes`, all or nothing.
 fn save_bytes(output: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let failed = |error: &dyn std::fmt::Display| {
+    asperity::report::save(output, bytes).map_err(|error| {
         let text = format!("{}: cannot be written: {error}", output.display());
         Failure::new("E401", text)
-    };
-    let folder = output
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty());
-    let folder = folder.unwrap_or(Path::new("."));
-    let mut file = tempfile::NamedTempFile::new_in(folder).map_err(|error| failed(&error))?;
-    file.write_all(bytes).map_err(|error| failed(&error))?;
-    file.persist(output).map_err(|error| failed(&error.error))?;
-    Ok(())
+    })
 }
 
 fn um(length: Length) -> f64 {

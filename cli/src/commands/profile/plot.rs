@@ -23,8 +23,9 @@ pub fn plot(args: &ProfilePlotArgs, common: &Common) -> Result<(), Failure> {
         .clone()
         .unwrap_or_else(|| args.file.with_extension("svg"));
     let rough = &found.parts.roughness.profile;
-    let curve = abbott_curve(rough.heights()).map_err(|e| refusal(&args.file, &e.into()))?;
-    let spectrum = power_spectrum(rough).map_err(|e| refusal(&args.file, &e))?;
+    let curve = abbott_curve(rough.heights())
+        .map_err(|e| refusal(&found.reading, &found.plan, &e.into()))?;
+    let spectrum = power_spectrum(rough).map_err(|e| refusal(&found.reading, &found.plan, &e))?;
     let lines = (1..spectrum.density.len()).map(|k| {
         // Wavelength in um; m³ are 1e18 um³.
         let wavelength = 1e6 / (k as f64 * spectrum.frequency_step);

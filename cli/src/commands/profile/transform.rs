@@ -1,5 +1,6 @@
 //! `asperity profile convert`, `filter` and `generate`: a profile into a file.
 
+use asperity::report::wrapped;
 use asperity_roughness::composite::resampled;
 use asperity_roughness::generate::{Recipe, SelfAffine, Surface};
 use asperity_roughness::outliers::{Outliers, replace};
@@ -7,7 +8,8 @@ use asperity_roughness::preparation::profiles;
 use asperity_roughness::read::Metadata;
 use serde_json::json;
 
-use super::{filter as filter_of, opened, recipe, refusal, save, um};
+use super::plan::Plan;
+use super::{opened, refusal, save, um};
 use crate::args::{
     Common, ProfileConvertArgs, ProfileFilterArgs, ProfileGenerateArgs, ProfilePart,
 };
@@ -27,12 +29,14 @@ pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure
             deviations,
             half_window: HALF_WINDOW,
         };
-        let (cleaned, record) = replace(&profile, rule).map_err(|e| refusal(&args.file, &e))?;
+        let (cleaned, record) = replace(&profile, rule)
+            .map_err(|error| Failure::new("E209", format!("--outliers {deviations}: {error}")))?;
         profile = cleaned;
         outliers = Some(record);
     }
     if let Some(dx) = args.resample {
-        profile = resampled(&profile, dx).map_err(|e| refusal(&args.file, &e.into()))?;
+        profile = resampled(&profile, dx)
+            .map_err(|error| Failure::new("E209", format!("--resample {dx}: {error}")))?;
     }
     save(&args.output, &profile, &reading.metadata)?;
     let (output, n) = (args.output.display().to_string(), profile.len());
@@ -58,17 +62,20 @@ pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure
         text += &format!("  resampled from {} by straight lines\n", reading.spacing);
     }
     for warning in &reading.warnings {
-        text += &format!("  {} {warning}\n", warning.code());
+        let note = format!("  {} {warning}", warning.code());
+        text += &format!("{}\n", wrapped(&note, "    "));
     }
     print_text(common, &text)
 }
 
 /// `asperity profile filter`
 pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> {
+    let plan = Plan::of(&args.preparing)?;
     let reading = opened(&args.file, &args.reading)?;
-    let recipe = recipe(&args.preparing);
-    let parts = profiles(&reading.profile, &recipe, filter_of(&args.preparing))
-        .map_err(|error| refusal(&args.file, &error))?;
+    let refused = |error| refusal(&reading, &plan, &error);
+    let without_involute = plan.without_involute(&reading.profile).map_err(refused)?;
+    let trace = without_involute.as_ref().unwrap_or(&reading.profile);
+    let parts = profiles(trace, &plan.recipe, plan.filter).map_err(refused)?;
     let profile = match args.part {
         ProfilePart::Roughness => &parts.roughness.profile,
         ProfilePart::Primary => &parts.primary,
@@ -84,10 +91,9 @@ pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> 
     let record = &parts.roughness.record;
     let output = args.output.display().to_string();
     if common.json {
-        let n = profile.len();
-        return print_json(
-            &json!({ "reading": reading, "preparation": record, "output": output, "n": n }),
-        );
+        return print_json(&json!({
+            "reading": reading, "preparation": plan.recorded(record), "output": output, "n": profile.len(),
+        }));
     }
     let robust = record.robust.map_or(String::new(), |robust| {
         format!(

@@ -5,11 +5,11 @@ use std::path::Path;
 use asperity_core::DomainError;
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
-use asperity_roughness::Parameters;
 use asperity_roughness::composite::resampled;
 use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::preparation::prepare;
-use asperity_roughness::read::{ReadOptions, read_bytes};
+use asperity_roughness::read::{Format, ReadOptions, Reading, read_bytes};
+use asperity_roughness::{Parameters, Warning as ProfileWarning};
 use asperity_tribo_friction::XuCalibration;
 use sha2::{Digest, Sha256};
 
@@ -152,8 +152,8 @@ fn load_flanks(case: Case, source: &Source, folder: &Path) -> Result<LoadedCase,
         folder,
         &mut warnings,
     )?;
-    let same_trace = pinion.sha256.is_some() && pinion.sha256 == wheel.sha256;
-    if same_trace {
+    let same_trace = are_one_trace(&pinion, &wheel);
+    if pinion.file.is_some() && pinion.file == wheel.file {
         // Said once, for the file they share.
         warnings.dedup();
         let mut seen = std::collections::BTreeSet::new();
@@ -167,6 +167,14 @@ fn load_flanks(case: Case, source: &Source, folder: &Path) -> Result<LoadedCase,
         flanks: [pinion, wheel],
         warnings,
     })
+}
+
+/// Whether both flanks run on one trace; rows of one surface are traces of their own.
+fn are_one_trace(pinion: &FlankReport, wheel: &FlankReport) -> bool {
+    match (&pinion.reading, &wheel.reading) {
+        (Some(first), Some(second)) => first.profile == second.profile,
+        _ => false,
+    }
 }
 
 fn flank(
@@ -235,30 +243,9 @@ fn trace(
     folder: &Path,
     warnings: &mut Vec<Warning>,
 ) -> Result<(Texture, FlankReport), CaseError> {
-    let path = folder.join(file);
-    let bytes = std::fs::read(&path).map_err(|reason| CaseError::OpenNamed {
-        file: path.display().to_string(),
-        place: source.place_of(key),
-        key,
-        reason,
-    })?;
     // As the case names it: that is what the user looks for.
     let name = file.display().to_string();
-    let options = ReadOptions {
-        x_unit: input.x_unit,
-        z_unit: input.z_unit,
-        dx: input.dx,
-        columns: input.columns,
-        decimal: input.decimal,
-        separator: input.separator,
-        encoding: input.encoding,
-        gaps: input.gaps.unwrap_or_default(),
-        row: None,
-    };
-    let reading = read_bytes(&name, &bytes, &options).map_err(|error| CaseError::Profile {
-        place: source.place_of(key),
-        source: Box::new(error),
-    })?;
+    let (reading, sha256) = read_trace(input, file, (source, key), folder)?;
     let mirrored = input.mirrored.unwrap_or(false);
     let raw = if mirrored {
         reading.profile.mirrored()
@@ -270,27 +257,66 @@ fn trace(
         source,
     };
     let prepared = prepare(&raw, &case.preparation).map_err(refused)?;
-    for warning in reading.warnings.iter().chain(&prepared.warnings) {
-        warnings.push(Warning::new(warning.code(), format!("{name}: {warning}")));
-    }
-    // Without a cut-off the whole trace is one evaluation of five sections.
-    let section = case
-        .preparation
-        .lambda_c
-        .unwrap_or_else(|| prepared.profile.length() / 5.0);
+    // Without a cut-off the whole trace is one evaluation of five sections, and nothing is filtered twice.
+    let lambda_c = case.preparation.lambda_c;
+    let section = lambda_c.unwrap_or_else(|| prepared.profile.length() / 5.0);
     let parameters = Parameters::of(&prepared.profile, Mode::Iso4287, section).map_err(refused)?;
-    for warning in &parameters.warnings {
-        warnings.push(Warning::new(warning.code(), format!("{name}: {warning}")));
+    let lists = [&reading.warnings, &prepared.warnings, &parameters.warnings];
+    for warning in lists.into_iter().flatten() {
+        if lambda_c.is_some() || *warning != ProfileWarning::AlreadyFiltered {
+            warnings.push(Warning::new(warning.code(), format!("{name}: {warning}")));
+        }
     }
     let report = FlankReport {
-        file: Some(file.display().to_string()),
-        sha256: Some(hex(&Sha256::digest(&bytes))),
+        file: Some(name),
+        sha256: Some(sha256),
         mirrored,
         preparation: Some(prepared.record),
         parameters: Some(parameters),
         reading: Some(reading),
     };
     Ok((Texture::Trace(prepared.profile), report))
+}
+
+/// The trace in `file` as its keys say, and the SHA-256 of the file.
+fn read_trace(
+    input: &FlankInput,
+    file: &Path,
+    (source, key): (&Source, &'static str),
+    folder: &Path,
+) -> Result<(Reading, String), CaseError> {
+    let path = folder.join(file);
+    let bytes = std::fs::read(&path).map_err(|reason| CaseError::OpenNamed {
+        file: path.display().to_string(),
+        place: source.place_of(key),
+        key,
+        reason,
+    })?;
+    let options = ReadOptions {
+        x_unit: input.x_unit,
+        z_unit: input.z_unit,
+        dx: input.dx,
+        columns: input.columns,
+        decimal: input.decimal,
+        separator: input.separator,
+        encoding: input.encoding,
+        gaps: input.gaps.unwrap_or_default(),
+        row: input.row,
+    };
+    let reading = read_bytes(&file.display().to_string(), &bytes, &options).map_err(|error| {
+        CaseError::Profile {
+            place: source.place_of(key),
+            source: Box::new(error),
+        }
+    })?;
+    if input.row.unwrap_or(1) > 1 && !matches!(reading.format, Format::X3p | Format::SdfAscii) {
+        return Err(CaseError::Conflict {
+            place: source.place_of(key),
+            key,
+            rule: "this file holds a single profile; leave row out",
+        });
+    }
+    Ok((reading, hex(&Sha256::digest(&bytes))))
 }
 
 /// Brings two traces to the finer spacing of both.

@@ -226,6 +226,8 @@ pub struct FlankInput {
     pub encoding: Option<Encoding>,
     /// Missing points: `refuse` (default) or `interpolate`.
     pub gaps: Option<Gaps>,
+    /// Which profile of a file that holds several (a row of a surface), from 1.
+    pub row: Option<usize>,
     /// Rq of a flank without a file; the rough contact is then not computed.
     pub rq: Option<Length>,
     /// Ra of a flank without a file; default Rq·√(2/π), a Gaussian surface.

@@ -149,11 +149,14 @@ impl Source {
                 key: error.span().and_then(|span| self.key_at(&span)),
                 message: error.message().to_owned(),
             }),
-            Syntax::Json => serde_json::from_str(&self.text).map_err(|error| CaseError::Value {
-                place: self.at_line(error.line()),
-                key: None,
-                message: without_place(&error.to_string()),
-            }),
+            Syntax::Json => {
+                let mut text = serde_json::Deserializer::from_str(&self.text);
+                serde_path_to_error::deserialize(&mut text).map_err(|error| CaseError::Value {
+                    place: self.at_line(error.inner().line()),
+                    key: key_of(error.path()),
+                    message: without_place(&error.inner().to_string()),
+                })
+            }
         }
     }
 
@@ -247,6 +250,17 @@ fn join(path: &str, name: &str) -> String {
     } else {
         format!("{path}.{name}")
     }
+}
+
+/// The key of a path; entries of a list are told by the key of the list, as in TOML.
+fn key_of(path: &serde_path_to_error::Path) -> Option<String> {
+    use serde_path_to_error::Segment;
+    let names = path.iter().map_while(|segment| match segment {
+        Segment::Map { key } => Some(key.as_str()),
+        _ => None,
+    });
+    let key = names.collect::<Vec<_>>().join(".");
+    (!key.is_empty()).then_some(key)
 }
 
 /// The message of the JSON parser without the place at its end, which is told in front.

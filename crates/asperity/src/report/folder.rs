@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::draft::{draft_file, draft_folder, parent_of};
 use super::{flanks, html, losses, tables};
 use crate::error::UnsolvedContact;
 use crate::result::Outcome;
@@ -156,12 +157,9 @@ pub fn write_folder(outcome: &Outcome, target: &Path) -> Result<(), ReportError>
 /// # Errors
 /// When the system refuses.
 pub fn write_unsolved(contact: &UnsolvedContact, file: &Path) -> Result<(), ReportError> {
-    let parent = match file.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
+    let parent = parent_of(file);
     fs::create_dir_all(parent).map_err(io_at(parent))?;
-    let draft = tempfile::NamedTempFile::new_in(parent).map_err(io_at(parent))?;
+    let draft = draft_file(parent).map_err(io_at(parent))?;
     tables::gap(&contact.x, &contact.gap, draft.path())?;
     draft
         .persist(file)
@@ -176,16 +174,10 @@ pub(super) fn write_whole(
     fill: impl FnOnce(&Path) -> Result<(), ReportError>,
 ) -> Result<(), ReportError> {
     check(target, contents)?;
-    let parent = match target.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
+    let parent = parent_of(target);
     fs::create_dir_all(parent).map_err(io_at(parent))?;
     // Removed with everything in it when anything below fails.
-    let draft = tempfile::Builder::new()
-        .prefix(".asperity-")
-        .tempdir_in(parent)
-        .map_err(io_at(parent))?;
+    let draft = draft_folder(parent).map_err(io_at(parent))?;
     let made = draft.path().join("result");
     fs::create_dir(&made).map_err(io_at(&made))?;
     fill(&made)?;

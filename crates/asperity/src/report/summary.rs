@@ -1,11 +1,12 @@
-//! The summary for the terminal; 80 columns suffice for the numbers that matter.
+//! The summary for the terminal, in 80 columns.
 
 use std::fmt::Write as _;
 
+use super::wrap::{COLUMNS, wrapped};
 use crate::result::{ComparisonOutcome, PositionRow, RunResult};
 
-/// Width that the numbers of the summary keep to; messages may be longer.
-const COLUMNS: usize = 80;
+/// Under the text of a message, behind its code.
+const INDENT: &str = "     ";
 
 /// Efficiency, losses, regime and what calls for attention, as plain text.
 pub fn summary(result: &RunResult) -> String {
@@ -15,7 +16,7 @@ pub fn summary(result: &RunResult) -> String {
     let _ = write_regime(&mut text, result);
     let _ = write_laws(&mut text, result);
     for warning in &result.warnings {
-        let _ = writeln!(text, "{warning}");
+        let _ = writeln!(text, "{}", wrapped(&warning.to_string(), INDENT));
     }
     text
 }

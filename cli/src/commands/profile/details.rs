@@ -1,0 +1,84 @@
+//! What takes more than a look at a profile: line of Rk by secant, correlation, summits, spectrum, Hurst
+//! exponent, and what is ambiguous.
+
+use asperity_core::quantity::Length;
+use asperity_roughness::RoughnessError;
+use asperity_roughness::ambiguity::{Ambiguity, ambiguity};
+use asperity_roughness::autocorrelation::{self, AutocorrelationLengths};
+use asperity_roughness::hurst::{HurstFit, hurst_fit};
+use asperity_roughness::material_ratio::{Line, RkParameters, rk_parameters_with};
+use asperity_roughness::spectral::{PowerSpectrum, power_spectrum};
+use asperity_roughness::summits::{SummitStatistics, summit_statistics};
+
+use super::Evaluated;
+use crate::args::Wavelengths;
+
+/// The details of a profile; none where the profile has no such thing, being flat or short.
+pub struct Details {
+    /// The Rk family with the secant line.
+    pub secant: Option<RkParameters>,
+    /// Lengths over which the profile forgets itself.
+    pub correlation: Option<AutocorrelationLengths>,
+    /// Half width over which curvatures of summits were measured.
+    pub window: Length,
+    /// The summits.
+    pub summits: Option<SummitStatistics>,
+    /// Power spectral density.
+    pub spectrum: Option<PowerSpectrum>,
+    /// Wavelengths of the Hurst fit.
+    pub wavelengths: Wavelengths,
+    /// The fit, or why there is none.
+    pub hurst: Result<HurstFit, RoughnessError>,
+    /// The ranges of the parameters.
+    pub ambiguity: Vec<Ambiguity>,
+}
+
+impl Details {
+    /// The details of a profile, the Hurst exponent over `wavelengths` or what the filters leave.
+    pub fn of(found: &Evaluated, wavelengths: Option<Wavelengths>) -> Self {
+        let (plan, rough) = (&found.plan, &found.parts.roughness.profile);
+        let window = plan.recipe.lambda_s.unwrap_or_default();
+        let window = Length::from_si(window.si().max(rough.spacing().si()));
+        let wavelengths = wavelengths.unwrap_or_else(|| usual_wavelengths(found));
+        let (recipe, filter) = (&plan.recipe, plan.filter);
+        let open = ambiguity(found.trace(), rough, recipe, filter, plan.sections);
+        Self {
+            secant: rk_parameters_with(rough.heights(), Line::Secant).ok(),
+            correlation: autocorrelation::lengths(rough).ok(),
+            window,
+            summits: summit_statistics(rough, window).ok(),
+            spectrum: power_spectrum(rough).ok(),
+            hurst: hurst_fit(rough, wavelengths.longest, wavelengths.shortest),
+            wavelengths,
+            ambiguity: open.unwrap_or_default(),
+        }
+    }
+
+    /// The wavelength that parts the power of the profile in halves.
+    pub fn median_wavelength(&self) -> Option<Length> {
+        let spectrum = self.spectrum.as_ref()?;
+        let half = 0.5 * spectrum.density.iter().sum::<f64>();
+        let mut power = 0.0;
+        let k = spectrum.density.iter().position(|density| {
+            power += density;
+            power >= half
+        })?;
+        (k > 0).then(|| Length::from_si(1.0 / (k as f64 * spectrum.frequency_step)))
+    }
+}
+
+/// The wavelengths whose density the filters leave within about a tenth: from λc/3, where the Gaussian
+/// filter lets pass 99.8 % of a wave, to 5 λs, where it lets pass 97 %; without filters a quarter of the
+/// length to five points.
+fn usual_wavelengths(found: &Evaluated) -> Wavelengths {
+    const LONG: f64 = 3.0;
+    const SHORT: f64 = 5.0;
+    const UNFILTERED: f64 = 4.0;
+    let (recipe, rough) = (&found.plan.recipe, &found.parts.roughness.profile);
+    let quarter = rough.length() / UNFILTERED;
+    let short = recipe.lambda_s.unwrap_or_default().si();
+    Wavelengths {
+        longest: recipe.lambda_c.map_or(quarter, |lambda_c| lambda_c / LONG),
+        shortest: Length::from_si(SHORT * short.max(rough.spacing().si())),
+    }
+}

@@ -1,0 +1,177 @@
+//! One profile as JSON: the keys that scripts rely on, lengths in micrometres.
+
+use asperity_core::quantity::Length;
+use asperity_roughness::ambiguity::Ambiguity;
+use asperity_roughness::autocorrelation::autocorrelation;
+use asperity_roughness::height_parameters::HeightParameters;
+use asperity_roughness::material_ratio::{RkParameters, abbott_curve};
+use asperity_roughness::spectral::PowerSpectrum;
+use serde_json::{Map, Value, json};
+
+use super::details::Details;
+use super::{Evaluated, um};
+use crate::args::name_of;
+
+/// How the spectrum is meant.
+const CONVENTION: &str = "of the R profile about its mean; Hann window; one-sided over spatial frequency f = 1/wavelength; \
+     its integral over f is the mean square height of the windowed profile";
+
+/// The report of a profile; with its curves, point by point, on request.
+pub fn report(found: &Evaluated, details: &Details, curves: bool) -> Value {
+    let reading = &found.reading;
+    let spectral = &found.iso4287.spectral;
+    let notes = found.warnings().into_iter();
+    let notes: Vec<Value> = notes
+        .map(|w| json!({ "code": w.code(), "text": w.to_string() }))
+        .collect();
+    let mut report = json!({
+        "file": reading.name,
+        "format": reading.format,
+        "n": reading.points,
+        "dx_um": um(reading.spacing),
+        "length_um": um(reading.length),
+        "filter_state": reading.filter_state,
+        "reading": reading,
+        "preparation": found.plan.recorded(&found.parts.roughness.record),
+        "section_um": um(found.section),
+        "iso4287": heights(&found.iso4287.heights),
+        "iso21920": heights(&found.iso21920.heights),
+        "primary": whole("p", &found.primary),
+        "waviness": found.waviness.as_ref().map(|p| whole("w", p)),
+        "material_ratio": material(&found.iso4287.material),
+        "material_ratio_secant": details.secant.as_ref().map(material),
+        "spectral": {
+            "m0_um2": spectral.m0 * 1e12, "m2": spectral.m2, "m4_per_um2": spectral.m4 * 1e-12,
+            "bandwidth": spectral.bandwidth(),
+        },
+        "psd": details.spectrum.as_ref().map(|_| json!({
+            "convention": CONVENTION,
+            "median_wavelength_um": details.median_wavelength().map(um),
+        })),
+        "autocorrelation": details.correlation.map(|lengths| json!({
+            "to_one_fifth_um": lengths.to_one_fifth.map(um),
+            "to_one_over_e_um": lengths.to_one_over_e.map(um),
+        })),
+        "summits": summits(details),
+        "hurst": hurst(details),
+        "ambiguity": details.ambiguity.iter().map(open).collect::<Vec<_>>(),
+        "warnings": notes,
+    });
+    if curves {
+        report["curves"] = all_curves(found, details);
+    }
+    report
+}
+
+fn heights(p: &HeightParameters) -> Value {
+    json!({
+        "ra_um": um(p.ra), "rq_um": um(p.rq), "rz_um": um(p.rz), "rp_um": um(p.rp), "rv_um": um(p.rv),
+        "rt_um": um(p.rt), "rz1max_um": um(p.rz1max), "rsk": p.rsk, "rku": p.rku,
+        "rsm_um": p.rsm.map(um), "rc_um": p.rc.map(um), "rdq": p.rdq, "sections": p.sections,
+    })
+}
+
+/// P and W parameters over the whole length, under names of their own.
+fn whole(letter: &str, p: &HeightParameters) -> Value {
+    let mut found = Map::new();
+    for (name, value) in [
+        ("a_um", Some(um(p.ra))),
+        ("q_um", Some(um(p.rq))),
+        ("p_um", Some(um(p.rp))),
+        ("v_um", Some(um(p.rv))),
+        ("t_um", Some(um(p.rt))),
+        ("sk", p.rsk),
+        ("ku", p.rku),
+        ("sm_um", p.rsm.map(um)),
+        ("c_um", p.rc.map(um)),
+        ("dq", Some(p.rdq)),
+    ] {
+        found.insert(format!("{letter}{name}"), json!(value));
+    }
+    Value::Object(found)
+}
+
+fn material(m: &RkParameters) -> Value {
+    json!({
+        "rk_um": um(m.rk), "rpk_um": um(m.rpk), "rvk_um": um(m.rvk),
+        "mr1_percent": m.mr1, "mr2_percent": m.mr2,
+    })
+}
+
+fn summits(details: &Details) -> Option<Value> {
+    /// Per metre to per millimetre.
+    const PER_MM: f64 = 1e-3;
+    details.summits.map(|found| {
+        json!({
+            "count": found.count,
+            "density_per_mm": found.density * PER_MM,
+            "density_of_gaussian_per_mm": found.spectral_density * PER_MM,
+            "mean_height_um": um(found.mean_height),
+            "height_deviation_um": um(found.height_deviation),
+            "mean_curvature_per_um": found.mean_curvature * 1e-6,
+            "mean_radius_um": found.mean_radius.map(um),
+            "window_um": um(details.window),
+        })
+    })
+}
+
+/// The fit with its range; the reason where there is none.
+fn hurst(details: &Details) -> Value {
+    let range = details.wavelengths;
+    let mut value = match &details.hurst {
+        Ok(fit) => json!(fit),
+        Err(reason) => json!({ "hurst": null, "reason": reason.to_string() }),
+    };
+    value["longest_um"] = json!(um(range.longest));
+    value["shortest_um"] = json!(um(range.shortest));
+    value
+}
+
+/// A range, with lengths in micrometres, and the part of each choice in it.
+fn open(range: &Ambiguity) -> Value {
+    let (unit, factor) = match range.unit {
+        "m" => ("um", 1e6),
+        other => (other, 1.0),
+    };
+    let both = |low: f64, high: f64| (low * factor, high * factor);
+    let (low, high) = both(range.low, range.high);
+    let spreads = range.spreads.iter().map(|spread| {
+        let (low, high) = both(spread.low, spread.high);
+        json!({ "choice": name_of(&spread.choice), "low": low, "high": high })
+    });
+    json!({
+        "parameter": range.parameter, "unit": unit, "low": low, "high": high,
+        "spreads": spreads.collect::<Vec<_>>(),
+    })
+}
+
+fn all_curves(found: &Evaluated, details: &Details) -> Value {
+    let rough = &found.parts.roughness.profile;
+    let in_um = |values: Vec<f64>| values.into_iter().map(|z| 1e6 * z).collect::<Vec<_>>();
+    json!({
+        "psd": details.spectrum.as_ref().map(spectrum),
+        "autocorrelation": autocorrelation(rough.heights()).ok().map(|rho| json!({
+            "shift_step_um": um(rough.spacing()), "rho": rho,
+        })),
+        "material_ratio": abbott_curve(rough.heights()).ok().map(|curve| json!({
+            "convention": "height k of n, counted from 0, has the material ratio 100 (k + 1/2)/n percent",
+            "height_um": in_um(curve),
+        })),
+    })
+}
+
+/// All waves of a spectrum, from the longest on.
+fn spectrum(found: &PowerSpectrum) -> Value {
+    let (mut frequencies, mut wavelengths, mut densities) = (Vec::new(), Vec::new(), Vec::new());
+    for (k, density) in found.density.iter().enumerate().skip(1) {
+        let frequency = k as f64 * found.frequency_step;
+        frequencies.push(1e-6 * frequency);
+        wavelengths.push(um(Length::from_si(1.0 / frequency)));
+        // m³ to um³.
+        densities.push(1e18 * density);
+    }
+    json!({
+        "convention": CONVENTION,
+        "frequency_per_um": frequencies, "wavelength_um": wavelengths, "density_um3": densities,
+    })
+}

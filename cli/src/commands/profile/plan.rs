@@ -1,0 +1,178 @@
+//! What is done to a trace before it is evaluated, by the options of the command.
+
+use asperity_core::Profile;
+use asperity_core::quantity::Length;
+use asperity_roughness::RoughnessError;
+use asperity_roughness::ambiguity::Sections;
+use asperity_roughness::form::Form;
+use asperity_roughness::involute::{Involute, remove};
+use asperity_roughness::preparation::{Preparation, PreparationRecord, RoughnessFilter};
+use asperity_roughness::read::{FilterState, Reading};
+use serde_json::{Value, json};
+
+use crate::args::{FormArg, PreparingArgs, name_of};
+use crate::failure::Failure;
+
+/// Sections of a trace that is not filtered.
+const SECTIONS: usize = 5;
+
+/// Form removal, filters and sections.
+#[derive(Debug, Clone, Copy)]
+pub struct Plan {
+    /// Form other than an involute, and filters.
+    pub recipe: Preparation,
+    /// The filter at lambda_c.
+    pub filter: RoughnessFilter,
+    /// The involute that comes off first.
+    pub involute: Option<Involute>,
+    /// How the result is evaluated.
+    pub sections: Sections,
+}
+
+impl Plan {
+    /// The plan that the options make.
+    pub fn of(args: &PreparingArgs) -> Result<Self, Failure> {
+        let usual = match args.as_is || args.level {
+            true => Preparation {
+                lambda_s: None,
+                lambda_c: None,
+                ..Preparation::default()
+            },
+            false => Preparation::default(),
+        };
+        let asked = |given: Option<Length>, usual: Option<Length>| match given {
+            None => usual,
+            Some(length) => (length.si() != 0.0).then_some(length),
+        };
+        let recipe = Preparation {
+            form: form(args),
+            lambda_s: asked(args.lambda_s, usual.lambda_s),
+            lambda_c: asked(args.lambda_c, usual.lambda_c),
+            ends: args.ends.unwrap_or(usual.ends),
+        };
+        if args.robust && recipe.lambda_c.is_none() {
+            let text = "--robust is the filter at lambda_c, and there is none; say --lambda-c, as --lambda-c 0.8mm";
+            return Err(Failure::new("E205", text));
+        }
+        Ok(Self {
+            recipe,
+            filter: match args.robust {
+                true => RoughnessFilter::RobustGaussian,
+                false => RoughnessFilter::Gaussian,
+            },
+            involute: involute(args)?,
+            sections: match (args.sections, recipe.lambda_c) {
+                (Some(number), _) => Sections::Number(number.into()),
+                (None, Some(lambda_c)) => Sections::OfLength(lambda_c),
+                (None, None) => Sections::Number(SECTIONS),
+            },
+        })
+    }
+
+    /// The trace that the recipe is for, where an involute comes off first.
+    pub fn without_involute(&self, profile: &Profile) -> Result<Option<Profile>, RoughnessError> {
+        let flank = self.involute.as_ref();
+        flank.map(|flank| remove(profile, flank)).transpose()
+    }
+
+    /// What to say for a trace that is too short for the filters: what it is, and what it is long enough
+    /// for.
+    pub fn advice_for(&self, reading: &Reading) -> String {
+        if reading.filter_state == FilterState::Roughness {
+            let say = as_is(reading);
+            return format!(". It was filtered before: say {say}");
+        }
+        /// Cut-offs of ISO 3274, in mm.
+        const USUAL: [f64; 5] = [8.0, 2.5, 0.8, 0.25, 0.08];
+        let (length, dx) = (1e3 * reading.length.si(), 1e3 * reading.spacing.si());
+        // With its ends cut a trace is to hold two cut-offs; five points to a cut-off are the least.
+        let fits = |cutoff: &&f64| 2.0 * **cutoff <= length && **cutoff >= 5.0 * dx;
+        let unfiltered = "--level for no filter";
+        let say = USUAL.iter().find(fits).map_or_else(
+            || unfiltered.to_owned(),
+            |cutoff| format!("--lambda-c {cutoff}mm, or {unfiltered}"),
+        );
+        format!(
+            ". It was read as {}, {} points. Say {say}",
+            reading.format, reading.points
+        )
+    }
+
+    /// The form that is removed, for reading.
+    pub fn form(&self) -> String {
+        let Some(flank) = &self.involute else {
+            return name_of(&self.recipe.form);
+        };
+        format!(
+            "involute (base radius {}, roll length {} at the middle, towards the {})",
+            flank.base_radius,
+            flank.roll_length,
+            if flank.towards_root { "root" } else { "tip" }
+        )
+    }
+
+    /// What was done, with the involute.
+    pub fn recorded(&self, record: &PreparationRecord) -> Value {
+        let mut value = json!(record);
+        if let Some(flank) = &self.involute {
+            value["recipe"]["form"] = json!("involute");
+            value["involute"] = json!({
+                "base_radius_mm": 1e3 * flank.base_radius.si(),
+                "roll_length_mm": 1e3 * flank.roll_length.si(),
+                "towards_root": flank.towards_root,
+            });
+        }
+        value
+    }
+}
+
+/// What to say for a roughness profile, in sections of the cut-off that its instrument used.
+pub fn as_is(reading: &Reading) -> String {
+    let sections = reading
+        .metadata
+        .lambda_c
+        .map(|lambda_c| (reading.length / lambda_c).round())
+        .filter(|sections| *sections >= 1.0);
+    let option = sections.map_or(String::new(), |n| format!(" --sections {n}"));
+    format!("--as-is{option}")
+}
+
+/// The form that the recipe removes; an involute takes its line with it.
+fn form(args: &PreparingArgs) -> Form {
+    match args.form {
+        None if args.as_is => Form::None,
+        None => Form::Level,
+        Some(FormArg::None | FormArg::Involute) => Form::None,
+        Some(FormArg::Mean) => Form::Mean,
+        Some(FormArg::Level) => Form::Level,
+        Some(FormArg::Poly2) => Form::Poly2,
+        Some(FormArg::Circle) => Form::Circle,
+    }
+}
+
+fn involute(args: &PreparingArgs) -> Result<Option<Involute>, Failure> {
+    let contradiction = |text: &str| Err(Failure::new("E205", text));
+    let given = [args.base_radius, args.roll_length];
+    if args.form != Some(FormArg::Involute) {
+        if args.towards_root || given.iter().any(Option::is_some) {
+            return contradiction(
+                "--base-radius, --roll-length and --towards-root go with --form involute only",
+            );
+        }
+        return Ok(None);
+    }
+    match given {
+        [Some(base_radius), Some(roll_length)] => Ok(Some(Involute {
+            base_radius,
+            roll_length,
+            towards_root: args.towards_root,
+        })),
+        [None, _] => contradiction(
+            "--form involute needs --base-radius, the base radius of the gear, as --base-radius 50mm",
+        ),
+        [_, None] => contradiction(
+            "--form involute needs --roll-length, the radius of curvature at the middle of the trace: \
+             √(r² − r_b²) where the flank has radius r, as --roll-length 15mm",
+        ),
+    }
+}

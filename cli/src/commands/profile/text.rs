@@ -1,0 +1,351 @@
+//! One profile as text of 80 columns that fits on a screen.
+
+use asperity::report::wrapped;
+use asperity_core::quantity::Length;
+use asperity_roughness::height_parameters::HeightParameters;
+use asperity_roughness::material_ratio::RkParameters;
+use asperity_roughness::read::FilterState;
+
+use super::details::Details;
+use super::plan::as_is;
+use super::{Evaluated, um};
+use crate::args::name_of;
+
+/// The report for reading.
+pub fn report(found: &Evaluated, details: &Details) -> String {
+    let mut page = Page(format!("{}\n", found.reading.name));
+    file(&mut page, found);
+    recipe(&mut page, found);
+    stated_cutoffs(&mut page, found);
+    heights(&mut page, found, details);
+    material(&mut page, found, details);
+    spectral(&mut page, found, details);
+    summits(&mut page, details);
+    hurst(&mut page, details);
+    choices(&mut page, found);
+    printed(&mut page, found);
+    for warning in found.warnings() {
+        page.line(&format!("{} {warning}", warning.code()));
+    }
+    page.0
+}
+
+/// Lines of text.
+struct Page(String);
+
+impl Page {
+    /// A line, with its continuation when it is long.
+    fn line(&mut self, content: &str) {
+        let line = wrapped(&format!("  {content}"), "    ");
+        self.0.push_str(line.trim_end());
+        self.0.push('\n');
+    }
+
+    /// A row of the tables: name, up to four columns, range.
+    fn row(&mut self, name: &str, columns: &[String], range: &str) {
+        let mut cells = [""; 4];
+        for (cell, column) in cells.iter_mut().zip(columns) {
+            *cell = column;
+        }
+        let [a, b, c, d] = cells;
+        self.line(&format!(
+            "{name:8} {a:>11} {b:>11} {c:>11} {d:>11}   {range}"
+        ));
+    }
+}
+
+fn file(page: &mut Page, found: &Evaluated) {
+    let reading = &found.reading;
+    let encoding = reading.encoding.map_or(String::new(), |e| format!(", {e}"));
+    page.line(&format!(
+        "{}{encoding}, heights in {}; {} points, dx {} ({}), length {}",
+        reading.format,
+        reading.z_unit,
+        reading.points,
+        rounded(reading.spacing),
+        name_of(&reading.spacing_source),
+        rounded(reading.length)
+    ));
+    let facts = &reading.metadata;
+    let length = |length: Option<Length>| length.map(|l| l.to_string());
+    let stated = [
+        ("instrument", facts.instrument.clone()),
+        ("date", facts.date.clone()),
+        ("title", facts.title.clone()),
+        ("nominal length", length(facts.nominal_length)),
+        ("lambda_c", length(facts.lambda_c)),
+        ("lambda_s", length(facts.lambda_s)),
+        ("filter state", Some(name_of(&reading.filter_state))),
+    ];
+    let known = stated
+        .into_iter()
+        .filter_map(|(name, value)| Some(format!("{name} {}", value?)));
+    page.line(&format!("stated: {}", known.collect::<Vec<_>>().join(", ")));
+}
+
+fn recipe(page: &mut Page, found: &Evaluated) {
+    let record = &found.parts.roughness.record;
+    let recipe = &record.recipe;
+    let cutoff = |value: Option<Length>| value.map_or("none".to_owned(), |v| v.to_string());
+    let filter = match recipe.lambda_c {
+        Some(_) => format!(" ({})", name_of(&record.filter)),
+        None => String::new(),
+    };
+    page.line(&format!(
+        "form {}, lambda_s {}, lambda_c {}{filter}, ends {}, {} sections of {}",
+        found.plan.form(),
+        cutoff(recipe.lambda_s),
+        cutoff(recipe.lambda_c),
+        name_of(&recipe.ends),
+        found.iso4287.heights.sections,
+        rounded(found.section),
+    ));
+}
+
+/// What to say to have the filtering of the instrument, where there is another here.
+fn stated_cutoffs(page: &mut Page, found: &Evaluated) {
+    let (facts, recipe) = (&found.reading.metadata, &found.plan.recipe);
+    let state = found.reading.filter_state;
+    if state == FilterState::Roughness && recipe.lambda_c.is_some() {
+        let say = as_is(&found.reading);
+        page.line(&format!(
+            "to take it as the instrument filtered it, say {say}"
+        ));
+    }
+    let differs = |stated: Option<Length>, used: Option<Length>| {
+        let used = used.unwrap_or_default().si();
+        stated.is_some_and(|stated| (stated.si() - used).abs() > 1e-9 * stated.si())
+    };
+    if state != FilterState::Primary
+        || !(differs(facts.lambda_c, recipe.lambda_c) || differs(facts.lambda_s, recipe.lambda_s))
+    {
+        return;
+    }
+    let option = |name: &str, length: Option<Length>| {
+        length.map_or(String::new(), |length| format!(" --{name} \"{length}\""))
+    };
+    page.line(&format!(
+        "to filter as the instrument did, say{}{}",
+        option("lambda-c", facts.lambda_c),
+        option("lambda-s", facts.lambda_s)
+    ));
+}
+
+/// A parameter of a table: its name, its digits, its value.
+type Row<T> = (&'static str, usize, fn(&T) -> Option<f64>);
+
+const HEIGHTS: [Row<HeightParameters>; 12] = [
+    ("Ra", 4, |p| Some(um(p.ra))),
+    ("Rq", 4, |p| Some(um(p.rq))),
+    ("Rz", 4, |p| Some(um(p.rz))),
+    ("Rz1max", 4, |p| Some(um(p.rz1max))),
+    ("Rp", 4, |p| Some(um(p.rp))),
+    ("Rv", 4, |p| Some(um(p.rv))),
+    ("Rt", 4, |p| Some(um(p.rt))),
+    ("Rc", 4, |p| p.rc.map(um)),
+    ("RSm", 3, |p| p.rsm.map(um)),
+    ("Rsk", 3, |p| p.rsk),
+    ("Rku", 3, |p| p.rku),
+    ("Rdq", 4, |p| Some(p.rdq)),
+];
+
+fn heights(page: &mut Page, found: &Evaluated, details: &Details) {
+    let header = ["R iso4287", "R iso21920", "P whole", "W whole"];
+    page.row("um", &header.map(str::to_owned), "open");
+    let columns = [
+        Some(&found.iso4287.heights),
+        Some(&found.iso21920.heights),
+        Some(&found.primary),
+        found.waviness.as_ref(),
+    ];
+    for (name, digits, value) in HEIGHTS {
+        let shown =
+            |p: Option<&HeightParameters>| p.map_or("-".to_owned(), |p| number(value(p), digits));
+        page.row(name, &columns.map(shown), &open(name, digits, details));
+    }
+}
+
+const MATERIAL: [Row<RkParameters>; 5] = [
+    ("Rk", 4, |m| Some(um(m.rk))),
+    ("Rpk", 4, |m| Some(um(m.rpk))),
+    ("Rvk", 4, |m| Some(um(m.rvk))),
+    ("Mr1", 2, |m| Some(m.mr1)),
+    ("Mr2", 2, |m| Some(m.mr2)),
+];
+
+fn material(page: &mut Page, found: &Evaluated, details: &Details) {
+    page.row("um, %", &["least sq.", "secant"].map(str::to_owned), "");
+    let columns = [Some(&found.iso4287.material), details.secant.as_ref()];
+    for (name, digits, value) in MATERIAL {
+        let shown = |m: Option<&RkParameters>| number(m.and_then(value), digits);
+        page.row(name, &columns.map(shown), &open(name, digits, details));
+    }
+}
+
+/// The range of a parameter over what is open.
+fn open(name: &str, digits: usize, details: &Details) -> String {
+    let found = details.ambiguity.iter().find(|a| a.parameter == name);
+    found.map_or(String::new(), |range| {
+        let factor = if range.unit == "m" { 1e6 } else { 1.0 };
+        let shown = |value: f64| number(Some(factor * value), digits);
+        format!("{} .. {}", shown(range.low), shown(range.high))
+    })
+}
+
+/// Over which choices the ranges are.
+fn choices(page: &mut Page, found: &Evaluated) {
+    let recipe = &found.plan.recipe;
+    let ends = recipe.lambda_c.or(recipe.lambda_s).is_some();
+    let choices = [
+        ends.then_some("ends"),
+        Some("standard"),
+        Some("line of Rk"),
+        recipe
+            .lambda_s
+            .is_some()
+            .then_some("with or without lambda_s"),
+    ];
+    let choices: Vec<&str> = choices.into_iter().flatten().collect();
+    let choices = choices.join(", ");
+    page.line(&format!("open: over {choices}, one at a time"));
+}
+
+fn spectral(page: &mut Page, found: &Evaluated, details: &Details) {
+    let s = &found.iso4287.spectral;
+    page.line(&format!(
+        "m0 {:.5} um2, m2 {:.5}, m4 {:.5} 1/um2, bandwidth {}",
+        s.m0 * 1e12,
+        s.m2,
+        s.m4 * 1e-12,
+        number(s.bandwidth(), 2)
+    ));
+    let correlation = details.correlation.map_or("none".to_owned(), |lengths| {
+        let shown = |length: Option<Length>| length.map_or("never".to_owned(), micrometres);
+        format!(
+            "to 0.2 in {}, to 1/e in {}",
+            shown(lengths.to_one_fifth),
+            shown(lengths.to_one_over_e)
+        )
+    });
+    page.line(&format!("autocorrelation {correlation}"));
+    if let Some(median) = details.median_wavelength() {
+        let median = micrometres(median);
+        page.line(&format!(
+            "spectrum: half of m0 in waves over {median}; --json --curves prints it"
+        ));
+    }
+}
+
+fn summits(page: &mut Page, details: &Details) {
+    let shown = details.summits.map_or("none".to_owned(), |found| {
+        format!(
+            "{:.1} per mm (Gaussian {:.1}), {:.4} ±{:.4} um high, radius {}",
+            1e-3 * found.density,
+            1e-3 * found.spectral_density,
+            um(found.mean_height),
+            um(found.height_deviation),
+            found.mean_radius.map_or("none".to_owned(), micrometres),
+        )
+    });
+    page.line(&format!("summits {shown}"));
+}
+
+fn hurst(page: &mut Page, details: &Details) {
+    let range = details.wavelengths;
+    let over = format!(
+        "waves from {} to {}",
+        micrometres(range.longest),
+        micrometres(range.shortest)
+    );
+    let shown = match &details.hurst {
+        Ok(fit) => format!(
+            "{:.3} ±{:.3} over {over} ({} bands){}",
+            fit.hurst,
+            fit.standard_error,
+            fit.bands,
+            match (0.0..=1.0).contains(&fit.hurst) {
+                true => "",
+                false => ": no self-affine profile",
+            }
+        ),
+        Err(reason) => format!("none over {over}: {reason}. Say --hurst 200um:8um"),
+    };
+    page.line(&format!("Hurst exponent {shown}"));
+}
+
+/// What the instrument printed, beside ours where it is the same parameter.
+fn printed(page: &mut Page, found: &Evaluated) {
+    for printed in &found.reading.metadata.printed {
+        let ours = value_of(&printed.name, found);
+        let ours = ours.map_or("not computed".to_owned(), |v| {
+            format!("{v:.0$}", printed.decimals.max(3))
+        });
+        page.line(&format!(
+            "printed {:6} {:>12.*} {:3} ours {ours}",
+            printed.name, printed.decimals, printed.value, printed.unit
+        ));
+    }
+}
+
+/// Our value of a parameter by its printed name, in um, percent or as a number.
+fn value_of(name: &str, found: &Evaluated) -> Option<f64> {
+    let (r, m) = (&found.iso4287.heights, &found.iso4287.material);
+    let (p, w) = (&found.primary, found.waviness.as_ref());
+    Some(match name {
+        "Ra" => um(r.ra),
+        "Rq" => um(r.rq),
+        "Rz" => um(r.rz),
+        "Rp" => um(r.rp),
+        "Rv" => um(r.rv),
+        "Rt" => um(r.rt),
+        "Rc" => um(r.rc?),
+        "RSm" => um(r.rsm?),
+        "Rsk" => r.rsk?,
+        "Rku" => r.rku?,
+        "RDq" | "Rdq" => r.rdq,
+        "Rmax" | "Rz1max" | "Rzx" => um(r.rz1max),
+        "Rk" => um(m.rk),
+        "Rpk" => um(m.rpk),
+        "Rvk" => um(m.rvk),
+        "Mr1" => m.mr1,
+        "Mr2" => m.mr2,
+        "Pa" => um(p.ra),
+        "Pq" => um(p.rq),
+        "Pt" => um(p.rt),
+        "Wa" => um(w?.ra),
+        "Wq" => um(w?.rq),
+        "Wt" => um(w?.rt),
+        _ => return None,
+    })
+}
+
+/// A length with seven digits: what is left out is rounding.
+fn rounded(length: Length) -> Length {
+    let text = format!("{:.6e}", length.si());
+    Length::from_si(text.parse().unwrap_or(length.si()))
+}
+
+/// A length in micrometres with four digits.
+fn micrometres(length: Length) -> String {
+    const DIGITS: i32 = 4;
+    let value = um(length);
+    let places = DIGITS - 1 - value.abs().max(1e-9).log10().floor() as i32;
+    format!("{value:.*} um", places.max(0) as usize)
+}
+
+/// A number that fits its column.
+fn number(value: Option<f64>, digits: usize) -> String {
+    const WIDEST: f64 = 1e6;
+    match value {
+        None => "none".to_owned(),
+        Some(v) if v.abs() >= WIDEST => format!("{v:.4e}"),
+        Some(v) => {
+            let shown = format!("{v:.digits$}");
+            let is_zero = shown.trim_start_matches(['-', '0', '.']).is_empty();
+            match shown.strip_prefix('-') {
+                Some(zero) if is_zero => zero.to_owned(),
+                _ => shown,
+            }
+        }
+    }
+}
