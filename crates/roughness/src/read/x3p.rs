@@ -16,6 +16,7 @@ use super::format::Format;
 use super::grid::SpacingSource;
 use super::metadata::{self, Metadata};
 use super::options::ReadOptions;
+use super::text::Stream;
 use super::trace::Trace;
 use super::xml::{Leaf, walk};
 use crate::Warning;
@@ -89,8 +90,13 @@ impl Main {
 }
 
 /// Reads the profile of an X3P file.
-pub(super) fn read(file: &str, bytes: &[u8], options: &ReadOptions) -> Result<Trace, ReadError> {
-    let mut archive = Archive::open(file, FORMAT, bytes)?;
+pub(super) fn read(
+    file: &str,
+    stream: &mut dyn Stream,
+    size: u64,
+    options: &ReadOptions,
+) -> Result<Trace, ReadError> {
+    let mut archive = Archive::open(file, FORMAT, stream, size)?;
     let name = archive.find("main.xml");
     let name = name.ok_or_else(|| damaged(file, FORMAT, "it holds no main.xml", ""))?;
     let row = options.row;
