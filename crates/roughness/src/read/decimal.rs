@@ -10,12 +10,25 @@ const POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
+/// Powers of ten by which up to eight digits move the digits before them.
+const TENS: [u64; 9] = [
+    1,
+    10,
+    100,
+    1_000,
+    10_000,
+    100_000,
+    1_000_000,
+    10_000_000,
+    100_000_000,
+];
 /// Whole numbers up to here are exact in binary.
 const MOST_EXACT: u64 = 1 << 53;
 /// Digits that always fit 64 bits.
 const MOST_DIGITS: usize = 19;
 
 /// The number at the start of `bytes` with the decimal sign `point`, and how many bytes it takes.
+#[inline(always)]
 pub(super) fn prefix(bytes: &[u8], point: u8) -> Option<(f64, usize)> {
     let negative = bytes.first() == Some(&b'-');
     let first = usize::from(negative || bytes.first() == Some(&b'+'));
@@ -23,7 +36,7 @@ pub(super) fn prefix(bytes: &[u8], point: u8) -> Option<(f64, usize)> {
     let (mut count, mut exponent) = (at - first, 0);
     if bytes.get(at) == Some(&point) {
         let after = at + 1;
-        (mantissa, at) = digits(bytes, after, mantissa);
+        (mantissa, at) = decimals(bytes, after, mantissa);
         count += at - after;
         exponent = -((at - after) as i64);
     }
@@ -38,9 +51,9 @@ pub(super) fn prefix(bytes: &[u8], point: u8) -> Option<(f64, usize)> {
     let scale = POWERS.get(exponent.unsigned_abs() as usize);
     let value = match scale {
         Some(scale) if count <= MOST_DIGITS && mantissa <= MOST_EXACT => {
-            let (m, power) = (mantissa as f64, *scale);
-            let value = if exponent < 0 { m / power } else { m * power };
-            if negative { -value } else { value }
+            let m = mantissa as f64;
+            let m = if negative { -m } else { m };
+            if exponent < 0 { m / scale } else { m * scale }
         }
         _ => by_std(&bytes[..at], point)?,
     };
@@ -63,6 +76,38 @@ fn digits(bytes: &[u8], mut at: usize, mut mantissa: u64) -> (u64, usize) {
         at += 1;
     }
     (mantissa, at)
+}
+
+/// As [`digits`], up to eight at a time, for the many after a decimal sign.
+#[inline]
+fn decimals(bytes: &[u8], mut at: usize, mut mantissa: u64) -> (u64, usize) {
+    while let Some(&word) = bytes.get(at..).and_then(|rest| rest.first_chunk::<8>()) {
+        // Digits become 0 to 9; adding 0x76 sets the highest bit of what is more.
+        let word = u64::from_le_bytes(word) ^ 0x3030_3030_3030_3030;
+        let more = ((word & 0x7f7f_7f7f_7f7f_7f7f) + 0x7676_7676_7676_7676) | word;
+        let count = (more & 0x8080_8080_8080_8080).trailing_zeros() / 8;
+        if count == 0 {
+            return (mantissa, at);
+        }
+        let value = eight_digits(word << (64 - 8 * count));
+        mantissa = mantissa
+            .wrapping_mul(TENS[count as usize])
+            .wrapping_add(value);
+        at += count as usize;
+        if count < 8 {
+            return (mantissa, at);
+        }
+    }
+    digits(bytes, at, mantissa)
+}
+
+/// The number of eight digits, one a byte, the first in the lowest: pairs, then fours, then all.
+fn eight_digits(word: u64) -> u64 {
+    const EACH_FOURTH: u64 = 0x0000_00ff_0000_00ff;
+    let pairs = word.wrapping_mul(10).wrapping_add(word >> 8);
+    let first = (pairs & EACH_FOURTH).wrapping_mul(100 + (1_000_000 << 32));
+    let second = ((pairs >> 16) & EACH_FOURTH).wrapping_mul(1 + (10_000 << 32));
+    first.wrapping_add(second) >> 32
 }
 
 /// The power of ten after an "e", and the place after it.
@@ -96,7 +141,12 @@ mod tests {
         let expected: Option<f64> = text.parse().ok().filter(|v: &f64| !v.is_nan());
         let expected = expected.filter(|_| !text.contains(['i', 'n', 'I', 'N']));
         let found = whole(text, b'.');
-        prop_assert_eq!(found.map(f64::to_bits), expected.map(f64::to_bits), "{}", text);
+        prop_assert_eq!(
+            found.map(f64::to_bits),
+            expected.map(f64::to_bits),
+            "{}",
+            text
+        );
         if !text.contains(',') {
             let comma = whole(&text.replace('.', ","), b',');
             prop_assert_eq!(comma.map(f64::to_bits), found.map(f64::to_bits), "{}", text);
@@ -135,10 +185,16 @@ mod tests {
         assert_eq!(prefix(b"1,25;3", b','), Some((1.25, 4)));
         assert_eq!(prefix(b"-0.5\r\n", b'.'), Some((-0.5, 4)));
         assert_eq!(prefix(b"5,1", b'.'), Some((5.0, 1)));
-        assert_eq!(prefix(b"9007199254740993", b'.'), Some((9_007_199_254_740_992.0, 16)));
+        assert_eq!(
+            prefix(b"9007199254740993", b'.'),
+            Some((9_007_199_254_740_992.0, 16))
+        );
         for none in ["", "-", ".", "e5", "1e", "1e+", "nan", "inf"] {
             assert_eq!(prefix(none.as_bytes(), b'.'), None, "{none}");
         }
-        assert_eq!(whole("-0", b'.').map(f64::to_bits), Some((-0.0_f64).to_bits()));
+        assert_eq!(
+            whole("-0", b'.').map(f64::to_bits),
+            Some((-0.0_f64).to_bits())
+        );
     }
 }

@@ -79,7 +79,10 @@ mod tests {
 
     #[test]
     fn encodings_are_told_by_mark_by_zeros_or_by_validity() {
-        let utf16: Vec<u8> = "0.5;1.25".encode_utf16().flat_map(u16::to_le_bytes).collect();
+        let utf16: Vec<u8> = "0.5;1.25"
+            .encode_utf16()
+            .flat_map(u16::to_le_bytes)
+            .collect();
         assert_eq!(by_mark(&[0xff, 0xfe, b'x', 0]), Some(Encoding::Utf16Le));
         assert_eq!(by_mark(b"\xef\xbb\xbfx"), Some(Encoding::Utf8));
         assert_eq!(by_mark(&utf16), None);

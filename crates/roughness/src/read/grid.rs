@@ -123,7 +123,10 @@ fn lost_rows(x: &[f64]) -> Option<(usize, f64)> {
         _ => (typical, votes - 1),
     };
     let (typical, _) = x.windows(2).map(step).fold((0.0, 0), vote);
-    let same = x.windows(2).filter(|pair| is_same(step(pair), typical)).count();
+    let same = x
+        .windows(2)
+        .filter(|pair| is_same(step(pair), typical))
+        .count();
     if (same as f64) < MOSTLY * (x.len() - 1) as f64 {
         return None;
     }

@@ -98,7 +98,8 @@ fn first_is_written_unlike_the_rest(text: &mut Text<'_>, first: usize) -> Result
         let text = line.text.trim();
         let decimals = text.rfind(['.', ',']).map_or(0, |at| text.len() - at - 1);
         let header = *header.get_or_insert(decimals);
-        if line.number > first && (decimals != *usual.get_or_insert(decimals) || decimals == header) {
+        if line.number > first && (decimals != *usual.get_or_insert(decimals) || decimals == header)
+        {
             return Ok(false);
         }
     }

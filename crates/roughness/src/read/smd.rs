@@ -52,8 +52,7 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Trace, ReadError>
     while let Some(line) = lines.next()? {
         let sum_before = sum;
         sum = line.whole.chars().fold(sum, add);
-        let ends =
-            line.text.contains(END_OF_RECORD) || (!marked && line.text.trim().is_empty());
+        let ends = line.text.contains(END_OF_RECORD) || (!marked && line.text.trim().is_empty());
         let content = line.text.split([END_OF_RECORD, END_OF_FILE]).next();
         let fields: Vec<&str> = content
             .unwrap_or_default()

@@ -43,7 +43,9 @@ impl Header {
         match (record, fields.next().unwrap_or_default()) {
             (1, "CX") => self.x = Some(axis(file, line)?),
             (1, "CZ") => self.z = Some(axis(file, line)?),
-            (1, first) if fields.clone().last() == Some("PRF") => self.metadata.title = short(first),
+            (1, first) if fields.clone().last() == Some("PRF") => {
+                self.metadata.title = short(first)
+            }
             (2, "SPACING") => self.spacing = fields.nth(1).and_then(number),
             (2, "STYLUS_RADIUS") => {
                 let radius = fields.next().zip(fields.next());

@@ -221,7 +221,10 @@ impl Lines<'_, '_> {
 
     /// Whole lines that are at hand, ends included; may be none.
     pub(super) fn at_hand(&self) -> &[u8] {
-        self.buffer.as_bytes().get(self.start..self.complete).unwrap_or_default()
+        self.buffer
+            .as_bytes()
+            .get(self.start..self.complete)
+            .unwrap_or_default()
     }
 
     /// Passes over `lines` lines of `bytes` together, which were taken from those at hand.
