@@ -28,7 +28,7 @@ const MOST_EXACT: u64 = 1 << 53;
 const MOST_DIGITS: usize = 19;
 
 /// The number at the start of `bytes` with the decimal sign `point`, and how many bytes it takes.
-#[inline(always)]
+#[inline]
 pub(super) fn prefix(bytes: &[u8], point: u8) -> Option<(f64, usize)> {
     let negative = bytes.first() == Some(&b'-');
     let first = usize::from(negative || bytes.first() == Some(&b'+'));

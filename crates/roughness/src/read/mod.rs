@@ -26,6 +26,7 @@ mod mahr;
 mod metadata;
 mod mitutoyo;
 mod options;
+mod plain_row;
 mod ptb;
 mod rows;
 mod sdf;

@@ -160,7 +160,7 @@ impl<'s> Text<'s> {
         rewound.map_err(|source| unreadable(self.file, source))?;
         Ok(Lines {
             decoder: self.encoding.decoder(),
-            raw: vec![0; CHUNK],
+            raw: vec![0; usize::try_from(self.size).map_or(CHUNK, |size| size.min(CHUNK))],
             buffer: String::new(),
             start: 0,
             complete: 0,
@@ -263,7 +263,7 @@ impl Lines<'_, '_> {
     }
 
     fn read(&mut self) -> Result<usize, ReadError> {
-        let most = usize::try_from(self.left).map_or(CHUNK, |left| left.min(CHUNK));
+        let most = usize::try_from(self.left).map_or(CHUNK, |left| left.min(self.raw.len()));
         loop {
             match self.text.stream.read(&mut self.raw[..most]) {
                 Ok(count) => return Ok(count),
