@@ -135,8 +135,6 @@ impl Dialect {
         match (self.decimal, cell.strip_prefix('−')) {
             (DecimalSign::Point, None) => decimal::whole(cell, b'.'),
             (DecimalSign::Point, Some(rest)) => decimal::whole(rest, b'.').map(|value| -value),
-            // "1," is half of "1, 2": a decimal comma has a digit after it.
-            (DecimalSign::Comma, _) if cell.ends_with(',') => None,
             (DecimalSign::Comma, _) => decimal::whole(cell, b','),
         }
     }

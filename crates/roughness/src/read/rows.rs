@@ -40,14 +40,14 @@ pub(super) fn read(
         }
         let (x, z) = row(file, head, &line, sniffed.dialect, chosen)?;
         rows.push(x, z);
-        let (mut passed, mut bytes) = (0, 0);
-        let at_hand = lines.at_hand();
-        while let Some((x, z, length)) = plain.row(&at_hand[bytes..]) {
+        let (mut passed, at_hand) = (0, lines.at_hand());
+        let mut rest = at_hand;
+        while let Some((x, z, after)) = plain.row(rest) {
             rows.push(x, z);
             passed += 1;
-            bytes += length;
+            rest = after;
         }
-        lines.pass(passed, bytes);
+        lines.pass(passed, at_hand.len() - rest.len());
     }
     Ok(rows)
 }
