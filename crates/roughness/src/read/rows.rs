@@ -10,7 +10,6 @@ use super::table::{self, Chosen};
 use super::text::{Line, Text};
 
 /// The columns that are read, in the units of the file.
-#[derive(Debug, Default, PartialEq)]
 pub(super) struct Rows {
     /// When the table has such a column.
     pub x: Option<Vec<f64>>,
