@@ -361,7 +361,7 @@ fn mask(
     Ok(Some((first..first + points).map(valid).collect()))
 }
 
-/// Warns when `md5checksum.hex` is there and is not that of `main.xml`.
+/// Warns when `md5checksum.hex` is there and is not that of `main.xml`, or cannot be unpacked.
 fn main_checksum(
     archive: &mut Archive<'_>,
     folder: &str,
@@ -375,8 +375,10 @@ fn main_checksum(
     }
     let stated = archive.read(&name, |stream| {
         let mut text = Vec::new();
-        // An unreadable checksum is treated as one that differs.
-        let _ = stream.take(DIGITS).read_to_end(&mut text);
+        // What of a damaged member comes before its damage shows depends on how it is read.
+        if stream.take(DIGITS).read_to_end(&mut text).is_err() {
+            text.clear();
+        }
         Ok(String::from_utf8_lossy(&text).to_lowercase())
     })?;
     let stated = stated.split_whitespace().next().unwrap_or_default();
