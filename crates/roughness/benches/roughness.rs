@@ -31,35 +31,30 @@ fn rough(points: usize) -> Profile {
     recipe(points).generate().expect("the recipe is valid")
 }
 
-fn reading(c: &mut Criterion) {
+/// x in mm and heights in um, as instruments export them.
+fn table(points: usize) -> String {
     let mut text = String::from("x [mm];z [um]\n");
-    for (i, z) in rough(100_000).heights().iter().enumerate() {
+    for (i, z) in rough(points).heights().iter().enumerate() {
         text += &format!("{:.4};{:.5}\n", 0.0005 * i as f64, z * 1e6);
     }
-    c.bench_function("read 1e5 points", |b| {
-        b.iter(|| {
-            read_bytes(
-                "flank.csv",
-                black_box(text.as_bytes()),
-                &ReadOptions::default(),
-            )
+    text
+}
+
+fn reading(c: &mut Criterion) {
+    let mut group = c.benchmark_group("read text");
+    group.sample_size(20);
+    for points in [10_000, 100_000, 1_000_000] {
+        let text = table(points);
+        let id = BenchmarkId::from_parameter(points);
+        group.bench_with_input(id, text.as_bytes(), |b, bytes| {
+            b.iter(|| read_bytes("flank.csv", black_box(bytes), &ReadOptions::default()));
         });
-    });
-    c.bench_function("read, prepare and evaluate 1e5 points", |b| {
-        b.iter(|| {
-            let reading =
-                read_bytes("flank.csv", text.as_bytes(), &ReadOptions::default()).expect("valid");
-            let prepared = prepare(&reading.profile, &Preparation::default()).expect("long enough");
-            Parameters::of(&prepared.profile, Mode::Iso4287, Length::from_si(0.8e-3))
-        });
-    });
+    }
+    group.finish();
 }
 
 fn info(c: &mut Criterion) {
-    let mut text = String::from("x [mm];z [um]\n");
-    for (i, z) in rough(1_000_000).heights().iter().enumerate() {
-        text += &format!("{:.4};{:.5}\n", 0.0005 * i as f64, z * 1e6);
-    }
+    let text = table(1_000_000);
     let mut group = c.benchmark_group("info");
     group.sample_size(10);
     group.bench_function("read, prepare and evaluate 1e6 points in both modes", |b| {

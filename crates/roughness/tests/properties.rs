@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+use std::io::{Cursor, Read, Result, Seek, SeekFrom};
+
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
@@ -11,6 +13,7 @@ use asperity_roughness::material_ratio::rk_parameters;
 use asperity_roughness::preparation::{Preparation, prepare};
 use asperity_roughness::read::{
     Columns, DecimalSign, Encoding, Gaps, LengthUnit, ReadOptions, Separator, read_bytes,
+    read_stream,
 };
 use asperity_roughness::summits::asperity_radius;
 use proptest::prelude::*;
@@ -174,9 +177,43 @@ fn any_options() -> impl Strategy<Value = ReadOptions> {
         )
 }
 
-/// A reading is a profile of finite heights on a positive grid, or an error with a code and a name.
-fn reads_or_refuses(name: &str, bytes: &[u8], options: &ReadOptions) -> Result<(), TestCaseError> {
-    match read_bytes(name, bytes, options) {
+/// Bytes that come a few at a time: chunks end inside numbers, characters, byte order marks and line ends.
+struct Drops<'a>(Cursor<&'a [u8]>);
+
+impl Read for Drops<'_> {
+    fn read(&mut self, buffer: &mut [u8]) -> Result<usize> {
+        const MOST: usize = 7;
+        let most = buffer.len().min(MOST);
+        self.0.read(&mut buffer[..most])
+    }
+}
+
+impl Seek for Drops<'_> {
+    fn seek(&mut self, to: SeekFrom) -> Result<u64> {
+        self.0.seek(to)
+    }
+}
+
+/// A reading is a profile of finite heights on a positive grid, or an error with a code and a name, and
+/// is the same however the bytes come.
+fn reads_or_refuses(
+    name: &str,
+    bytes: &[u8],
+    options: &ReadOptions,
+) -> std::result::Result<(), TestCaseError> {
+    let whole = read_bytes(name, bytes, options);
+    // Each fourth file, for time.
+    if bytes.len().is_multiple_of(4) {
+        match (
+            &whole,
+            read_stream(name, Drops(Cursor::new(bytes)), options),
+        ) {
+            (Ok(whole), Ok(drops)) => prop_assert_eq!(whole, &drops),
+            (Err(whole), Err(drops)) => prop_assert_eq!(whole.to_string(), drops.to_string()),
+            (whole, drops) => prop_assert!(false, "{whole:?} at once, {drops:?} in drops"),
+        }
+    }
+    match whole {
         Ok(reading) => {
             prop_assert!(reading.points >= 100 && reading.points == reading.profile.len());
             prop_assert!(reading.profile.heights().iter().all(|z| z.is_finite()));

@@ -4,12 +4,13 @@
 //! and refused beyond a size that grows with their packed size: heights pack to a tenth or so, and a
 //! flat trace to a hundredth.
 
-use std::io::{Cursor, Read};
+use std::io::{BufReader, Read};
 
 use zip::ZipArchive;
 
 use super::error::ReadError;
 use super::format::Format;
+use super::text::Stream;
 
 /// Bytes any member may unpack to.
 const FREE: u64 = 16 << 20;
@@ -24,15 +25,21 @@ const MOST_MEMBERS: usize = 10_000;
 pub(super) struct Archive<'a> {
     file: &'a str,
     format: Format,
-    zip: ZipArchive<Cursor<&'a [u8]>>,
+    zip: ZipArchive<BufReader<&'a mut dyn Stream>>,
     names: Vec<String>,
     size: u64,
 }
 
 impl<'a> Archive<'a> {
-    pub(super) fn open(file: &'a str, format: Format, bytes: &'a [u8]) -> Result<Self, ReadError> {
+    /// Opens the archive of `size` bytes in `stream`.
+    pub(super) fn open(
+        file: &'a str,
+        format: Format,
+        stream: &'a mut dyn Stream,
+        size: u64,
+    ) -> Result<Self, ReadError> {
         let damaged = || damaged(file, format, "the zip directory cannot be read", "");
-        let zip = ZipArchive::new(Cursor::new(bytes)).map_err(|_| damaged())?;
+        let zip = ZipArchive::new(BufReader::new(stream)).map_err(|_| damaged())?;
         if zip.len() > MOST_MEMBERS {
             return Err(damaged());
         }
@@ -45,7 +52,7 @@ impl<'a> Archive<'a> {
             format,
             zip,
             names,
-            size: bytes.len() as u64,
+            size,
         })
     }
 
@@ -119,6 +126,15 @@ impl Read for Bounded<'_> {
         }
         self.left -= count as u64;
         Ok(count)
+    }
+}
+
+/// The format of a zip whose name does not tell: X3P holds a main.xml, a workbook a folder xl.
+pub(super) fn content(file: &str, stream: &mut dyn Stream, size: u64) -> Format {
+    match Archive::open(file, Format::Archive, stream, size) {
+        Ok(archive) if archive.holds("xl/workbook.xml") => Format::Excel,
+        Ok(archive) if archive.find("main.xml").is_some() => Format::X3p,
+        _ => Format::Archive,
     }
 }
 

@@ -2,70 +2,85 @@
 
 use asperity_core::quantity::Length;
 
-use super::dialect::{Dialect, Line, Sniffed};
+use super::dialect::{Dialect, Sniffed};
 use super::error::{FirstLine, ReadError, SpacingHint};
 use super::format::{Format, extension};
-use super::grid::SpacingSource;
+use super::grid::{Spacing, SpacingSource};
 use super::header::{FilterState, Label};
 use super::metadata::{self, Metadata};
 use super::options::{Axis, Encoding, LengthUnit, ReadOptions};
+use super::rows::{self, Rows};
 use super::single_column::Special;
-use super::table::{Chosen, Row};
+use super::table::Chosen;
+use super::text::{Head, Line, Text};
 use super::units::Extent;
 use super::{Reading, TableLayout, dialect, grid, header, single_column, table, trace, units};
 use crate::Warning;
 use crate::height_parameters::extremes;
 
-/// Reads the profile of a table in `text`.
+/// Reads the profile of a table.
 pub(super) fn read(
-    name: &str,
-    text: &str,
-    encoding: Encoding,
+    head: &Head,
+    text: &mut Text<'_>,
     options: &ReadOptions,
 ) -> Result<Reading, ReadError> {
-    let lines = lines(text);
-    let sniffed = sniff(name, &lines, options)?;
+    let name = text.file;
+    let lines: Vec<Line<'_>> = head.lines().filter(|line| !line.is_blank()).collect();
+    let Some(sniffed) = sniff(name, &lines, options)? else {
+        return Err(no_data(text)?);
+    };
     table::check_line_above(name, &lines, &sniffed)?;
+    let (header, table) = lines.split_at(sniffed.first);
     if options.separator.is_none() && options.columns.is_none() {
-        table::check_commas(name, &lines[sniffed.first..], &sniffed)?;
+        table::check_commas(name, table, &sniffed)?;
     }
-    let (header, _) = lines.split_at(sniffed.first);
     let labels = header::labels(header, sniffed.dialect, sniffed.columns);
     let chosen = table::choose(name, sniffed.columns, &labels, options)?;
-    let rows = table::rows(name, &lines, &sniffed, chosen)?;
+    let first = table.first().map_or(1, |line| line.number);
+    let rows = rows::read(text, first, &lines, &sniffed, chosen)?;
     let found = Found {
         name,
-        lines: &lines,
+        header,
+        first,
         sniffed,
         labels,
         chosen,
-        encoding,
+        encoding: text.encoding,
         options,
     };
-    found.assemble(rows)
+    found.assemble(text, rows)
 }
 
-/// Lines that are not blank, numbered as an editor does; a stray CR before CR LF is no line.
-fn lines(text: &str) -> Vec<Line<'_>> {
-    let end = if text.contains('\n') { '\n' } else { '\r' };
-    text.split(end)
-        .enumerate()
-        .map(|(at, line)| Line {
-            number: at + 1,
-            text: line.trim_end_matches('\r'),
-        })
-        .filter(|line| !line.text.trim().is_empty())
-        .collect()
+/// The error for a file without a row of numbers.
+fn no_data(text: &mut Text<'_>) -> Result<ReadError, ReadError> {
+    let (mut count, mut first) = (0, None);
+    let mut lines = text.lines()?;
+    while let Some(line) = lines.next()? {
+        if !line.is_blank() {
+            count += 1;
+            first.get_or_insert_with(|| table::shortened(line.text));
+        }
+    }
+    Ok(ReadError::NoData {
+        file: text.file.to_owned(),
+        lines: count,
+        first: FirstLine(first),
+    })
 }
 
-fn sniff(name: &str, lines: &[Line<'_>], options: &ReadOptions) -> Result<Sniffed, ReadError> {
+/// The dialect, none where no line is a row of numbers in any.
+fn sniff(
+    name: &str,
+    lines: &[Line<'_>],
+    options: &ReadOptions,
+) -> Result<Option<Sniffed>, ReadError> {
     let stated = dialect::Stated {
         separator: options.separator,
         decimal: options.decimal,
         columns: options.columns,
     };
     if let Some(sniffed) = dialect::sniff(lines, stated) {
-        return Ok(sniffed);
+        return Ok(Some(sniffed));
     }
     let free = dialect::sniff(
         lines,
@@ -75,12 +90,7 @@ fn sniff(name: &str, lines: &[Line<'_>], options: &ReadOptions) -> Result<Sniffe
         },
     );
     let Some(free) = free else {
-        let first = lines.first().map(|line| table::shortened(line.text));
-        return Err(ReadError::NoData {
-            file: name.to_owned(),
-            lines: lines.len(),
-            first: FirstLine(first),
-        });
+        return Ok(None);
     };
     // The file is a table, but not in the stated dialect: show the first cell that fails.
     let used = Dialect {
@@ -88,11 +98,8 @@ fn sniff(name: &str, lines: &[Line<'_>], options: &ReadOptions) -> Result<Sniffe
         decimal: options.decimal.unwrap_or(free.dialect.decimal),
     };
     let line = &lines[free.first];
-    let cells = used.cells(line.text);
-    match cells
-        .iter()
-        .find(|cell| used.cell(cell) == dialect::Cell::Other)
-    {
+    let mut cells = used.cells(line.text);
+    match cells.find(|cell| used.cell(cell) == dialect::Cell::Other) {
         Some(cell) => Err(table::unreadable(name, lines, line, cell, used)),
         None => Err(ReadError::SeparatorDoesNotFit {
             file: name.to_owned(),
@@ -104,7 +111,9 @@ fn sniff(name: &str, lines: &[Line<'_>], options: &ReadOptions) -> Result<Sniffe
 /// A file on its way to a [`Reading`].
 struct Found<'a> {
     name: &'a str,
-    lines: &'a [Line<'a>],
+    header: &'a [Line<'a>],
+    /// Number of the first line of the table.
+    first: usize,
     sniffed: Sniffed,
     labels: Vec<Label>,
     chosen: Chosen,
@@ -121,29 +130,39 @@ struct Measured {
 }
 
 impl Found<'_> {
-    fn assemble(self, mut rows: Vec<Row>) -> Result<Reading, ReadError> {
+    fn assemble(self, text: &mut Text<'_>, rows: Rows) -> Result<Reading, ReadError> {
         let name = self.name;
         let mut warnings = Vec::new();
-        let table = &self.lines[self.sniffed.first..];
-        let special = match self.chosen.x {
-            None => single_column::interpret(name, &mut rows, table, self.options, &mut warnings)?,
+        let Rows { mut x, mut z } = rows;
+        let count = z.len();
+        let special = match x {
+            None => {
+                single_column::interpret(text, self.first, &mut z, self.options, &mut warnings)?
+            }
             Some(_) => Special::delimited(),
         };
-        let column = match self.options.dx {
-            // A stated spacing makes x unnecessary, even an x that would be refused.
-            Some(_) if rows.len() >= grid::FEWEST_POINTS => None,
-            _ => grid::spacing(name, &mut rows, &mut warnings)?,
-        };
-        let text_of = |number: usize| {
-            let line = self.lines.iter().find(|line| line.number == number);
-            line.map_or_else(String::new, |line| table::shortened(line.text))
-        };
-        let (heights, gaps_filled) =
-            grid::heights(name, &rows, self.options.gaps, text_of, &mut warnings)?;
-        let measured = self.measure(&rows, &heights, column, &special, &mut warnings)?;
+        let header_numbers = count - z.len();
+        let mut place = |row: usize| rows::place(text, self.first, row + header_numbers);
+        grid::enough(name, z.len())?;
+        let mut column = None;
+        // A stated spacing makes x unnecessary, even an x that would be refused.
+        if let (Some(x), None) = (&mut x, self.options.dx) {
+            let spacing = grid::spacing(name, x, &mut place)?;
+            if spacing.falls {
+                z.reverse();
+                warnings.push(Warning::Reversed);
+            }
+            column = Some(spacing);
+        }
+        let falls = column.as_ref().is_some_and(|spacing| spacing.falls);
+        let mut place = |row: usize| place(if falls { count - 1 - row } else { row });
+        let gaps = self.options.gaps;
+        let (heights, gaps_filled) = grid::heights(name, z, gaps, &mut place, &mut warnings)?;
+        let measured = self.measure(x.as_deref(), &heights, column, &special, &mut warnings)?;
         let spacing = Length::from_si(measured.spacing);
-        let profile = trace::profile(name, &heights, spacing, measured.z_unit)?;
-        let filter_state = header::filter_state(name, self.header());
+        drop(x);
+        let profile = trace::profile(name, heights, spacing, measured.z_unit)?;
+        let filter_state = header::filter_state(name, self.header);
         if filter_state == FilterState::Roughness {
             warnings.push(Warning::AlreadyFiltered);
         }
@@ -168,10 +187,6 @@ impl Found<'_> {
             warnings,
             profile,
         })
-    }
-
-    fn header(&self) -> &[Line<'_>] {
-        &self.lines[..self.sniffed.first]
     }
 
     /// The unit a column has by statement or header.
@@ -214,9 +229,9 @@ impl Found<'_> {
     /// Spacing and units: stated, from the header, or the only possible ones.
     fn measure(
         &self,
-        rows: &[Row],
+        x: Option<&[f64]>,
         heights: &[f64],
-        column: Option<f64>,
+        column: Option<Spacing>,
         special: &Special,
         warnings: &mut Vec<Warning>,
     ) -> Result<Measured, ReadError> {
@@ -224,7 +239,7 @@ impl Found<'_> {
         let span = high - low;
         let z_stated = self.unit(Axis::Height, self.chosen.z)?.or(special.unit);
         if let Some(dx) = self.options.dx {
-            warnings.extend(self.overridden(rows, dx));
+            warnings.extend(x.and_then(|x| self.overridden(x, dx)));
             let length = dx.si() * (heights.len() - 1) as f64;
             return self.with_stated_spacing(dx, z_stated, Extent { length, span }, warnings);
         }
@@ -236,14 +251,14 @@ impl Found<'_> {
                 z_unit,
             });
         }
-        let (Some(column), Some(x_column)) = (column, self.chosen.x) else {
+        let (Some(x), Some(x_column), Some(column)) = (x, self.chosen.x, column) else {
             return Err(self.no_spacing(SpacingHint::None));
         };
         let x_stated = self.unit(Axis::Trace, x_column)?;
-        if x_stated.is_none() && grid::counts_points(rows) {
+        if x_stated.is_none() && grid::counts_points(x) {
             return Err(self.no_spacing(SpacingHint::XCounts));
         }
-        let length = column * (rows.len() - 1) as f64;
+        let length = column.mean * (x.len() - 1) as f64;
         let extent = Extent { length, span };
         let found = units::pair(extent, x_stated, z_stated);
         let (x_unit, z_unit) = found.ok_or_else(|| match z_stated {
@@ -260,7 +275,7 @@ impl Found<'_> {
         }
         // x carries rounding; the header of a written file carries the spacing itself.
         const SAME: f64 = 1e-6;
-        let from_column = x_unit.metres(column);
+        let from_column = x_unit.metres(column.mean);
         let agrees = |dx: &f64| (dx / from_column - 1.0).abs() < SAME;
         let (spacing, source) = match self.header_spacing().filter(agrees) {
             Some(dx) => (dx, SpacingSource::Header),
@@ -299,16 +314,16 @@ impl Found<'_> {
     }
 
     /// The warning that a stated spacing differs from what the x column says, where it says anything.
-    fn overridden(&self, rows: &[Row], stated: Length) -> Option<Warning> {
+    fn overridden(&self, x: &[f64], stated: Length) -> Option<Warning> {
         let unit = self.unit(Axis::Trace, self.chosen.x?).ok().flatten()?;
-        let (first, last) = (rows.first()?.x?, rows.last()?.x?);
-        let column = Length::from_si(unit.metres((last - first).abs() / (rows.len() - 1) as f64));
+        let (first, last) = (x.first()?, x.last()?);
+        let column = Length::from_si(unit.metres((last - first).abs() / (x.len() - 1) as f64));
         trace::overridden(stated, column)
     }
 
     /// Formats that are tables, told by their name or header.
     fn format(&self, found: Format) -> Format {
-        let starts = |text: &str| self.header().iter().any(|line| line.text.starts_with(text));
+        let starts = |text: &str| self.header.iter().any(|line| line.text.starts_with(text));
         match () {
             () if found != Format::DelimitedText => found,
             () if extension(self.name) == "hfm" => Format::HommelHfm,
@@ -320,7 +335,7 @@ impl Found<'_> {
     /// What header lines of the form "name, value" or "name = value" say.
     fn metadata(&self) -> Metadata {
         let mut metadata = Metadata::default();
-        for line in self.header() {
+        for line in self.header {
             let text = line.text.trim_start_matches(['#', '%', ' ']);
             let Some((key, value)) = text.split_once(['=', ',', ';', '\t']) else {
                 continue;
@@ -347,6 +362,6 @@ impl Found<'_> {
                 .strip_prefix("dx = ")?;
             metadata::length(rest).map(Length::si)
         };
-        self.header().iter().find_map(text)
+        self.header.iter().find_map(text)
     }
 }

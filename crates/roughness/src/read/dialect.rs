@@ -2,11 +2,13 @@
 //!
 //! Every dialect is tried on a sample of the lines; the one that reads most of them as rows of
 //! numbers wins. Two dialects can only tie where a comma may be either sign; that case is decided
-//! on the whole file by asking whether the first column rises.
+//! by asking whether the first column rises. Only the head of the file is looked at.
 
 use serde::Serialize;
 
+use super::decimal;
 use super::options::{Columns, DecimalSign, Separator};
+use super::text::Line;
 
 /// A way to write a table of numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -28,13 +30,6 @@ impl std::fmt::Display for Dialect {
         })?;
         write!(f, " with decimal {}", self.decimal)
     }
-}
-
-/// A line that is not blank, with its number in the file from 1.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Line<'a> {
-    pub number: usize,
-    pub text: &'a str,
 }
 
 /// A dialect with what it makes of the file.
@@ -94,6 +89,11 @@ const MISSING: &[&str] = &[
     "",
 ];
 
+/// Characters of the longest number: what is longer is no measured value.
+pub(super) const LONGEST_NUMBER: usize = 64;
+/// Columns looked at; profiles have two to some dozens.
+const MOST_COLUMNS: usize = 1 << 16;
+
 /// What a cell holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Cell {
@@ -104,15 +104,18 @@ pub(super) enum Cell {
 
 impl Dialect {
     /// The cells of a line, trimmed. Empty cells at the end are kept: they may be missing heights.
-    pub(super) fn cells(self, line: &str) -> Vec<&str> {
-        let split = |sign: char| line.split(sign).map(trim_cell).collect();
-        match self.separator {
-            Separator::Semicolon => split(';'),
-            Separator::Tab => split('\t'),
-            Separator::Comma => split(','),
-            Separator::Blank => line.split_whitespace().map(trim_cell).collect(),
-            Separator::None => vec![trim_cell(line)],
-        }
+    pub(super) fn cells(self, line: &str) -> impl Iterator<Item = &str> {
+        let blank = self.separator == Separator::Blank;
+        let sign = match self.separator {
+            Separator::Semicolon => Some(';'),
+            Separator::Tab => Some('\t'),
+            Separator::Comma => Some(','),
+            Separator::Blank | Separator::None => None,
+        };
+        let parts = line.split(move |c: char| Some(c) == sign || blank && c.is_whitespace());
+        parts
+            .filter(move |part| !(blank && part.is_empty()))
+            .map(trim_cell)
     }
 
     /// What `cell` holds; a number must be written in digits with this dialect's decimal sign.
@@ -126,30 +129,19 @@ impl Dialect {
     }
 
     fn number(self, cell: &str) -> Option<f64> {
-        const LONGEST: usize = 64;
-        if cell.is_empty() || cell.len() > LONGEST {
+        if cell.len() > LONGEST_NUMBER {
             return None;
         }
-        let plain = |b: u8| b.is_ascii_digit() || matches!(b, b'+' | b'-' | b'.' | b'e' | b'E');
-        match self.decimal {
-            DecimalSign::Point if cell.bytes().all(plain) => cell.parse().ok(),
-            DecimalSign::Point => cell
-                .strip_prefix('−')
-                .and_then(|rest| self.number(rest))
-                .map(|v| -v),
-            // "1," is half of "1, 2": a decimal comma has a digit after it.
-            DecimalSign::Comma if cell.contains('.') || cell.ends_with(',') => None,
-            DecimalSign::Comma => Self {
-                decimal: DecimalSign::Point,
-                ..self
-            }
-            .number(&cell.replacen(',', ".", 1)),
+        match (self.decimal, cell.strip_prefix('−')) {
+            (DecimalSign::Point, None) => decimal::whole(cell, b'.'),
+            (DecimalSign::Point, Some(rest)) => decimal::whole(rest, b'.').map(|value| -value),
+            (DecimalSign::Comma, _) => decimal::whole(cell, b','),
         }
     }
 
     /// Number of columns if the line is a row of numbers, of which `columns` must be when stated.
     fn row(self, line: &str, columns: Option<Columns>) -> Option<usize> {
-        let cells = self.cells(line);
+        let cells: Vec<&str> = self.cells(line).take(MOST_COLUMNS).collect();
         let filled = cells.iter().rposition(|cell| !cell.is_empty())? + 1;
         if let Some(Columns { x, z }) = columns {
             let is_number = |column: usize| {
@@ -221,12 +213,9 @@ fn comma_is_decimal(lines: &[Line<'_>], as_columns: &Sniffed, other: Dialect) ->
     }
     let mut last = f64::NEG_INFINITY;
     lines[as_columns.first..].iter().any(|line| {
-        let first = as_columns
-            .dialect
-            .cells(line.text)
-            .first()
-            .map(|cell| as_columns.dialect.cell(cell));
-        let Some(Cell::Number(x)) = first else {
+        let dialect = as_columns.dialect;
+        let first = dialect.cells(line.text).next();
+        let Some(Cell::Number(x)) = first.map(|cell| dialect.cell(cell)) else {
             return false;
         };
         let falls = x <= last;
@@ -286,17 +275,12 @@ fn first_row(
 
 #[cfg(test)]
 mod tests {
+    use super::super::text::Head;
     use super::*;
 
     fn sniff_text(text: &str) -> Option<(Dialect, usize, usize)> {
-        let lines: Vec<_> = text
-            .lines()
-            .enumerate()
-            .map(|(at, text)| Line {
-                number: at + 1,
-                text,
-            })
-            .collect();
+        let head = Head::of(text);
+        let lines: Vec<_> = head.lines().collect();
         sniff(&lines, Stated::default()).map(|s| (s.dialect, s.columns, s.first))
     }
 

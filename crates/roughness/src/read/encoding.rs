@@ -1,39 +1,37 @@
 //! Bytes to characters: byte order marks, UTF-16 without one, UTF-8, else Windows-1252.
 
-use std::borrow::Cow;
-
-use encoding_rs::{Encoding as Decoder, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
+use encoding_rs::{Decoder, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
 
 use super::options::Encoding;
 
 impl Encoding {
-    fn decoder(self) -> &'static Decoder {
-        match self {
+    /// From bytes in chunks to characters; a byte order mark is dropped.
+    pub(super) fn decoder(self) -> Decoder {
+        let encoding = match self {
             Self::Utf8 => UTF_8,
             Self::Utf16Le => UTF_16LE,
             Self::Utf16Be => UTF_16BE,
             Self::Windows1252 => WINDOWS_1252,
-        }
+        };
+        encoding.new_decoder_with_bom_removal()
     }
 }
 
-/// The text and the encoding it was found in; a stated encoding wins over what the bytes say.
-pub(super) fn decode(bytes: &[u8], stated: Option<Encoding>) -> (Cow<'_, str>, Encoding) {
-    let encoding = stated.unwrap_or_else(|| detect(bytes));
-    let (text, _) = encoding.decoder().decode_with_bom_removal(bytes);
-    (text, encoding)
+/// The encoding that a byte order mark at the start states.
+pub(super) fn by_mark(head: &[u8]) -> Option<Encoding> {
+    match head {
+        [0xef, 0xbb, 0xbf, ..] => Some(Encoding::Utf8),
+        [0xff, 0xfe, ..] => Some(Encoding::Utf16Le),
+        [0xfe, 0xff, ..] => Some(Encoding::Utf16Be),
+        _ => None,
+    }
 }
 
-fn detect(bytes: &[u8]) -> Encoding {
+/// The encoding of a file without a mark by its first bytes, which are all of them if `whole`.
+pub(super) fn guess(head: &[u8], whole: bool) -> Encoding {
     const SAMPLE: usize = 4096;
-    match bytes {
-        [0xef, 0xbb, 0xbf, ..] => return Encoding::Utf8,
-        [0xff, 0xfe, ..] => return Encoding::Utf16Le,
-        [0xfe, 0xff, ..] => return Encoding::Utf16Be,
-        _ => {}
-    }
     // Digits in UTF-16 have a zero as their high byte: every other byte of the text.
-    let sample = &bytes[..bytes.len().min(SAMPLE)];
+    let sample = &head[..head.len().min(SAMPLE)];
     let zeros = |first: usize| {
         sample
             .iter()
@@ -52,10 +50,11 @@ fn detect(bytes: &[u8]) -> Encoding {
             return Encoding::Utf16Be;
         }
     }
-    if std::str::from_utf8(bytes).is_ok() {
-        Encoding::Utf8
-    } else {
-        Encoding::Windows1252
+    match std::str::from_utf8(head) {
+        Ok(_) => Encoding::Utf8,
+        // The end of the head may cut a character.
+        Err(error) if error.error_len().is_none() && !whole => Encoding::Utf8,
+        Err(_) => Encoding::Windows1252,
     }
 }
 
@@ -80,27 +79,19 @@ mod tests {
 
     #[test]
     fn encodings_are_told_by_mark_by_zeros_or_by_validity() {
-        let utf16 = |mark: &[u8], text: &str| -> Vec<u8> {
-            let body = text.encode_utf16().flat_map(u16::to_le_bytes);
-            mark.iter().copied().chain(body).collect()
-        };
-        assert_eq!(
-            decode(&utf16(&[0xff, 0xfe], "x µm"), None),
-            ("x µm".into(), Encoding::Utf16Le)
-        );
-        assert_eq!(
-            decode(&utf16(&[], "0.5;1.25"), None),
-            ("0.5;1.25".into(), Encoding::Utf16Le)
-        );
-        assert_eq!(decode(b"\xef\xbb\xbfx", None), ("x".into(), Encoding::Utf8));
-        assert_eq!(
-            decode(b"[\xb5m]", None),
-            ("[µm]".into(), Encoding::Windows1252)
-        );
-        assert_eq!(
-            decode(b"[\xc2\xb5m]", Some(Encoding::Windows1252)).0,
-            "[Âµm]"
-        );
-        assert!(!is_text(&decode(&[0x50, 0, 0x4b, 0x03, 0x91], None).0));
+        let utf16: Vec<u8> = "0.5;1.25"
+            .encode_utf16()
+            .flat_map(u16::to_le_bytes)
+            .collect();
+        assert_eq!(by_mark(&[0xff, 0xfe, b'x', 0]), Some(Encoding::Utf16Le));
+        assert_eq!(by_mark(b"\xef\xbb\xbfx"), Some(Encoding::Utf8));
+        assert_eq!(by_mark(&utf16), None);
+        assert_eq!(guess(&utf16, true), Encoding::Utf16Le);
+        assert_eq!(guess(b"[\xc2\xb5m]", true), Encoding::Utf8);
+        assert_eq!(guess(b"[\xb5m]", true), Encoding::Windows1252);
+        // Half of a character may be the start of one, unless the file ends there.
+        assert_eq!(guess(b"[\xc2", false), Encoding::Utf8);
+        assert_eq!(guess(b"[\xc2", true), Encoding::Windows1252);
+        assert!(!is_text("PK\0\u{3}"));
     }
 }

@@ -4,6 +4,8 @@
 
 use serde::Serialize;
 
+use super::text::Head;
+
 /// A file format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -160,19 +162,12 @@ const EXTENSIONS: &[(&str, Format)] = &[
 /// First bytes of a zip.
 pub(super) const ZIP: &[u8] = b"PK\x03\x04";
 
-/// The format that the first bytes settle, if they do.
-pub(super) fn by_magic(name: &str, bytes: &[u8]) -> Option<Format> {
-    if bytes.starts_with(ZIP) {
-        // A zip names its members in plain text: X3P holds a main.xml, a workbook a folder xl.
-        let holds = |member: &[u8]| bytes.windows(member.len()).any(|part| part == member);
-        return Some(match by_extension(name) {
-            Some(format) => format,
-            None if holds(b"xl/workbook.xml") => Format::Excel,
-            None if holds(b"main.xml") => Format::X3p,
-            None => Format::Archive,
-        });
+/// The format that the first bytes settle, if they do; a zip is told by its name or its members.
+pub(super) fn by_magic(name: &str, head: &[u8]) -> Option<Format> {
+    if head.starts_with(ZIP) {
+        return Some(by_extension(name).unwrap_or(Format::Archive));
     }
-    let found = MAGIC.iter().find(|(magic, _)| bytes.starts_with(magic));
+    let found = MAGIC.iter().find(|(magic, _)| head.starts_with(magic));
     found.map(|&(_, format)| format)
 }
 
@@ -191,17 +186,17 @@ pub(super) fn extension(name: &str) -> String {
 }
 
 /// The text format that telling lines near the top settle, or the name; none for a table.
-pub(super) fn of_text(name: &str, text: &str) -> Option<Format> {
+pub(super) fn of_text(name: &str, head: &Head) -> Option<Format> {
     const LINES_LOOKED_AT: usize = 60;
     let magic = MAGIC
         .iter()
-        .find(|(magic, _)| text.as_bytes().starts_with(magic));
+        .find(|(magic, _)| head.text.as_bytes().starts_with(magic));
     if let Some(&(_, format @ (Format::SdfAscii | Format::SigmaSurf))) = magic {
         return Some(format);
     }
     let (mut cx, mut cz) = (false, false);
-    for line in text.lines().take(LINES_LOOKED_AT) {
-        let line = line.trim();
+    for line in head.lines().take(LINES_LOOKED_AT) {
+        let line = line.text.trim();
         if line == "[PROFILE_VALUES]" || line == "[PROFILE_HEADER]" {
             return Some(Format::MahrText);
         }
@@ -212,13 +207,11 @@ pub(super) fn of_text(name: &str, text: &str) -> Option<Format> {
             return Some(Format::TaylorHobsonPrf);
         }
     }
-    if text.lines().nth(1).is_some_and(super::ptb::recognised) {
+    let second = head.lines().nth(1);
+    if second.is_some_and(|line| super::ptb::recognised(line.text)) {
         return Some(Format::PtbPr);
     }
-    if extension(name) == "tx3" {
-        return Some(Format::SurfcomConditions);
-    }
-    super::surfcom::recognised(text).then_some(Format::SurfcomText)
+    (extension(name) == "tx3").then_some(Format::SurfcomConditions)
 }
 
 #[cfg(test)]
@@ -226,21 +219,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_content_of_a_zip_tells_when_its_name_does_not() {
-        assert_eq!(
-            by_magic("a.zip", b"PK\x03\x04....main.xml"),
-            Some(Format::X3p)
-        );
-        assert_eq!(
-            by_magic("a.zip", b"PK\x03\x04..xl/workbook.xml"),
-            Some(Format::Excel)
-        );
+    fn a_zip_is_told_by_its_name() {
         assert_eq!(by_magic("a.zip", b"PK\x03\x04"), Some(Format::Archive));
         assert_eq!(by_magic("a.X3P", b"PK\x03\x04"), Some(Format::X3p));
     }
 
     #[test]
     fn telling_lines_win_over_the_name() {
+        let of_text = |name, text: &str| of_text(name, &Head::of(text));
         let mahr = "[PROFILE_HEADER]\nNAME=a";
         assert_eq!(of_text("a.csv", mahr), Some(Format::MahrText));
         assert_eq!(of_text("a.csv", "0.5\n1"), None);

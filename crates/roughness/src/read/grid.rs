@@ -7,7 +7,6 @@ use serde::Serialize;
 
 use super::error::ReadError;
 use super::options::Gaps;
-use super::table::Row;
 use crate::Warning;
 
 /// Fewest points of a profile; below it no roughness parameter means anything.
@@ -36,72 +35,77 @@ pub enum SpacingSource {
     EvaluationLength,
 }
 
-/// Checks number, order and evenness; the mean spacing in the unit of x, rising x. `None` without x.
+/// The mean spacing of a column of x, and whether x falls along the file.
+pub(super) struct Spacing {
+    pub mean: f64,
+    pub falls: bool,
+}
+
+/// Finds the line number and text of a row, counted from 0 as in the file.
+pub(super) type Place<'a> = dyn FnMut(usize) -> Result<(usize, String), ReadError> + 'a;
+
+/// Refuses fewer points than make a profile.
+pub(super) fn enough(file: &str, points: usize) -> Result<(), ReadError> {
+    if points >= FEWEST_POINTS {
+        return Ok(());
+    }
+    Err(ReadError::TooFewPoints {
+        file: file.to_owned(),
+        points,
+        needed: FEWEST_POINTS,
+    })
+}
+
+/// Checks order and evenness of x; the mean spacing in its unit. An x that falls is turned round.
 pub(super) fn spacing(
     file: &str,
-    rows: &mut [Row],
-    warnings: &mut Vec<Warning>,
-) -> Result<Option<f64>, ReadError> {
-    if rows.len() < FEWEST_POINTS {
-        return Err(ReadError::TooFewPoints {
-            file: file.to_owned(),
-            points: rows.len(),
-            needed: FEWEST_POINTS,
-        });
-    }
-    let xs = |rows: &[Row]| -> Option<Vec<f64>> { rows.iter().map(|row| row.x).collect() };
-    let Some(mut x) = xs(rows) else {
-        return Ok(None);
+    x: &mut [f64],
+    place: &mut Place<'_>,
+) -> Result<Spacing, ReadError> {
+    let (first, last) = (x[0], x[x.len() - 1]);
+    let falls = last < first;
+    let mut pairs = x.windows(2);
+    let turn = match falls {
+        false => pairs.position(|pair| pair[1] < pair[0]),
+        true => pairs.position(|pair| pair[1] > pair[0]),
     };
-    let rises = x[x.len() - 1] >= x[0];
-    let turn = x.windows(2).position(|pair| {
-        if rises {
-            pair[1] < pair[0]
-        } else {
-            pair[1] > pair[0]
-        }
-    });
     // A trace that ends where it started rises by this reckoning, and turns somewhere.
-    let stands = (x[x.len() - 1] == x[0]).then_some(0);
+    let stands = (last == first).then_some(0);
     if let Some(at) = turn.or(stands) {
         return Err(ReadError::NotMonotone {
             file: file.to_owned(),
-            line: rows[at + 1].line,
+            line: place(at + 1)?.0,
             previous: x[at],
             next: x[at + 1],
         });
     }
-    if !rises {
-        rows.reverse();
+    if falls {
         x.reverse();
-        warnings.push(Warning::Reversed);
     }
     let mean = (x[x.len() - 1] - x[0]) / (x.len() - 1) as f64;
-    check_even(file, rows, &x, mean)?;
-    Ok(Some(mean))
+    match uneven(x, mean) {
+        None => Ok(Spacing { mean, falls }),
+        Some((at, off)) => Err(ReadError::UnevenSpacing {
+            file: file.to_owned(),
+            line: place(if falls { x.len() - 1 - at } else { at })?.0,
+            x: x[at],
+            off: off / mean,
+            spacing: mean,
+        }),
+    }
 }
 
-fn check_even(file: &str, rows: &[Row], x: &[f64], mean: f64) -> Result<(), ReadError> {
-    let uneven = |at: usize, off: f64| ReadError::UnevenSpacing {
-        file: file.to_owned(),
-        line: rows[at].line,
-        x: x[at],
-        off: off / mean,
-        spacing: mean,
-    };
-    if let Some((at, jump)) = lost_rows(x) {
-        return Err(uneven(at, jump));
+/// The point furthest from an even grid and how far it is, when that is more than rounding explains.
+fn uneven(x: &[f64], mean: f64) -> Option<(usize, f64)> {
+    if let Some(lost) = lost_rows(x) {
+        return Some(lost);
     }
-    let off = |at: usize| (x[at] - x[0] - mean * at as f64).abs();
-    let worst = (0..x.len())
-        .max_by(|&a, &b| off(a).total_cmp(&off(b)))
-        .unwrap_or_default();
+    let off = |at: usize, x_at: f64| (x_at - x[0] - mean * at as f64).abs();
+    let offs = x.iter().enumerate().map(|(at, x_at)| (at, off(at, *x_at)));
+    let (at, worst) = offs.max_by(|a, b| a.1.total_cmp(&b.1))?;
     // Two ends and one point, each rounded by half the smallest step seen in the column.
-    let allowed = (UNEVENNESS * mean).max(resolution(x));
-    if off(worst) <= allowed {
-        return Ok(());
-    }
-    Err(uneven(worst, off(worst)))
+    let explained = worst <= UNEVENNESS * mean || worst <= resolution(x);
+    (!explained).then_some((at, worst))
 }
 
 /// The first jump over one or more rows in an x that otherwise steps by one and the same amount.
@@ -110,19 +114,23 @@ fn lost_rows(x: &[f64]) -> Option<(usize, f64)> {
     const SAME: f64 = 1e-6;
     const MOSTLY: f64 = 0.9;
     const JUMP: f64 = 1.9;
-    let mut steps: Vec<f64> = x.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    let middle = steps.len() / 2;
-    let (_, &mut typical, _) = steps.select_nth_unstable_by(middle, f64::total_cmp);
-    let same = steps
-        .iter()
-        .filter(|step| (*step - typical).abs() <= SAME * typical)
+    let step = |pair: &[f64]| pair[1] - pair[0];
+    let is_same = |step: f64, typical: f64| (step - typical).abs() <= SAME * typical;
+    // The amount that most steps have, if one has a majority: each other amount takes one vote away.
+    let vote = |(typical, votes): (f64, usize), step: f64| match votes {
+        0 => (step, 1),
+        _ if is_same(step, typical) => (typical, votes + 1),
+        _ => (typical, votes - 1),
+    };
+    let (typical, _) = x.windows(2).map(step).fold((0.0, 0), vote);
+    let same = x
+        .windows(2)
+        .filter(|pair| is_same(step(pair), typical))
         .count();
-    if (same as f64) < MOSTLY * steps.len() as f64 {
+    if (same as f64) < MOSTLY * (x.len() - 1) as f64 {
         return None;
     }
-    let at = x
-        .windows(2)
-        .position(|pair| pair[1] - pair[0] > JUMP * typical)?;
+    let at = x.windows(2).position(|pair| step(pair) > JUMP * typical)?;
     Some((at + 1, x[at + 1] - x[at] - typical))
 }
 
@@ -150,45 +158,37 @@ fn resolution(x: &[f64]) -> f64 {
 }
 
 /// Whether x just counts the points, from 0 or 1.
-pub(super) fn counts_points(rows: &[Row]) -> bool {
-    let first = rows.first().and_then(|row| row.x);
-    matches!(first, Some(0.0 | 1.0))
-        && rows
-            .windows(2)
-            .all(|pair| matches!((pair[0].x, pair[1].x), (Some(a), Some(b)) if b == a + 1.0))
+pub(super) fn counts_points(x: &[f64]) -> bool {
+    matches!(x.first(), Some(0.0 | 1.0)) && x.windows(2).all(|pair| pair[1] == pair[0] + 1.0)
 }
 
-/// Heights in the unit of the file, without gaps.
+/// Heights in the unit of the file, of which those that are not finite are missing, without gaps; with
+/// them the number filled.
 pub(super) fn heights(
     file: &str,
-    rows: &[Row],
+    z: Vec<f64>,
     gaps: Gaps,
-    text_of: impl Fn(usize) -> String,
+    place: &mut Place<'_>,
     warnings: &mut Vec<Warning>,
 ) -> Result<(Vec<f64>, usize), ReadError> {
-    let missing = rows.iter().filter(|row| row.z.is_none()).count();
-    let Some(gap) = rows.iter().find(|row| row.z.is_none()) else {
-        return Ok((rows.iter().filter_map(|row| row.z).collect(), 0));
+    let Some(gap) = z.iter().position(|z| !z.is_finite()) else {
+        return Ok((z, 0));
     };
-    let fillable = missing as f64 <= MOST_MISSING * rows.len() as f64;
+    let missing = z.iter().filter(|z| !z.is_finite()).count();
+    let fillable = missing as f64 <= MOST_MISSING * z.len() as f64;
     if gaps == Gaps::Refuse || !fillable {
+        let (line, text) = place(gap)?;
         return Err(ReadError::MissingPoints {
             file: file.to_owned(),
-            line: gap.line,
-            text: text_of(gap.line),
+            line,
+            text,
             missing,
-            points: rows.len(),
+            points: z.len(),
             fillable,
         });
     }
-    let (filled, longest, heights) = interpolate(rows);
-    if heights.len() < FEWEST_POINTS {
-        return Err(ReadError::TooFewPoints {
-            file: file.to_owned(),
-            points: heights.len(),
-            needed: FEWEST_POINTS,
-        });
-    }
+    let (filled, longest, heights) = interpolate(&z);
+    enough(file, heights.len())?;
     warnings.push(Warning::GapsFilled {
         filled,
         longest,
@@ -198,14 +198,14 @@ pub(super) fn heights(
 }
 
 /// Points filled, the longest run of them, and the heights between the outermost known ones.
-fn interpolate(rows: &[Row]) -> (usize, usize, Vec<f64>) {
-    let mut heights: Vec<f64> = Vec::with_capacity(rows.len());
+fn interpolate(z: &[f64]) -> (usize, usize, Vec<f64>) {
+    let mut heights: Vec<f64> = Vec::with_capacity(z.len());
     let (mut filled, mut longest, mut run) = (0, 0, 0);
-    for row in rows {
-        let Some(z) = row.z else {
+    for &z in z {
+        if !z.is_finite() {
             run += 1;
             continue;
-        };
+        }
         if let Some(&before) = heights.last() {
             let steps = (run + 1) as f64;
             heights.extend((1..=run).map(|k| before + (z - before) * k as f64 / steps));
@@ -232,12 +232,8 @@ mod tests {
 
     #[test]
     fn inner_gaps_are_bridged_and_outer_ones_cut() {
-        let row = |z: Option<f64>| Row {
-            line: 1,
-            x: None,
-            z,
-        };
-        let rows = [None, Some(1.0), None, None, Some(4.0), None].map(row);
-        assert_eq!(interpolate(&rows), (2, 2, vec![1.0, 2.0, 3.0, 4.0]));
+        let none = f64::NAN;
+        let z = [none, 1.0, none, none, 4.0, none];
+        assert_eq!(interpolate(&z), (2, 2, vec![1.0, 2.0, 3.0, 4.0]));
     }
 }

@@ -2,9 +2,10 @@
 
 use serde::Serialize;
 
-use super::dialect::{Dialect, Line};
+use super::dialect::Dialect;
 use super::format::extension;
 use super::options::LengthUnit;
+use super::text::Line;
 
 /// Whether the heights have been through a roughness filter, as far as the file says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
@@ -53,7 +54,7 @@ pub(super) fn labels(header: &[Line<'_>], dialect: Dialect, columns: usize) -> V
     let mut labels = vec![Label::default(); columns];
     for line in header.iter().rev().take(LINES_LOOKED_AT) {
         let text = line.text.trim_start_matches(['#', '%', '/', '*', '!', ' ']);
-        let mut cells = dialect.cells(text);
+        let mut cells: Vec<&str> = dialect.cells(text).collect();
         while cells.len() > columns && cells.last().is_some_and(|cell| cell.is_empty()) {
             cells.pop();
         }
@@ -208,6 +209,7 @@ pub(super) fn filter_state(name: &str, header: &[Line<'_>]) -> FilterState {
 #[cfg(test)]
 mod tests {
     use super::super::options::{DecimalSign, Separator};
+    use super::super::text::Head;
     use super::*;
 
     #[test]
@@ -234,10 +236,8 @@ mod tests {
 
     #[test]
     fn a_header_with_more_words_than_columns_still_gives_its_units() {
-        let header = [Line {
-            number: 1,
-            text: "# x (mm)  z in um",
-        }];
+        let head = Head::of("# x (mm)  z in um");
+        let header: Vec<_> = head.lines().collect();
         let dialect = Dialect {
             separator: Separator::Blank,
             decimal: DecimalSign::Point,

@@ -10,26 +10,29 @@ use super::grid::SpacingSource;
 use super::header::FilterState;
 use super::metadata::{Metadata, number, short};
 use super::options::LengthUnit;
+use super::text::Text;
 use super::trace::Trace;
 use asperity_core::quantity::Length;
 
 const FORMAT: Format = Format::MahrText;
 
 /// Reads a Mahr text profile.
-pub(super) fn read(file: &str, text: &str) -> Result<Trace, ReadError> {
+pub(super) fn read(text: &mut Text<'_>) -> Result<Trace, ReadError> {
+    let file = text.file;
     let mut header = Header::default();
     let (mut x, mut heights) = (Vec::new(), Vec::new());
     let mut first_line = None;
     let mut values = false;
-    for (at, line) in text.lines().enumerate() {
-        let line = line.trim();
+    let mut lines = text.lines()?;
+    while let Some(line) = lines.next()? {
+        let (number, line) = (line.number, line.text.trim());
         if line.starts_with('[') {
             values = line == "[PROFILE_VALUES]";
         } else if !values {
             header.take(line);
         } else if !line.is_empty() && !line.starts_with("//") {
             let (place, z) = point(file, line)?;
-            first_line.get_or_insert(at + 1);
+            first_line.get_or_insert(number);
             x.push(place);
             heights.push(z);
         }

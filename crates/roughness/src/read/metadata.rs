@@ -3,6 +3,8 @@
 use asperity_core::quantity::Length;
 use serde::Serialize;
 
+use super::decimal;
+
 /// Facts about a measurement as the file states them; nothing here is computed.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Metadata {
@@ -72,12 +74,8 @@ pub(super) fn short(text: &str) -> Option<String> {
 /// A number in either decimal sign.
 pub(super) fn number(text: &str) -> Option<f64> {
     let text = text.trim();
-    let parsed: f64 = if text.contains(',') && !text.contains('.') {
-        text.replacen(',', ".", 1).parse().ok()?
-    } else {
-        text.parse().ok()?
-    };
-    parsed.is_finite().then_some(parsed)
+    let parsed = decimal::whole(text, b'.').or_else(|| decimal::whole(text, b','));
+    parsed.filter(|value| value.is_finite())
 }
 
 /// A length written as "0.8mm", "2.5 µm" or "25.0um".

@@ -12,6 +12,7 @@ use super::grid::SpacingSource;
 use super::header::FilterState;
 use super::metadata::{self, Metadata, PrintedParameter, short};
 use super::options::LengthUnit;
+use super::text::Stream;
 use super::trace::Trace;
 use super::xml::walk;
 
@@ -31,12 +32,12 @@ struct Sheet {
 }
 
 /// Reads the profile of a workbook.
-pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Trace, ReadError> {
+pub(super) fn read(file: &str, stream: &mut dyn Stream, size: u64) -> Result<Trace, ReadError> {
     let unknown = || ReadError::FormatNotRead {
         file: file.to_owned(),
         format: Format::Excel,
     };
-    let mut archive = Archive::open(file, FORMAT, bytes).map_err(|_| unknown())?;
+    let mut archive = Archive::open(file, FORMAT, stream, size).map_err(|_| unknown())?;
     let texts = texts(file, &mut archive)?;
     let mut metadata = Metadata::default();
     let mut state = FilterState::Unknown;

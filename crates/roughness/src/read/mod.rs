@@ -14,6 +14,7 @@
 //! Reading is linear in the length of the file. This is the only module of the crate that opens files.
 
 mod archive;
+mod decimal;
 mod delimited;
 mod dialect;
 mod encoding;
@@ -25,7 +26,9 @@ mod mahr;
 mod metadata;
 mod mitutoyo;
 mod options;
+mod plain_row;
 mod ptb;
+mod rows;
 mod sdf;
 mod sigmasurf;
 mod single_column;
@@ -33,14 +36,14 @@ mod smd;
 mod surfcom;
 mod table;
 mod taylor_hobson;
+mod text;
 mod trace;
 mod units;
 mod x3p;
 mod xml;
 
-use std::borrow::Cow;
-use std::io::Read as _;
-use std::path::{Path, PathBuf};
+use std::io::{Cursor, Read, Seek};
+use std::path::Path;
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
@@ -57,12 +60,13 @@ pub use options::{
 };
 
 use crate::Warning;
+use text::{Head, Start, Stream, Text};
 use trace::Trace;
 
-/// Bytes of the largest file read: fifty million points of text.
+/// Bytes of the largest file read: two hundred million points of text.
 const MOST_BYTES: u64 = 4 << 30;
-/// Bytes of the largest file of measuring conditions.
-const MOST_CONDITIONS: u64 = 1 << 20;
+/// Bytes of what comes through a pipe and is held.
+const MOST_HELD: u64 = 1 << 30;
 
 /// How a table of text is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -124,48 +128,38 @@ pub struct Reading {
 /// ```
 pub fn read(path: &Path, options: &ReadOptions) -> Result<Reading, ReadError> {
     let name = path.display().to_string();
-    let bytes = load(path, &name, MOST_BYTES)?;
-    let conditions = beside(path).and_then(|path| load(&path, &name, MOST_CONDITIONS).ok());
-    read_with_conditions(&name, &bytes, conditions.as_deref(), options)
+    let mut stream = open(path, &name)?;
+    let conditions = surfcom::conditions_beside(path);
+    read_streams(&name, &mut *stream, conditions.as_deref(), options)
 }
 
-/// The bytes of a file that is no larger than `most`.
-fn load(path: &Path, name: &str, most: u64) -> Result<Vec<u8>, ReadError> {
+/// A file as it is read again and again; what cannot be (a pipe) is held.
+fn open(path: &Path, name: &str) -> Result<Box<dyn Stream>, ReadError> {
     let unreadable = |source| ReadError::NotReadable {
         file: name.to_owned(),
         source,
     };
     let file = std::fs::File::open(path).map_err(unreadable)?;
-    let too_large = |bytes| ReadError::TooLarge {
+    if file.metadata().map_err(unreadable)?.is_file() {
+        return Ok(Box::new(file));
+    }
+    let mut bytes = Vec::new();
+    let taken = file.take(MOST_HELD + 1).read_to_end(&mut bytes);
+    taken.map_err(unreadable)?;
+    not_larger(name, bytes.len() as u64, MOST_HELD)?;
+    Ok(Box::new(Cursor::new(bytes)))
+}
+
+fn not_larger(name: &str, bytes: u64, most: u64) -> Result<(), ReadError> {
+    if bytes <= most {
+        return Ok(());
+    }
+    Err(ReadError::TooLarge {
         file: name.to_owned(),
         what: "the file",
         bytes,
         most,
-    };
-    // Said beforehand by files; a pipe is measured as it comes.
-    let stated = file.metadata().map_or(0, |metadata| metadata.len());
-    if stated > most {
-        return Err(too_large(stated));
-    }
-    let mut bytes = Vec::new();
-    file.take(most + 1)
-        .read_to_end(&mut bytes)
-        .map_err(unreadable)?;
-    if bytes.len() as u64 > most {
-        return Err(too_large(bytes.len() as u64));
-    }
-    Ok(bytes)
-}
-
-/// The measuring conditions that lie beside a Surfcom profile.
-fn beside(path: &Path) -> Option<PathBuf> {
-    let extension = path.extension()?.to_str()?;
-    let conditions = match extension {
-        "tx1" | "tx2" => "tx3",
-        "TX1" | "TX2" => "TX3",
-        _ => return None,
-    };
-    Some(path.with_extension(conditions))
+    })
 }
 
 /// Reads the profile in `bytes`, the content of a file called `name`.
@@ -186,7 +180,31 @@ fn beside(path: &Path) -> Option<PathBuf> {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn read_bytes(name: &str, bytes: &[u8], options: &ReadOptions) -> Result<Reading, ReadError> {
-    read_with_conditions(name, bytes, None, options)
+    read_stream(name, Cursor::new(bytes), options)
+}
+
+/// Reads the profile in `stream`, from its start, as a file called `name`. The stream is read in chunks
+/// and, where a second look is needed, again; a text is never held as a whole.
+///
+/// # Errors
+/// As [`read`], except that nothing is opened.
+///
+/// ```
+/// use asperity_roughness::read::{ReadOptions, read_bytes, read_stream};
+/// let text: String = (0..200).map(|i| format!("{};{}.25\n", i, i % 7)).collect();
+/// let file = format!("x [um];z [um]\n{text}");
+/// let stream = std::io::Cursor::new(&file);
+/// let options = ReadOptions::default();
+/// let reading = read_stream("flank.csv", stream, &options)?;
+/// assert_eq!(reading, read_bytes("flank.csv", file.as_bytes(), &options)?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn read_stream(
+    name: &str,
+    mut stream: impl Read + Seek,
+    options: &ReadOptions,
+) -> Result<Reading, ReadError> {
+    read_streams(name, &mut stream, None, options)
 }
 
 /// As [`read_bytes`], with the content of the file of measuring conditions (Surfcom `.tx3`) beside it.
@@ -210,56 +228,82 @@ pub fn read_with_conditions(
     conditions: Option<&[u8]>,
     options: &ReadOptions,
 ) -> Result<Reading, ReadError> {
-    let refused = |format| ReadError::FormatNotRead {
-        file: name.to_owned(),
-        format,
+    read_streams(name, &mut Cursor::new(bytes), conditions, options)
+}
+
+/// Reads the profile in `stream`, in whichever format it is.
+fn read_streams(
+    name: &str,
+    stream: &mut dyn Stream,
+    conditions: Option<&[u8]>,
+    options: &ReadOptions,
+) -> Result<Reading, ReadError> {
+    let start = Start::of(name, stream)?;
+    not_larger(name, start.size, MOST_BYTES)?;
+    let zipped = start.bytes.starts_with(format::ZIP);
+    let format = match format::by_magic(name, &start.bytes) {
+        Some(Format::Archive) if zipped => Some(archive::content(name, stream, start.size)),
+        format => format,
     };
-    match format::by_magic(name, bytes) {
-        Some(Format::X3p) => return x3p::read(name, bytes, options)?.finish(name, options),
-        Some(Format::Excel) if bytes.starts_with(format::ZIP) => {
-            return mitutoyo::read(name, bytes)?.finish(name, options);
+    match format {
+        Some(Format::X3p) => {
+            return x3p::read(name, stream, start.size, options)?.finish(name, options);
+        }
+        Some(Format::Excel) if zipped => {
+            return mitutoyo::read(name, stream, start.size)?.finish(name, options);
         }
         None | Some(Format::SdfAscii | Format::SigmaSurf) => {}
-        Some(format) => return Err(refused(format)),
+        Some(format) => return Err(refused(name, format)),
     }
-    let (text, encoding) = encoding::decode(bytes, options.encoding);
-    let text = text.trim_end_matches(['\0', '\u{1a}']);
-    let smd = smd::recognised(bytes);
-    if !smd && !encoding::is_text(text) {
-        return Err(refused(
-            format::by_extension(name).unwrap_or(Format::UnknownBinary),
-        ));
+    let (head, mut text) = Text::new(name, stream, &start, options.encoding);
+    let found = read_text(&start, &head, &mut text, conditions, options);
+    if !text.is_malformed() {
+        return found;
     }
-    let text = with_newlines(text);
-    let conditions = conditions.map(|bytes| encoding::decode(bytes, options.encoding).0);
+    // What looked like UTF-8 at its head is not: then it is in the code page of western Windows.
+    let (head, mut text) = Text::new(name, stream, &start, Some(Encoding::Windows1252));
+    read_text(&start, &head, &mut text, conditions, options)
+}
+
+fn read_text(
+    start: &Start,
+    head: &Head,
+    text: &mut Text<'_>,
+    conditions: Option<&[u8]>,
+    options: &ReadOptions,
+) -> Result<Reading, ReadError> {
+    let name = text.file;
+    let smd = smd::recognised(&start.bytes);
+    if !smd && !encoding::is_text(&head.text) {
+        let format = format::by_extension(name).unwrap_or(Format::UnknownBinary);
+        return Err(refused(name, format));
+    }
     let format = if smd {
         Some(Format::Smd)
     } else {
-        format::of_text(name, &text)
+        format::of_text(name, head)
     };
     let found: Trace = match format {
-        Some(Format::Smd) => smd::read(name, &text)?,
-        Some(Format::SdfAscii) => sdf::read(name, &text, options)?,
-        Some(Format::SigmaSurf) => sigmasurf::read(name, &text)?,
-        Some(Format::MahrText) => mahr::read(name, &text)?,
-        Some(Format::TaylorHobsonPrf) => taylor_hobson::read(name, &text)?,
-        Some(Format::PtbPr) => ptb::read(name, &text)?,
-        Some(Format::SurfcomText) => surfcom::read(name, &text, conditions.as_deref(), options)?,
-        Some(format) => return Err(refused(format)),
-        None => return delimited::read(name, &text, encoding, options),
+        Some(Format::Smd) => smd::read(head, text)?,
+        Some(Format::SdfAscii) => sdf::read(text, options)?,
+        Some(Format::SigmaSurf) => sigmasurf::read(text)?,
+        Some(Format::MahrText) => mahr::read(text)?,
+        Some(Format::TaylorHobsonPrf) => taylor_hobson::read(text)?,
+        Some(Format::PtbPr) => ptb::read(text)?,
+        Some(format) => return Err(refused(name, format)),
+        None if surfcom::recognised(head, text)? => surfcom::read(text, conditions, options)?,
+        None => return delimited::read(head, text, options),
     };
     let found = Trace {
-        encoding: Some(encoding),
+        encoding: Some(text.encoding),
         ..found
     };
     found.finish(name, options)
 }
 
-/// The text with LF at the end of its lines, where it has CR alone.
-fn with_newlines(text: &str) -> Cow<'_, str> {
-    if text.contains('\n') || !text.contains('\r') {
-        Cow::Borrowed(text)
-    } else {
-        Cow::Owned(text.replace('\r', "\n"))
+fn refused(name: &str, format: Format) -> ReadError {
+    ReadError::FormatNotRead {
+        file: name.to_owned(),
+        format,
     }
 }

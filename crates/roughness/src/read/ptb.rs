@@ -12,6 +12,7 @@ use super::format::Format;
 use super::grid::SpacingSource;
 use super::metadata::{Metadata, number, short};
 use super::options::LengthUnit;
+use super::text::Text;
 use super::trace::Trace;
 
 const FORMAT: Format = Format::PtbPr;
@@ -23,10 +24,11 @@ pub(super) fn recognised(line: &str) -> bool {
 }
 
 /// Reads a `.pr` profile.
-pub(super) fn read(file: &str, text: &str) -> Result<Trace, ReadError> {
-    let mut lines = text.lines();
-    let title = lines.next().unwrap_or_default().trim();
-    let header = lines.next().unwrap_or_default();
+pub(super) fn read(text: &mut Text<'_>) -> Result<Trace, ReadError> {
+    let file = text.file;
+    let mut lines = text.lines()?;
+    let title = lines.next()?.map_or("", |line| line.text.trim()).to_owned();
+    let header = lines.next()?.map_or("", |line| line.text);
     let numbers: Vec<f64> = header
         .split(|c: char| c.is_whitespace() || c == '=' || c == ':')
         .filter_map(number)
@@ -40,9 +42,11 @@ pub(super) fn read(file: &str, text: &str) -> Result<Trace, ReadError> {
         ));
     };
     let mut heights = Vec::new();
-    for line in lines.map(str::trim).filter(|line| !line.is_empty()) {
-        let value = number(line);
-        heights.push(value.ok_or_else(|| damaged(file, FORMAT, "a height is no number", line))?);
+    while let Some(line) = lines.next()? {
+        if !line.is_blank() {
+            let broken = || damaged(file, FORMAT, "a height is no number", line.text);
+            heights.push(number(line.text).ok_or_else(broken)?);
+        }
     }
     if heights.len() as f64 != points {
         let seen = format!("{} of {points}", heights.len());

@@ -9,6 +9,7 @@ use super::format::Format;
 use super::grid::SpacingSource;
 use super::metadata::{Metadata, number, short};
 use super::options::ReadOptions;
+use super::text::Text;
 use super::trace::Trace;
 
 const FORMAT: Format = Format::SdfAscii;
@@ -43,16 +44,17 @@ impl Header {
 }
 
 /// Reads an SDF text file.
-pub(super) fn read(file: &str, text: &str, options: &ReadOptions) -> Result<Trace, ReadError> {
+pub(super) fn read(text: &mut Text<'_>, options: &ReadOptions) -> Result<Trace, ReadError> {
+    let file = text.file;
     let mut header = Header::default();
-    let mut lines = text.lines().enumerate();
+    let mut lines = text.lines()?;
     let mut first_line = 1;
-    for (at, line) in lines.by_ref() {
-        first_line = at + 2;
-        if line.trim() == "*" {
+    while let Some(line) = lines.next()? {
+        first_line = line.number + 1;
+        if line.text.trim() == "*" {
             break;
         }
-        header.take(line);
+        header.take(line.text);
     }
     let missing = |what| damaged(file, FORMAT, what, "");
     let points = header.points.filter(|n| *n > 0);
@@ -74,8 +76,8 @@ pub(super) fn read(file: &str, text: &str, options: &ReadOptions) -> Result<Trac
     let first = (asked - 1).saturating_mul(points);
     let mut heights = Vec::new();
     let mut passed = 0_u64;
-    'data: for (_, line) in lines {
-        for field in line.split_whitespace() {
+    'data: while let Some(line) = lines.next()? {
+        for field in line.text.split_whitespace() {
             if field == "*" || passed >= first.saturating_add(points) {
                 break 'data;
             }

@@ -6,17 +6,20 @@ use super::format::Format;
 use super::grid::SpacingSource;
 use super::metadata::{Metadata, number, short};
 use super::options::LengthUnit;
+use super::text::Text;
 use super::trace::Trace;
 
 const FORMAT: Format = Format::SigmaSurf;
 
 /// Reads a SigmaSurf profile.
-pub(super) fn read(file: &str, text: &str) -> Result<Trace, ReadError> {
+pub(super) fn read(text: &mut Text<'_>) -> Result<Trace, ReadError> {
+    let file = text.file;
     let mut metadata = Metadata::default();
     let (mut spacing, mut points, mut first_line) = (None, None, 1);
     let mut heights: Option<Vec<f64>> = None;
-    for (at, line) in text.lines().enumerate() {
-        let line = line.trim();
+    let mut lines = text.lines()?;
+    while let Some(line) = lines.next()? {
+        let (at, line) = (line.number, line.text.trim());
         if let Some(heights) = &mut heights {
             if !line.is_empty() {
                 let value = number(line);
@@ -34,7 +37,7 @@ pub(super) fn read(file: &str, text: &str) -> Result<Trace, ReadError> {
             "NUMBER_OF_POINTS" => points = value.trim().parse::<usize>().ok(),
             "PROFILE_UM" => {
                 heights = Some(Vec::new());
-                first_line = at + 2;
+                first_line = at + 1;
             }
             _ => {}
         }

@@ -4,12 +4,11 @@
 //! instruments write all heights with the same number of them.
 
 use super::ReadOptions;
-use super::dialect::Line;
 use super::error::{ReadError, SpacingHint};
 use super::format::Format;
 use super::grid;
 use super::options::LengthUnit;
-use super::table::Row;
+use super::text::Text;
 use crate::Warning;
 
 /// What a file turned out to be, and the unit its format prescribes for heights.
@@ -31,38 +30,40 @@ impl Special {
     }
 }
 
-/// Takes header numbers off heights without x, or refuses when there is no spacing.
+/// Takes header numbers off `heights` without x, which start at line `first`, or refuses when there is no
+/// spacing.
 pub(super) fn interpret(
-    file: &str,
-    rows: &mut Vec<Row>,
-    table: &[Line<'_>],
+    text: &mut Text<'_>,
+    first: usize,
+    heights: &mut Vec<f64>,
     options: &ReadOptions,
     warnings: &mut Vec<Warning>,
 ) -> Result<Special, ReadError> {
-    let Some(first) = rows.first().copied() else {
-        return Ok(Special::delimited());
-    };
+    let file = text.file;
     let no_spacing = |hint| ReadError::NoSpacing {
         file: file.to_owned(),
         hint,
     };
-    if rows.len() < grid::FEWEST_POINTS {
+    if heights.len() < grid::FEWEST_POINTS {
         return Ok(Special::delimited());
     }
-    let header_number = first.z.filter(|_| first_is_written_unlike_the_rest(table));
+    let header_number = match first_is_written_unlike_the_rest(text, first)? {
+        true => heights.first().copied().filter(|value| value.is_finite()),
+        false => None,
+    };
     match (options.dx, header_number) {
         (Some(_), None) => Ok(Special::delimited()),
         (None, None) => Err(no_spacing(SpacingHint::None)),
         (Some(dx), Some(value)) if agrees(LengthUnit::Micrometre.metres(value), dx.si()) => {
-            rows.remove(0);
+            heights.remove(0);
             Ok(Special {
                 format: Format::NplText,
                 unit: Some(LengthUnit::Micrometre),
                 spacing: None,
             })
         }
-        (None, Some(value)) if plausible(value, rows.len()) => {
-            rows.remove(0);
+        (None, Some(value)) if plausible(value, heights.len()) => {
+            heights.remove(0);
             warnings.push(Warning::SpacingFromFirstLine { value });
             Ok(Special {
                 format: Format::NplText,
@@ -87,16 +88,20 @@ fn agrees(value: f64, expected: f64) -> bool {
     (value - expected).abs() <= DIGITS * expected.abs()
 }
 
-fn first_is_written_unlike_the_rest(table: &[Line<'_>]) -> bool {
-    let decimals = |line: &Line<'_>| {
+fn first_is_written_unlike_the_rest(text: &mut Text<'_>, first: usize) -> Result<bool, ReadError> {
+    let (mut header, mut usual) = (None, None);
+    let mut lines = text.lines()?;
+    while let Some(line) = lines.next()? {
+        if line.number < first || line.is_blank() {
+            continue;
+        }
         let text = line.text.trim();
-        text.rfind(['.', ',']).map_or(0, |at| text.len() - at - 1)
-    };
-    let Some((first, rest)) = table.split_first() else {
-        return false;
-    };
-    let usual = rest.first().map(decimals);
-    usual.is_some_and(|usual| {
-        decimals(first) != usual && rest.iter().all(|line| decimals(line) == usual)
-    })
+        let decimals = text.rfind(['.', ',']).map_or(0, |at| text.len() - at - 1);
+        let header = *header.get_or_insert(decimals);
+        if line.number > first && (decimals != *usual.get_or_insert(decimals) || decimals == header)
+        {
+            return Ok(false);
+        }
+    }
+    Ok(usual.is_some())
 }

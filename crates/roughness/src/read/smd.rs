@@ -16,10 +16,13 @@ use super::grid::SpacingSource;
 use super::header::FilterState;
 use super::metadata::{self, Metadata, PrintedParameter, number, short};
 use super::options::LengthUnit;
+use super::text::{Head, Text};
 use super::trace::Trace;
 use crate::Warning;
 
 const FORMAT: Format = Format::Smd;
+/// Fields looked at in a line; an axis has seven.
+const MOST_FIELDS: usize = 64;
 const END_OF_RECORD: char = '\u{3}';
 const END_OF_FILE: char = '\u{1a}';
 
@@ -37,24 +40,25 @@ pub(super) fn recognised(bytes: &[u8]) -> bool {
 }
 
 /// Reads an SMD file.
-pub(super) fn read(file: &str, text: &str) -> Result<Trace, ReadError> {
-    let marked = text.contains(END_OF_RECORD);
+pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Trace, ReadError> {
+    let file = text.file;
+    let marked = head.text.contains(END_OF_RECORD);
     let mut record = 1;
     let (mut x, mut z) = (None, None);
     let mut heights: Vec<f64> = Vec::new();
     let mut metadata = Metadata::default();
-    let (mut passed, mut first_line, mut checksum) = (0, 1, None);
-    for (at, line) in text.split_inclusive('\n').enumerate() {
-        let before = passed;
-        passed += line.len();
-        let ends = line.contains(END_OF_RECORD) || (!marked && line.trim().is_empty());
-        let content = line
-            .split([END_OF_RECORD, END_OF_FILE])
-            .next()
-            .unwrap_or_default();
+    let (mut sum, mut first_line, mut checksum) = (0, 1, None);
+    let mut lines = text.lines()?;
+    while let Some(line) = lines.next()? {
+        let sum_before = sum;
+        sum = line.whole.chars().fold(sum, add);
+        let ends = line.text.contains(END_OF_RECORD) || (!marked && line.text.trim().is_empty());
+        let content = line.text.split([END_OF_RECORD, END_OF_FILE]).next();
         let fields: Vec<&str> = content
+            .unwrap_or_default()
             .split(|c: char| c == '\0' || c.is_whitespace())
             .filter(|field| !field.is_empty())
+            .take(MOST_FIELDS)
             .collect();
         match (record, fields.first()) {
             (_, None) => {}
@@ -68,7 +72,7 @@ pub(super) fn read(file: &str, text: &str) -> Result<Trace, ReadError> {
             (2, Some(_)) => describe(&mut metadata, &fields),
             (3, Some(first)) => {
                 if heights.is_empty() {
-                    first_line = at + 1;
+                    first_line = line.number;
                 }
                 let stated = z.as_ref().map_or(0, |z: &Axis| z.points);
                 // More heights than stated would otherwise grow without a bound of their own.
@@ -77,7 +81,7 @@ pub(super) fn read(file: &str, text: &str) -> Result<Trace, ReadError> {
                 }
                 heights.push(value(file, first)?);
             }
-            (_, Some(first)) => checksum = checksum.or(Some((before, (*first).to_owned()))),
+            (_, Some(first)) => checksum = checksum.or_else(|| Some(check(first, sum_before))),
         }
         if ends && !(record == 1 && x.is_none()) {
             record += 1;
@@ -97,10 +101,7 @@ pub(super) fn read(file: &str, text: &str) -> Result<Trace, ReadError> {
         spacing: x.increment.map(|dx| (dx * x.factor, SpacingSource::Header)),
         filter_state: filter_state(&metadata),
         metadata,
-        warnings: checksum
-            .and_then(|seen| check(text, &seen))
-            .into_iter()
-            .collect(),
+        warnings: checksum.flatten().into_iter().collect(),
         first_line,
         ..Trace::new(FORMAT, heights)
     })
@@ -173,13 +174,14 @@ fn filter_state(metadata: &Metadata) -> FilterState {
     }
 }
 
+/// Adds a character to the sum of the bytes, modulo 65 536. Characters above 127 count as one byte, as in
+/// the code pages these files are written in.
+fn add(sum: u32, c: char) -> u32 {
+    (sum + c as u32 % 256) % 65_536
+}
+
 /// The warning that record 4 is not the sum of the bytes before it.
-fn check(text: &str, (passed, stated): &(usize, String)) -> Option<Warning> {
-    // Characters above 127 count as one byte, as in the code pages these files are written in.
-    let sum = text
-        .get(..*passed)?
-        .chars()
-        .fold(0_u32, |sum, c| (sum + c as u32 % 256) % 65_536);
+fn check(stated: &str, sum: u32) -> Option<Warning> {
     let agrees = stated
         .parse::<u64>()
         .is_ok_and(|stated| stated % 65_536 == u64::from(sum));

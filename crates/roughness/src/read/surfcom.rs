@@ -6,48 +6,80 @@
 //! evaluation length / number of points where that length is printed in full. Labels of the conditions are in the language of the
 //! instrument; Spanish is known from files, English and German labels are those of the manuals.
 
+use std::fs::File;
+use std::io::{Cursor, Read};
+use std::path::Path;
+
 use asperity_core::quantity::Length;
 
+use super::archive::damaged;
 use super::error::{ReadError, SpacingHint};
 use super::format::{Format, extension};
 use super::grid::SpacingSource;
 use super::header::FilterState;
 use super::metadata::{self, Metadata, PrintedParameter, number, short};
 use super::options::{LengthUnit, ReadOptions};
+use super::text::{Head, Start, Text};
 use super::trace::Trace;
 use crate::Warning;
 
 const FORMAT: Format = Format::SurfcomText;
 const HEADER_LINES: usize = 2;
+/// Bytes of the largest file of measuring conditions.
+const MOST_CONDITIONS: u64 = 1 << 20;
+
+/// The measuring conditions that lie beside a profile, when they can be read.
+pub(super) fn conditions_beside(path: &Path) -> Option<Vec<u8>> {
+    let conditions = match path.extension()?.to_str()? {
+        "tx1" | "tx2" => "tx3",
+        "TX1" | "TX2" => "TX3",
+        _ => return None,
+    };
+    let file = File::open(path.with_extension(conditions)).ok()?;
+    let mut bytes = Vec::new();
+    let taken = file.take(MOST_CONDITIONS + 1).read_to_end(&mut bytes);
+    let count = taken.ok()? as u64;
+    (count <= MOST_CONDITIONS).then_some(bytes)
+}
 
 /// Whether the first two lines are a length and the number of the lines that follow.
-pub(super) fn recognised(text: &str) -> bool {
-    let mut lines = text.lines().map(str::trim);
+pub(super) fn recognised(head: &Head, text: &mut Text<'_>) -> Result<bool, ReadError> {
+    let mut lines = head.lines().map(|line| line.text.trim());
     let length = lines.next().and_then(number);
     let points = lines.next().and_then(|line| line.parse::<usize>().ok());
-    let count = lines.filter(|line| !line.is_empty()).count();
-    length.is_some_and(|length| length > 0.0) && points == Some(count) && count > 0
+    let points = points.filter(|points| *points > 0);
+    let Some(points) = points.filter(|_| length.is_some_and(|length| length > 0.0)) else {
+        return Ok(false);
+    };
+    let mut count = 0;
+    let mut lines = text.lines()?;
+    while let Some(line) = lines.next()? {
+        count += usize::from(line.number > HEADER_LINES && !line.is_blank());
+    }
+    Ok(points == count)
 }
 
 /// Reads a `.tx1` or `.tx2` with its conditions, when there are any.
 pub(super) fn read(
-    file: &str,
-    text: &str,
-    conditions: Option<&str>,
+    text: &mut Text<'_>,
+    conditions: Option<&[u8]>,
     options: &ReadOptions,
 ) -> Result<Trace, ReadError> {
-    let mut lines = text.lines().map(str::trim);
-    let nominal = lines.next().and_then(number).unwrap_or(0.0);
-    let nominal = Length::from_si(LengthUnit::Millimetre.metres(nominal));
-    lines.next();
+    let file = text.file;
+    let mut lines = text.lines()?;
+    let nominal = lines.next()?.and_then(|line| number(line.text));
+    let nominal = Length::from_si(LengthUnit::Millimetre.metres(nominal.unwrap_or(0.0)));
+    lines.next()?;
     let mut heights = Vec::new();
-    for line in lines.filter(|line| !line.is_empty()) {
-        let value = number(line);
-        let broken = || super::archive::damaged(file, FORMAT, "a height is no number", line);
-        heights.push(value.ok_or_else(broken)?);
+    while let Some(line) = lines.next()? {
+        if !line.is_blank() {
+            let broken = || damaged(file, FORMAT, "a height is no number", line.text);
+            heights.push(number(line.text).ok_or_else(broken)?);
+        }
     }
     let points = heights.len();
-    let conditions = conditions.map(Conditions::of);
+    let conditions = conditions.map(|bytes| Conditions::of(file, bytes, options));
+    let conditions = conditions.transpose()?;
     let mut warnings = Vec::new();
     let traced = conditions
         .as_ref()
@@ -120,14 +152,18 @@ struct Conditions {
 }
 
 impl Conditions {
-    fn of(text: &str) -> Self {
+    fn of(file: &str, bytes: &[u8], options: &ReadOptions) -> Result<Self, ReadError> {
+        let mut stream = Cursor::new(bytes);
+        let start = Start::of(file, &mut stream)?;
+        let (_, mut text) = Text::new(file, &mut stream, &start, options.encoding);
         let mut metadata = Metadata {
             instrument: Some("Surfcom".to_owned()),
             ..Metadata::default()
         };
         let mut evaluation = None;
-        for line in text.lines() {
-            let mut fields = line.split('\t').map(str::trim);
+        let mut lines = text.lines()?;
+        while let Some(line) = lines.next()? {
+            let mut fields = line.text.split('\t').map(str::trim);
             let (Some(label), Some(value)) = (fields.next(), fields.next()) else {
                 continue;
             };
@@ -149,10 +185,10 @@ impl Conditions {
                     .extend(PrintedParameter::parse(label, value, ""));
             }
         }
-        Self {
+        Ok(Self {
             metadata,
             evaluation: evaluation.filter(|(length, _)| length.si() > 0.0),
-        }
+        })
     }
 }
 

@@ -1,26 +1,21 @@
-//! The rows of a sniffed table as x and height, every cell checked.
+//! Which columns of a sniffed table are read, and what is wrong with a cell or row that does not read.
 
 use super::ReadOptions;
-use super::dialect::{Cell, Dialect, Line, Sniffed, Stated, sniff};
+use super::dialect::{Cell, Dialect, Sniffed, Stated, sniff};
 use super::error::ReadError;
 use super::header::{Label, Role};
 use super::options::{Columns, DecimalSign, Separator};
-
-/// A row: x when there is a column, the height unless it is missing.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Row {
-    pub line: usize,
-    pub x: Option<f64>,
-    pub z: Option<f64>,
-}
+use super::text::Line;
 
 /// Columns counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Chosen {
     pub x: Option<usize>,
     pub z: usize,
-    valid: Option<usize>,
-    count: usize,
+    /// Where 0 says that the height is none.
+    pub valid: Option<usize>,
+    /// Columns of the table.
+    pub count: usize,
 }
 
 impl Chosen {
@@ -89,8 +84,9 @@ pub(super) fn check_line_above(
     let Some(line) = sniffed.first.checked_sub(1).map(|above| &lines[above]) else {
         return Ok(());
     };
-    let cells = sniffed.dialect.cells(line.text);
-    let filled = count_filled(&cells);
+    let cells: Vec<&str> = sniffed.dialect.cells(line.text).collect();
+    let filled = cells.iter().rposition(|cell| !cell.is_empty());
+    let filled = filled.map_or(0, |last| last + 1);
     let cells = &cells[..filled];
     let starts = |cell: &&str| cell.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
     if (filled == 1 && sniffed.columns > 1) || !cells.iter().all(starts) {
@@ -105,80 +101,14 @@ pub(super) fn check_line_above(
     }
 }
 
-/// Number of cells up to the last that is not empty.
-fn count_filled(cells: &[&str]) -> usize {
-    cells
-        .iter()
-        .rposition(|cell| !cell.is_empty())
-        .map_or(0, |last| last + 1)
-}
-
-fn ragged(file: &str, line: &Line<'_>, found: usize, expected: usize) -> ReadError {
+/// The error for a row of more or fewer columns than the table has.
+pub(super) fn ragged(file: &str, line: &Line<'_>, found: usize, expected: usize) -> ReadError {
     ReadError::RaggedRow {
         file: file.to_owned(),
         line: line.number,
         text: shortened(line.text),
         found,
         expected,
-    }
-}
-
-/// All rows, or the error for the first cell that does not read.
-pub(super) fn rows(
-    file: &str,
-    lines: &[Line<'_>],
-    sniffed: &Sniffed,
-    chosen: Chosen,
-) -> Result<Vec<Row>, ReadError> {
-    lines[sniffed.first..]
-        .iter()
-        .map(|line| row(file, lines, line, sniffed.dialect, chosen))
-        .collect()
-}
-
-fn row(
-    file: &str,
-    lines: &[Line<'_>],
-    line: &Line<'_>,
-    dialect: Dialect,
-    chosen: Chosen,
-) -> Result<Row, ReadError> {
-    let cells = dialect.cells(line.text);
-    let number = |column: usize| {
-        let cell = cells.get(column).copied().unwrap_or_default();
-        match dialect.cell(cell) {
-            Cell::Number(value) => Ok(Some(value)),
-            Cell::Missing => Ok(None),
-            Cell::Other => Err(unreadable(file, lines, line, cell, dialect)),
-        }
-    };
-    // The cells are read before they are counted: a text line is reported by its text.
-    let x = chosen.x.map(number).transpose()?;
-    let mut z = number(chosen.z)?;
-    let filled = count_filled(&cells);
-    if cells.len() < chosen.count || filled > chosen.count {
-        return Err(ragged(file, line, cells.len().max(filled), chosen.count));
-    }
-    if chosen
-        .valid
-        .is_some_and(|at| dialect.cell(cells[at]) == Cell::Number(0.0))
-    {
-        z = None;
-    }
-    match x {
-        // A row without x cannot be placed, so it cannot be a gap to fill either.
-        Some(None) => {
-            let cell = chosen
-                .x
-                .and_then(|at| cells.get(at).copied())
-                .unwrap_or_default();
-            Err(unreadable(file, lines, line, cell, dialect))
-        }
-        x => Ok(Row {
-            line: line.number,
-            x: x.flatten(),
-            z,
-        }),
     }
 }
 

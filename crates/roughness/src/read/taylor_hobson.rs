@@ -17,6 +17,7 @@ use super::format::Format;
 use super::grid::SpacingSource;
 use super::metadata::{Metadata, number, short};
 use super::options::LengthUnit;
+use super::text::Text;
 use super::trace::Trace;
 
 const FORMAT: Format = Format::TaylorHobsonPrf;
@@ -27,55 +28,65 @@ struct Axis {
     factor: f64,
 }
 
-/// Reads a text `.prf`.
-pub(super) fn read(file: &str, text: &str) -> Result<Trace, ReadError> {
-    let (mut record, mut first_line) = (1, 1);
-    let (mut x, mut z, mut spacing) = (None, None, None);
-    let mut metadata = Metadata::default();
-    let mut heights: Vec<f64> = Vec::new();
-    for (at, line) in text.lines().enumerate() {
-        let fields: Vec<&str> = line.split_whitespace().collect();
-        match (record, fields.first()) {
-            (_, None) => {}
-            (_, Some(&"EOF")) => break,
-            (_, Some(&"EOR")) => {
-                record += 1;
-                first_line = at + 2;
+/// Records 1 and 2.
+#[derive(Default)]
+struct Header {
+    x: Option<Axis>,
+    z: Option<Axis>,
+    spacing: Option<f64>,
+    metadata: Metadata,
+}
+
+impl Header {
+    fn take(&mut self, file: &str, record: usize, line: &str) -> Result<(), ReadError> {
+        let mut fields = line.split_whitespace();
+        match (record, fields.next().unwrap_or_default()) {
+            (1, "CX") => self.x = Some(axis(file, line)?),
+            (1, "CZ") => self.z = Some(axis(file, line)?),
+            (1, first) if fields.clone().last() == Some("PRF") => {
+                self.metadata.title = short(first)
             }
-            (1, Some(&"CX")) => x = Some(axis(file, line)?),
-            (1, Some(&"CZ")) => z = Some(axis(file, line)?),
-            (1, Some(first)) => {
-                if fields.last() == Some(&"PRF") {
-                    metadata.title = short(first);
-                }
-            }
-            (2, Some(&"SPACING")) => spacing = fields.get(2).and_then(|dx| number(dx)),
-            (2, Some(&"STYLUS_RADIUS")) => {
-                let radius = fields.get(1).zip(fields.get(2));
+            (2, "SPACING") => self.spacing = fields.nth(1).and_then(number),
+            (2, "STYLUS_RADIUS") => {
+                let radius = fields.next().zip(fields.next());
                 let radius =
                     radius.and_then(|(r, unit)| super::metadata::length(&format!("{r} {unit}")));
-                metadata.stylus_radius = radius.filter(|radius| radius.si() > 0.0);
+                self.metadata.stylus_radius = radius.filter(|radius| radius.si() > 0.0);
             }
-            (2, Some(&"MAP")) => check_map(file, line)?,
-            (2, Some(&"COMMENT")) => metadata.title = short(line.trim_start_matches("COMMENT")),
-            (2, Some(_)) => {}
-            (3, Some(_)) => {
-                for field in fields {
-                    let value = number(field);
-                    heights
-                        .push(value.ok_or_else(|| {
-                            damaged(file, FORMAT, "a height is no number", field)
-                        })?);
+            (2, "MAP") => check_map(file, line)?,
+            (2, "COMMENT") => self.metadata.title = short(line.trim_start_matches("COMMENT")),
+            _ => {}
+        }
+        Ok(())
+    }
+}
+
+/// Reads a text `.prf`.
+pub(super) fn read(text: &mut Text<'_>) -> Result<Trace, ReadError> {
+    let file = text.file;
+    let (mut record, mut first_line) = (1, 1);
+    let mut header = Header::default();
+    let mut heights: Vec<f64> = Vec::new();
+    let mut lines = text.lines()?;
+    while let Some(line) = lines.next()? {
+        match line.text.split_whitespace().next() {
+            None => {}
+            Some("EOF") => break,
+            Some("EOR") if record == 3 => break,
+            Some("EOR") => {
+                record += 1;
+                first_line = line.number + 1;
+            }
+            Some(_) if record == 3 => {
+                for field in line.text.split_whitespace() {
+                    let broken = || damaged(file, FORMAT, "a height is no number", field);
+                    heights.push(number(field).ok_or_else(broken)?);
                 }
             }
-            (_, Some(_)) => {}
-        }
-        if record > 3 {
-            break;
+            Some(_) => header.take(file, record, line.text)?,
         }
     }
-    let first_line = first_line.saturating_sub(if record > 3 { heights.len() + 1 } else { 0 });
-    let axes = x.zip(z);
+    let axes = header.x.zip(header.z);
     let (x, z) = axes.ok_or_else(|| damaged(file, FORMAT, "an axis CX or CZ is missing", ""))?;
     if heights.len() != z.points {
         let seen = format!("{} of {}", heights.len(), z.points);
@@ -83,13 +94,15 @@ pub(super) fn read(file: &str, text: &str) -> Result<Trace, ReadError> {
         return Err(damaged(file, FORMAT, what, &seen));
     }
     heights.iter_mut().for_each(|h| *h *= z.factor);
-    let dx = spacing.map(|dx| dx * x.factor).filter(|dx| *dx > 0.0);
+    let dx = header.spacing.map(|dx| dx * x.factor);
     Ok(Trace {
         z_unit: z.unit,
         x_unit: x.unit,
-        spacing: dx.map(|dx| (dx, SpacingSource::Header)),
-        metadata,
-        first_line: first_line.max(1),
+        spacing: dx
+            .filter(|dx| *dx > 0.0)
+            .map(|dx| (dx, SpacingSource::Header)),
+        metadata: header.metadata,
+        first_line,
         ..Trace::new(FORMAT, heights)
     })
 }

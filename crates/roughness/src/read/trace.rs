@@ -9,7 +9,6 @@ use super::grid::{self, SpacingSource};
 use super::header::FilterState;
 use super::metadata::Metadata;
 use super::options::{Encoding, LengthUnit, ReadOptions};
-use super::table::Row;
 use super::{Reading, TableLayout};
 use crate::Warning;
 
@@ -51,14 +50,7 @@ impl Trace {
 
     /// The reading, with what the user states put over what the file says.
     pub(super) fn finish(self, file: &str, options: &ReadOptions) -> Result<Reading, ReadError> {
-        let points = self.heights.len();
-        if points < grid::FEWEST_POINTS {
-            return Err(ReadError::TooFewPoints {
-                file: file.to_owned(),
-                points,
-                needed: grid::FEWEST_POINTS,
-            });
-        }
+        grid::enough(file, self.heights.len())?;
         let mut warnings = self.warnings;
         let x_unit = options.x_unit.unwrap_or(self.x_unit);
         let z_unit = options.z_unit.unwrap_or(self.z_unit);
@@ -79,16 +71,10 @@ impl Trace {
         };
         check_spacing(file, spacing)?;
         let first_line = self.first_line;
-        let row = |(i, z): (usize, f64)| Row {
-            line: first_line + i,
-            x: None,
-            z: z.is_finite().then_some(z),
-        };
-        let rows: Vec<Row> = self.heights.into_iter().enumerate().map(row).collect();
-        let text_of = |_| "missing".to_owned();
+        let mut place = |row| Ok((first_line + row, "missing".to_owned()));
         let (heights, gaps_filled) =
-            grid::heights(file, &rows, options.gaps, text_of, &mut warnings)?;
-        let profile = profile(file, &heights, spacing, z_unit)?;
+            grid::heights(file, self.heights, options.gaps, &mut place, &mut warnings)?;
+        let profile = profile(file, heights, spacing, z_unit)?;
         if self.filter_state == FilterState::Roughness {
             warnings.push(Warning::AlreadyFiltered);
         }
@@ -137,12 +123,12 @@ fn check_spacing(file: &str, spacing: Length) -> Result<(), ReadError> {
 /// The profile of `heights` in `unit`.
 pub(super) fn profile(
     file: &str,
-    heights: &[f64],
+    mut heights: Vec<f64>,
     spacing: Length,
     unit: LengthUnit,
 ) -> Result<Profile, ReadError> {
-    let metres = heights.iter().map(|z| unit.metres(*z)).collect();
-    Profile::new(spacing, metres).map_err(|error| ReadError::Impossible {
+    heights.iter_mut().for_each(|z| *z = unit.metres(*z));
+    Profile::new(spacing, heights).map_err(|error| ReadError::Impossible {
         file: file.to_owned(),
         what: error.name,
         value: error.value,

@@ -16,6 +16,7 @@ use super::format::Format;
 use super::grid::SpacingSource;
 use super::metadata::{self, Metadata};
 use super::options::ReadOptions;
+use super::text::Stream;
 use super::trace::Trace;
 use super::xml::{Leaf, walk};
 use crate::Warning;
@@ -89,8 +90,13 @@ impl Main {
 }
 
 /// Reads the profile of an X3P file.
-pub(super) fn read(file: &str, bytes: &[u8], options: &ReadOptions) -> Result<Trace, ReadError> {
-    let mut archive = Archive::open(file, FORMAT, bytes)?;
+pub(super) fn read(
+    file: &str,
+    stream: &mut dyn Stream,
+    size: u64,
+    options: &ReadOptions,
+) -> Result<Trace, ReadError> {
+    let mut archive = Archive::open(file, FORMAT, stream, size)?;
     let name = archive.find("main.xml");
     let name = name.ok_or_else(|| damaged(file, FORMAT, "it holds no main.xml", ""))?;
     let row = options.row;
@@ -355,7 +361,7 @@ fn mask(
     Ok(Some((first..first + points).map(valid).collect()))
 }
 
-/// Warns when `md5checksum.hex` is there and is not that of `main.xml`.
+/// Warns when `md5checksum.hex` is there and is not that of `main.xml`, or cannot be unpacked.
 fn main_checksum(
     archive: &mut Archive<'_>,
     folder: &str,
@@ -369,8 +375,10 @@ fn main_checksum(
     }
     let stated = archive.read(&name, |stream| {
         let mut text = Vec::new();
-        // An unreadable checksum is treated as one that differs.
-        let _ = stream.take(DIGITS).read_to_end(&mut text);
+        // What of a damaged member comes before its damage shows depends on how it is read.
+        if stream.take(DIGITS).read_to_end(&mut text).is_err() {
+            text.clear();
+        }
         Ok(String::from_utf8_lossy(&text).to_lowercase())
     })?;
     let stated = stated.split_whitespace().next().unwrap_or_default();

@@ -1,0 +1,275 @@
+//! Text files as a stream of lines, in memory that does not grow with the file.
+//!
+//! Bytes come in chunks, are decoded as they come and split at the line end that the head of the file
+//! uses. What has to be known beforehand (format, dialect, header) is looked for in the head. A reader
+//! that needs a second look takes the lines again from the start.
+
+use std::io::{ErrorKind, Read, Seek, SeekFrom};
+
+use encoding_rs::Decoder;
+
+use super::encoding;
+use super::error::ReadError;
+use super::options::Encoding;
+
+/// Bytes looked at before anything is read: some ten thousand rows.
+const HEAD: u64 = 256 << 10;
+/// Bytes read at a time.
+const CHUNK: usize = 64 << 10;
+/// Bytes of the longest line, decoded: SDF may write a million heights into one.
+const LONGEST_LINE: usize = 16 << 20;
+
+/// Bytes that can be read again from the start.
+pub(super) trait Stream: Read + Seek {}
+
+impl<T: Read + Seek> Stream for T {}
+
+/// A line with its number in the file from 1.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Line<'a> {
+    pub number: usize,
+    /// Without its end; a stray CR before CR LF belongs to the end.
+    pub text: &'a str,
+    /// As it stands in the file, with its end.
+    pub whole: &'a str,
+}
+
+impl<'a> Line<'a> {
+    fn new(number: usize, whole: &'a str) -> Self {
+        let text = whole.trim_end_matches(['\r', '\n']);
+        Self {
+            number,
+            text,
+            whole,
+        }
+    }
+
+    pub(super) fn is_blank(&self) -> bool {
+        self.text.trim_start().is_empty()
+    }
+}
+
+/// The first bytes of a stream and its length.
+pub(super) struct Start {
+    pub bytes: Vec<u8>,
+    pub size: u64,
+}
+
+impl Start {
+    pub(super) fn of(file: &str, stream: &mut dyn Stream) -> Result<Self, ReadError> {
+        let mut bytes = Vec::new();
+        let mut look = || {
+            let size = stream.seek(SeekFrom::End(0))?;
+            stream.rewind()?;
+            (&mut *stream).take(HEAD).read_to_end(&mut bytes)?;
+            Ok(size)
+        };
+        let size = look().map_err(|source| unreadable(file, source))?;
+        Ok(Self { bytes, size })
+    }
+}
+
+fn unreadable(file: &str, source: std::io::Error) -> ReadError {
+    ReadError::NotReadable {
+        file: file.to_owned(),
+        source,
+    }
+}
+
+/// The decoded start of a text: whole lines, all of them when the file is short.
+pub(super) struct Head {
+    pub text: String,
+    end: char,
+}
+
+impl Head {
+    /// The head that is all of `text`.
+    pub(super) fn of(text: &str) -> Self {
+        let end = match text.contains('\r') && !text.contains('\n') {
+            true => '\r',
+            false => '\n',
+        };
+        Self {
+            text: without_filling(text).to_owned(),
+            end,
+        }
+    }
+
+    /// The lines of the head, blank ones too.
+    pub(super) fn lines(&self) -> impl Iterator<Item = Line<'_>> {
+        let lines = self.text.split_inclusive(self.end).enumerate();
+        lines.map(|(at, line)| Line::new(at + 1, line))
+    }
+}
+
+/// A text file that is read line by line, as often as needed.
+pub(super) struct Text<'s> {
+    pub file: &'s str,
+    pub encoding: Encoding,
+    stream: &'s mut dyn Stream,
+    size: u64,
+    end: char,
+    /// The encoding was guessed from the head, and bytes after it may prove the guess wrong.
+    guessed: bool,
+    malformed: bool,
+}
+
+impl<'s> Text<'s> {
+    /// The text of a stream that starts as `start`; a stated encoding wins over what the bytes say.
+    pub(super) fn new(
+        file: &'s str,
+        stream: &'s mut dyn Stream,
+        start: &Start,
+        stated: Option<Encoding>,
+    ) -> (Head, Self) {
+        let whole = start.bytes.len() as u64 >= start.size;
+        let known = stated.or_else(|| encoding::by_mark(&start.bytes));
+        let encoding = known.unwrap_or_else(|| encoding::guess(&start.bytes, whole));
+        let mut decoder = encoding.decoder();
+        let mut text = String::new();
+        decode(&mut decoder, &start.bytes, &mut text, whole);
+        let mut head = Head::of(&text);
+        if let Some(last) = text.rfind(head.end).filter(|_| !whole) {
+            head.text.truncate(last + 1);
+        }
+        let text = Self {
+            file,
+            encoding,
+            stream,
+            size: start.size,
+            end: head.end,
+            guessed: known.is_none() && encoding == Encoding::Utf8,
+            malformed: false,
+        };
+        (head, text)
+    }
+
+    /// Whether bytes after the head were not in the encoding guessed from it: nothing read since is right.
+    pub(super) fn is_malformed(&self) -> bool {
+        self.malformed
+    }
+
+    /// The byte that ends a line.
+    pub(super) fn line_end(&self) -> u8 {
+        self.end as u8
+    }
+
+    /// The lines from the start.
+    pub(super) fn lines(&mut self) -> Result<Lines<'_, 's>, ReadError> {
+        let rewound = self.stream.rewind();
+        rewound.map_err(|source| unreadable(self.file, source))?;
+        Ok(Lines {
+            decoder: self.encoding.decoder(),
+            raw: vec![0; usize::try_from(self.size).map_or(CHUNK, |size| size.min(CHUNK))],
+            buffer: String::new(),
+            start: 0,
+            complete: 0,
+            number: 0,
+            left: self.size,
+            ended: false,
+            text: self,
+        })
+    }
+}
+
+/// Text without the zeros and end-of-file marks that fill up its end.
+fn without_filling(text: &str) -> &str {
+    text.trim_end_matches(['\0', '\u{1a}'])
+}
+
+/// Appends the characters of `bytes`; whether some were none.
+fn decode(decoder: &mut Decoder, bytes: &[u8], text: &mut String, last: bool) -> bool {
+    // The most that the bytes can decode to, so that a single call takes them all.
+    let most = decoder.max_utf8_buffer_length(bytes.len());
+    text.reserve(most.unwrap_or(CHUNK));
+    decoder.decode_to_string(bytes, text, last).2
+}
+
+/// Lines one after the other, from a buffer that holds one chunk and the line it cuts.
+pub(super) struct Lines<'t, 's> {
+    text: &'t mut Text<'s>,
+    decoder: Decoder,
+    raw: Vec<u8>,
+    buffer: String,
+    /// Where the next line starts.
+    start: usize,
+    /// Where the last line ends that is there to its end.
+    complete: usize,
+    /// Lines passed.
+    number: usize,
+    /// Bytes of the stream not yet read.
+    left: u64,
+    ended: bool,
+}
+
+impl Lines<'_, '_> {
+    /// The next line, blank or not; none at the end.
+    pub(super) fn next(&mut self) -> Result<Option<Line<'_>>, ReadError> {
+        while self.start == self.complete && !self.ended {
+            self.fill()?;
+        }
+        let rest = &self.buffer[self.start..];
+        let length = rest.find(self.text.end).map_or(rest.len(), |at| at + 1);
+        if length == 0 {
+            return Ok(None);
+        }
+        let whole = &rest[..length];
+        self.start += length;
+        self.number += 1;
+        Ok(Some(Line::new(self.number, whole)))
+    }
+
+    /// Whole lines that are at hand, ends included; may be none.
+    pub(super) fn at_hand(&self) -> &[u8] {
+        self.buffer
+            .as_bytes()
+            .get(self.start..self.complete)
+            .unwrap_or_default()
+    }
+
+    /// Passes over `lines` lines of `bytes` together, which were taken from those at hand.
+    pub(super) fn pass(&mut self, lines: usize, bytes: usize) {
+        self.number += lines;
+        self.start += bytes;
+    }
+
+    /// Puts another chunk behind what is left of the buffer, which is the start of a line.
+    fn fill(&mut self) -> Result<(), ReadError> {
+        self.buffer.drain(..self.start);
+        (self.start, self.complete) = (0, 0);
+        let before = self.buffer.len();
+        if before > LONGEST_LINE {
+            return Err(ReadError::TooLarge {
+                file: self.text.file.to_owned(),
+                what: "a line",
+                bytes: before as u64,
+                most: LONGEST_LINE as u64,
+            });
+        }
+        let count = self.read()?;
+        self.left -= count as u64;
+        let bytes = &self.raw[..count];
+        let failed = decode(&mut self.decoder, bytes, &mut self.buffer, count == 0);
+        self.text.malformed |= failed && self.text.guessed;
+        if let Some(last) = self.buffer[before..].rfind(self.text.end) {
+            self.complete = before + last + 1;
+        }
+        if count == 0 || self.text.malformed {
+            self.ended = true;
+            let kept = without_filling(&self.buffer).len();
+            self.buffer.truncate(kept);
+        }
+        Ok(())
+    }
+
+    fn read(&mut self) -> Result<usize, ReadError> {
+        let most = usize::try_from(self.left).map_or(CHUNK, |left| left.min(self.raw.len()));
+        loop {
+            match self.text.stream.read(&mut self.raw[..most]) {
+                Ok(count) => return Ok(count),
+                Err(error) if error.kind() == ErrorKind::Interrupted => {}
+                Err(source) => return Err(unreadable(self.text.file, source)),
+            }
+        }
+    }
+}

@@ -1,0 +1,8 @@
+//! Every instrument format, made in memory as its writers make it, and read back.
+
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod archives;
+mod every;
+mod samples;
+mod text;
