@@ -31,6 +31,7 @@ mod ppcg;
 pub mod problem;
 mod projection;
 pub mod running_in;
+mod runs;
 mod scene;
 pub mod solver;
 mod state;

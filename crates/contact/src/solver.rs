@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, Pressure};
-use realfft::RealFftPlanner;
+use rustfft::FftPlanner;
 
 use crate::cascade::{Window, grids, prolong, restrict};
 use crate::error::{ContactError, SolverShape};
@@ -61,8 +61,8 @@ pub struct Solver {
 /// The operators of every number of points met so far.
 struct Levels {
     boundary: Boundary,
-    planner: RealFftPlanner<f64>,
-    inverse_planner: RealFftPlanner<f32>,
+    planner: FftPlanner<f64>,
+    inverse_planner: FftPlanner<f32>,
     displacements: BTreeMap<usize, EvenFilter>,
     inverses: BTreeMap<usize, EvenFilter<f32>>,
 }
@@ -73,8 +73,8 @@ impl Levels {
         if points > LARGE && !self.displacements.contains_key(&points) {
             self.displacements.clear();
             self.inverses.clear();
-            self.planner = RealFftPlanner::new();
-            self.inverse_planner = RealFftPlanner::new();
+            self.planner = FftPlanner::new();
+            self.inverse_planner = FftPlanner::new();
         }
     }
 
@@ -128,8 +128,8 @@ impl Solver {
             shape: SolverShape { points, boundary },
             levels: Levels {
                 boundary,
-                planner: RealFftPlanner::new(),
-                inverse_planner: RealFftPlanner::new(),
+                planner: FftPlanner::new(),
+                inverse_planner: FftPlanner::new(),
                 displacements: BTreeMap::new(),
                 inverses: BTreeMap::new(),
             },
