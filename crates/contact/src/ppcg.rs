@@ -16,6 +16,7 @@
 //! | Δ, s | feasible step, its length by exact line search | Pa, - |
 
 use crate::projection::{clip, project, restore_load};
+use crate::runs::{Lanes, listed, parts, vectorised};
 use crate::state::{Assessment, Level, Task, Workspace};
 
 /// Updates of the displacement after which it is computed afresh, before round-off gathers.
@@ -135,15 +136,20 @@ fn advance(
 
 /// p + s·Δ
 fn take_step(work: &mut Workspace, task: &Task, length: f64) {
-    for (&i, &to) in work.list.iter().zip(&work.trial) {
-        let p = &mut work.pressure[i as usize];
-        // A step that is taken whole must land on the bounds to the last bit.
-        *p = if length == 1.0 {
-            to
-        } else {
-            (*p + length * (to - *p)).clamp(0.0, task.limit)
-        };
-    }
+    let (pressure, runs, trial) = (&mut work.pressure, &work.runs, &work.trial);
+    vectorised(|| {
+        for (run, place) in parts(runs) {
+            let (pressure, trial) = (&mut pressure[run], &trial[place]);
+            if length == 1.0 {
+                // A step that is taken whole must land on the bounds to the last bit.
+                pressure.copy_from_slice(trial);
+                continue;
+            }
+            for (p, to) in pressure.iter_mut().zip(trial) {
+                *p = (*p + length * (to - *p)).clamp(0.0, task.limit);
+            }
+        }
+    });
 }
 
 /// The energy along Δ = q − p: slope·s + ½·curvature·s².
@@ -162,21 +168,36 @@ impl Line {
 
 /// Leaves the displacement by q − p, but for the datum, in the signal of the buffers.
 fn line_search(level: Level, work: &mut Workspace, task: &Task, approach: f64) -> Line {
-    let (pressure, list, trial) = (&work.pressure, &work.list, &work.trial);
-    let steps = || {
-        let pairs = list.iter().zip(trial);
-        pairs.map(|(&i, to)| to - pressure[i as usize])
-    };
-    let datum = task.datum_displacement(|| steps().sum());
+    let (pressure, runs, trial) = (&work.pressure, &work.runs, &work.trial);
+    let steps = work.buffers.signal(trial.len());
+    vectorised(|| {
+        for (run, place) in parts(runs) {
+            let pairs = trial[place.clone()].iter().zip(&pressure[run]);
+            for (step, (to, from)) in steps[place].iter_mut().zip(pairs) {
+                *step = to - from;
+            }
+        }
+    });
+    let datum = task.datum_displacement(|| steps.iter().sum());
     level
         .displacement
-        .filter_sparse(&mut work.buffers, task.compliance, list, steps());
-    let change = work.buffers.signal(pressure.len());
-    let (mut slope, mut curvature) = (0.0, 0.0);
-    for (&i, step) in list.iter().zip(steps()) {
-        slope += step * (work.opening[i as usize] - approach);
-        curvature += step * (change[i as usize] + datum);
-    }
+        .filter_runs(&mut work.buffers, task.compliance, runs);
+    let change = &*work.buffers.signal(pressure.len());
+    let mut lanes = Lanes::new([0.0; 2]);
+    vectorised(|| {
+        for (run, place) in parts(runs) {
+            let (p, v) = (&pressure[run.clone()], &work.opening[run.clone()]);
+            let arrays = [p, &trial[place], v, &change[run]];
+            lanes.fold(arrays, |[slope, curvature], [p, to, v, change]| {
+                let step = to - p;
+                [
+                    slope + step * (v - approach),
+                    curvature + step * (change + datum),
+                ]
+            });
+        }
+    });
+    let [slope, curvature] = lanes.total();
     Line {
         slope,
         curvature,
@@ -204,29 +225,32 @@ fn choose_direction(
     } else {
         0.0
     };
-    let (mut d_sum, mut r_d) = (0.0, 0.0);
-    for (k, &i) in work.list.iter().enumerate() {
-        let direction = &mut work.direction[i as usize];
-        *direction = if work.free[k] {
-            z_mean - work.ascent[k] + beta * *direction
-        } else {
-            0.0
-        };
-        d_sum += *direction;
-        r_d += work.residual[k] * *direction;
-    }
-    let d_mean = mean(d_sum);
-    for (k, &i) in work.list.iter().enumerate() {
-        let direction = &mut work.direction[i as usize];
-        if work.free[k] {
-            *direction = if r_d < 0.0 {
-                *direction - d_mean
-            } else {
-                z_mean - work.ascent[k]
-            };
+    let (runs, free, ascent, residual) = (&work.runs, &work.free, &work.ascent, &work.residual);
+    let (direction, previous) = (&mut work.direction, &mut work.previous);
+    let mut lanes = Lanes::new([0.0; 2]);
+    vectorised(|| {
+        for (run, place) in parts(runs) {
+            let (z, r) = (&ascent[place.clone()], &residual[place.clone()]);
+            let d = &mut direction[run];
+            for ((d, z), free) in d.iter_mut().zip(z).zip(&free[place]) {
+                *d = if *free { z_mean - z + beta * *d } else { 0.0 };
+            }
+            lanes.fold([&*d, r], |[sum, r_d], [d, r]| [sum + d, r_d + r * d]);
         }
-        work.previous[i as usize] = work.residual[k];
-    }
+    });
+    let [d_sum, r_d] = lanes.total();
+    let d_mean = mean(d_sum);
+    let descends = r_d < 0.0;
+    vectorised(|| {
+        for (run, place) in parts(runs) {
+            let values = ascent[place.clone()].iter().zip(&free[place.clone()]);
+            for (d, (z, free)) in direction[run.clone()].iter_mut().zip(values) {
+                let anew = if descends { *d - d_mean } else { z_mean - z };
+                *d = if *free { anew } else { 0.0 };
+            }
+            previous[run].copy_from_slice(&residual[place]);
+        }
+    });
     search.descent = sums.r_z;
 }
 
@@ -238,62 +262,88 @@ struct AscentSums {
     old_z: f64,
 }
 
-fn ascent_sums(work: &Workspace) -> AscentSums {
-    let mut sums = AscentSums {
-        z: 0.0,
-        r_z: 0.0,
-        old: 0.0,
-        old_z: 0.0,
-    };
-    for (k, &i) in work.list.iter().enumerate().filter(|(k, _)| work.free[*k]) {
-        let (z, old) = (work.ascent[k], work.previous[i as usize]);
-        sums.z += z;
-        sums.r_z += work.residual[k] * z;
-        sums.old += old;
-        sums.old_z += old * z;
-    }
-    sums
+fn ascent_sums(work: &mut Workspace) -> AscentSums {
+    let (runs, free, ascent, residual) = (&work.runs, &work.free, &work.ascent, &work.residual);
+    let previous = &mut work.previous;
+    let mut lanes = Lanes::new([0.0; 4]);
+    vectorised(|| {
+        for (run, place) in parts(runs) {
+            let (z, r) = (&ascent[place.clone()], &residual[place.clone()]);
+            let previous = &mut previous[run];
+            for (old, free) in previous.iter_mut().zip(&free[place]) {
+                *old = if *free { *old } else { 0.0 };
+            }
+            lanes.fold([z, r, previous], |sums, [z, r, old]| {
+                [
+                    sums[0] + z,
+                    sums[1] + r * z,
+                    sums[2] + old,
+                    sums[3] + old * z,
+                ]
+            });
+        }
+    });
+    let [z, r_z, old, old_z] = lanes.total();
+    AscentSums { z, r_z, old, old_z }
 }
 
 /// Takes the mean from r, and z = M r.
 fn precondition(level: Level, work: &mut Workspace, task: &Task, residual_mean: f64) {
-    for (r, &free) in work.residual.iter_mut().zip(&work.free) {
-        if free {
-            *r -= residual_mean;
+    let (residual, free) = (&mut work.residual, &work.free);
+    let mut lanes = Lanes::new([0.0]);
+    vectorised(|| {
+        for (r, &free) in residual.iter_mut().zip(free) {
+            *r = if free { *r - residual_mean } else { 0.0 };
         }
-    }
+        let larger =
+            |[most]: [f64; 1], [r]: [f64; 1]| [if r.abs() > most { r.abs() } else { most }];
+        lanes.fold([&*residual], larger);
+    });
     // Scaled so that single precision neither overflows nor vanishes, whatever the units.
-    let largest = work.residual.iter().fold(0.0, |m: f64, r| m.max(r.abs()));
+    let [largest] = lanes.reduce(|a, b| [a[0].max(b[0])]);
     let scale = if largest > 0.0 { largest } else { 1.0 };
-    let scaled = work.residual.iter().map(|r| (r / scale) as f32);
     let buffers = &mut work.inverse_buffers;
-    level
-        .inverse
-        .filter_sparse(buffers, 1.0, &work.list, scaled);
-    let z = buffers.signal(work.pressure.len());
+    let scaled = buffers.signal(residual.len());
+    vectorised(|| {
+        for (to, r) in scaled.iter_mut().zip(residual) {
+            *to = (*r * (1.0 / scale)) as f32;
+        }
+    });
+    level.inverse.filter_runs(buffers, 1.0, &work.runs);
+    let z = &*buffers.signal(work.pressure.len());
     let stiffness = 0.5 / task.compliance * scale;
-    let values = work
-        .list
-        .iter()
-        .map(|&i| stiffness * f64::from(z[i as usize]));
-    work.ascent.clear();
-    work.ascent.extend(values);
+    let (ascent, runs) = (&mut work.ascent, &work.runs);
+    ascent.resize(free.len(), 0.0);
+    vectorised(|| {
+        for (run, place) in parts(runs) {
+            let values = z[run].iter().zip(&free[place.clone()]);
+            for (to, (z, &free)) in ascent[place].iter_mut().zip(values) {
+                *to = if free { stiffness * f64::from(*z) } else { 0.0 };
+            }
+        }
+    });
 }
 
 /// Length of the step along d that minimises the energy without bounds.
 fn exact_length(level: Level, work: &mut Workspace, task: &Task) -> f64 {
-    let (list, direction) = (&work.list, &work.direction);
-    let steps = || list.iter().map(|&i| direction[i as usize]);
-    let datum = task.datum_displacement(|| steps().sum());
+    let (runs, direction, residual) = (&work.runs, &work.direction, &work.residual);
+    let steps = work.buffers.signal(listed(runs));
+    for (run, place) in parts(runs) {
+        steps[place].copy_from_slice(&direction[run]);
+    }
+    let datum = task.datum_displacement(|| steps.iter().sum());
     level
         .displacement
-        .filter_sparse(&mut work.buffers, task.compliance, list, steps());
-    let change = work.buffers.signal(direction.len());
-    let (mut slope, mut curvature) = (0.0, 0.0);
-    for ((&i, step), r) in list.iter().zip(steps()).zip(&work.residual) {
-        slope += r * step;
-        curvature += step * (change[i as usize] + datum);
+        .filter_runs(&mut work.buffers, task.compliance, runs);
+    let change = &*work.buffers.signal(direction.len());
+    let mut lanes = Lanes::new([0.0; 2]);
+    for (run, place) in parts(runs) {
+        let arrays = [&direction[run.clone()], &residual[place], &change[run]];
+        lanes.fold(arrays, |[slope, curvature], [d, r, change]| {
+            [slope + r * d, curvature + d * (change + datum)]
+        });
     }
+    let [slope, curvature] = lanes.total();
     if curvature > 0.0 {
         -slope / curvature
     } else {
@@ -303,18 +353,23 @@ fn exact_length(level: Level, work: &mut Workspace, task: &Task) -> f64 {
 
 /// q = p + τ·d, clipped and with its load restored; whether it had to be.
 fn try_step(work: &mut Workspace, task: &Task, reach: f64) -> bool {
-    let capacity = task.limit * work.list.len() as f64;
+    let capacity = task.limit * listed(&work.runs) as f64;
     if task.sum.is_some_and(|sum| capacity <= sum) {
         work.list_all();
     }
+    work.trial.resize(listed(&work.runs), 0.0);
     let (pressure, direction) = (&work.pressure, &work.direction);
+    let (runs, trial) = (&work.runs, &mut work.trial);
     let mut outside = false;
-    work.trial.clear();
-    work.trial.extend(work.list.iter().map(|&i| {
-        let q = pressure[i as usize] + reach * direction[i as usize];
-        outside |= q < 0.0 || q > task.limit;
-        q
-    }));
+    vectorised(|| {
+        for (run, place) in parts(runs) {
+            let pairs = pressure[run.clone()].iter().zip(&direction[run]);
+            for (to, (p, d)) in trial[place].iter_mut().zip(pairs) {
+                *to = p + reach * d;
+                outside |= (*to < 0.0) | (*to > task.limit);
+            }
+        }
+    });
     if outside {
         make_feasible(&mut work.trial, task);
     }
@@ -339,13 +394,14 @@ fn try_gradient(work: &mut Workspace, task: &Task, approach: f64) {
 /// Length of the step to the first bound.
 fn farthest(work: &Workspace, limit: f64) -> f64 {
     let mut length = f64::INFINITY;
-    for (&i, &to) in work.list.iter().zip(&work.trial) {
-        let from = work.pressure[i as usize];
-        let step = to - from;
-        if step < 0.0 {
-            length = length.min(from / -step);
-        } else if step > 0.0 {
-            length = length.min((limit - from) / step);
+    for (run, place) in parts(&work.runs) {
+        for (from, to) in work.pressure[run].iter().zip(&work.trial[place]) {
+            let step = to - from;
+            if step < 0.0 {
+                length = length.min(from / -step);
+            } else if step > 0.0 {
+                length = length.min((limit - from) / step);
+            }
         }
     }
     length

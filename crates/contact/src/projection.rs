@@ -1,5 +1,9 @@
 //! Pressures within their bounds that carry the load.
 
+use crate::runs::{Lanes, vectorised};
+
+/// Points moved before they are counted: few enough to stay in the nearest cache.
+const BLOCK: usize = 1 << 10;
 /// Passes of the uniform shift before another way is tried.
 const SHIFTS: usize = 50;
 /// Halvings that bring any bracket below round-off.
@@ -11,18 +15,25 @@ const ACCEPTED: f64 = 1e-12;
 
 struct Tally {
     sum: f64,
-    interior: usize,
+    interior: f64,
 }
 
 /// Moves the interior points by `shift`, clips all to 0..`limit`, and counts again.
 fn shift_and_clip(pressure: &mut [f64], shift: f64, limit: f64) -> Tally {
-    let (mut sum, mut interior) = (0.0, 0);
-    for p in pressure {
-        let inside = *p > 0.0 && *p < limit;
-        *p = (*p + if inside { shift } else { 0.0 }).clamp(0.0, limit);
-        sum += *p;
-        interior += usize::from(*p > 0.0 && *p < limit);
-    }
+    let mut lanes = Lanes::new([0.0; 2]);
+    vectorised(|| {
+        for block in pressure.chunks_mut(BLOCK) {
+            for p in &mut *block {
+                let inside = (*p > 0.0) & (*p < limit);
+                *p = (*p + if inside { shift } else { 0.0 }).clamp(0.0, limit);
+            }
+            lanes.fold([block], |[sum, interior], [p]| {
+                let inside = (p > 0.0) & (p < limit);
+                [sum + p, interior + if inside { 1.0 } else { 0.0 }]
+            });
+        }
+    });
+    let [sum, interior] = lanes.total();
     Tally { sum, interior }
 }
 
@@ -37,10 +48,10 @@ pub(crate) fn restore_load(pressure: &mut [f64], sum: f64, limit: f64) {
         if missing.abs() <= close {
             return;
         }
-        if tally.interior == 0 {
+        if tally.interior == 0.0 {
             break;
         }
-        tally = shift_and_clip(pressure, missing / tally.interior as f64, limit);
+        tally = shift_and_clip(pressure, missing / tally.interior, limit);
     }
     if (tally.sum - sum).abs() > ACCEPTED * sum {
         // All in contact are at the limit.
@@ -57,12 +68,18 @@ pub(crate) fn project(pressure: &mut [f64], sum: f64, limit: f64) {
     let (mut low, mut high) = (-most, sum - least);
     let mut shift = 0.0;
     for _ in 0..SHIFTS + HALVINGS {
-        let (mut carried, mut moved) = (0.0, 0.0);
-        for p in &*pressure {
-            let q = p + shift;
-            carried += q.clamp(0.0, limit);
-            moved += f64::from(q > 0.0 && q < limit);
-        }
+        let mut lanes = Lanes::new([0.0; 2]);
+        vectorised(|| {
+            lanes.fold([&*pressure], |[carried, moved], [p]| {
+                let q = p + shift;
+                let moves = (q > 0.0) & (q < limit);
+                [
+                    carried + q.clamp(0.0, limit),
+                    moved + if moves { 1.0 } else { 0.0 },
+                ]
+            });
+        });
+        let [carried, moved] = lanes.total();
         if carried < sum {
             low = shift;
         } else {

@@ -257,7 +257,7 @@ impl Solver {
                 break;
             }
             touches.clear();
-            touches.extend(self.work.list.iter().map(|&i| i as usize));
+            touches.extend(self.work.runs.iter().flat_map(|run| run.range()));
         }
         Ok(iterations)
     }

@@ -174,21 +174,6 @@ impl<T: FftNum> EvenFilter<T> {
         self.filter_runs(buffers, factor, &[whole]);
     }
 
-    /// The same for a signal that is zero but for `values` at the places `list`.
-    pub(crate) fn filter_sparse(
-        &self,
-        buffers: &mut Buffers<T>,
-        factor: T,
-        list: &[u32],
-        values: impl Iterator<Item = T>,
-    ) {
-        for (to, value) in buffers.signal.iter_mut().zip(values) {
-            *to = value;
-        }
-        let singles = list.iter().map(|&i| Run::new(i as usize, i as usize + 1));
-        self.convolve(buffers, factor, singles);
-    }
-
     /// The same for a signal that is zero but in `runs`: the first values of the buffers' signal
     /// are those of the runs, one after the other.
     pub(crate) fn filter_runs(&self, buffers: &mut Buffers<T>, factor: T, runs: &[Run]) {
@@ -506,7 +491,7 @@ mod tests {
     }
 
     #[test]
-    fn runs_and_single_points_are_filtered_as_among_zeros() {
+    fn runs_are_filtered_as_among_zeros() {
         let points = 41;
         let (column, all) = (values(points, 0.3), values(points, 7.1));
         let (mut planner, mut buffers) = (FftPlanner::new(), Buffers::default());
@@ -518,22 +503,15 @@ mod tests {
             Run::new(12, 33),
             Run::new(40, 41),
         ];
-        let list: Vec<u32> = runs
-            .iter()
-            .flat_map(|run| run.range())
-            .map(|i| i as u32)
-            .collect();
+        let list: Vec<usize> = runs.iter().flat_map(|run| run.range()).collect();
         let mut signal = vec![0.0; points];
         for &i in &list {
-            signal[i as usize] = all[i as usize];
+            signal[i] = all[i];
         }
         filter.filter(&mut buffers, 1.0, &signal);
         let expected = buffers.signal(points).to_vec();
-        let listed = || list.iter().map(|&i| all[i as usize]);
-        filter.filter_sparse(&mut buffers, 1.0, &list, listed());
-        assert_close(buffers.signal(points), &expected, "list");
-        for (to, value) in buffers.signal(points).iter_mut().zip(listed()) {
-            *to = value;
+        for (to, &i) in buffers.signal(points).iter_mut().zip(&list) {
+            *to = all[i];
         }
         filter.filter_runs(&mut buffers, 1.0, &runs);
         assert_close(buffers.signal(points), &expected, "runs");
