@@ -18,6 +18,7 @@
 pub mod array_file;
 mod cascade;
 pub mod certificate;
+mod coarse_space;
 pub mod direct;
 pub mod equations;
 pub mod error;
@@ -27,6 +28,7 @@ pub mod half_plane;
 pub mod hertz_line;
 pub mod path;
 pub mod plasticity;
+mod patches;
 mod ppcg;
 pub mod problem;
 mod projection;

@@ -115,6 +115,7 @@ fn advance(
         return false;
     }
     let s = -line.slope / line.curvature;
+    if std::env::var_os("DBGI").is_some() { eprintln!("n {} gap {:.1e} pen {:.1e} free {} clipped {} s {:.2} reach {:.2} descent {:.1e}", work.pressure.len(), assessment.duality_gap, assessment.penetration, assessment.free, clipped, s, reach, search.descent); }
     let length = if clipped {
         search.length = Some(reach * s.clamp(0.5, 2.0));
         if s < WHOLE {
@@ -311,17 +312,52 @@ fn precondition(level: Level, work: &mut Workspace, task: &Task, residual_mean: 
     });
     level.inverse.filter_runs(buffers, 1.0, &work.runs);
     let z = &*buffers.signal(work.pressure.len());
-    let stiffness = 0.5 / task.compliance * scale;
     let (ascent, runs) = (&mut work.ascent, &work.runs);
     ascent.resize(free.len(), 0.0);
     vectorised(|| {
         for (run, place) in parts(runs) {
             let values = z[run].iter().zip(&free[place.clone()]);
             for (to, (z, &free)) in ascent[place].iter_mut().zip(values) {
-                *to = if free { stiffness * f64::from(*z) } else { 0.0 };
+                *to = if free { 0.5 * f64::from(*z) } else { 0.0 };
             }
         }
     });
+    deflate(level, work, task, 1.0 / scale);
+    let stiffness = scale / task.compliance;
+    vectorised(|| work.ascent.iter_mut().for_each(|z| *z *= stiffness));
+}
+
+/// Lets z leave no mean residual on any contact patch, when there are many. Both are in units of
+/// the scale of the residual.
+fn deflate(level: Level, work: &mut Workspace, task: &Task, scale: f64) {
+    let points = work.pressure.len();
+    let (coarse, runs, free) = (&mut work.coarse, &work.runs, &work.free);
+    if task.sum.is_none() || !coarse.prepare(points, level.boundary, runs, free) {
+        return;
+    }
+    let (ascent, residual) = (&mut work.ascent, &work.residual);
+    let buffers = &mut work.inverse_buffers;
+    let count = free.iter().filter(|&&free| free).count() as f64;
+    let mean = ascent.iter().sum::<f64>() / count;
+    for (z, &free) in ascent.iter_mut().zip(free) {
+        *z = if free { *z - mean } else { 0.0 };
+    }
+    let displacement = coarse.single(level.displacement, buffers);
+    let signal = buffers.signal(ascent.len());
+    for (to, z) in signal.iter_mut().zip(&*ascent) {
+        *to = *z as f32;
+    }
+    displacement.filter_runs(buffers, 1.0, runs);
+    let change = &*buffers.signal(points);
+    let left = &mut work.trial;
+    left.resize(ascent.len(), 0.0);
+    for (run, place) in parts(runs) {
+        let values = residual[place.clone()].iter().zip(&change[run]);
+        for (to, (r, u)) in left[place].iter_mut().zip(values) {
+            *to = r * scale - f64::from(*u);
+        }
+    }
+    coarse.correct(left, ascent);
 }
 
 /// Length of the step along d that minimises the energy without bounds.

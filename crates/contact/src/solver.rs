@@ -108,6 +108,7 @@ impl Levels {
         Level {
             displacement,
             inverse,
+            boundary: self.boundary,
         }
     }
 }

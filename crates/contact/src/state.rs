@@ -9,6 +9,8 @@
 //! | v, α, g | u + h, approach, gap v − α | m |
 //! | F | free set: points between the bounds, and those at one with the gap on its wrong side | - |
 
+use crate::coarse_space::CoarseSpace;
+use crate::problem::Boundary;
 use crate::runs::{Lanes, Run, extend, listed, parts, vectorised};
 use crate::transform::{Buffers, EvenFilter};
 
@@ -20,6 +22,7 @@ const BLOCK: usize = u64::BITS as usize;
 pub(crate) struct Level<'a> {
     pub(crate) displacement: &'a EvenFilter,
     pub(crate) inverse: &'a EvenFilter<f32>,
+    pub(crate) boundary: Boundary,
 }
 
 /// What is minimised on one grid.
@@ -55,6 +58,7 @@ impl Task<'_> {
 pub(crate) struct Workspace {
     pub(crate) buffers: Buffers,
     pub(crate) inverse_buffers: Buffers<f32>,
+    pub(crate) coarse: CoarseSpace,
     pub(crate) pressure: Vec<f64>,
     /// v
     pub(crate) opening: Vec<f64>,
@@ -115,6 +119,7 @@ impl Workspace {
     /// Gives back the memory that only an iteration needs.
     pub(crate) fn release(&mut self) {
         self.inverse_buffers = Buffers::default();
+        self.coarse = CoarseSpace::default();
         for array in [
             &mut self.direction,
             &mut self.previous,
