@@ -137,19 +137,22 @@ fn advance(
 /// p + s·Δ
 fn take_step(work: &mut Workspace, task: &Task, length: f64) {
     let (pressure, runs, trial) = (&mut work.pressure, &work.runs, &work.trial);
-    vectorised(|| {
-        for (run, place) in parts(runs) {
-            let (pressure, trial) = (&mut pressure[run], &trial[place]);
-            if length == 1.0 {
-                // A step that is taken whole must land on the bounds to the last bit.
-                pressure.copy_from_slice(trial);
-                continue;
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let (pressure, trial) = (&mut pressure[run], &trial[place]);
+                if length == 1.0 {
+                    // A step that is taken whole must land on the bounds to the last bit.
+                    pressure.copy_from_slice(trial);
+                    continue;
+                }
+                for (p, to) in pressure.iter_mut().zip(trial) {
+                    *p = (*p + length * (to - *p)).clamp(0.0, task.limit);
+                }
             }
-            for (p, to) in pressure.iter_mut().zip(trial) {
-                *p = (*p + length * (to - *p)).clamp(0.0, task.limit);
-            }
-        }
-    });
+        },
+    );
 }
 
 /// The energy along Δ = q − p: slope·s + ½·curvature·s².
@@ -170,33 +173,39 @@ impl Line {
 fn line_search(level: Level, work: &mut Workspace, task: &Task, approach: f64) -> Line {
     let (pressure, runs, trial) = (&work.pressure, &work.runs, &work.trial);
     let steps = work.buffers.signal(trial.len());
-    vectorised(|| {
-        for (run, place) in parts(runs) {
-            let pairs = trial[place.clone()].iter().zip(&pressure[run]);
-            for (step, (to, from)) in steps[place].iter_mut().zip(pairs) {
-                *step = to - from;
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let pairs = trial[place.clone()].iter().zip(&pressure[run]);
+                for (step, (to, from)) in steps[place].iter_mut().zip(pairs) {
+                    *step = to - from;
+                }
             }
-        }
-    });
+        },
+    );
     let datum = task.datum_displacement(|| steps.iter().sum());
     level
         .displacement
         .filter_runs(&mut work.buffers, task.compliance, runs);
     let change = &*work.buffers.signal(pressure.len());
     let mut lanes = Lanes::new([0.0; 2]);
-    vectorised(|| {
-        for (run, place) in parts(runs) {
-            let (p, v) = (&pressure[run.clone()], &work.opening[run.clone()]);
-            let arrays = [p, &trial[place], v, &change[run]];
-            lanes.fold(arrays, |[slope, curvature], [p, to, v, change]| {
-                let step = to - p;
-                [
-                    slope + step * (v - approach),
-                    curvature + step * (change + datum),
-                ]
-            });
-        }
-    });
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let (p, v) = (&pressure[run.clone()], &work.opening[run.clone()]);
+                let arrays = [p, &trial[place], v, &change[run]];
+                lanes.fold(arrays, |[slope, curvature], [p, to, v, change]| {
+                    let step = to - p;
+                    [
+                        slope + step * (v - approach),
+                        curvature + step * (change + datum),
+                    ]
+                });
+            }
+        },
+    );
     let [slope, curvature] = lanes.total();
     Line {
         slope,
@@ -228,29 +237,35 @@ fn choose_direction(
     let (runs, free, ascent, residual) = (&work.runs, &work.free, &work.ascent, &work.residual);
     let (direction, previous) = (&mut work.direction, &mut work.previous);
     let mut lanes = Lanes::new([0.0; 2]);
-    vectorised(|| {
-        for (run, place) in parts(runs) {
-            let (z, r) = (&ascent[place.clone()], &residual[place.clone()]);
-            let d = &mut direction[run];
-            for ((d, z), free) in d.iter_mut().zip(z).zip(&free[place]) {
-                *d = if *free { z_mean - z + beta * *d } else { 0.0 };
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let (z, r) = (&ascent[place.clone()], &residual[place.clone()]);
+                let d = &mut direction[run];
+                for ((d, z), free) in d.iter_mut().zip(z).zip(&free[place]) {
+                    *d = if *free { z_mean - z + beta * *d } else { 0.0 };
+                }
+                lanes.fold([&*d, r], |[sum, r_d], [d, r]| [sum + d, r_d + r * d]);
             }
-            lanes.fold([&*d, r], |[sum, r_d], [d, r]| [sum + d, r_d + r * d]);
-        }
-    });
+        },
+    );
     let [d_sum, r_d] = lanes.total();
     let d_mean = mean(d_sum);
     let descends = r_d < 0.0;
-    vectorised(|| {
-        for (run, place) in parts(runs) {
-            let values = ascent[place.clone()].iter().zip(&free[place.clone()]);
-            for (d, (z, free)) in direction[run.clone()].iter_mut().zip(values) {
-                let anew = if descends { *d - d_mean } else { z_mean - z };
-                *d = if *free { anew } else { 0.0 };
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let values = ascent[place.clone()].iter().zip(&free[place.clone()]);
+                for (d, (z, free)) in direction[run.clone()].iter_mut().zip(values) {
+                    let anew = if descends { *d - d_mean } else { z_mean - z };
+                    *d = if *free { anew } else { 0.0 };
+                }
+                previous[run].copy_from_slice(&residual[place]);
             }
-            previous[run].copy_from_slice(&residual[place]);
-        }
-    });
+        },
+    );
     search.descent = sums.r_z;
 }
 
@@ -266,23 +281,26 @@ fn ascent_sums(work: &mut Workspace) -> AscentSums {
     let (runs, free, ascent, residual) = (&work.runs, &work.free, &work.ascent, &work.residual);
     let previous = &mut work.previous;
     let mut lanes = Lanes::new([0.0; 4]);
-    vectorised(|| {
-        for (run, place) in parts(runs) {
-            let (z, r) = (&ascent[place.clone()], &residual[place.clone()]);
-            let previous = &mut previous[run];
-            for (old, free) in previous.iter_mut().zip(&free[place]) {
-                *old = if *free { *old } else { 0.0 };
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let (z, r) = (&ascent[place.clone()], &residual[place.clone()]);
+                let previous = &mut previous[run];
+                for (old, free) in previous.iter_mut().zip(&free[place]) {
+                    *old = if *free { *old } else { 0.0 };
+                }
+                lanes.fold([z, r, previous], |sums, [z, r, old]| {
+                    [
+                        sums[0] + z,
+                        sums[1] + r * z,
+                        sums[2] + old,
+                        sums[3] + old * z,
+                    ]
+                });
             }
-            lanes.fold([z, r, previous], |sums, [z, r, old]| {
-                [
-                    sums[0] + z,
-                    sums[1] + r * z,
-                    sums[2] + old,
-                    sums[3] + old * z,
-                ]
-            });
-        }
-    });
+        },
+    );
     let [z, r_z, old, old_z] = lanes.total();
     AscentSums { z, r_z, old, old_z }
 }
@@ -291,37 +309,46 @@ fn ascent_sums(work: &mut Workspace) -> AscentSums {
 fn precondition(level: Level, work: &mut Workspace, task: &Task, residual_mean: f64) {
     let (residual, free) = (&mut work.residual, &work.free);
     let mut lanes = Lanes::new([0.0]);
-    vectorised(|| {
-        for (r, &free) in residual.iter_mut().zip(free) {
-            *r = if free { *r - residual_mean } else { 0.0 };
-        }
-        let larger =
-            |[most]: [f64; 1], [r]: [f64; 1]| [if r.abs() > most { r.abs() } else { most }];
-        lanes.fold([&*residual], larger);
-    });
+    vectorised(
+        #[inline(always)]
+        || {
+            for (r, &free) in residual.iter_mut().zip(free) {
+                *r = if free { *r - residual_mean } else { 0.0 };
+            }
+            let larger =
+                |[most]: [f64; 1], [r]: [f64; 1]| [if r.abs() > most { r.abs() } else { most }];
+            lanes.fold([&*residual], larger);
+        },
+    );
     // Scaled so that single precision neither overflows nor vanishes, whatever the units.
     let [largest] = lanes.reduce(|a, b| [a[0].max(b[0])]);
     let scale = if largest > 0.0 { largest } else { 1.0 };
     let buffers = &mut work.inverse_buffers;
     let scaled = buffers.signal(residual.len());
-    vectorised(|| {
-        for (to, r) in scaled.iter_mut().zip(residual) {
-            *to = (*r * (1.0 / scale)) as f32;
-        }
-    });
+    vectorised(
+        #[inline(always)]
+        || {
+            for (to, r) in scaled.iter_mut().zip(residual) {
+                *to = (*r * (1.0 / scale)) as f32;
+            }
+        },
+    );
     level.inverse.filter_runs(buffers, 1.0, &work.runs);
     let z = &*buffers.signal(work.pressure.len());
     let stiffness = 0.5 / task.compliance * scale;
     let (ascent, runs) = (&mut work.ascent, &work.runs);
     ascent.resize(free.len(), 0.0);
-    vectorised(|| {
-        for (run, place) in parts(runs) {
-            let values = z[run].iter().zip(&free[place.clone()]);
-            for (to, (z, &free)) in ascent[place].iter_mut().zip(values) {
-                *to = if free { stiffness * f64::from(*z) } else { 0.0 };
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let values = z[run].iter().zip(&free[place.clone()]);
+                for (to, (z, &free)) in ascent[place].iter_mut().zip(values) {
+                    *to = if free { stiffness * f64::from(*z) } else { 0.0 };
+                }
             }
-        }
-    });
+        },
+    );
 }
 
 /// Length of the step along d that minimises the energy without bounds.
@@ -361,15 +388,18 @@ fn try_step(work: &mut Workspace, task: &Task, reach: f64) -> bool {
     let (pressure, direction) = (&work.pressure, &work.direction);
     let (runs, trial) = (&work.runs, &mut work.trial);
     let mut outside = false;
-    vectorised(|| {
-        for (run, place) in parts(runs) {
-            let pairs = pressure[run.clone()].iter().zip(&direction[run]);
-            for (to, (p, d)) in trial[place].iter_mut().zip(pairs) {
-                *to = p + reach * d;
-                outside |= (*to < 0.0) | (*to > task.limit);
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let pairs = pressure[run.clone()].iter().zip(&direction[run]);
+                for (to, (p, d)) in trial[place].iter_mut().zip(pairs) {
+                    *to = p + reach * d;
+                    outside |= (*to < 0.0) | (*to > task.limit);
+                }
             }
-        }
-    });
+        },
+    );
     if outside {
         make_feasible(&mut work.trial, task);
     }
