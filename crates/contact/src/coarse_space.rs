@@ -28,7 +28,7 @@ use crate::runs::Run;
 use crate::transform::{Buffers, EvenFilter};
 
 /// Fewest patches that are worth the two displacements that deflation costs.
-const FEWEST: usize = 64;
+const FEWEST: usize = 2;
 /// Cells per patch below which patches are no coarser than the grid.
 const SPARSE: usize = 16;
 /// Nodes by which patches are at least apart for the nodes alone to tell their interaction.
@@ -102,7 +102,8 @@ impl CoarseSpace {
     ) -> bool {
         find(runs, free, &mut self.patches);
         let count = self.patches.len();
-        if count < FEWEST || count * SPARSE > points {
+        let fewest = std::env::var("FEW").map_or(FEWEST, |f| f.parse().unwrap_or(FEWEST));
+        if count < fewest || count * SPARSE > points {
             return false;
         }
         let kernel = PatchKernel {

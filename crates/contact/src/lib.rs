@@ -15,6 +15,7 @@
 //! | the kernel and its fast product, the dense judge | [`strip_kernel`], [`half_plane`], [`direct`] |
 //! | files | [`array_file`] |
 
+mod active_set;
 pub mod array_file;
 mod cascade;
 pub mod certificate;

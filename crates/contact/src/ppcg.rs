@@ -15,6 +15,7 @@
 //! | d, τ | direction, length of the trial step along it | Pa, - |
 //! | Δ, s | feasible step, its length by exact line search | Pa, - |
 
+use crate::active_set;
 use crate::projection::{clip, project, restore_load};
 use crate::runs::{Lanes, listed, parts, vectorised};
 use crate::state::{Assessment, Level, Task, Workspace};
@@ -31,7 +32,8 @@ const WHOLE: f64 = 0.5;
 const GRADIENT: f64 = 0.1;
 
 /// Memory of the search from one iteration to the next.
-struct Search {
+#[derive(Default)]
+pub(crate) struct Search {
     /// τ, not known before the first direction.
     length: Option<f64>,
     /// r·z of the last direction, or zero to begin anew along z.
@@ -43,11 +45,15 @@ struct Search {
 pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize {
     work.resize();
     settle(level, work, task);
-    let mut search = Search {
-        length: None,
-        descent: 0.0,
-    };
-    let (mut iterations, mut updates, mut stalled, mut best) = (0, 0, 0, f64::INFINITY);
+    let mut iterations = 0;
+    if task.sum.is_some() && std::env::var_os("NOAS").is_none() {
+        work.deflating = true;
+        iterations = active_set::minimise(level, work, task);
+        work.deflating = false;
+        settle(level, work, task);
+    }
+    let mut search = Search::default();
+    let (mut updates, mut stalled, mut best) = (0, 0, f64::INFINITY);
     loop {
         let mut assessment = work.assess(task);
         if updates > 0 && (assessment.within(task.tolerance) || updates >= REFRESH) {
@@ -75,7 +81,7 @@ pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize
 }
 
 /// Makes the pressure feasible and computes its displacement afresh: both drift by round-off.
-fn settle(level: Level, work: &mut Workspace, task: &Task) {
+pub(crate) fn settle(level: Level, work: &mut Workspace, task: &Task) {
     make_feasible(&mut work.pressure, task);
     work.refresh(level.displacement, task);
 }
@@ -96,7 +102,11 @@ fn advance(
     assessment: &Assessment,
     search: &mut Search,
 ) -> bool {
-    choose_direction(level, work, task, assessment, search);
+    let residual_mean = match task.sum {
+        Some(_) => assessment.residual_sum / assessment.free as f64,
+        None => 0.0,
+    };
+    choose_direction(level, work, task, assessment.free, residual_mean, search);
     let reach = match search.length {
         Some(length) => length,
         // The preconditioner scales steps of constant load, but knows no datum.
@@ -138,19 +148,22 @@ fn advance(
 /// p + s·Δ
 fn take_step(work: &mut Workspace, task: &Task, length: f64) {
     let (pressure, runs, trial) = (&mut work.pressure, &work.runs, &work.trial);
-    vectorised(|| {
-        for (run, place) in parts(runs) {
-            let (pressure, trial) = (&mut pressure[run], &trial[place]);
-            if length == 1.0 {
-                // A step that is taken whole must land on the bounds to the last bit.
-                pressure.copy_from_slice(trial);
-                continue;
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let (pressure, trial) = (&mut pressure[run], &trial[place]);
+                if length == 1.0 {
+                    // A step that is taken whole must land on the bounds to the last bit.
+                    pressure.copy_from_slice(trial);
+                    continue;
+                }
+                for (p, to) in pressure.iter_mut().zip(trial) {
+                    *p = (*p + length * (to - *p)).clamp(0.0, task.limit);
+                }
             }
-            for (p, to) in pressure.iter_mut().zip(trial) {
-                *p = (*p + length * (to - *p)).clamp(0.0, task.limit);
-            }
-        }
-    });
+        },
+    );
 }
 
 /// The energy along Δ = q − p: slope·s + ½·curvature·s².
@@ -171,33 +184,39 @@ impl Line {
 fn line_search(level: Level, work: &mut Workspace, task: &Task, approach: f64) -> Line {
     let (pressure, runs, trial) = (&work.pressure, &work.runs, &work.trial);
     let steps = work.buffers.signal(trial.len());
-    vectorised(|| {
-        for (run, place) in parts(runs) {
-            let pairs = trial[place.clone()].iter().zip(&pressure[run]);
-            for (step, (to, from)) in steps[place].iter_mut().zip(pairs) {
-                *step = to - from;
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let pairs = trial[place.clone()].iter().zip(&pressure[run]);
+                for (step, (to, from)) in steps[place].iter_mut().zip(pairs) {
+                    *step = to - from;
+                }
             }
-        }
-    });
+        },
+    );
     let datum = task.datum_displacement(|| steps.iter().sum());
     level
         .displacement
         .filter_runs(&mut work.buffers, task.compliance, runs);
     let change = &*work.buffers.signal(pressure.len());
     let mut lanes = Lanes::new([0.0; 2]);
-    vectorised(|| {
-        for (run, place) in parts(runs) {
-            let (p, v) = (&pressure[run.clone()], &work.opening[run.clone()]);
-            let arrays = [p, &trial[place], v, &change[run]];
-            lanes.fold(arrays, |[slope, curvature], [p, to, v, change]| {
-                let step = to - p;
-                [
-                    slope + step * (v - approach),
-                    curvature + step * (change + datum),
-                ]
-            });
-        }
-    });
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let (p, v) = (&pressure[run.clone()], &work.opening[run.clone()]);
+                let arrays = [p, &trial[place], v, &change[run]];
+                lanes.fold(arrays, |[slope, curvature], [p, to, v, change]| {
+                    let step = to - p;
+                    [
+                        slope + step * (v - approach),
+                        curvature + step * (change + datum),
+                    ]
+                });
+            }
+        },
+    );
     let [slope, curvature] = lanes.total();
     Line {
         slope,
@@ -207,17 +226,18 @@ fn line_search(level: Level, work: &mut Workspace, task: &Task, approach: f64) -
 }
 
 /// d = −z + β·d on F without its mean, with Polak and Ribière's β ≥ 0; −z when that is no descent.
-fn choose_direction(
+pub(crate) fn choose_direction(
     level: Level,
     work: &mut Workspace,
     task: &Task,
-    assessment: &Assessment,
+    free: usize,
+    residual_mean: f64,
     search: &mut Search,
 ) {
     // Steps of constant load have no mean, nor has what matters of the residual.
-    let count = assessment.free as f64;
+    let count = free as f64;
     let mean = |sum: f64| if task.sum.is_some() { sum / count } else { 0.0 };
-    precondition(level, work, task, mean(assessment.residual_sum));
+    precondition(level, work, task, residual_mean);
     let sums = ascent_sums(work);
     let z_mean = mean(sums.z);
     let old_z = sums.old_z - z_mean * sums.old;
@@ -229,29 +249,35 @@ fn choose_direction(
     let (runs, free, ascent, residual) = (&work.runs, &work.free, &work.ascent, &work.residual);
     let (direction, previous) = (&mut work.direction, &mut work.previous);
     let mut lanes = Lanes::new([0.0; 2]);
-    vectorised(|| {
-        for (run, place) in parts(runs) {
-            let (z, r) = (&ascent[place.clone()], &residual[place.clone()]);
-            let d = &mut direction[run];
-            for ((d, z), free) in d.iter_mut().zip(z).zip(&free[place]) {
-                *d = if *free { z_mean - z + beta * *d } else { 0.0 };
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let (z, r) = (&ascent[place.clone()], &residual[place.clone()]);
+                let d = &mut direction[run];
+                for ((d, z), free) in d.iter_mut().zip(z).zip(&free[place]) {
+                    *d = if *free { z_mean - z + beta * *d } else { 0.0 };
+                }
+                lanes.fold([&*d, r], |[sum, r_d], [d, r]| [sum + d, r_d + r * d]);
             }
-            lanes.fold([&*d, r], |[sum, r_d], [d, r]| [sum + d, r_d + r * d]);
-        }
-    });
+        },
+    );
     let [d_sum, r_d] = lanes.total();
     let d_mean = mean(d_sum);
     let descends = r_d < 0.0;
-    vectorised(|| {
-        for (run, place) in parts(runs) {
-            let values = ascent[place.clone()].iter().zip(&free[place.clone()]);
-            for (d, (z, free)) in direction[run.clone()].iter_mut().zip(values) {
-                let anew = if descends { *d - d_mean } else { z_mean - z };
-                *d = if *free { anew } else { 0.0 };
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let values = ascent[place.clone()].iter().zip(&free[place.clone()]);
+                for (d, (z, free)) in direction[run.clone()].iter_mut().zip(values) {
+                    let anew = if descends { *d - d_mean } else { z_mean - z };
+                    *d = if *free { anew } else { 0.0 };
+                }
+                previous[run].copy_from_slice(&residual[place]);
             }
-            previous[run].copy_from_slice(&residual[place]);
-        }
-    });
+        },
+    );
     search.descent = sums.r_z;
 }
 
@@ -267,23 +293,26 @@ fn ascent_sums(work: &mut Workspace) -> AscentSums {
     let (runs, free, ascent, residual) = (&work.runs, &work.free, &work.ascent, &work.residual);
     let previous = &mut work.previous;
     let mut lanes = Lanes::new([0.0; 4]);
-    vectorised(|| {
-        for (run, place) in parts(runs) {
-            let (z, r) = (&ascent[place.clone()], &residual[place.clone()]);
-            let previous = &mut previous[run];
-            for (old, free) in previous.iter_mut().zip(&free[place]) {
-                *old = if *free { *old } else { 0.0 };
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let (z, r) = (&ascent[place.clone()], &residual[place.clone()]);
+                let previous = &mut previous[run];
+                for (old, free) in previous.iter_mut().zip(&free[place]) {
+                    *old = if *free { *old } else { 0.0 };
+                }
+                lanes.fold([z, r, previous], |sums, [z, r, old]| {
+                    [
+                        sums[0] + z,
+                        sums[1] + r * z,
+                        sums[2] + old,
+                        sums[3] + old * z,
+                    ]
+                });
             }
-            lanes.fold([z, r, previous], |sums, [z, r, old]| {
-                [
-                    sums[0] + z,
-                    sums[1] + r * z,
-                    sums[2] + old,
-                    sums[3] + old * z,
-                ]
-            });
-        }
-    });
+        },
+    );
     let [z, r_z, old, old_z] = lanes.total();
     AscentSums { z, r_z, old, old_z }
 }
@@ -292,47 +321,74 @@ fn ascent_sums(work: &mut Workspace) -> AscentSums {
 fn precondition(level: Level, work: &mut Workspace, task: &Task, residual_mean: f64) {
     let (residual, free) = (&mut work.residual, &work.free);
     let mut lanes = Lanes::new([0.0]);
-    vectorised(|| {
-        for (r, &free) in residual.iter_mut().zip(free) {
-            *r = if free { *r - residual_mean } else { 0.0 };
-        }
-        let larger =
-            |[most]: [f64; 1], [r]: [f64; 1]| [if r.abs() > most { r.abs() } else { most }];
-        lanes.fold([&*residual], larger);
-    });
+    vectorised(
+        #[inline(always)]
+        || {
+            for (r, &free) in residual.iter_mut().zip(free) {
+                *r = if free { *r - residual_mean } else { 0.0 };
+            }
+            let larger =
+                |[most]: [f64; 1], [r]: [f64; 1]| [if r.abs() > most { r.abs() } else { most }];
+            lanes.fold([&*residual], larger);
+        },
+    );
     // Scaled so that single precision neither overflows nor vanishes, whatever the units.
     let [largest] = lanes.reduce(|a, b| [a[0].max(b[0])]);
     let scale = if largest > 0.0 { largest } else { 1.0 };
     let buffers = &mut work.inverse_buffers;
     let scaled = buffers.signal(residual.len());
-    vectorised(|| {
-        for (to, r) in scaled.iter_mut().zip(residual) {
-            *to = (*r * (1.0 / scale)) as f32;
-        }
-    });
+    vectorised(
+        #[inline(always)]
+        || {
+            for (to, r) in scaled.iter_mut().zip(residual) {
+                *to = (*r * (1.0 / scale)) as f32;
+            }
+        },
+    );
     level.inverse.filter_runs(buffers, 1.0, &work.runs);
     let z = &*buffers.signal(work.pressure.len());
     let (ascent, runs) = (&mut work.ascent, &work.runs);
     ascent.resize(free.len(), 0.0);
-    vectorised(|| {
-        for (run, place) in parts(runs) {
-            let values = z[run].iter().zip(&free[place.clone()]);
-            for (to, (z, &free)) in ascent[place].iter_mut().zip(values) {
-                *to = if free { 0.5 * f64::from(*z) } else { 0.0 };
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let values = z[run].iter().zip(&free[place.clone()]);
+                for (to, (z, &free)) in ascent[place].iter_mut().zip(values) {
+                    *to = if free { 0.5 * f64::from(*z) } else { 0.0 };
+                }
             }
-        }
-    });
-    deflate(level, work, task, 1.0 / scale);
+        },
+    );
+    deflate(level, work, 1.0 / scale);
     let stiffness = scale / task.compliance;
     vectorised(|| work.ascent.iter_mut().for_each(|z| *z *= stiffness));
 }
 
+/// d = forces of the patches that leave no mean residual on any; false when there are few.
+pub(crate) fn level_forces(level: Level, work: &mut Workspace, task: &Task, mean: f64) -> bool {
+    let points = work.pressure.len();
+    let Workspace { coarse, runs, free, ascent, residual, direction, .. } = work;
+    if !coarse.prepare(points, level.boundary, runs, free) {
+        return false;
+    }
+    residual.iter_mut().for_each(|r| *r -= mean);
+    ascent.clear();
+    ascent.resize(residual.len(), 0.0);
+    coarse.correct(residual, ascent);
+    for (run, place) in parts(runs) {
+        let pairs = direction[run].iter_mut().zip(&ascent[place]);
+        pairs.for_each(|(d, z)| *d = -z / task.compliance);
+    }
+    true
+}
+
 /// Lets z leave no mean residual on any contact patch, when there are many. Both are in units of
 /// the scale of the residual.
-fn deflate(level: Level, work: &mut Workspace, task: &Task, scale: f64) {
+fn deflate(level: Level, work: &mut Workspace, scale: f64) {
     let points = work.pressure.len();
     let (coarse, runs, free) = (&mut work.coarse, &work.runs, &work.free);
-    if task.sum.is_none() || !coarse.prepare(points, level.boundary, runs, free) {
+    if !work.deflating || !coarse.prepare(points, level.boundary, runs, free) {
         return;
     }
     let (ascent, residual) = (&mut work.ascent, &work.residual);
@@ -361,7 +417,7 @@ fn deflate(level: Level, work: &mut Workspace, task: &Task, scale: f64) {
 }
 
 /// Length of the step along d that minimises the energy without bounds.
-fn exact_length(level: Level, work: &mut Workspace, task: &Task) -> f64 {
+pub(crate) fn exact_length(level: Level, work: &mut Workspace, task: &Task) -> f64 {
     let (runs, direction, residual) = (&work.runs, &work.direction, &work.residual);
     let steps = work.buffers.signal(listed(runs));
     for (run, place) in parts(runs) {
@@ -397,15 +453,18 @@ fn try_step(work: &mut Workspace, task: &Task, reach: f64) -> bool {
     let (pressure, direction) = (&work.pressure, &work.direction);
     let (runs, trial) = (&work.runs, &mut work.trial);
     let mut outside = false;
-    vectorised(|| {
-        for (run, place) in parts(runs) {
-            let pairs = pressure[run.clone()].iter().zip(&direction[run]);
-            for (to, (p, d)) in trial[place].iter_mut().zip(pairs) {
-                *to = p + reach * d;
-                outside |= (*to < 0.0) | (*to > task.limit);
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let pairs = pressure[run.clone()].iter().zip(&direction[run]);
+                for (to, (p, d)) in trial[place].iter_mut().zip(pairs) {
+                    *to = p + reach * d;
+                    outside |= (*to < 0.0) | (*to > task.limit);
+                }
             }
-        }
-    });
+        },
+    );
     if outside {
         make_feasible(&mut work.trial, task);
     }

@@ -21,27 +21,35 @@ struct Tally {
 /// Moves the interior points by `shift`, clips all to 0..`limit`, and counts again.
 fn shift_and_clip(pressure: &mut [f64], shift: f64, limit: f64) -> Tally {
     let mut lanes = Lanes::new([0.0; 2]);
-    vectorised(|| {
-        for block in pressure.chunks_mut(BLOCK) {
-            for p in &mut *block {
-                let inside = (*p > 0.0) & (*p < limit);
-                *p = (*p + if inside { shift } else { 0.0 }).clamp(0.0, limit);
+    vectorised(
+        #[inline(always)]
+        || {
+            for block in pressure.chunks_mut(BLOCK) {
+                for p in &mut *block {
+                    let inside = (*p > 0.0) & (*p < limit);
+                    *p = (*p + if inside { shift } else { 0.0 }).clamp(0.0, limit);
+                }
+                lanes.fold([block], |[sum, interior], [p]| {
+                    let inside = (p > 0.0) & (p < limit);
+                    [sum + p, interior + if inside { 1.0 } else { 0.0 }]
+                });
             }
-            lanes.fold([block], |[sum, interior], [p]| {
-                let inside = (p > 0.0) & (p < limit);
-                [sum + p, interior + if inside { 1.0 } else { 0.0 }]
-            });
-        }
-    });
+        },
+    );
     let [sum, interior] = lanes.total();
     Tally { sum, interior }
+}
+
+/// Difference of loads that is only round-off.
+fn close(pressure: &[f64], sum: f64) -> f64 {
+    let count = pressure.len() as f64;
+    ROUND_OFF * sum * (0.1 * count.sqrt()).max(1.0)
 }
 
 /// Clips `pressure` to 0..`limit` and restores Σp = `sum` by moving the points between the bounds
 /// only: moving points at the limit too was found never to converge.
 pub(crate) fn restore_load(pressure: &mut [f64], sum: f64, limit: f64) {
-    let count = pressure.len() as f64;
-    let close = ROUND_OFF * sum * (0.1 * count.sqrt()).max(1.0);
+    let close = close(pressure, sum);
     let mut tally = shift_and_clip(pressure, 0.0, limit);
     for _ in 0..SHIFTS {
         let missing = sum - tally.sum;
@@ -62,6 +70,7 @@ pub(crate) fn restore_load(pressure: &mut [f64], sum: f64, limit: f64) {
 /// The nearest pressures within 0..`limit` with Σp = `sum`: all points moved by as much, and
 /// clipped. Newton's method on the shift, whose load is piecewise linear, within a bracket.
 pub(crate) fn project(pressure: &mut [f64], sum: f64, limit: f64) {
+    let close = close(pressure, sum);
     let least = pressure.iter().copied().fold(f64::INFINITY, f64::min);
     let most = pressure.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     // The ends carry nothing and, on a single point, everything.
@@ -69,17 +78,23 @@ pub(crate) fn project(pressure: &mut [f64], sum: f64, limit: f64) {
     let mut shift = 0.0;
     for _ in 0..SHIFTS + HALVINGS {
         let mut lanes = Lanes::new([0.0; 2]);
-        vectorised(|| {
-            lanes.fold([&*pressure], |[carried, moved], [p]| {
-                let q = p + shift;
-                let moves = (q > 0.0) & (q < limit);
-                [
-                    carried + q.clamp(0.0, limit),
-                    moved + if moves { 1.0 } else { 0.0 },
-                ]
-            });
-        });
+        vectorised(
+            #[inline(always)]
+            || {
+                lanes.fold([&*pressure], |[carried, moved], [p]| {
+                    let q = p + shift;
+                    let moves = (q > 0.0) & (q < limit);
+                    [
+                        carried + q.clamp(0.0, limit),
+                        moved + if moves { 1.0 } else { 0.0 },
+                    ]
+                });
+            },
+        );
         let [carried, moved] = lanes.total();
+        if (carried - sum).abs() <= close {
+            break;
+        }
         if carried < sum {
             low = shift;
         } else {

@@ -20,6 +20,14 @@ impl Run {
         }
     }
 
+    /// Adds a point behind all that `runs` holds.
+    pub(crate) fn push(runs: &mut Vec<Self>, point: usize) {
+        match runs.last_mut() {
+            Some(last) if last.end as usize == point => last.end += 1,
+            _ => runs.push(Self::new(point, point + 1)),
+        }
+    }
+
     pub(crate) fn range(self) -> Range<usize> {
         self.first as usize..self.end as usize
     }

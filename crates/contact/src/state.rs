@@ -59,6 +59,7 @@ pub(crate) struct Workspace {
     pub(crate) buffers: Buffers,
     pub(crate) inverse_buffers: Buffers<f32>,
     pub(crate) coarse: CoarseSpace,
+    pub(crate) deflating: bool,
     pub(crate) pressure: Vec<f64>,
     /// v
     pub(crate) opening: Vec<f64>,
@@ -151,11 +152,14 @@ impl Workspace {
     pub(crate) fn open(&mut self, length: f64, datum: f64) {
         let change = self.buffers.signal(self.opening.len());
         let opening = &mut self.opening;
-        vectorised(|| {
-            for (v, &change) in opening.iter_mut().zip(&*change) {
-                *v += length * (change + datum);
-            }
-        });
+        vectorised(
+            #[inline(always)]
+            || {
+                for (v, &change) in opening.iter_mut().zip(&*change) {
+                    *v += length * (change + datum);
+                }
+            },
+        );
     }
 
     /// α: mean of v between the bounds; with no such point the largest v under pressure.
@@ -165,19 +169,22 @@ impl Workspace {
         }
         let limit = task.limit;
         let mut lanes = Lanes::new([0.0, 0.0, f64::NEG_INFINITY]);
-        vectorised(|| {
-            for (run, _) in parts(&self.runs) {
-                let arrays = [&self.pressure[run.clone()], &self.opening[run]];
-                lanes.fold(arrays, |[sum, count, most], [p, v]| {
-                    let between = (p > 0.0) & (p < limit);
-                    [
-                        sum + if between { v } else { 0.0 },
-                        count + if between { 1.0 } else { 0.0 },
-                        if (p > 0.0) & (v > most) { v } else { most },
-                    ]
-                });
-            }
-        });
+        vectorised(
+            #[inline(always)]
+            || {
+                for (run, _) in parts(&self.runs) {
+                    let arrays = [&self.pressure[run.clone()], &self.opening[run]];
+                    lanes.fold(arrays, |[sum, count, most], [p, v]| {
+                        let between = (p > 0.0) & (p < limit);
+                        [
+                            sum + if between { v } else { 0.0 },
+                            count + if between { 1.0 } else { 0.0 },
+                            if (p > 0.0) & (v > most) { v } else { most },
+                        ]
+                    });
+                }
+            },
+        );
         let [sum, count, most] = lanes.reduce(|a, b| [a[0] + b[0], a[1] + b[1], a[2].max(b[2])]);
         if count > 0.0 { sum / count } else { most }
     }
@@ -194,35 +201,38 @@ impl Workspace {
             ..
         } = self;
         next.clear();
-        vectorised(|| {
-            let mut known = runs.iter().map(|run| run.range()).peekable();
-            for (block, opening) in opening.chunks(BLOCK).enumerate() {
-                let first = block * BLOCK;
-                let range = first..first + opening.len();
-                while known.next_if(|run| run.end <= first).is_some() {}
-                let was_listed = known.peek().is_some_and(|run| run.start < range.end);
-                let overlaps = |any, &v: &f64| any | (v < approach);
-                if !was_listed && !opening.iter().fold(false, overlaps) {
-                    continue;
-                }
-                let touches = |(p, v): (&f64, &f64)| (*v < approach) | (*p > 0.0);
-                let points = pressure[range.clone()].iter().zip(opening);
-                let mut bits = 0;
-                for (k, point) in points.clone().enumerate() {
-                    bits |= u64::from(touches(point)) << k;
-                }
-                extend(next, first, bits);
-                if was_listed && bits != u64::MAX {
-                    for array in [&mut *direction, &mut *previous] {
-                        // Without iterations there are no directions.
-                        let values = array.get_mut(range.clone()).unwrap_or_default();
-                        for (value, point) in values.iter_mut().zip(points.clone()) {
-                            *value = if touches(point) { *value } else { 0.0 };
+        vectorised(
+            #[inline(always)]
+            || {
+                let mut known = runs.iter().map(|run| run.range()).peekable();
+                for (block, opening) in opening.chunks(BLOCK).enumerate() {
+                    let first = block * BLOCK;
+                    let range = first..first + opening.len();
+                    while known.next_if(|run| run.end <= first).is_some() {}
+                    let was_listed = known.peek().is_some_and(|run| run.start < range.end);
+                    let overlaps = |any, &v: &f64| any | (v < approach);
+                    if !was_listed && !opening.iter().fold(false, overlaps) {
+                        continue;
+                    }
+                    let touches = |(p, v): (&f64, &f64)| (*v < approach) | (*p > 0.0);
+                    let points = pressure[range.clone()].iter().zip(opening);
+                    let mut bits = 0;
+                    for (k, point) in points.clone().enumerate() {
+                        bits |= u64::from(touches(point)) << k;
+                    }
+                    extend(next, first, bits);
+                    if was_listed && bits != u64::MAX {
+                        for array in [&mut *direction, &mut *previous] {
+                            // Without iterations there are no directions.
+                            let values = array.get_mut(range.clone()).unwrap_or_default();
+                            for (value, point) in values.iter_mut().zip(points.clone()) {
+                                *value = if touches(point) { *value } else { 0.0 };
+                            }
                         }
                     }
                 }
-            }
-        });
+            },
+        );
         std::mem::swap(runs, next);
     }
 
@@ -244,39 +254,42 @@ impl Workspace {
         let limit = task.limit;
         let limited = limit.is_finite();
         let mut lanes = Lanes::new([0.0; 5]);
-        vectorised(|| {
-            for (run, place) in parts(runs) {
-                let (p, v) = (&pressure[run.clone()], &opening[run]);
-                let to = residual[place.clone()]
-                    .iter_mut()
-                    .zip(&mut free[place.clone()]);
-                for ((residual, free), (&p, &v)) in to.zip(p.iter().zip(v)) {
-                    let g = v - approach;
-                    *free = if p <= 0.0 {
-                        g < 0.0
-                    } else {
-                        (p < limit) | (g > 0.0)
-                    };
-                    *residual = if *free { g } else { 0.0 };
-                }
-                let arrays = [p, v, &residual[place]];
-                lanes.fold(
-                    arrays,
-                    |[sum, energy, excess, least, residuals], [p, v, r]| {
+        vectorised(
+            #[inline(always)]
+            || {
+                for (run, place) in parts(runs) {
+                    let (p, v) = (&pressure[run.clone()], &opening[run]);
+                    let to = residual[place.clone()]
+                        .iter_mut()
+                        .zip(&mut free[place.clone()]);
+                    for ((residual, free), (&p, &v)) in to.zip(p.iter().zip(v)) {
                         let g = v - approach;
-                        let overlap = if g < 0.0 { -g } else { 0.0 };
-                        let room = if limited { limit - p } else { 0.0 };
-                        [
-                            sum + p,
-                            energy + p * if limited { g + overlap } else { g },
-                            excess + room * overlap,
-                            if (p < limit) & (g < least) { g } else { least },
-                            residuals + r,
-                        ]
-                    },
-                );
-            }
-        });
+                        *free = if p <= 0.0 {
+                            g < 0.0
+                        } else {
+                            (p < limit) | (g > 0.0)
+                        };
+                        *residual = if *free { g } else { 0.0 };
+                    }
+                    let arrays = [p, v, &residual[place]];
+                    lanes.fold(
+                        arrays,
+                        |[sum, energy, excess, least, residuals], [p, v, r]| {
+                            let g = v - approach;
+                            let overlap = if g < 0.0 { -g } else { 0.0 };
+                            let room = if limited { limit - p } else { 0.0 };
+                            [
+                                sum + p,
+                                energy + p * if limited { g + overlap } else { g },
+                                excess + room * overlap,
+                                if (p < limit) & (g < least) { g } else { least },
+                                residuals + r,
+                            ]
+                        },
+                    );
+                }
+            },
+        );
         let [sum, energy, excess, least, residual_sum] = lanes.reduce(|a, b| {
             let least = a[3].min(b[3]);
             [a[0] + b[0], a[1] + b[1], a[2] + b[2], least, a[4] + b[4]]

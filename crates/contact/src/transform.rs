@@ -187,35 +187,56 @@ impl<T: FftNum> EvenFilter<T> {
         let scratch = &mut buffers.scratch[..self.plan.get_inplace_scratch_len()];
         wave.fill(Complex::zero());
         let Some(alternating) = &self.alternating else {
-            vectorised(|| {
-                for_values(runs, signal, |run, values| {
-                    self.load(wave, factor, run, values)
-                });
-            });
+            vectorised(
+                #[inline(always)]
+                || {
+                    for_values(runs, signal, |run, values| {
+                        self.load(wave, factor, run, values)
+                    });
+                },
+            );
             self.plan.process_with_scratch(wave, scratch);
-            vectorised(|| self.multiply(wave));
+            vectorised(
+                #[inline(always)]
+                || self.multiply(wave),
+            );
             self.plan.process_with_scratch(wave, scratch);
-            vectorised(|| self.unload(wave, signal));
+            vectorised(
+                #[inline(always)]
+                || self.unload(wave, signal),
+            );
             return;
         };
         let twisted = &mut buffers.twisted[..waves];
         twisted.fill(Complex::zero());
-        vectorised(|| {
-            for_values(runs, signal, |run, values| {
-                self.load(wave, factor, run, values);
-                alternating.load(twisted, factor, run, values);
-            });
-        });
+        vectorised(
+            #[inline(always)]
+            || {
+                for_values(runs, signal, |run, values| {
+                    self.load(wave, factor, run, values);
+                    alternating.load(twisted, factor, run, values);
+                });
+            },
+        );
         self.plan.process_with_scratch(twisted, scratch);
-        vectorised(|| alternating.multiply(twisted));
+        vectorised(
+            #[inline(always)]
+            || alternating.multiply(twisted),
+        );
         self.plan.process_with_scratch(twisted, scratch);
         self.plan.process_with_scratch(wave, scratch);
-        vectorised(|| self.multiply(wave));
+        vectorised(
+            #[inline(always)]
+            || self.multiply(wave),
+        );
         self.plan.process_with_scratch(wave, scratch);
-        vectorised(|| {
-            self.unload(wave, signal);
-            alternating.unload(twisted, signal);
-        });
+        vectorised(
+            #[inline(always)]
+            || {
+                self.unload(wave, signal);
+                alternating.unload(twisted, signal);
+            },
+        );
     }
 
     /// Puts the values of a run at their places.
