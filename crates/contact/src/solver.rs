@@ -64,6 +64,7 @@ struct Levels {
     planner: FftPlanner<f64>,
     inverse_planner: FftPlanner<f32>,
     displacements: BTreeMap<usize, EvenFilter>,
+    singles: BTreeMap<usize, EvenFilter<f32>>,
     inverses: BTreeMap<usize, EvenFilter<f32>>,
 }
 
@@ -72,6 +73,7 @@ impl Levels {
     fn make_room(&mut self, points: usize) {
         if points > LARGE && !self.displacements.contains_key(&points) {
             self.displacements.clear();
+            self.singles.clear();
             self.inverses.clear();
             self.planner = FftPlanner::new();
             self.inverse_planner = FftPlanner::new();
@@ -105,8 +107,15 @@ impl Levels {
             .entry(points)
             .or_insert_with(|| displacement_filter(planner, points, self.boundary, buffers));
         buffers.reserve(displacement);
+        let planner = &mut self.inverse_planner;
+        let single = self
+            .singles
+            .entry(points)
+            .or_insert_with(|| displacement.single(planner));
+        work.inverse_buffers.reserve(single);
         Level {
             displacement,
+            single,
             inverse,
         }
     }
@@ -131,6 +140,7 @@ impl Solver {
                 planner: FftPlanner::new(),
                 inverse_planner: FftPlanner::new(),
                 displacements: BTreeMap::new(),
+                singles: BTreeMap::new(),
                 inverses: BTreeMap::new(),
             },
             work: Workspace::default(),

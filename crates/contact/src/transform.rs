@@ -447,6 +447,27 @@ impl EvenFilter<f64> {
         }
     }
 
+    /// The same filter in single precision.
+    pub(crate) fn single(&self, planner: &mut FftPlanner<f32>) -> EvenFilter<f32> {
+        let single = |values: &[f64]| values.iter().map(|&x| x as f32).collect();
+        let alternating = self.alternating.as_ref().map(|part| Alternating {
+            twist: part
+                .twist
+                .iter()
+                .map(|w| Complex::new(w.re as f32, w.im as f32))
+                .collect(),
+            symbol: single(&part.symbol),
+        });
+        EvenFilter {
+            points: self.points,
+            length: self.length,
+            plan: planner.plan_fft_forward(self.plan.len()),
+            direct: single(&self.direct),
+            crossed: single(&self.crossed),
+            alternating,
+        }
+    }
+
     /// The same filter without the mean of a signal.
     pub(crate) fn without_mean(mut self) -> Self {
         if self.crossed.is_empty() {
