@@ -9,7 +9,7 @@ use asperity_core::DomainError;
 use asperity_core::quantity::{Length, Pressure};
 use rustfft::FftPlanner;
 
-use crate::cascade::{Window, grids, prolong, restrict};
+use crate::cascade::{Window, grids, is_smooth, prolong, prolong_slopes, restrict};
 use crate::error::{ContactError, SolverShape};
 use crate::half_plane::{displacement_filter, inverse_filter, line_load};
 use crate::plasticity::{dissipated_energy, plastic_displacement};
@@ -213,16 +213,21 @@ impl Solver {
         let coarsest = grids[grids.len() - 1];
         let mut pressure = vec![scene.even_pressure(); coarsest];
         for (halvings, gap) in gaps.iter().enumerate().rev() {
+            let touches = touching(gap, &pressure);
+            // What the even start of the coarsest grid touches says nothing.
+            let begun = gap.len() != coarsest;
+            let smooth = begun && is_smooth(&touches);
             // What a window misses is found on the finest grid.
-            let window = if self.windowed(settings) && gap.len() != coarsest {
-                Window::around(gap.len(), &touching(gap, &pressure))
+            let window = if self.windowed(settings) && begun {
+                Window::around(gap.len(), &touches)
             } else {
                 Window::whole(gap.len())
             };
             let gap = &gap[window.range()];
-            let task = scene.coarse_task(gap, halvings as i32 + 1, settings)?;
+            let task = scene.coarse_task(gap, halvings as i32 + 1, smooth, settings)?;
             self.minimise(window, &task, &mut pressure);
-            pressure = prolong(&pressure, grids[halvings]);
+            let finer = if smooth { prolong_slopes } else { prolong };
+            pressure = finer(&pressure, grids[halvings]);
         }
         Ok(pressure)
     }
