@@ -111,7 +111,7 @@ impl RunningIn {
     /// use asperity_contact::{SolverSettings, running_in::RunningIn, two_flanks::TwoFlanks};
     /// use asperity_core::Profile;
     /// use asperity_roughness::material_ratio::rk_parameters;
-    /// let wavy: Vec<f64> = (0..400).map(|i| 3e-7 * (0.21 * f64::from(i)).sin()).collect();
+    /// let wavy: Vec<f64> = (0..400).map(|i| 3e-7 * (0.21 * f64::from(i)).sin().powi(3)).collect();
     /// let (rough, smooth) = (Profile::new("1 um".parse()?, wavy)?, Profile::new("1 um".parse()?, vec![0.0; 400])?);
     /// let flanks = TwoFlanks {
     ///     first: &rough, second: &smooth, radius: "3 mm".parse()?, load: "100 N/mm".parse()?,
