@@ -22,9 +22,9 @@
 use rustfft::FftPlanner;
 use rustfft::num_complex::Complex;
 
-use crate::patches::{Patch, PatchKernel, find};
+use crate::patches::{Patch, PatchKernel};
 use crate::problem::Boundary;
-use crate::runs::Run;
+use crate::runs::{Run, parts};
 use crate::transform::{Buffers, EvenFilter};
 
 /// Fewest patches that are worth the two displacements that deflation costs.
@@ -33,6 +33,8 @@ const FEWEST: usize = 2;
 const SPARSE: usize = 16;
 /// Nodes by which patches are at least apart for the nodes alone to tell their interaction.
 const NEAR: f64 = 3.0;
+/// Nodes that stencils may need beyond those of free ends.
+const BEYOND: usize = 4;
 /// Near pairs per patch beyond which patches are too crowded for the nodes.
 const CROWDED: usize = 16;
 /// Residual of the inner solution over that it began with, and most iterations.
@@ -48,9 +50,8 @@ const FLOOR: f64 = 0.25;
 /// One unknown per patch, and what their interaction needs.
 #[derive(Default)]
 pub(crate) struct CoarseSpace {
+    active: bool,
     planner: Option<FftPlanner<f64>>,
-    single_planner: Option<FftPlanner<f32>>,
-    single: Option<EvenFilter<f32>>,
     grid: Option<Nodes>,
     patches: Vec<Patch>,
     /// First node of each patch, and where its weights begin; one more than patches.
@@ -92,18 +93,17 @@ struct Nodes {
 }
 
 impl CoarseSpace {
-    /// Finds the patches; false when a coarse space is of no use for them.
-    pub(crate) fn prepare(
-        &mut self,
-        points: usize,
-        boundary: Boundary,
-        runs: &[Run],
-        free: &[bool],
-    ) -> bool {
-        find(runs, free, &mut self.patches);
+    /// Takes runs of free points as patches; false when a coarse space is of no use for them.
+    pub(crate) fn prepare(&mut self, points: usize, boundary: Boundary, runs: &[Run]) -> bool {
+        self.active = false;
+        self.patches.clear();
+        self.patches.extend(parts(runs).map(|(run, listed)| Patch {
+            first: run.start,
+            end: run.end,
+            listed: listed.start,
+        }));
         let count = self.patches.len();
-        let fewest = std::env::var("FEW").map_or(FEWEST, |f| f.parse().unwrap_or(FEWEST));
-        if count < fewest || count * SPARSE > points {
+        if count < FEWEST || count * SPARSE > points {
             return false;
         }
         let kernel = PatchKernel {
@@ -112,31 +112,34 @@ impl CoarseSpace {
         let fits = |grid: &Nodes| {
             grid.points == points
                 && grid.boundary == boundary
-                && (count..=8 * count).contains(&grid.count)
+                && count <= grid.inverse.points().min(grid.count)
+                && grid.count <= 16 * count
         };
         if !self.grid.as_ref().is_some_and(fits) {
             let planner = self.planner.get_or_insert_with(FftPlanner::new);
             let buffers = &mut self.solution.buffers;
-            self.grid = Some(Nodes::new(points, boundary, kernel, &self.patches, planner, buffers));
+            self.grid = Some(Nodes::new(
+                points,
+                boundary,
+                kernel,
+                &self.patches,
+                planner,
+                buffers,
+            ));
         }
         self.spread();
-        self.find_near(kernel)
+        self.active = self.find_near(kernel);
+        self.active
     }
 
-    /// The displacement in single precision.
-    pub(crate) fn single(
-        &mut self,
-        displacement: &EvenFilter,
-        buffers: &mut Buffers<f32>,
-    ) -> &EvenFilter<f32> {
-        let planner = self.single_planner.get_or_insert_with(FftPlanner::new);
-        let points = displacement.points();
-        if self.single.as_ref().is_some_and(|single| single.points() != points) {
-            self.single = None;
-        }
-        let single = self.single.get_or_insert_with(|| displacement.single(planner));
-        buffers.reserve(single);
-        single
+    /// Whether the patches are those of the points that are iterated on.
+    pub(crate) fn is_active(&self) -> bool {
+        self.active
+    }
+
+    /// The patches are no longer those of the points that are iterated on.
+    pub(crate) fn dismiss(&mut self) {
+        self.active = false;
     }
 
     /// Weights of the nodes by which each patch acts: means over its cells.
@@ -178,7 +181,8 @@ impl CoarseSpace {
         self.diagonal.clear();
         for (i, one) in self.patches.iter().enumerate() {
             let exact = kernel.mean(one, one, 0.0);
-            self.diagonal.push(exact - self.through_nodes(grid, i, i, 0));
+            self.diagonal
+                .push(exact - self.through_nodes(grid, i, i, 0));
             for next in i + 1..i + count {
                 let (j, wraps) = (next % count, next >= count);
                 let shift = if wraps { grid.points } else { 0 };
@@ -224,9 +228,8 @@ impl CoarseSpace {
     pub(crate) fn correct(&mut self, residual: &[f64], ascent: &mut [f64]) {
         let mut inner = std::mem::take(&mut self.solution);
         inner.residual.clear();
-        let mean = |patch: &Patch| {
-            residual[patch.places()].iter().sum::<f64>() / patch.points() as f64
-        };
+        let mean =
+            |patch: &Patch| residual[patch.places()].iter().sum::<f64>() / patch.points() as f64;
         inner.residual.extend(self.patches.iter().map(mean));
         self.solve(&mut inner);
         for (patch, force) in self.patches.iter().zip(&inner.force) {
@@ -240,7 +243,6 @@ impl CoarseSpace {
 
     /// K f = y − λ with Σf = 0, y being the residual to begin with.
     fn solve(&self, inner: &mut Inner) {
-        let dbg = std::env::var_os("DBGC").is_some();
         let count = self.patches.len();
         for array in [&mut inner.force, &mut inner.direction] {
             array.clear();
@@ -252,9 +254,7 @@ impl CoarseSpace {
         let goal = INNER_TOLERANCE * INNER_TOLERANCE * dot(&inner.residual, &inner.residual);
         let mut last = 0.0;
         for _ in 0..INNER_ITERATIONS {
-            if dbg { eprint!(" {:.1e}", (dot(&inner.residual, &inner.residual)/goal).sqrt()*INNER_TOLERANCE); }
             if dot(&inner.residual, &inner.residual) <= goal {
-                if dbg {eprintln!(" m {}", count);}
                 return;
             }
             self.precondition(inner);
@@ -330,9 +330,13 @@ impl Nodes {
         planner: &mut FftPlanner<f64>,
         buffers: &mut Buffers,
     ) -> Self {
-        let count = (2 * patches.len()).next_power_of_two();
+        let count = (2 * patches.len() + BEYOND).next_power_of_two();
         // Free ends need the nodes of the stencils beyond them.
-        let between = if kernel.period.is_some() { count } else { count - 4 };
+        let between = if kernel.period.is_some() {
+            count
+        } else {
+            count - BEYOND
+        };
         let step = points as f64 / between as f64;
         let distance = |lag: usize| step * if lag == 0 { 0.5 } else { lag as f64 };
         let column: Vec<f64> = (0..count)
@@ -370,7 +374,11 @@ impl Nodes {
     }
 
     fn wrap(&self, node: usize) -> usize {
-        if node >= self.count { node - self.count } else { node }
+        if node >= self.count {
+            node - self.count
+        } else {
+            node
+        }
     }
 
     fn lag(&self, lag: usize) -> f64 {
@@ -406,7 +414,7 @@ fn inverse(
     let free = PatchKernel { period: None };
     let mut row: Vec<Complex<f64>> = (0..length)
         .map(|number| match number.min(length - number) {
-            near if near <= NEIGHBOURS => mean(near).into(),
+            near if near <= NEIGHBOURS.min(count - 1) => mean(near).into(),
             far => free.at(apart * far as f64).into(),
         })
         .collect();
@@ -443,10 +451,12 @@ mod tests {
     use super::*;
 
     /// Patches of one to nine cells in clusters, as a rough contact has.
-    fn patches(points: usize, count: usize) -> (Vec<Run>, Vec<bool>) {
+    fn patches(points: usize, count: usize) -> Vec<Run> {
         let mut state = 7_u64;
         let mut random = |most: u64| {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
             (state >> 33) % most
         };
         let room = (points / count) as u64;
@@ -456,8 +466,7 @@ mod tests {
             let length = 1 + random(9).min(room / 3) as usize;
             runs.push(Run::new(first, first + length));
         }
-        let listed = crate::runs::listed(&runs);
-        (runs, vec![true; listed])
+        runs
     }
 
     #[test]
@@ -467,9 +476,9 @@ mod tests {
             Boundary::Periodic(crate::PeriodicKernel::Strip),
         ] {
             let points = 8_192;
-            let (runs, free) = patches(points, 150);
+            let runs = patches(points, 150);
             let mut coarse = CoarseSpace::default();
-            assert!(coarse.prepare(points, boundary, &runs, &free));
+            assert!(coarse.prepare(points, boundary, &runs));
             let count = coarse.patches.len();
             let mut inner = std::mem::take(&mut coarse.solution);
             let kernel = PatchKernel {
@@ -489,9 +498,8 @@ mod tests {
                             Some(_) => &[0.0, -8192.0, 8192.0],
                             None => &[0.0],
                         };
-                        let distance = |shift: &f64| {
-                            (other.first as f64 + shift - one.first as f64).abs()
-                        };
+                        let distance =
+                            |shift: &f64| (other.first as f64 + shift - one.first as f64).abs();
                         let shift = shifts
                             .iter()
                             .copied()
@@ -500,7 +508,11 @@ mod tests {
                         force * kernel.mean(one, other, shift)
                     })
                     .sum();
-                assert!((inner.image[i] - exact).abs() < 0.1, "{boundary:?} {i}: {} {exact}", inner.image[i]);
+                assert!(
+                    (inner.image[i] - exact).abs() < 0.1,
+                    "{boundary:?} {i}: {} {exact}",
+                    inner.image[i]
+                );
             }
         }
     }

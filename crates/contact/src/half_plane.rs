@@ -163,3 +163,44 @@ pub(crate) fn inverse_filter(planner: &mut FftPlanner<f32>, points: usize) -> Ev
     let symbol = |wave: usize| if wave == 0 { 0.5 } else { wave as f64 } / length as f64;
     EvenFilter::from_symbol(planner, points, length, symbol)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn single_precision_loses_little_of_a_displacement() {
+        for boundary in [
+            Boundary::FreeEnds,
+            Boundary::Periodic(PeriodicKernel::Strip),
+        ] {
+            for points in [50, 1_000, 30_000] {
+                let (mut planner, mut singles) = (FftPlanner::new(), FftPlanner::new());
+                let mut buffers = Buffers::default();
+                let filter = displacement_filter(&mut planner, points, boundary, &mut buffers);
+                let single = filter.single(&mut singles);
+                let mut single_buffers = Buffers::default();
+                buffers.reserve(&filter);
+                single_buffers.reserve(&single);
+                // Steps of constant load, smooth and rough.
+                for roughness in [0.0, 1.0] {
+                    let value = |i: usize| {
+                        let x = i as f64 / points as f64 - 0.5;
+                        x + roughness * (12.9898 * (i * i) as f64).sin()
+                    };
+                    let mean = (0..points).map(value).sum::<f64>() / points as f64;
+                    let steps: Vec<f64> = (0..points).map(|i| value(i) - mean).collect();
+                    let rounded: Vec<f32> = steps.iter().map(|&x| x as f32).collect();
+                    filter.filter(&mut buffers, 1.0, &steps);
+                    single.filter(&mut single_buffers, 1.0, &rounded);
+                    let exact = buffers.signal(points);
+                    let found = single_buffers.signal(points);
+                    let most = exact.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
+                    let pairs = exact.iter().zip(found);
+                    let lost = pairs.fold(0.0, |m: f64, (u, s)| m.max((u - f64::from(*s)).abs()));
+                    assert!(lost < crate::ppcg::SINGLE * most);
+                }
+            }
+        }
+    }
+}

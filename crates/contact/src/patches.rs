@@ -10,7 +10,6 @@
 //! A double sum of the kernel over the cells of two patches is four values of G, whatever their
 //! size. G is known in closed form up to terms of k⁻⁴.
 
-use crate::runs::Run;
 use crate::strip_kernel::{periodic_rest, strip};
 
 /// Points in F that follow each other.
@@ -35,37 +34,6 @@ impl Patch {
     /// The places among the listed points.
     pub(crate) fn places(&self) -> std::ops::Range<usize> {
         self.listed..self.listed + self.points()
-    }
-}
-
-/// The patches of free points, in order.
-pub(crate) fn find(runs: &[Run], free: &[bool], patches: &mut Vec<Patch>) {
-    patches.clear();
-    let mut listed = 0;
-    for run in runs {
-        let mut open = None;
-        for (place, &free) in run.range().zip(&free[listed..]) {
-            match (open, free) {
-                (None, true) => open = Some(place),
-                (Some(first), false) => {
-                    patches.push(patch(first, place, *run, listed));
-                    open = None;
-                }
-                _ => {}
-            }
-        }
-        if let Some(first) = open {
-            patches.push(patch(first, run.range().end, *run, listed));
-        }
-        listed += run.points();
-    }
-}
-
-fn patch(first: usize, end: usize, run: Run, listed: usize) -> Patch {
-    Patch {
-        first,
-        end,
-        listed: listed + first - run.range().start,
     }
 }
 
@@ -123,16 +91,6 @@ mod tests {
     }
 
     #[test]
-    fn patches_are_runs_of_free_points() {
-        let runs = [Run::new(3, 7), Run::new(9, 10), Run::new(20, 23)];
-        let free = [true, true, false, true, true, false, true, true];
-        let mut patches = vec![];
-        find(&runs, &free, &mut patches);
-        let found: Vec<_> = patches.iter().map(|p| (p.first, p.end, p.listed)).collect();
-        assert_eq!(found, [(3, 5, 0), (6, 7, 3), (9, 10, 4), (21, 23, 6)]);
-    }
-
-    #[test]
     fn the_mean_displacement_between_patches_is_the_double_sum_of_the_kernel() {
         let column = crate::strip_kernel::strip_column(3_000);
         let kernel = PatchKernel { period: None };
@@ -148,7 +106,10 @@ mod tests {
             let sum: f64 = pairs.map(|lag| column[lag]).sum();
             let exact = sum / (one.points() * other.points()) as f64;
             let mean = kernel.mean(&one, &other, 0.0);
-            assert!((mean - exact).abs() < 2e-3, "{one:?} {other:?}: {mean} {exact}");
+            assert!(
+                (mean - exact).abs() < 2e-3,
+                "{one:?} {other:?}: {mean} {exact}"
+            );
         }
     }
 

@@ -4,7 +4,9 @@
 //! Polonsky and Keer (1999) needs two displacements and three to twelve times the iterations. The
 //! free set holds the points between the bounds and those at a bound with the gap on its wrong
 //! side. A trial step along the direction is clipped and its load restored; the exact line search
-//! is then made along the feasible difference, whose displacement is the only one needed.
+//! is then made along the feasible difference, whose displacement is the only one needed. Single
+//! precision is enough for it: what it loses shrinks with the steps, and the displacement is
+//! computed afresh in double precision before the loss matters and before a result is accepted.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -31,6 +33,16 @@ const WHOLE: f64 = 0.5;
 /// whose kernel differs by 6.6·a.
 const GRADIENT: f64 = 0.1;
 
+/// Error of a displacement in single precision over its largest value: a tenth to a half of this from
+/// 50 to 30 000 points.
+pub(crate) const SINGLE: f64 = 1e-6;
+/// Share of the gap left to close that the error of the displacement may have.
+const DRIFT: f64 = 0.1;
+
+/// Pressure left of that before a step that is nothing but round-off. A point that keeps it counts
+/// as lying between the bounds, and can hold the iteration where no step improves anything.
+const DUST: f64 = 1e-15;
+
 /// Memory of the search from one iteration to the next.
 #[derive(Default)]
 pub(crate) struct Search {
@@ -38,6 +50,8 @@ pub(crate) struct Search {
     length: Option<f64>,
     /// r·z of the last direction, or zero to begin anew along z.
     descent: f64,
+    /// Error in m of the displacement by what single precision lost.
+    drift: f64,
 }
 
 /// Improves `work.pressure` until its certificate is within the tolerance or no progress is left;
@@ -45,19 +59,19 @@ pub(crate) struct Search {
 pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize {
     work.resize();
     settle(level, work, task);
-    let mut iterations = 0;
-    if task.sum.is_some() && std::env::var_os("NOAS").is_none() {
-        work.deflating = true;
-        iterations = active_set::minimise(level, work, task);
-        work.deflating = false;
-        settle(level, work, task);
-    }
+    let mut iterations = match task.sum {
+        Some(_) => active_set::minimise(level, work, task),
+        None => 0,
+    };
     let mut search = Search::default();
     let (mut updates, mut stalled, mut best) = (0, 0, f64::INFINITY);
     loop {
         let mut assessment = work.assess(task);
-        if updates > 0 && (assessment.within(task.tolerance) || updates >= REFRESH) {
+        let left = assessment.penetration.max(task.tolerance) * task.reference_gap;
+        let drifted = search.drift > DRIFT * left || updates >= REFRESH;
+        if updates > 0 && (drifted || assessment.within(task.tolerance)) {
             settle(level, work, task);
+            search.drift = 0.0;
             updates = 0;
             assessment = work.assess(task);
         }
@@ -125,7 +139,6 @@ fn advance(
         return false;
     }
     let s = -line.slope / line.curvature;
-    if std::env::var_os("DBGI").is_some() { eprintln!("n {} gap {:.1e} pen {:.1e} free {} clipped {} s {:.2} reach {:.2} descent {:.1e}", work.pressure.len(), assessment.duality_gap, assessment.penetration, assessment.free, clipped, s, reach, search.descent); }
     let length = if clipped {
         search.length = Some(reach * s.clamp(0.5, 2.0));
         if s < WHOLE {
@@ -141,7 +154,7 @@ fn advance(
         }
     };
     take_step(work, task, length);
-    work.open(length, line.datum);
+    search.drift += SINGLE * work.open(length, line.scale, line.datum);
     true
 }
 
@@ -159,7 +172,8 @@ fn take_step(work: &mut Workspace, task: &Task, length: f64) {
                     continue;
                 }
                 for (p, to) in pressure.iter_mut().zip(trial) {
-                    *p = (*p + length * (to - *p)).clamp(0.0, task.limit);
+                    let moved = (*p + length * (to - *p)).clamp(0.0, task.limit);
+                    *p = if moved > DUST * *p { moved } else { 0.0 };
                 }
             }
         },
@@ -170,6 +184,8 @@ fn take_step(work: &mut Workspace, task: &Task, length: f64) {
 struct Line {
     slope: f64,
     curvature: f64,
+    /// Of the displacement that the buffers hold.
+    scale: f64,
     /// What the datum adds to the displacement by Δ.
     datum: f64,
 }
@@ -180,39 +196,63 @@ impl Line {
     }
 }
 
-/// Leaves the displacement by q − p, but for the datum, in the signal of the buffers.
+/// Leaves the displacement by q − p, but for a scale and the datum, in the signal of the
+/// single-precision buffers: as steps become short, so does what is lost of them.
 fn line_search(level: Level, work: &mut Workspace, task: &Task, approach: f64) -> Line {
     let (pressure, runs, trial) = (&work.pressure, &work.runs, &work.trial);
-    let steps = work.buffers.signal(trial.len());
-    vectorised(
-        #[inline(always)]
-        || {
-            for (run, place) in parts(runs) {
-                let pairs = trial[place.clone()].iter().zip(&pressure[run]);
-                for (step, (to, from)) in steps[place].iter_mut().zip(pairs) {
-                    *step = to - from;
-                }
-            }
-        },
-    );
-    let datum = task.datum_displacement(|| steps.iter().sum());
-    level
-        .displacement
-        .filter_runs(&mut work.buffers, task.compliance, runs);
-    let change = &*work.buffers.signal(pressure.len());
     let mut lanes = Lanes::new([0.0; 2]);
     vectorised(
         #[inline(always)]
         || {
             for (run, place) in parts(runs) {
-                let (p, v) = (&pressure[run.clone()], &work.opening[run.clone()]);
-                let arrays = [p, &trial[place], v, &change[run]];
+                lanes.fold(
+                    [&pressure[run], &trial[place]],
+                    |[sum, most], [from, to]| {
+                        let step = to - from;
+                        let size = step.abs();
+                        [sum + step, if size > most { size } else { most }]
+                    },
+                );
+            }
+        },
+    );
+    let [sum, largest] = lanes.reduce(|a, b| [a[0] + b[0], a[1].max(b[1])]);
+    let datum = task.datum_displacement(|| sum);
+    let unit = if largest > 0.0 { largest } else { 1.0 };
+    let steps = work.inverse_buffers.signal(trial.len());
+    vectorised(
+        #[inline(always)]
+        || {
+            let per_unit = 1.0 / unit;
+            for (run, place) in parts(runs) {
+                let pairs = trial[place.clone()].iter().zip(&pressure[run]);
+                for (step, (to, from)) in steps[place].iter_mut().zip(pairs) {
+                    *step = ((to - from) * per_unit) as f32;
+                }
+            }
+        },
+    );
+    level
+        .single
+        .filter_runs(&mut work.inverse_buffers, 1.0, runs);
+    let scale = unit * task.compliance;
+    let change = &*work.inverse_buffers.signal(pressure.len());
+    let (opening, trial, spare) = (&work.opening, &work.trial, &mut work.ascent);
+    spare.resize(trial.len(), 0.0);
+    let mut lanes = Lanes::new([0.0; 2]);
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let change = change[run.clone()].iter();
+                for (to, &change) in spare[place.clone()].iter_mut().zip(change) {
+                    *to = scale * f64::from(change) + datum;
+                }
+                let (p, v) = (&pressure[run.clone()], &opening[run]);
+                let arrays = [p, &trial[place.clone()], v, &spare[place]];
                 lanes.fold(arrays, |[slope, curvature], [p, to, v, change]| {
                     let step = to - p;
-                    [
-                        slope + step * (v - approach),
-                        curvature + step * (change + datum),
-                    ]
+                    [slope + step * (v - approach), curvature + step * change]
                 });
             }
         },
@@ -221,6 +261,7 @@ fn line_search(level: Level, work: &mut Workspace, task: &Task, approach: f64) -
     Line {
         slope,
         curvature,
+        scale,
         datum,
     }
 }
@@ -360,64 +401,52 @@ fn precondition(level: Level, work: &mut Workspace, task: &Task, residual_mean: 
             }
         },
     );
-    deflate(level, work, 1.0 / scale);
+    if work.coarse.is_active() {
+        deflate(level, work, scale);
+    }
     let stiffness = scale / task.compliance;
     vectorised(|| work.ascent.iter_mut().for_each(|z| *z *= stiffness));
 }
 
-/// d = forces of the patches that leave no mean residual on any; false when there are few.
-pub(crate) fn level_forces(level: Level, work: &mut Workspace, task: &Task, mean: f64) -> bool {
-    let points = work.pressure.len();
-    let Workspace { coarse, runs, free, ascent, residual, direction, .. } = work;
-    if !coarse.prepare(points, level.boundary, runs, free) {
-        return false;
-    }
-    residual.iter_mut().for_each(|r| *r -= mean);
-    ascent.clear();
-    ascent.resize(residual.len(), 0.0);
-    coarse.correct(residual, ascent);
-    for (run, place) in parts(runs) {
-        let pairs = direction[run].iter_mut().zip(&ascent[place]);
-        pairs.for_each(|(d, z)| *d = -z / task.compliance);
-    }
-    true
-}
-
-/// Lets z leave no mean residual on any contact patch, when there are many. Both are in units of
-/// the scale of the residual.
+/// Lets z leave no mean residual on any contact patch. Both are in units of the residual's scale.
 fn deflate(level: Level, work: &mut Workspace, scale: f64) {
-    let points = work.pressure.len();
-    let (coarse, runs, free) = (&mut work.coarse, &work.runs, &work.free);
-    if !work.deflating || !coarse.prepare(points, level.boundary, runs, free) {
-        return;
-    }
-    let (ascent, residual) = (&mut work.ascent, &work.residual);
+    let (ascent, residual, runs) = (&mut work.ascent, &work.residual, &work.runs);
+    let mean = ascent.iter().sum::<f64>() / ascent.len() as f64;
     let buffers = &mut work.inverse_buffers;
-    let count = free.iter().filter(|&&free| free).count() as f64;
-    let mean = ascent.iter().sum::<f64>() / count;
-    for (z, &free) in ascent.iter_mut().zip(free) {
-        *z = if free { *z - mean } else { 0.0 };
-    }
-    let displacement = coarse.single(level.displacement, buffers);
     let signal = buffers.signal(ascent.len());
-    for (to, z) in signal.iter_mut().zip(&*ascent) {
+    for (to, z) in signal.iter_mut().zip(&mut *ascent) {
+        *z -= mean;
         *to = *z as f32;
     }
-    displacement.filter_runs(buffers, 1.0, runs);
-    let change = &*buffers.signal(points);
+    level.single.filter_runs(buffers, 1.0, runs);
+    let change = &*buffers.signal(work.pressure.len());
     let left = &mut work.trial;
     left.resize(ascent.len(), 0.0);
     for (run, place) in parts(runs) {
         let values = residual[place.clone()].iter().zip(&change[run]);
         for (to, (r, u)) in left[place].iter_mut().zip(values) {
-            *to = r * scale - f64::from(*u);
+            *to = r / scale - f64::from(*u);
         }
     }
-    coarse.correct(left, ascent);
+    work.coarse.correct(left, ascent);
+}
+
+/// d = even pressures on the patches that remove the means of the residual over them. Takes the
+/// mean of all from the residual.
+pub(crate) fn remove_patch_means(work: &mut Workspace, task: &Task, residual_mean: f64) {
+    let (ascent, residual) = (&mut work.ascent, &mut work.residual);
+    residual.iter_mut().for_each(|r| *r -= residual_mean);
+    ascent.clear();
+    ascent.resize(residual.len(), 0.0);
+    work.coarse.correct(residual, ascent);
+    for (run, place) in parts(&work.runs) {
+        let pairs = work.direction[run].iter_mut().zip(&ascent[place]);
+        pairs.for_each(|(d, z)| *d = -z / task.compliance);
+    }
 }
 
 /// Length of the step along d that minimises the energy without bounds.
-pub(crate) fn exact_length(level: Level, work: &mut Workspace, task: &Task) -> f64 {
+fn exact_length(level: Level, work: &mut Workspace, task: &Task) -> f64 {
     let (runs, direction, residual) = (&work.runs, &work.direction, &work.residual);
     let steps = work.buffers.signal(listed(runs));
     for (run, place) in parts(runs) {

@@ -21,6 +21,8 @@ const BLOCK: usize = u64::BITS as usize;
 #[derive(Clone, Copy)]
 pub(crate) struct Level<'a> {
     pub(crate) displacement: &'a EvenFilter,
+    /// The displacement in single precision, for what a step changes.
+    pub(crate) single: &'a EvenFilter<f32>,
     pub(crate) inverse: &'a EvenFilter<f32>,
     pub(crate) boundary: Boundary,
 }
@@ -59,7 +61,6 @@ pub(crate) struct Workspace {
     pub(crate) buffers: Buffers,
     pub(crate) inverse_buffers: Buffers<f32>,
     pub(crate) coarse: CoarseSpace,
-    pub(crate) deflating: bool,
     pub(crate) pressure: Vec<f64>,
     /// v
     pub(crate) opening: Vec<f64>,
@@ -68,7 +69,9 @@ pub(crate) struct Workspace {
     pub(crate) previous: Vec<f64>,
     /// Runs of points with pressure or overlap, in order: the listed points.
     pub(crate) runs: Vec<Run>,
-    next: Vec<Run>,
+    pub(crate) next: Vec<Run>,
+    /// The free set that the next iterations are to be on.
+    pub(crate) held: Vec<Run>,
     /// Residual, zero off F; preconditioned residual; trial pressure: one value per listed point.
     pub(crate) residual: Vec<f64>,
     pub(crate) ascent: Vec<f64>,
@@ -111,7 +114,7 @@ impl Workspace {
         self.free.clear();
         self.free.reserve(points);
         // Every other point at most begins a run.
-        for runs in [&mut self.runs, &mut self.next] {
+        for runs in [&mut self.runs, &mut self.next, &mut self.held] {
             runs.clear();
             runs.reserve(points.div_ceil(2));
         }
@@ -148,18 +151,39 @@ impl Workspace {
         self.runs.push(Run::new(0, self.pressure.len()));
     }
 
-    /// v + s·(A Δ + `datum`) with A Δ the signal of the buffers; p has taken that step already.
-    pub(crate) fn open(&mut self, length: f64, datum: f64) {
-        let change = self.buffers.signal(self.opening.len());
-        let opening = &mut self.opening;
+    /// v + s·(A Δ + `datum`) with A Δ the signal of the single-precision buffers times `scale`; p
+    /// has taken that step already. Returns the largest change.
+    pub(crate) fn open(&mut self, length: f64, scale: f64, datum: f64) -> f64 {
+        let change = &*self.inverse_buffers.signal(self.opening.len());
+        let (opening, slope, rise) = (&mut self.opening, length * scale, length * datum);
+        let (mut least, mut most) = ([0_f32; 8], [0_f32; 8]);
         vectorised(
             #[inline(always)]
             || {
-                for (v, &change) in opening.iter_mut().zip(&*change) {
-                    *v += length * (change + datum);
+                for (v, &change) in opening.iter_mut().zip(change) {
+                    *v += slope * f64::from(change) + rise;
+                }
+                for block in change.as_chunks::<8>().0 {
+                    for lane in 0..8 {
+                        least[lane] = if block[lane] < least[lane] {
+                            block[lane]
+                        } else {
+                            least[lane]
+                        };
+                        most[lane] = if block[lane] > most[lane] {
+                            block[lane]
+                        } else {
+                            most[lane]
+                        };
+                    }
                 }
             },
         );
+        let largest = most
+            .iter()
+            .zip(&least)
+            .fold(0.0, |m, (a, b)| f32::max(m, a.max(-b)));
+        slope * f64::from(largest)
     }
 
     /// α: mean of v between the bounds; with no such point the largest v under pressure.

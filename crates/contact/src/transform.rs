@@ -451,7 +451,11 @@ impl EvenFilter<f64> {
     pub(crate) fn single(&self, planner: &mut FftPlanner<f32>) -> EvenFilter<f32> {
         let single = |values: &[f64]| values.iter().map(|&x| x as f32).collect();
         let alternating = self.alternating.as_ref().map(|part| Alternating {
-            twist: part.twist.iter().map(|w| Complex::new(w.re as f32, w.im as f32)).collect(),
+            twist: part
+                .twist
+                .iter()
+                .map(|w| Complex::new(w.re as f32, w.im as f32))
+                .collect(),
             symbol: single(&part.symbol),
         });
         EvenFilter {

@@ -3,7 +3,7 @@
 
 mod common;
 
-use asperity_contact::running_in::RunningIn;
+use asperity_contact::running_in::{Cycle, RunningIn};
 use asperity_contact::two_flanks::TwoFlanks;
 use asperity_contact::{
     Boundary, ContactError, ContactProblem, Control, Path, SolverSettings, press_paths, solve,
@@ -11,6 +11,7 @@ use asperity_contact::{
 };
 use asperity_core::Profile;
 use asperity_core::quantity::Pressure;
+use asperity_roughness::material_ratio::rk_parameters;
 use common::{CYLINDER, hertz_problem, relative_difference, rough_gap, self_affine, tight};
 
 /// The flanks of the composite gap of [`rough_gap`].
@@ -184,6 +185,30 @@ fn flanks_run_in_as_an_independent_program_has_it() {
         close(found.rq[0].si(), first, 1e-7);
         close(found.rq[1].si(), second, 1e-7);
     }
+}
+
+#[test]
+fn whoever_watches_running_in_sees_every_cycle_and_its_flanks() {
+    let flanks = rough_flanks(1_000);
+    let mut seen = vec![];
+    let watch = |cycle: &Cycle, flanks: &[Profile; 2]| seen.push((cycle.clone(), flanks.clone()));
+    let ran_in = RunningIn::evenly(1_000, 4)
+        .run_watched(&pair(&flanks), &SolverSettings::default(), watch)
+        .unwrap();
+    let cycles: Vec<_> = seen.iter().map(|(cycle, _)| cycle.clone()).collect();
+    assert_eq!(cycles, ran_in.cycles);
+    let worn: Vec<_> = seen.into_iter().map(|(_, flanks)| flanks).collect();
+    assert_eq!(worn[worn.len() - 1], ran_in.flanks);
+    // Rpk settles with the energy.
+    let rpk = |flanks: &[Profile; 2]| {
+        let [first, _] = flanks.each_ref();
+        rk_parameters(first.heights()).unwrap().rpk.si()
+    };
+    let changes: Vec<_> = worn
+        .windows(2)
+        .map(|pair| (rpk(&pair[1]) - rpk(&pair[0])).abs())
+        .collect();
+    assert!(rpk(&worn[0]) != rpk(&flanks) && changes[changes.len() - 1] < 1e-4 * rpk(&flanks));
 }
 
 #[test]
