@@ -35,6 +35,7 @@ mod runs;
 mod scene;
 pub mod solver;
 mod state;
+mod step;
 pub mod strip_kernel;
 pub mod subsurface;
 mod transform;

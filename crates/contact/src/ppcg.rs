@@ -17,9 +17,10 @@
 //! | d, τ | direction, length of the trial step along it | Pa, - |
 //! | Δ, s | feasible step, its length by exact line search | Pa, - |
 
-use crate::projection::{clip, project, restore_load};
-use crate::runs::{Lanes, listed, parts, vectorised};
+use crate::projection::{clip, restore_load};
+use crate::runs::{Lanes, parts, vectorised};
 use crate::state::{Assessment, Level, Task, Workspace};
+use crate::step::{exact_length, farthest, line_search, take_step, try_gradient, try_step};
 
 /// Updates of the displacement after which it is computed afresh, before round-off gathers.
 const REFRESH: usize = 50;
@@ -28,19 +29,11 @@ const STALL: usize = 400;
 /// A clipped step is taken whole when the line search would go at least half as far: the energy
 /// then decreases, and the bounds are identified exactly.
 const WHOLE: f64 = 0.5;
-/// Step along the gradient, in π·E*/a: about the stiffness of pressure moved to the next cell,
-/// whose kernel differs by 6.6·a.
-const GRADIENT: f64 = 0.1;
-
 /// Error of a displacement in single precision over its largest value: a tenth to a half of this from
 /// 50 to 30 000 points.
 pub(crate) const SINGLE: f64 = 1e-6;
 /// Share of the gap left to close that the error of the displacement may have.
 const DRIFT: f64 = 0.1;
-
-/// Pressure left of that before a step that is nothing but round-off. A point that keeps it counts
-/// as lying between the bounds, and can hold the iteration where no step improves anything.
-const DUST: f64 = 1e-15;
 
 /// Memory of the search from one iteration to the next.
 struct Search {
@@ -99,7 +92,7 @@ fn settle(level: Level, work: &mut Workspace, task: &Task) {
 }
 
 /// Clips to the bounds, and restores the load when it is given.
-fn make_feasible(pressure: &mut [f64], task: &Task) {
+pub(crate) fn make_feasible(pressure: &mut [f64], task: &Task) {
     match task.sum {
         Some(sum) => restore_load(pressure, sum, task.limit),
         None => clip(pressure, task.limit),
@@ -150,114 +143,6 @@ fn advance(
     take_step(work, task, length);
     search.drift += SINGLE * work.open(length, line.scale, line.datum);
     true
-}
-
-/// p + s·Δ
-fn take_step(work: &mut Workspace, task: &Task, length: f64) {
-    let (pressure, runs, trial) = (&mut work.pressure, &work.runs, &work.trial);
-    vectorised(
-        #[inline(always)]
-        || {
-            for (run, place) in parts(runs) {
-                let (pressure, trial) = (&mut pressure[run], &trial[place]);
-                if length == 1.0 {
-                    // A step that is taken whole must land on the bounds to the last bit.
-                    pressure.copy_from_slice(trial);
-                    continue;
-                }
-                for (p, to) in pressure.iter_mut().zip(trial) {
-                    let moved = (*p + length * (to - *p)).clamp(0.0, task.limit);
-                    *p = if moved > DUST * *p { moved } else { 0.0 };
-                }
-            }
-        },
-    );
-}
-
-/// The energy along Δ = q − p: slope·s + ½·curvature·s².
-struct Line {
-    slope: f64,
-    curvature: f64,
-    /// Of the displacement that the buffers hold.
-    scale: f64,
-    /// What the datum adds to the displacement by Δ.
-    datum: f64,
-}
-
-impl Line {
-    fn descends(&self) -> bool {
-        self.curvature > 0.0 && self.slope < 0.0
-    }
-}
-
-/// Leaves the displacement by q − p, but for a scale and the datum, in the signal of the
-/// single-precision buffers: as steps become short, so does what is lost of them.
-fn line_search(level: Level, work: &mut Workspace, task: &Task, approach: f64) -> Line {
-    let (pressure, runs, trial) = (&work.pressure, &work.runs, &work.trial);
-    let mut lanes = Lanes::new([0.0; 2]);
-    vectorised(
-        #[inline(always)]
-        || {
-            for (run, place) in parts(runs) {
-                lanes.fold(
-                    [&pressure[run], &trial[place]],
-                    |[sum, most], [from, to]| {
-                        let step = to - from;
-                        let size = step.abs();
-                        [sum + step, if size > most { size } else { most }]
-                    },
-                );
-            }
-        },
-    );
-    let [sum, largest] = lanes.reduce(|a, b| [a[0] + b[0], a[1].max(b[1])]);
-    let datum = task.datum_displacement(|| sum);
-    let unit = if largest > 0.0 { largest } else { 1.0 };
-    let steps = work.inverse_buffers.signal(trial.len());
-    vectorised(
-        #[inline(always)]
-        || {
-            let per_unit = 1.0 / unit;
-            for (run, place) in parts(runs) {
-                let pairs = trial[place.clone()].iter().zip(&pressure[run]);
-                for (step, (to, from)) in steps[place].iter_mut().zip(pairs) {
-                    *step = ((to - from) * per_unit) as f32;
-                }
-            }
-        },
-    );
-    level
-        .single
-        .filter_runs(&mut work.inverse_buffers, 1.0, runs);
-    let scale = unit * task.compliance;
-    let change = &*work.inverse_buffers.signal(pressure.len());
-    let (opening, trial, spare) = (&work.opening, &work.trial, &mut work.ascent);
-    spare.resize(trial.len(), 0.0);
-    let mut lanes = Lanes::new([0.0; 2]);
-    vectorised(
-        #[inline(always)]
-        || {
-            for (run, place) in parts(runs) {
-                let change = change[run.clone()].iter();
-                for (to, &change) in spare[place.clone()].iter_mut().zip(change) {
-                    *to = scale * f64::from(change) + datum;
-                }
-                let (p, v) = (&pressure[run.clone()], &opening[run]);
-                let arrays = [p, &trial[place.clone()], v, &spare[place]];
-                lanes.fold(arrays, |[slope, curvature], [p, to, v, change]| {
-                    let step = to - p;
-                    [slope + step * (v - approach), curvature + step * change]
-                });
-            }
-        },
-    );
-    let [slope, curvature] = lanes.total();
-    Line {
-        slope,
-        curvature,
-        scale,
-        datum,
-    }
 }
 
 /// d = −z + β·d on F without its mean, with Polak and Ribière's β ≥ 0; −z when that is no descent.
@@ -395,90 +280,4 @@ fn precondition(level: Level, work: &mut Workspace, task: &Task, residual_mean: 
             }
         },
     );
-}
-
-/// Length of the step along d that minimises the energy without bounds.
-fn exact_length(level: Level, work: &mut Workspace, task: &Task) -> f64 {
-    let (runs, direction, residual) = (&work.runs, &work.direction, &work.residual);
-    let steps = work.buffers.signal(listed(runs));
-    for (run, place) in parts(runs) {
-        steps[place].copy_from_slice(&direction[run]);
-    }
-    let datum = task.datum_displacement(|| steps.iter().sum());
-    level
-        .displacement
-        .filter_runs(&mut work.buffers, task.compliance, runs);
-    let change = &*work.buffers.signal(direction.len());
-    let mut lanes = Lanes::new([0.0; 2]);
-    for (run, place) in parts(runs) {
-        let arrays = [&direction[run.clone()], &residual[place], &change[run]];
-        lanes.fold(arrays, |[slope, curvature], [d, r, change]| {
-            [slope + r * d, curvature + d * (change + datum)]
-        });
-    }
-    let [slope, curvature] = lanes.total();
-    if curvature > 0.0 {
-        -slope / curvature
-    } else {
-        1.0
-    }
-}
-
-/// q = p + τ·d, clipped and with its load restored; whether it had to be.
-fn try_step(work: &mut Workspace, task: &Task, reach: f64) -> bool {
-    let capacity = task.limit * listed(&work.runs) as f64;
-    if task.sum.is_some_and(|sum| capacity <= sum) {
-        work.list_all();
-    }
-    work.trial.resize(listed(&work.runs), 0.0);
-    let (pressure, direction) = (&work.pressure, &work.direction);
-    let (runs, trial) = (&work.runs, &mut work.trial);
-    let mut outside = false;
-    vectorised(
-        #[inline(always)]
-        || {
-            for (run, place) in parts(runs) {
-                let pairs = pressure[run.clone()].iter().zip(&direction[run]);
-                for (to, (p, d)) in trial[place].iter_mut().zip(pairs) {
-                    *to = p + reach * d;
-                    outside |= (*to < 0.0) | (*to > task.limit);
-                }
-            }
-        },
-    );
-    if outside {
-        make_feasible(&mut work.trial, task);
-    }
-    outside
-}
-
-/// q = nearest feasible pressure to p − τ·g. It always descends, however few points can move:
-/// clipping d and shifting the rest can lead back to p.
-fn try_gradient(work: &mut Workspace, task: &Task, approach: f64) {
-    let stiffness = GRADIENT / task.compliance;
-    work.list_all();
-    work.trial.clear();
-    let pairs = work.pressure.iter().zip(&work.opening);
-    work.trial
-        .extend(pairs.map(|(p, v)| p - stiffness * (v - approach)));
-    match task.sum {
-        Some(sum) => project(&mut work.trial, sum, task.limit),
-        None => clip(&mut work.trial, task.limit),
-    }
-}
-
-/// Length of the step to the first bound.
-fn farthest(work: &Workspace, limit: f64) -> f64 {
-    let mut length = f64::INFINITY;
-    for (run, place) in parts(&work.runs) {
-        for (from, to) in work.pressure[run].iter().zip(&work.trial[place]) {
-            let step = to - from;
-            if step < 0.0 {
-                length = length.min(from / -step);
-            } else if step > 0.0 {
-                length = length.min((limit - from) / step);
-            }
-        }
-    }
-    length
 }
