@@ -1,15 +1,14 @@
-//! Two rough flanks run in: energy, contact, Rq and Rpk of every cycle until shakedown.
+//! Two rough flanks run in: energy, contact and roughness of every cycle until shakedown.
 //!
 //! ```text
 //! cargo run -p asperity-contact --example running_in
 //! ```
 
 use asperity_contact::SolverSettings;
-use asperity_contact::running_in::{Cycle, RunningIn};
+use asperity_contact::running_in::RunningIn;
 use asperity_contact::two_flanks::TwoFlanks;
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
-use asperity_roughness::material_ratio::rk_parameters;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let points = 1200;
@@ -29,22 +28,18 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         modulus: "115.4 GPa".parse()?,
         pressure_limit: Some("2.5 GPa".parse()?),
     };
-    println!("cycle  energy J/m   largest flow nm  contact   Rq nm          Rpk nm");
-    let mut number = 0;
-    let report = |cycle: &Cycle, flanks: &[Profile; 2]| {
-        number += 1;
-        let nanometres = |length: Length| 1e9 * length.si();
-        let [rpk_1, rpk_2] = flanks.each_ref().map(|flank| {
-            rk_parameters(flank.heights()).map_or(f64::NAN, |found| nanometres(found.rpk))
-        });
-        let [rq_1, rq_2] = cycle.rq.map(nanometres);
+    let ran_in = RunningIn::evenly(points, 6).run(&flanks, &SolverSettings::default())?;
+    println!("cycle  energy J/m   largest flow nm  contact  Rq1 nm  Rq2 nm");
+    for (number, cycle) in ran_in.cycles.iter().enumerate() {
         println!(
-            "{number:>5}  {:.4e}   {:>10.4}       {:.4}   {rq_1:.2} {rq_2:.2}  {rpk_1:.2} {rpk_2:.2}",
+            "{:>5}  {:.4e}   {:>10.4}       {:.4}   {:.2}  {:.2}",
+            number + 1,
             cycle.dissipated.si(),
-            nanometres(cycle.largest_flow),
+            1e9 * cycle.largest_flow.si(),
             cycle.contact_fraction,
+            1e9 * cycle.rq[0].si(),
+            1e9 * cycle.rq[1].si(),
         );
-    };
-    RunningIn::evenly(points, 6).run_watched(&flanks, &SolverSettings::default(), report)?;
+    }
     Ok(())
 }

@@ -14,7 +14,8 @@
 //! | p, v | pressure, displacement with the undeformed gap | Pa, m |
 //! | F, α, g | free set, mean of v over F, gap v − α | -, m, m |
 
-use crate::ppcg::{Search, choose_direction, remove_patch_means, settle};
+use crate::direction::{Search, choose_direction, remove_patch_means};
+use crate::ppcg::settle;
 use crate::runs::{Lanes, Run, listed, parts, vectorised};
 use crate::state::{Level, Task, Workspace};
 

@@ -15,7 +15,7 @@
 //! | s, S, D | symbol, ½·(s_k ± s_h₋ₖ) |
 //! | θ, ω | 2πk/m, exp(−iπ/m) |
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use rustfft::num_complex::Complex;
@@ -23,6 +23,12 @@ use rustfft::num_traits::Zero;
 use rustfft::{Fft, FftNum, FftPlanner};
 
 use crate::runs::{Run, vectorised};
+
+mod kernel;
+#[cfg(test)]
+mod tests;
+
+use kernel::turns;
 
 /// A filter of real signals whose kernel is even, so that its symbol is real.
 pub(crate) struct EvenFilter<T: FftNum = f64> {
@@ -101,15 +107,6 @@ pub(crate) fn fast_length(at_least: usize) -> usize {
         fives *= 5;
     }
     2 * best
-}
-
-/// exp(i·k·`angle`) for the first k: products of few sines and cosines, to a unit in the last place.
-fn turns(count: usize, angle: f64) -> Vec<Complex<f64>> {
-    let block = (count as f64).sqrt().ceil().max(1.0) as usize;
-    let fine: Vec<_> = (0..block).map(|k| Complex::cis(angle * k as f64)).collect();
-    let coarse = (0..count.div_ceil(block)).map(|k| Complex::cis(angle * (k * block) as f64));
-    let blocks = coarse.flat_map(|turn| fine.iter().map(move |small| turn * small));
-    blocks.take(count).collect()
 }
 
 fn number<T: FftNum>(value: f64) -> T {
@@ -361,235 +358,5 @@ impl<T: FftNum> Alternating<T> {
         for (y, (c, w)) in late.iter_mut().zip(turned()) {
             *y = *y + c.re * w.im + c.im * w.re;
         }
-    }
-}
-
-impl EvenFilter<f64> {
-    /// The filter with the kernel `column[k]` at distance k in either direction, of a period that
-    /// leaves room for all distances.
-    pub(crate) fn from_column(
-        planner: &mut FftPlanner<f64>,
-        column: &[f64],
-        buffers: &mut Buffers,
-    ) -> Self {
-        let length = fast_length(column.len());
-        let mut filter = Self::empty(planner, column.len(), length);
-        let value = |lag: usize| column.get(lag).copied().unwrap_or(0.0);
-        let folded = |lag: usize| value(lag) + if lag > 0 { value(length - lag) } else { 0.0 };
-        filter.set_spectrum(folded, 0.5, buffers);
-        filter.alternating = Some(filter.alternate(
-            |lag| value(lag) - if lag > 0 { value(length - lag) } else { 0.0 },
-            buffers,
-        ));
-        filter
-    }
-
-    /// The filter with the periodic and even kernel `column`.
-    pub(crate) fn from_period(
-        planner: &mut FftPlanner<f64>,
-        column: &[f64],
-        buffers: &mut Buffers,
-    ) -> Self {
-        let mut filter = Self::empty(planner, column.len(), column.len());
-        filter.set_spectrum(|lag| column[lag], 1.0, buffers);
-        filter
-    }
-
-    /// Takes over the even kernel of the period m, times `share`.
-    fn set_spectrum(&mut self, kernel: impl Fn(usize) -> f64, share: f64, buffers: &mut Buffers) {
-        buffers.reserve(self);
-        let waves = self.plan.len();
-        let paired = waves < self.length;
-        let wave = &mut buffers.wave[..waves];
-        for (j, z) in wave.iter_mut().enumerate() {
-            *z = if paired {
-                Complex::new(kernel(2 * j), kernel(2 * j + 1))
-            } else {
-                Complex::new(kernel(j), 0.0)
-            };
-        }
-        self.plan.process_with_scratch(wave, &mut buffers.scratch);
-        if !paired {
-            let symbol: Vec<f64> = wave.iter().map(|z| z.re).collect();
-            self.set_symbol(|k| symbol[k], share);
-            return;
-        }
-        let mut symbol = vec![0.0; waves + 1];
-        for (k, turn) in turns(waves / 2 + 1, TAU / self.length as f64)
-            .iter()
-            .enumerate()
-        {
-            let (z, mirror) = (wave[k], wave[(waves - k) % waves]);
-            // E + exp(−iθ)·O of the even and odd values, whose sum is real.
-            let even = 0.5 * (z.re + mirror.re);
-            let (re, im) = (0.5 * (z.im + mirror.im), 0.5 * (mirror.re - z.re));
-            symbol[k] = even + turn.re * re + turn.im * im;
-            symbol[waves - k] = even - turn.re * re - turn.im * im;
-        }
-        self.set_symbol(|k| symbol[k], share);
-    }
-
-    /// The alternating part of the kernel of the period 2m whose value at each distance less that
-    /// at m more is `kernel`.
-    fn alternate(&self, kernel: impl Fn(usize) -> f64, buffers: &mut Buffers) -> Alternating<f64> {
-        let waves = self.plan.len();
-        let twist = turns(waves, -PI / self.length as f64);
-        let wave = &mut buffers.wave[..waves];
-        for (j, (c, w)) in wave.iter_mut().zip(&twist).enumerate() {
-            *c = Complex::new(kernel(j), -kernel(j + waves)) * w;
-        }
-        self.plan.process_with_scratch(wave, &mut buffers.scratch);
-        // Half of the sum of both parts, and the inverse transform's factor.
-        let scale = 0.5 / waves as f64;
-        Alternating {
-            symbol: wave.iter().map(|c| scale * c.re).collect(),
-            twist,
-        }
-    }
-
-    /// The same filter in single precision.
-    pub(crate) fn single(&self, planner: &mut FftPlanner<f32>) -> EvenFilter<f32> {
-        let single = |values: &[f64]| values.iter().map(|&x| x as f32).collect();
-        let alternating = self.alternating.as_ref().map(|part| Alternating {
-            twist: part
-                .twist
-                .iter()
-                .map(|w| Complex::new(w.re as f32, w.im as f32))
-                .collect(),
-            symbol: single(&part.symbol),
-        });
-        EvenFilter {
-            points: self.points,
-            length: self.length,
-            plan: planner.plan_fft_forward(self.plan.len()),
-            direct: single(&self.direct),
-            crossed: single(&self.crossed),
-            alternating,
-        }
-    }
-
-    /// The same filter without the mean of a signal.
-    pub(crate) fn without_mean(mut self) -> Self {
-        if self.crossed.is_empty() {
-            self.direct[0] = 0.0;
-            return self;
-        }
-        // S and D of the symbol with s₀ = 0: half of what it adds to either.
-        let half = 0.5 * (self.direct[0] + self.crossed[0]);
-        self.direct[0] -= half;
-        self.crossed[0] -= half;
-        self
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Values without pattern between −1 and 1.
-    fn values(count: usize, seed: f64) -> Vec<f64> {
-        let value = |k: usize| (seed + 12.9898 * k as f64 * (k + 1) as f64).sin();
-        (0..count).map(value).collect()
-    }
-
-    fn assert_close(found: &[f64], expected: &[f64], what: &str) {
-        for (f, e) in found.iter().zip(expected) {
-            // Round-off of sums of some tens of values of the size of one.
-            assert!((f - e).abs() < 1e-13, "{what}: {found:?} {expected:?}");
-        }
-    }
-
-    #[test]
-    fn filtering_is_the_sum_over_all_pairs_of_points() {
-        let mut planner = FftPlanner::new();
-        for points in 2..60 {
-            let (column, signal) = (values(points, 0.3), values(points, 7.1));
-            let mut buffers = Buffers::default();
-            let filter = EvenFilter::from_column(&mut planner, &column, &mut buffers);
-            buffers.reserve(&filter);
-            let sum = |lag: &dyn Fn(usize, usize) -> usize| -> Vec<f64> {
-                let term = |i, j| 2.0 * column[lag(i, j)] * signal[j];
-                let row = |i| (0..points).map(|j| term(i, j)).sum();
-                (0..points).map(row).collect()
-            };
-            filter.filter(&mut buffers, 2.0, &signal);
-            let free = sum(&|i, j| i.abs_diff(j));
-            assert_close(buffers.signal(points), &free, "free ends");
-
-            let period: Vec<f64> = (0..points).map(|k| column[k.min(points - k)]).collect();
-            let filter = EvenFilter::from_period(&mut planner, &period, &mut buffers);
-            buffers.reserve(&filter);
-            filter.filter(&mut buffers, 2.0, &signal);
-            let around = sum(&|i, j| i.abs_diff(j).min(points - i.abs_diff(j)));
-            assert_close(buffers.signal(points), &around, "periodic");
-
-            let mean = 2.0 / points as f64 * period.iter().sum::<f64>();
-            let total: f64 = signal.iter().sum();
-            let without: Vec<f64> = around.iter().map(|y| y - mean * total).collect();
-            let filter = filter.without_mean();
-            filter.filter(&mut buffers, 2.0, &signal);
-            assert_close(buffers.signal(points), &without, "without mean");
-        }
-    }
-
-    #[test]
-    fn runs_are_filtered_as_among_zeros() {
-        let points = 41;
-        let (column, all) = (values(points, 0.3), values(points, 7.1));
-        let (mut planner, mut buffers) = (FftPlanner::new(), Buffers::default());
-        let filter = EvenFilter::from_column(&mut planner, &column, &mut buffers);
-        buffers.reserve(&filter);
-        let runs = [
-            Run::new(1, 2),
-            Run::new(5, 9),
-            Run::new(12, 33),
-            Run::new(40, 41),
-        ];
-        let list: Vec<usize> = runs.iter().flat_map(|run| run.range()).collect();
-        let mut signal = vec![0.0; points];
-        for &i in &list {
-            signal[i] = all[i];
-        }
-        filter.filter(&mut buffers, 1.0, &signal);
-        let expected = buffers.signal(points).to_vec();
-        for (to, &i) in buffers.signal(points).iter_mut().zip(&list) {
-            *to = all[i];
-        }
-        filter.filter_runs(&mut buffers, 1.0, &runs);
-        assert_close(buffers.signal(points), &expected, "runs");
-    }
-
-    #[test]
-    fn a_symbol_multiplies_each_wave() {
-        for length in [2, 9, 12, 40] {
-            let symbol = |k: usize| 1.0 / (1.0 + k as f64);
-            let (mut planner, mut buffers) = (FftPlanner::new(), Buffers::default());
-            let filter = EvenFilter::from_symbol(&mut planner, length, length, symbol);
-            buffers.reserve(&filter);
-            for k in 0..=length / 2 {
-                let wave: Vec<f64> = (0..length)
-                    .map(|j| (0.4 + TAU * (k * j) as f64 / length as f64).cos())
-                    .collect();
-                // The wave at half the sampling rate has only its cosine.
-                let scaled: Vec<f64> = wave.iter().map(|x| x * symbol(k)).collect();
-                filter.filter(&mut buffers, 1.0, &wave);
-                assert_close(buffers.signal(length), &scaled, "wave");
-            }
-        }
-    }
-
-    #[test]
-    fn fast_lengths_are_near_and_even() {
-        for least in 1..5_000 {
-            let length = fast_length(least);
-            assert!(length.is_multiple_of(2) && length >= least);
-            assert!(
-                length as f64 <= 1.26 * least as f64 + 8.0,
-                "{least}: {length}"
-            );
-        }
-        assert_eq!(fast_length(10_000), 10_240);
-        assert_eq!(fast_length(100_000), 102_400);
-        assert_eq!(fast_length(4_608), 4_608);
     }
 }
