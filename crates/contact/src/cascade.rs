@@ -24,6 +24,35 @@ pub(crate) fn restrict(fine: &[f64]) -> Vec<f64> {
         .collect()
 }
 
+/// A contact of no more patches than this is taken as smooth.
+const FEW: usize = 4;
+
+/// Whether the points that `touch` lie in few patches, which converge quickly, so that it pays to
+/// start the finer grid with the slopes of the pressure.
+pub(crate) fn is_smooth(touches: &[usize]) -> bool {
+    let ends = touches.windows(2).filter(|pair| pair[1] > pair[0] + 1);
+    ends.count() < FEW
+}
+
+/// Each value at its two halves, which differ by the slope over its neighbours; alike at the edges
+/// of contact. `points` in all.
+pub(crate) fn prolong_slopes(coarse: &[f64], points: usize) -> Vec<f64> {
+    let at = |i: usize| coarse.get(i).copied().unwrap_or(0.0);
+    let halves = |(i, &p): (usize, &f64)| {
+        let (before, after) = (at(i.wrapping_sub(1)), at(i + 1));
+        let inside = before > 0.0 && p > 0.0 && after > 0.0;
+        // A quarter of the slope per coarse cell, and never below zero.
+        let step = ((after - before) / 8.0).clamp(-p, p);
+        if inside { [p - step, p + step] } else { [p, p] }
+    };
+    coarse
+        .iter()
+        .enumerate()
+        .flat_map(halves)
+        .take(points)
+        .collect()
+}
+
 /// Each value twice, `points` in all.
 pub(crate) fn prolong(coarse: &[f64], points: usize) -> Vec<f64> {
     coarse.iter().flat_map(|&p| [p, p]).take(points).collect()
@@ -102,5 +131,16 @@ mod tests {
         assert_eq!(grids(257), [257, 129]);
         assert_eq!(grids(7), [7]);
         assert_eq!(prolong(&restrict(&[1.0, 3.0, 5.0]), 3), [2.0, 2.0, 5.0]);
+    }
+
+    #[test]
+    fn slopes_are_carried_to_the_finer_grid_within_a_patch() {
+        let fine = prolong_slopes(&[0.0, 8.0, 16.0, 8.0, 0.0, 4.0], 11);
+        let expected = [0.0, 0.0, 8.0, 8.0, 16.0, 16.0, 8.0, 8.0, 0.0, 0.0, 4.0];
+        assert_eq!(fine, expected);
+        let slope = prolong_slopes(&[1.0, 9.0, 17.0], 6);
+        assert_eq!(slope, [1.0, 1.0, 7.0, 11.0, 17.0, 17.0]);
+        assert!(is_smooth(&[3, 4, 5, 9, 10]) && is_smooth(&[]));
+        assert!(!is_smooth(&[1, 3, 5, 7, 9]));
     }
 }

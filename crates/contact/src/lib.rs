@@ -15,25 +15,32 @@
 //! | the kernel and its fast product, the dense judge | [`strip_kernel`], [`half_plane`], [`direct`] |
 //! | files | [`array_file`] |
 
+mod active_set;
 pub mod array_file;
 mod cascade;
 pub mod certificate;
+mod coarse_space;
 pub mod direct;
+mod direction;
 pub mod equations;
 pub mod error;
 pub mod flat_punch;
 pub mod friction;
 pub mod half_plane;
 pub mod hertz_line;
+mod nodes;
+mod patches;
 pub mod path;
 pub mod plasticity;
 mod ppcg;
 pub mod problem;
 mod projection;
 pub mod running_in;
+mod runs;
 mod scene;
 pub mod solver;
 mod state;
+mod step;
 pub mod strip_kernel;
 pub mod subsurface;
 mod transform;

@@ -4,7 +4,9 @@
 //! Polonsky and Keer (1999) needs two displacements and three to twelve times the iterations. The
 //! free set holds the points between the bounds and those at a bound with the gap on its wrong
 //! side. A trial step along the direction is clipped and its load restored; the exact line search
-//! is then made along the feasible difference, whose displacement is the only one needed.
+//! is then made along the feasible difference, whose displacement is the only one needed. Single
+//! precision is enough for it: what it loses shrinks with the steps, and the displacement is
+//! computed afresh in double precision before the loss matters and before a result is accepted.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -15,8 +17,11 @@
 //! | d, τ | direction, length of the trial step along it | Pa, - |
 //! | Δ, s | feasible step, its length by exact line search | Pa, - |
 
-use crate::projection::{clip, project, restore_load};
+use crate::active_set;
+use crate::direction::{Search, choose_direction};
+use crate::projection::{clip, restore_load};
 use crate::state::{Assessment, Level, Task, Workspace};
+use crate::step::{exact_length, farthest, line_search, take_step, try_gradient, try_step};
 
 /// Updates of the displacement after which it is computed afresh, before round-off gathers.
 const REFRESH: usize = 50;
@@ -25,32 +30,30 @@ const STALL: usize = 400;
 /// A clipped step is taken whole when the line search would go at least half as far: the energy
 /// then decreases, and the bounds are identified exactly.
 const WHOLE: f64 = 0.5;
-/// Step along the gradient, in π·E*/a: about the stiffness of pressure moved to the next cell,
-/// whose kernel differs by 6.6·a.
-const GRADIENT: f64 = 0.1;
-
-/// Memory of the search from one iteration to the next.
-struct Search {
-    /// τ, not known before the first direction.
-    length: Option<f64>,
-    /// r·z of the last direction, or zero to begin anew along z.
-    descent: f64,
-}
+/// Error of a displacement in single precision over its largest value: a tenth to a half of this from
+/// 50 to 30 000 points.
+pub(crate) const SINGLE: f64 = 1e-6;
+/// Share of the gap left to close that the error of the displacement may have.
+const DRIFT: f64 = 0.1;
 
 /// Improves `work.pressure` until its certificate is within the tolerance or no progress is left;
 /// returns the iterations.
 pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize {
     work.resize();
     settle(level, work, task);
-    let mut search = Search {
-        length: None,
-        descent: 0.0,
+    let mut iterations = match task.sum {
+        Some(_) => active_set::minimise(level, work, task),
+        None => 0,
     };
-    let (mut iterations, mut updates, mut stalled, mut best) = (0, 0, 0, f64::INFINITY);
+    let mut search = Search::default();
+    let (mut updates, mut stalled, mut best) = (0, 0, f64::INFINITY);
     loop {
         let mut assessment = work.assess(task);
-        if updates > 0 && (assessment.within(task.tolerance) || updates >= REFRESH) {
+        let left = assessment.penetration.max(task.tolerance) * task.reference_gap;
+        let drifted = search.drift > DRIFT * left || updates >= REFRESH;
+        if updates > 0 && (drifted || assessment.within(task.tolerance)) {
             settle(level, work, task);
+            search.drift = 0.0;
             updates = 0;
             assessment = work.assess(task);
         }
@@ -74,13 +77,13 @@ pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize
 }
 
 /// Makes the pressure feasible and computes its displacement afresh: both drift by round-off.
-fn settle(level: Level, work: &mut Workspace, task: &Task) {
+pub(crate) fn settle(level: Level, work: &mut Workspace, task: &Task) {
     make_feasible(&mut work.pressure, task);
     work.refresh(level.displacement, task);
 }
 
 /// Clips to the bounds, and restores the load when it is given.
-fn make_feasible(pressure: &mut [f64], task: &Task) {
+pub(crate) fn make_feasible(pressure: &mut [f64], task: &Task) {
     match task.sum {
         Some(sum) => restore_load(pressure, sum, task.limit),
         None => clip(pressure, task.limit),
@@ -95,7 +98,11 @@ fn advance(
     assessment: &Assessment,
     search: &mut Search,
 ) -> bool {
-    choose_direction(level, work, task, assessment, search);
+    let residual_mean = match task.sum {
+        Some(_) => assessment.residual_sum / assessment.free as f64,
+        None => 0.0,
+    };
+    choose_direction(level, work, task, assessment.free, residual_mean, search);
     let reach = match search.length {
         Some(length) => length,
         // The preconditioner scales steps of constant load, but knows no datum.
@@ -129,224 +136,6 @@ fn advance(
         }
     };
     take_step(work, task, length);
-    work.open(length, line.datum);
+    search.drift += SINGLE * work.open(length, line.scale, line.datum);
     true
-}
-
-/// p + s·Δ
-fn take_step(work: &mut Workspace, task: &Task, length: f64) {
-    for (&i, &to) in work.list.iter().zip(&work.trial) {
-        let p = &mut work.pressure[i as usize];
-        // A step that is taken whole must land on the bounds to the last bit.
-        *p = if length == 1.0 {
-            to
-        } else {
-            (*p + length * (to - *p)).clamp(0.0, task.limit)
-        };
-    }
-}
-
-/// The energy along Δ = q − p: slope·s + ½·curvature·s².
-struct Line {
-    slope: f64,
-    curvature: f64,
-    /// What the datum adds to the displacement by Δ.
-    datum: f64,
-}
-
-impl Line {
-    fn descends(&self) -> bool {
-        self.curvature > 0.0 && self.slope < 0.0
-    }
-}
-
-/// Leaves the displacement by q − p, but for the datum, in the signal of the buffers.
-fn line_search(level: Level, work: &mut Workspace, task: &Task, approach: f64) -> Line {
-    let (pressure, list, trial) = (&work.pressure, &work.list, &work.trial);
-    let steps = || {
-        let pairs = list.iter().zip(trial);
-        pairs.map(|(&i, to)| to - pressure[i as usize])
-    };
-    let datum = task.datum_displacement(|| steps().sum());
-    level
-        .displacement
-        .filter_sparse(&mut work.buffers, task.compliance, list, steps());
-    let change = work.buffers.signal(pressure.len());
-    let (mut slope, mut curvature) = (0.0, 0.0);
-    for (&i, step) in list.iter().zip(steps()) {
-        slope += step * (work.opening[i as usize] - approach);
-        curvature += step * (change[i as usize] + datum);
-    }
-    Line {
-        slope,
-        curvature,
-        datum,
-    }
-}
-
-/// d = −z + β·d on F without its mean, with Polak and Ribière's β ≥ 0; −z when that is no descent.
-fn choose_direction(
-    level: Level,
-    work: &mut Workspace,
-    task: &Task,
-    assessment: &Assessment,
-    search: &mut Search,
-) {
-    // Steps of constant load have no mean, nor has what matters of the residual.
-    let count = assessment.free as f64;
-    let mean = |sum: f64| if task.sum.is_some() { sum / count } else { 0.0 };
-    precondition(level, work, task, mean(assessment.residual_sum));
-    let sums = ascent_sums(work);
-    let z_mean = mean(sums.z);
-    let old_z = sums.old_z - z_mean * sums.old;
-    let beta = if search.descent > 0.0 {
-        ((sums.r_z - old_z) / search.descent).max(0.0)
-    } else {
-        0.0
-    };
-    let (mut d_sum, mut r_d) = (0.0, 0.0);
-    for (k, &i) in work.list.iter().enumerate() {
-        let direction = &mut work.direction[i as usize];
-        *direction = if work.free[k] {
-            z_mean - work.ascent[k] + beta * *direction
-        } else {
-            0.0
-        };
-        d_sum += *direction;
-        r_d += work.residual[k] * *direction;
-    }
-    let d_mean = mean(d_sum);
-    for (k, &i) in work.list.iter().enumerate() {
-        let direction = &mut work.direction[i as usize];
-        if work.free[k] {
-            *direction = if r_d < 0.0 {
-                *direction - d_mean
-            } else {
-                z_mean - work.ascent[k]
-            };
-        }
-        work.previous[i as usize] = work.residual[k];
-    }
-    search.descent = sums.r_z;
-}
-
-/// Sums over F: of z, r·z, the residual of the last iteration, and that times z.
-struct AscentSums {
-    z: f64,
-    r_z: f64,
-    old: f64,
-    old_z: f64,
-}
-
-fn ascent_sums(work: &Workspace) -> AscentSums {
-    let mut sums = AscentSums {
-        z: 0.0,
-        r_z: 0.0,
-        old: 0.0,
-        old_z: 0.0,
-    };
-    for (k, &i) in work.list.iter().enumerate().filter(|(k, _)| work.free[*k]) {
-        let (z, old) = (work.ascent[k], work.previous[i as usize]);
-        sums.z += z;
-        sums.r_z += work.residual[k] * z;
-        sums.old += old;
-        sums.old_z += old * z;
-    }
-    sums
-}
-
-/// Takes the mean from r, and z = M r.
-fn precondition(level: Level, work: &mut Workspace, task: &Task, residual_mean: f64) {
-    for (r, &free) in work.residual.iter_mut().zip(&work.free) {
-        if free {
-            *r -= residual_mean;
-        }
-    }
-    // Scaled so that single precision neither overflows nor vanishes, whatever the units.
-    let largest = work.residual.iter().fold(0.0, |m: f64, r| m.max(r.abs()));
-    let scale = if largest > 0.0 { largest } else { 1.0 };
-    let scaled = work.residual.iter().map(|r| (r / scale) as f32);
-    let buffers = &mut work.inverse_buffers;
-    level
-        .inverse
-        .filter_sparse(buffers, 1.0, &work.list, scaled);
-    let z = buffers.signal(work.pressure.len());
-    let stiffness = 0.5 / task.compliance * scale;
-    let values = work
-        .list
-        .iter()
-        .map(|&i| stiffness * f64::from(z[i as usize]));
-    work.ascent.clear();
-    work.ascent.extend(values);
-}
-
-/// Length of the step along d that minimises the energy without bounds.
-fn exact_length(level: Level, work: &mut Workspace, task: &Task) -> f64 {
-    let (list, direction) = (&work.list, &work.direction);
-    let steps = || list.iter().map(|&i| direction[i as usize]);
-    let datum = task.datum_displacement(|| steps().sum());
-    level
-        .displacement
-        .filter_sparse(&mut work.buffers, task.compliance, list, steps());
-    let change = work.buffers.signal(direction.len());
-    let (mut slope, mut curvature) = (0.0, 0.0);
-    for ((&i, step), r) in list.iter().zip(steps()).zip(&work.residual) {
-        slope += r * step;
-        curvature += step * (change[i as usize] + datum);
-    }
-    if curvature > 0.0 {
-        -slope / curvature
-    } else {
-        1.0
-    }
-}
-
-/// q = p + τ·d, clipped and with its load restored; whether it had to be.
-fn try_step(work: &mut Workspace, task: &Task, reach: f64) -> bool {
-    let capacity = task.limit * work.list.len() as f64;
-    if task.sum.is_some_and(|sum| capacity <= sum) {
-        work.list_all();
-    }
-    let (pressure, direction) = (&work.pressure, &work.direction);
-    let mut outside = false;
-    work.trial.clear();
-    work.trial.extend(work.list.iter().map(|&i| {
-        let q = pressure[i as usize] + reach * direction[i as usize];
-        outside |= q < 0.0 || q > task.limit;
-        q
-    }));
-    if outside {
-        make_feasible(&mut work.trial, task);
-    }
-    outside
-}
-
-/// q = nearest feasible pressure to p − τ·g. It always descends, however few points can move:
-/// clipping d and shifting the rest can lead back to p.
-fn try_gradient(work: &mut Workspace, task: &Task, approach: f64) {
-    let stiffness = GRADIENT / task.compliance;
-    work.list_all();
-    work.trial.clear();
-    let pairs = work.pressure.iter().zip(&work.opening);
-    work.trial
-        .extend(pairs.map(|(p, v)| p - stiffness * (v - approach)));
-    match task.sum {
-        Some(sum) => project(&mut work.trial, sum, task.limit),
-        None => clip(&mut work.trial, task.limit),
-    }
-}
-
-/// Length of the step to the first bound.
-fn farthest(work: &Workspace, limit: f64) -> f64 {
-    let mut length = f64::INFINITY;
-    for (&i, &to) in work.list.iter().zip(&work.trial) {
-        let from = work.pressure[i as usize];
-        let step = to - from;
-        if step < 0.0 {
-            length = length.min(from / -step);
-        } else if step > 0.0 {
-            length = length.min((limit - from) / step);
-        }
-    }
-    length
 }

@@ -1,5 +1,9 @@
 //! Pressures within their bounds that carry the load.
 
+use crate::runs::{Lanes, vectorised};
+
+/// Points moved before they are counted: few enough to stay in the nearest cache.
+const BLOCK: usize = 1 << 10;
 /// Passes of the uniform shift before another way is tried.
 const SHIFTS: usize = 50;
 /// Halvings that bring any bracket below round-off.
@@ -11,36 +15,51 @@ const ACCEPTED: f64 = 1e-12;
 
 struct Tally {
     sum: f64,
-    interior: usize,
+    interior: f64,
 }
 
 /// Moves the interior points by `shift`, clips all to 0..`limit`, and counts again.
 fn shift_and_clip(pressure: &mut [f64], shift: f64, limit: f64) -> Tally {
-    let (mut sum, mut interior) = (0.0, 0);
-    for p in pressure {
-        let inside = *p > 0.0 && *p < limit;
-        *p = (*p + if inside { shift } else { 0.0 }).clamp(0.0, limit);
-        sum += *p;
-        interior += usize::from(*p > 0.0 && *p < limit);
-    }
+    let mut lanes = Lanes::new([0.0; 2]);
+    vectorised(
+        #[inline(always)]
+        || {
+            for block in pressure.chunks_mut(BLOCK) {
+                for p in &mut *block {
+                    let inside = (*p > 0.0) & (*p < limit);
+                    *p = (*p + if inside { shift } else { 0.0 }).clamp(0.0, limit);
+                }
+                lanes.fold([block], |[sum, interior], [p]| {
+                    let inside = (p > 0.0) & (p < limit);
+                    [sum + p, interior + if inside { 1.0 } else { 0.0 }]
+                });
+            }
+        },
+    );
+    let [sum, interior] = lanes.total();
     Tally { sum, interior }
+}
+
+/// Difference of loads that is only round-off.
+fn close(pressure: &[f64], sum: f64) -> f64 {
+    let count = pressure.len() as f64;
+    ROUND_OFF * sum * (0.1 * count.sqrt()).max(1.0)
 }
 
 /// Clips `pressure` to 0..`limit` and restores Σp = `sum` by moving the points between the bounds
 /// only: moving points at the limit too was found never to converge.
 pub(crate) fn restore_load(pressure: &mut [f64], sum: f64, limit: f64) {
-    let count = pressure.len() as f64;
-    let close = ROUND_OFF * sum * (0.1 * count.sqrt()).max(1.0);
+    let close = close(pressure, sum);
     let mut tally = shift_and_clip(pressure, 0.0, limit);
     for _ in 0..SHIFTS {
         let missing = sum - tally.sum;
         if missing.abs() <= close {
             return;
         }
-        if tally.interior == 0 {
+        if tally.interior == 0.0 {
             break;
         }
-        tally = shift_and_clip(pressure, missing / tally.interior as f64, limit);
+        tally = shift_and_clip(pressure, missing / tally.interior, limit);
     }
     if (tally.sum - sum).abs() > ACCEPTED * sum {
         // All in contact are at the limit.
@@ -51,17 +70,30 @@ pub(crate) fn restore_load(pressure: &mut [f64], sum: f64, limit: f64) {
 /// The nearest pressures within 0..`limit` with Σp = `sum`: all points moved by as much, and
 /// clipped. Newton's method on the shift, whose load is piecewise linear, within a bracket.
 pub(crate) fn project(pressure: &mut [f64], sum: f64, limit: f64) {
+    let close = close(pressure, sum);
     let least = pressure.iter().copied().fold(f64::INFINITY, f64::min);
     let most = pressure.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     // The ends carry nothing and, on a single point, everything.
     let (mut low, mut high) = (-most, sum - least);
     let mut shift = 0.0;
     for _ in 0..SHIFTS + HALVINGS {
-        let (mut carried, mut moved) = (0.0, 0.0);
-        for p in &*pressure {
-            let q = p + shift;
-            carried += q.clamp(0.0, limit);
-            moved += f64::from(q > 0.0 && q < limit);
+        let mut lanes = Lanes::new([0.0; 2]);
+        vectorised(
+            #[inline(always)]
+            || {
+                lanes.fold([&*pressure], |[carried, moved], [p]| {
+                    let q = p + shift;
+                    let moves = (q > 0.0) & (q < limit);
+                    [
+                        carried + q.clamp(0.0, limit),
+                        moved + if moves { 1.0 } else { 0.0 },
+                    ]
+                });
+            },
+        );
+        let [carried, moved] = lanes.total();
+        if (carried - sum).abs() <= close {
+            break;
         }
         if carried < sum {
             low = shift;

@@ -98,6 +98,38 @@ impl RunningIn {
         flanks: &TwoFlanks,
         settings: &SolverSettings,
     ) -> Result<RanIn, ContactError> {
+        self.run_watched(flanks, settings, |_, _| {})
+    }
+
+    /// Runs the flanks in as [`run`](Self::run); `watch` sees every cycle and the flanks after it, to
+    /// follow what this crate does not know, as the reduced peak height Rpk.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    ///
+    /// ```
+    /// use asperity_contact::{SolverSettings, running_in::RunningIn, two_flanks::TwoFlanks};
+    /// use asperity_core::Profile;
+    /// let wavy: Vec<f64> = (0..400).map(|i| 3e-7 * (0.21 * f64::from(i)).sin()).collect();
+    /// let (rough, smooth) = (Profile::new("1 um".parse()?, wavy)?, Profile::new("1 um".parse()?, vec![0.0; 400])?);
+    /// let flanks = TwoFlanks {
+    ///     first: &rough, second: &smooth, radius: "3 mm".parse()?, load: "100 N/mm".parse()?,
+    ///     modulus: "115.4 GPa".parse()?, pressure_limit: Some("2 GPa".parse()?),
+    /// };
+    /// let mean = |heights: &[f64]| heights.iter().sum::<f64>() / heights.len() as f64;
+    /// let mut levels = vec![mean(rough.heights())];
+    /// RunningIn::evenly(400, 4).run_watched(&flanks, &SolverSettings::default(), |_, [first, _]| {
+    ///     levels.push(mean(first.heights()));
+    /// })?;
+    /// assert!(levels.windows(2).all(|cycle| cycle[1] <= cycle[0]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn run_watched(
+        &self,
+        flanks: &TwoFlanks,
+        settings: &SolverSettings,
+        mut watch: impl FnMut(&Cycle, &[Profile; 2]),
+    ) -> Result<RanIn, ContactError> {
         self.validate(flanks)?;
         let mut flanks_now = [flanks.first.clone(), flanks.second.clone()];
         let mut starts: Vec<Option<Vec<f64>>> = vec![None; self.shifts.len()];
@@ -132,6 +164,7 @@ impl RunningIn {
             } else {
                 0.0
             };
+            watch(&cycle, &flanks_now);
             cycles.push(cycle);
         }
         Ok(RanIn {

@@ -14,9 +14,10 @@ use crate::state::{Assessment, Task};
 use crate::strip_kernel::datum_constant;
 
 /// Tolerances of the coarser grids, which only give a start. With free ends the finest grid is
-/// solved on a window and quickly; a large periodic one is worth a better start.
+/// solved on a window and quickly; a large periodic one is worth a better start, and so is a smooth
+/// contact, which takes few iterations to it.
 const COARSE_TOLERANCE_FREE: f64 = 1e-4;
-const COARSE_TOLERANCE_PERIODIC: f64 = 1e-6;
+const COARSE_TOLERANCE_FINE: f64 = 1e-6;
 /// Bodies whose gap varies less than this beside their deformation count as flat: their reference
 /// gap is this share of the deformation.
 const FLAT: f64 = 1e-3;
@@ -103,17 +104,19 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// The problem on the grid of this `gap`, after so many halvings.
+    /// The problem on the grid of this `gap`, after so many halvings, of a contact that is `smooth`
+    /// or not.
     pub(crate) fn coarse_task<'b>(
         &self,
         gap: &'b [f64],
         halvings: i32,
+        smooth: bool,
         settings: &SolverSettings,
     ) -> Result<Task<'b>, ContactError> {
         let width = 2f64.powi(halvings);
         let coarse = match self.problem.boundary {
-            Boundary::FreeEnds => COARSE_TOLERANCE_FREE,
-            Boundary::Periodic(_) => COARSE_TOLERANCE_PERIODIC,
+            Boundary::FreeEnds if !smooth => COARSE_TOLERANCE_FREE,
+            _ => COARSE_TOLERANCE_FINE,
         };
         Ok(Task {
             gap,

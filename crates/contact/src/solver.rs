@@ -7,9 +7,9 @@ use std::collections::BTreeMap;
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, Pressure};
-use realfft::RealFftPlanner;
+use rustfft::FftPlanner;
 
-use crate::cascade::{Window, grids, prolong, restrict};
+use crate::cascade::{Window, grids, is_smooth, prolong, prolong_slopes, restrict};
 use crate::error::{ContactError, SolverShape};
 use crate::half_plane::{displacement_filter, inverse_filter, line_load};
 use crate::plasticity::{dissipated_energy, plastic_displacement};
@@ -61,9 +61,10 @@ pub struct Solver {
 /// The operators of every number of points met so far.
 struct Levels {
     boundary: Boundary,
-    planner: RealFftPlanner<f64>,
-    inverse_planner: RealFftPlanner<f32>,
+    planner: FftPlanner<f64>,
+    inverse_planner: FftPlanner<f32>,
     displacements: BTreeMap<usize, EvenFilter>,
+    singles: BTreeMap<usize, EvenFilter<f32>>,
     inverses: BTreeMap<usize, EvenFilter<f32>>,
 }
 
@@ -72,9 +73,10 @@ impl Levels {
     fn make_room(&mut self, points: usize) {
         if points > LARGE && !self.displacements.contains_key(&points) {
             self.displacements.clear();
+            self.singles.clear();
             self.inverses.clear();
-            self.planner = RealFftPlanner::new();
-            self.inverse_planner = RealFftPlanner::new();
+            self.planner = FftPlanner::new();
+            self.inverse_planner = FftPlanner::new();
         }
     }
 
@@ -105,9 +107,17 @@ impl Levels {
             .entry(points)
             .or_insert_with(|| displacement_filter(planner, points, self.boundary, buffers));
         buffers.reserve(displacement);
+        let planner = &mut self.inverse_planner;
+        let single = self
+            .singles
+            .entry(points)
+            .or_insert_with(|| displacement.single(planner));
+        work.inverse_buffers.reserve(single);
         Level {
             displacement,
+            single,
             inverse,
+            boundary: self.boundary,
         }
     }
 }
@@ -128,9 +138,10 @@ impl Solver {
             shape: SolverShape { points, boundary },
             levels: Levels {
                 boundary,
-                planner: RealFftPlanner::new(),
-                inverse_planner: RealFftPlanner::new(),
+                planner: FftPlanner::new(),
+                inverse_planner: FftPlanner::new(),
                 displacements: BTreeMap::new(),
+                singles: BTreeMap::new(),
                 inverses: BTreeMap::new(),
             },
             work: Workspace::default(),
@@ -203,16 +214,21 @@ impl Solver {
         let coarsest = grids[grids.len() - 1];
         let mut pressure = vec![scene.even_pressure(); coarsest];
         for (halvings, gap) in gaps.iter().enumerate().rev() {
+            let touches = touching(gap, &pressure);
+            // What the even start of the coarsest grid touches says nothing.
+            let begun = gap.len() != coarsest;
+            let smooth = begun && is_smooth(&touches);
             // What a window misses is found on the finest grid.
-            let window = if self.windowed(settings) && gap.len() != coarsest {
-                Window::around(gap.len(), &touching(gap, &pressure))
+            let window = if self.windowed(settings) && begun {
+                Window::around(gap.len(), &touches)
             } else {
                 Window::whole(gap.len())
             };
             let gap = &gap[window.range()];
-            let task = scene.coarse_task(gap, halvings as i32 + 1, settings)?;
+            let task = scene.coarse_task(gap, halvings as i32 + 1, smooth, settings)?;
             self.minimise(window, &task, &mut pressure);
-            pressure = prolong(&pressure, grids[halvings]);
+            let finer = if smooth { prolong_slopes } else { prolong };
+            pressure = finer(&pressure, grids[halvings]);
         }
         Ok(pressure)
     }
@@ -257,7 +273,7 @@ impl Solver {
                 break;
             }
             touches.clear();
-            touches.extend(self.work.list.iter().map(|&i| i as usize));
+            touches.extend(self.work.runs.iter().flat_map(|run| run.range()));
         }
         Ok(iterations)
     }

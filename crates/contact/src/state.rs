@@ -1,6 +1,6 @@
 //! The arrays and operators of an iteration on one grid, and what is known of a pressure.
 //!
-//! Everything but the transforms and one pass over v happens on the list of points that touch or
+//! Everything but the transforms and one pass over v happens on the runs of points that touch or
 //! overlap: a rough contact covers a small part of its grid.
 //!
 //! | symbol | meaning | unit |
@@ -9,16 +9,22 @@
 //! | v, α, g | u + h, approach, gap v − α | m |
 //! | F | free set: points between the bounds, and those at one with the gap on its wrong side | - |
 
+use crate::coarse_space::CoarseSpace;
+use crate::problem::Boundary;
+use crate::runs::{Lanes, Run, extend, listed, parts, vectorised};
 use crate::transform::{Buffers, EvenFilter};
 
-/// Points looked at together for one that overlaps.
-const BLOCK: usize = 64;
+/// Points looked at together for one that overlaps: as many as an integer has bits.
+const BLOCK: usize = u64::BITS as usize;
 
 /// Operators of one grid.
 #[derive(Clone, Copy)]
 pub(crate) struct Level<'a> {
     pub(crate) displacement: &'a EvenFilter,
+    /// The displacement in single precision, for what a step changes.
+    pub(crate) single: &'a EvenFilter<f32>,
     pub(crate) inverse: &'a EvenFilter<f32>,
+    pub(crate) boundary: Boundary,
 }
 
 /// What is minimised on one grid.
@@ -54,15 +60,18 @@ impl Task<'_> {
 pub(crate) struct Workspace {
     pub(crate) buffers: Buffers,
     pub(crate) inverse_buffers: Buffers<f32>,
+    pub(crate) coarse: CoarseSpace,
     pub(crate) pressure: Vec<f64>,
     /// v
     pub(crate) opening: Vec<f64>,
-    /// Direction and residual of the last iteration; zero at points off the list.
+    /// Direction and residual of the last iteration; zero at points off the runs.
     pub(crate) direction: Vec<f64>,
     pub(crate) previous: Vec<f64>,
-    /// Points with pressure or overlap, in order.
-    pub(crate) list: Vec<u32>,
-    next: Vec<u32>,
+    /// Runs of points with pressure or overlap, in order: the listed points.
+    pub(crate) runs: Vec<Run>,
+    pub(crate) next: Vec<Run>,
+    /// The free set that the next iterations are to be on.
+    pub(crate) held: Vec<Run>,
     /// Residual, zero off F; preconditioned residual; trial pressure: one value per listed point.
     pub(crate) residual: Vec<f64>,
     pub(crate) ascent: Vec<f64>,
@@ -104,15 +113,17 @@ impl Workspace {
         }
         self.free.clear();
         self.free.reserve(points);
-        self.list.clear();
-        self.list.reserve(points);
-        self.next.clear();
-        self.next.reserve(points);
+        // Every other point at most begins a run.
+        for runs in [&mut self.runs, &mut self.next, &mut self.held] {
+            runs.clear();
+            runs.reserve(points.div_ceil(2));
+        }
     }
 
     /// Gives back the memory that only an iteration needs.
     pub(crate) fn release(&mut self) {
         self.inverse_buffers = Buffers::default();
+        self.coarse = CoarseSpace::default();
         for array in [
             &mut self.direction,
             &mut self.previous,
@@ -136,16 +147,43 @@ impl Workspace {
     }
 
     pub(crate) fn list_all(&mut self) {
-        self.list.clear();
-        self.list.extend(0..self.pressure.len() as u32);
+        self.runs.clear();
+        self.runs.push(Run::new(0, self.pressure.len()));
     }
 
-    /// v + s·(A Δ + `datum`) with A Δ the signal of the buffers; p has taken that step already.
-    pub(crate) fn open(&mut self, length: f64, datum: f64) {
-        let change = self.buffers.signal(self.opening.len());
-        for (v, &change) in self.opening.iter_mut().zip(&*change) {
-            *v += length * (change + datum);
-        }
+    /// v + s·(A Δ + `datum`) with A Δ the signal of the single-precision buffers times `scale`; p
+    /// has taken that step already. Returns the largest change.
+    pub(crate) fn open(&mut self, length: f64, scale: f64, datum: f64) -> f64 {
+        let change = &*self.inverse_buffers.signal(self.opening.len());
+        let (opening, slope, rise) = (&mut self.opening, length * scale, length * datum);
+        let (mut least, mut most) = ([0_f32; 8], [0_f32; 8]);
+        vectorised(
+            #[inline(always)]
+            || {
+                for (v, &change) in opening.iter_mut().zip(change) {
+                    *v += slope * f64::from(change) + rise;
+                }
+                for block in change.as_chunks::<8>().0 {
+                    for lane in 0..8 {
+                        least[lane] = if block[lane] < least[lane] {
+                            block[lane]
+                        } else {
+                            least[lane]
+                        };
+                        most[lane] = if block[lane] > most[lane] {
+                            block[lane]
+                        } else {
+                            most[lane]
+                        };
+                    }
+                }
+            },
+        );
+        let largest = most
+            .iter()
+            .zip(&least)
+            .fold(0.0, |m, (a, b)| f32::max(m, a.max(-b)));
+        slope * f64::from(largest)
     }
 
     /// α: mean of v between the bounds; with no such point the largest v under pressure.
@@ -153,74 +191,133 @@ impl Workspace {
         if task.sum.is_none() {
             return 0.0;
         }
-        let (mut sum, mut count, mut most) = (0.0, 0_usize, f64::NEG_INFINITY);
-        for &i in &self.list {
-            let (p, v) = (self.pressure[i as usize], self.opening[i as usize]);
-            if p > 0.0 {
-                most = most.max(v);
-                if p < task.limit {
-                    sum += v;
-                    count += 1;
+        let limit = task.limit;
+        let mut lanes = Lanes::new([0.0, 0.0, f64::NEG_INFINITY]);
+        vectorised(
+            #[inline(always)]
+            || {
+                for (run, _) in parts(&self.runs) {
+                    let arrays = [&self.pressure[run.clone()], &self.opening[run]];
+                    lanes.fold(arrays, |[sum, count, most], [p, v]| {
+                        let between = (p > 0.0) & (p < limit);
+                        [
+                            sum + if between { v } else { 0.0 },
+                            count + if between { 1.0 } else { 0.0 },
+                            if (p > 0.0) & (v > most) { v } else { most },
+                        ]
+                    });
                 }
-            }
-        }
-        if count > 0 { sum / count as f64 } else { most }
+            },
+        );
+        let [sum, count, most] = lanes.reduce(|a, b| [a[0] + b[0], a[1] + b[1], a[2].max(b[2])]);
+        if count > 0.0 { sum / count } else { most }
     }
 
     /// Lists anew the points with pressure, all of which are listed, or with overlap.
     fn relist(&mut self, approach: f64) {
-        let (pressure, opening) = (&self.pressure, &self.opening);
-        let mut listed = self.list.iter().map(|&i| i as usize).peekable();
-        self.next.clear();
-        for (block, values) in opening.chunks(BLOCK).enumerate() {
-            let (first, end) = (block * BLOCK, block * BLOCK + values.len());
-            let mut look = values.iter().fold(false, |any, &v| any | (v < approach));
-            while let Some(i) = listed.next_if(|&i| i < end) {
-                look = true;
-                if pressure[i] <= 0.0 && opening[i] >= approach && i < self.direction.len() {
-                    self.direction[i] = 0.0;
-                    self.previous[i] = 0.0;
+        let Self {
+            pressure,
+            opening,
+            direction,
+            previous,
+            runs,
+            next,
+            ..
+        } = self;
+        next.clear();
+        vectorised(
+            #[inline(always)]
+            || {
+                let mut known = runs.iter().map(|run| run.range()).peekable();
+                for (block, opening) in opening.chunks(BLOCK).enumerate() {
+                    let first = block * BLOCK;
+                    let range = first..first + opening.len();
+                    while known.next_if(|run| run.end <= first).is_some() {}
+                    let was_listed = known.peek().is_some_and(|run| run.start < range.end);
+                    let overlaps = |any, &v: &f64| any | (v < approach);
+                    if !was_listed && !opening.iter().fold(false, overlaps) {
+                        continue;
+                    }
+                    let touches = |(p, v): (&f64, &f64)| (*v < approach) | (*p > 0.0);
+                    let points = pressure[range.clone()].iter().zip(opening);
+                    let mut bits = 0;
+                    for (k, point) in points.clone().enumerate() {
+                        bits |= u64::from(touches(point)) << k;
+                    }
+                    extend(next, first, bits);
+                    if was_listed && bits != u64::MAX {
+                        for array in [&mut *direction, &mut *previous] {
+                            // Without iterations there are no directions.
+                            let values = array.get_mut(range.clone()).unwrap_or_default();
+                            for (value, point) in values.iter_mut().zip(points.clone()) {
+                                *value = if touches(point) { *value } else { 0.0 };
+                            }
+                        }
+                    }
                 }
-            }
-            if look {
-                let touches = |i: &usize| opening[*i] < approach || pressure[*i] > 0.0;
-                let found = (first..end).filter(touches).map(|i| i as u32);
-                self.next.extend(found);
-            }
-        }
-        std::mem::swap(&mut self.list, &mut self.next);
+            },
+        );
+        std::mem::swap(runs, next);
     }
 
     /// List, free set, residual and certificate of the present pressure and v.
     pub(crate) fn assess(&mut self, task: &Task) -> Assessment {
         let approach = self.approach(task);
         self.relist(approach);
-        let limited = task.limit.is_finite();
-        let (mut sum, mut energy, mut excess) = (0.0, 0.0, 0.0);
-        let (mut least, mut residual_sum, mut free) = (0.0_f64, 0.0, 0);
-        self.residual.clear();
-        self.free.clear();
-        for &i in &self.list {
-            let (p, g) = (
-                self.pressure[i as usize],
-                self.opening[i as usize] - approach,
-            );
-            sum += p;
-            energy += p * if limited { g.max(0.0) } else { g };
-            let below = p < task.limit;
-            if below {
-                least = least.min(g);
-                if limited {
-                    excess += (task.limit - p) * (-g).max(0.0);
+        let count = listed(&self.runs);
+        self.residual.resize(count, 0.0);
+        self.free.resize(count, false);
+        let Self {
+            pressure,
+            opening,
+            residual,
+            free,
+            runs,
+            ..
+        } = self;
+        let limit = task.limit;
+        let limited = limit.is_finite();
+        let mut lanes = Lanes::new([0.0; 5]);
+        vectorised(
+            #[inline(always)]
+            || {
+                for (run, place) in parts(runs) {
+                    let (p, v) = (&pressure[run.clone()], &opening[run]);
+                    let to = residual[place.clone()]
+                        .iter_mut()
+                        .zip(&mut free[place.clone()]);
+                    for ((residual, free), (&p, &v)) in to.zip(p.iter().zip(v)) {
+                        let g = v - approach;
+                        *free = if p <= 0.0 {
+                            g < 0.0
+                        } else {
+                            (p < limit) | (g > 0.0)
+                        };
+                        *residual = if *free { g } else { 0.0 };
+                    }
+                    let arrays = [p, v, &residual[place]];
+                    lanes.fold(
+                        arrays,
+                        |[sum, energy, excess, least, residuals], [p, v, r]| {
+                            let g = v - approach;
+                            let overlap = if g < 0.0 { -g } else { 0.0 };
+                            let room = if limited { limit - p } else { 0.0 };
+                            [
+                                sum + p,
+                                energy + p * if limited { g + overlap } else { g },
+                                excess + room * overlap,
+                                if (p < limit) & (g < least) { g } else { least },
+                                residuals + r,
+                            ]
+                        },
+                    );
                 }
-            }
-            let is_free = if p <= 0.0 { g < 0.0 } else { below || g > 0.0 };
-            let residual = if is_free { g } else { 0.0 };
-            self.free.push(is_free);
-            self.residual.push(residual);
-            residual_sum += residual;
-            free += usize::from(is_free);
-        }
+            },
+        );
+        let [sum, energy, excess, least, residual_sum] = lanes.reduce(|a, b| {
+            let least = a[3].min(b[3]);
+            [a[0] + b[0], a[1] + b[1], a[2] + b[2], least, a[4] + b[4]]
+        });
         let bound = if limited {
             energy + excess
         } else {
@@ -231,7 +328,7 @@ impl Workspace {
             approach,
             duality_gap: over(bound, sum * task.reference_gap),
             penetration: over(-least, task.reference_gap),
-            free,
+            free: free.iter().filter(|&&free| free).count(),
             residual_sum,
         }
     }

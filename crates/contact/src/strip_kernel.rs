@@ -107,25 +107,27 @@ const GAUSS: [(f64, f64); 3] = [
 /// assert_eq!(column[1], column[15]);
 /// ```
 pub fn periodic_column(points: usize) -> Vec<f64> {
-    let n = points as f64;
-    let value = |k: usize| {
-        let r = 2.0 * k as f64;
-        let rest: f64 = GAUSS
-            .iter()
-            .flat_map(|&(node, weight)| {
-                let sides = if node == 0.0 {
-                    &[0.0][..]
-                } else {
-                    &[-1.0, 1.0]
-                };
-                sides
-                    .iter()
-                    .map(move |side| weight * ln_sinc(PI * (r + side * node) / (2.0 * n)))
-            })
-            .sum();
-        strip(r) + 4.0 - 4.0 * (PI / n).ln() - 2.0 * rest
-    };
+    let value = |k: usize| strip(2.0 * k as f64) + periodic_rest(k as f64, points);
     (0..points).map(|k| value(k.min(points - k))).collect()
+}
+
+/// What the images of a period of `points` cells add to a strip at a distance of `cells`.
+pub(crate) fn periodic_rest(cells: f64, points: usize) -> f64 {
+    let (n, r) = (points as f64, 2.0 * cells);
+    let rest: f64 = GAUSS
+        .iter()
+        .flat_map(|&(node, weight)| {
+            let sides = if node == 0.0 {
+                &[0.0][..]
+            } else {
+                &[-1.0, 1.0]
+            };
+            sides
+                .iter()
+                .map(move |side| weight * ln_sinc(PI * (r + side * node) / (2.0 * n)))
+        })
+        .sum();
+    4.0 - 4.0 * (PI / n).ln() - 2.0 * rest
 }
 
 fn ln_sinc(x: f64) -> f64 {

@@ -9,7 +9,7 @@ use common::peers::Peer;
 
 #[test]
 fn more_iterations_make_no_more_allocations() {
-    for name in ["c", "d", "e"] {
+    for name in ["c", "cf", "d", "e"] {
         let peer = Peer::new(name, 4_096).unwrap();
         let problem = peer.problem();
         let settings = |tolerance| SolverSettings {

@@ -3,7 +3,7 @@
 
 mod common;
 
-use asperity_contact::running_in::RunningIn;
+use asperity_contact::running_in::{Cycle, RunningIn};
 use asperity_contact::two_flanks::TwoFlanks;
 use asperity_contact::{
     Boundary, ContactError, ContactProblem, Control, Path, SolverSettings, press_paths, solve,
@@ -183,6 +183,27 @@ fn flanks_run_in_as_an_independent_program_has_it() {
         close(found.contact_fraction, fraction, 1e-9);
         close(found.rq[0].si(), first, 1e-7);
         close(found.rq[1].si(), second, 1e-7);
+    }
+}
+
+#[test]
+fn whoever_watches_running_in_sees_every_cycle_and_its_flanks() {
+    let flanks = rough_flanks(1_000);
+    let mut seen = vec![];
+    let watch = |cycle: &Cycle, flanks: &[Profile; 2]| seen.push((cycle.clone(), flanks.clone()));
+    let ran_in = RunningIn::evenly(1_000, 4)
+        .run_watched(&pair(&flanks), &SolverSettings::default(), watch)
+        .unwrap();
+    let cycles: Vec<_> = seen.iter().map(|(cycle, _)| cycle.clone()).collect();
+    assert_eq!(cycles, ran_in.cycles);
+    let worn: Vec<_> = seen.into_iter().map(|(_, flanks)| flanks).collect();
+    assert_eq!(worn[worn.len() - 1], ran_in.flanks);
+    let all: Vec<_> = std::iter::once(&flanks).chain(&worn).collect();
+    for cycle in all.windows(2) {
+        for (before, after) in cycle[0].iter().zip(cycle[1]) {
+            let pairs = before.heights().iter().zip(after.heights());
+            assert!(pairs.clone().all(|(before, after)| after <= before));
+        }
     }
 }
 

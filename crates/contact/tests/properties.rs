@@ -280,6 +280,21 @@ const GAUSS: [(f64, f64); 3] = [
     (0.887_298_334_620_741_7, 5.0 / 18.0),
 ];
 
+#[test]
+fn pressure_that_is_round_off_does_not_hold_the_iteration() {
+    // Found by the property below: a step to the first bound left 6e-9 Pa on one of three points.
+    let (gap, spacing) = rough_cylinder(133, 6.828_842_489_081_877e-7, 668_905);
+    let sum = 1_099_723_173.023_173_8;
+    for limit in [None, limit(16.991_711_757_450_445)] {
+        let solution = solved(&ContactProblem {
+            control: load(sum * spacing.si()),
+            pressure_limit: limit,
+            ..hertz_problem(&gap, spacing)
+        });
+        assert_eq!(solution.pressure.iter().filter(|&&p| p > 0.0).count(), 2);
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(8))]
 
