@@ -20,9 +20,10 @@ use crate::runs::{Lanes, Run, listed, parts, vectorised};
 use crate::state::{Level, Task, Workspace};
 
 /// Sets after which another way is tried.
-const SETS: usize = 16;
-/// Sets that may be worse than the best before: the first steps often are.
-const PATIENCE: usize = 3;
+const SETS: usize = 30;
+/// Sets one after the other that may be worse than the last: the first often is, for the pressure
+/// that it clips.
+const PATIENCE: usize = 2;
 /// Iterations on one set.
 const ITERATIONS: usize = 60;
 /// Residual over the first one of a set at which the set is looked at again.
@@ -34,15 +35,15 @@ const FORGIVEN: f64 = 0.25;
 /// or the sets do not settle; returns the iterations. The opening is that of the result.
 pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize {
     let forgiven = FORGIVEN * task.tolerance * task.reference_gap;
-    let (mut iterations, mut worse, mut best) = (0, 0, f64::INFINITY);
+    let (mut iterations, mut worse, mut last) = (0, 0, f64::INFINITY);
     for set in 0..SETS {
         let assessment = work.assess(task);
-        worse = if assessment.duality_gap < best {
+        worse = if assessment.duality_gap < last {
             0
         } else {
             worse + 1
         };
-        best = best.min(assessment.duality_gap);
+        last = assessment.duality_gap;
         if assessment.within(task.tolerance)
             || worse > PATIENCE
             || iterations >= task.max_iterations

@@ -3,7 +3,7 @@
 
 mod common;
 
-use asperity_contact::{SolverSettings, solve};
+use asperity_contact::{ContactProblem, Control, SolverSettings, solve};
 use common::peers::Peer;
 
 #[test]
@@ -19,6 +19,28 @@ fn iterations_grow_neither_with_the_grid_nor_with_the_patches() {
             solution.iterations
         );
     }
+}
+
+#[test]
+fn a_start_from_a_lighter_load_settles_though_its_first_sets_are_worse() {
+    let peer = Peer::new("cf", 65_536).unwrap();
+    let problem = peer.problem();
+    let Control::Load(load) = problem.control else {
+        panic!("the case has a load");
+    };
+    let lighter = ContactProblem {
+        control: Control::Load(load * 0.95),
+        ..problem
+    };
+    let start = solve(&lighter, &SolverSettings::default())
+        .unwrap()
+        .pressure;
+    let neighbour = ContactProblem {
+        start: Some(&start),
+        ..problem
+    };
+    let solution = solve(&neighbour, &SolverSettings::default()).unwrap();
+    assert!(solution.iterations <= 25, "{}", solution.iterations);
 }
 
 #[test]
