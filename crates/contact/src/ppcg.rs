@@ -25,6 +25,9 @@ use crate::step::{exact_length, farthest, line_search, take_step, try_gradient, 
 
 /// Updates of the displacement after which it is computed afresh, before round-off gathers.
 const REFRESH: usize = 50;
+/// Certificate of a coarser grid over that of its start: the next grid halves the cells, and its
+/// start is about as much better.
+const GAIN: f64 = 0.1;
 /// Iterations without a smaller duality gap after which no more progress is expected.
 const STALL: usize = 400;
 /// A clipped step is taken whole when the line search would go at least half as far: the energy
@@ -41,6 +44,14 @@ const DRIFT: f64 = 0.1;
 pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize {
     work.resize();
     settle(level, work, task);
+    let tolerance = if task.least_tolerance < task.tolerance {
+        let start = work.assess(task);
+        let goal = GAIN * start.duality_gap.max(start.penetration);
+        goal.clamp(task.least_tolerance, task.tolerance)
+    } else {
+        task.tolerance
+    };
+    let task = &Task { tolerance, ..*task };
     let mut iterations = match task.sum {
         Some(_) => active_set::minimise(level, work, task),
         None => 0,

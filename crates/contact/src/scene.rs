@@ -100,6 +100,7 @@ impl<'a> Scene<'a> {
             datum: self.datum,
             reference_gap: self.reference_gap,
             tolerance: settings.tolerance,
+            least_tolerance: settings.tolerance,
             max_iterations,
         }
     }
@@ -126,6 +127,7 @@ impl<'a> Scene<'a> {
             datum: datum_compliance(self.problem, width)?,
             reference_gap: self.reference_gap,
             tolerance: settings.tolerance.max(coarse),
+            least_tolerance: settings.tolerance,
             max_iterations: settings.max_iterations,
         })
     }

@@ -41,6 +41,8 @@ pub(crate) struct Task<'a> {
     pub(crate) datum: f64,
     pub(crate) reference_gap: f64,
     pub(crate) tolerance: f64,
+    /// On a coarser grid the tolerance is tightened to what its start is worth, but to no less.
+    pub(crate) least_tolerance: f64,
     pub(crate) max_iterations: usize,
 }
 
