@@ -81,7 +81,7 @@ explanations! {
     "E115" "separator does not fit": "The file does not read with the separator that was stated." => "Leave --separator away, or say what separates the columns.";
     "E116" "impossible trace": "The numbers make no profile: no extent, or beyond all measure." => "Check units, columns and --dx.";
     "E117" "damaged file": "The file breaks the rules of its own format: a header that cannot be read, or fewer heights than it says." => "Export it again, or as text; a file that was cut off in transfer is the usual cause.";
-    "E118" "file too large": "The file, or what it unpacks to, is larger than any profile." => "Export a single profile.";
+    "E118" "file too large": "The file, one of its lines, or what it unpacks to, is larger than any profile." => "Export a single profile.";
     "E119" "several profiles": "The file holds several profiles, and none was chosen." => "Say --row with the number of one of them, from 1 (row in surface.pinion of a case).";
     "E120" "the trace cannot be prepared": "Form removal or filtering is not possible on this trace, mostly because it is shorter than the cut-off or too coarse for it." => "Choose another cut-off with --lambda-c and --lambda-s (surface.cutoff and surface.noise_cutoff in a case; 0.25 mm is usual on gears).";
     "E121" "spacing too coarse for the contact": "Fewer than 20 points fall on one Hertz half-width, so the contact cannot be resolved." => "Measure with a finer spacing; with a stylus 0.5 um is usual.";

@@ -12,6 +12,7 @@
 
 use std::sync::Arc;
 
+use nalgebra::{Matrix3, Vector3};
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 
@@ -185,12 +186,14 @@ fn solve(
     let [s0, s1, s2, s3, s4, t0, t1, t2] = sums.each_ref().map(|sum| &sum[..count]);
     let mut supported = true;
     let determined = |i: usize| {
-        let a = s2[i] * s4[i] - s3[i] * s3[i];
-        let b = s2[i] * s3[i] - s1[i] * s4[i];
-        let c = s1[i] * s3[i] - s2[i] * s2[i];
-        let determinant = a * s0[i] + b * s1[i] + c * s2[i];
+        let matrix = Matrix3::new(
+            s0[i], s1[i], s2[i], s1[i], s2[i], s3[i], s2[i], s3[i], s4[i],
+        );
+        let mut of_height = matrix;
+        of_height.set_column(0, &Vector3::new(t0[i], t1[i], t2[i]));
+        let determinant = matrix.determinant();
+        let height = of_height.determinant() / determinant;
         let error = k0 * s2[i] * s4[i] + s0[i] * k2 * s4[i] + s0[i] * s2[i] * k4;
-        let height = (a * t0[i] + b * t1[i] + c * t2[i]) / determinant;
         let supported = error > 0.0 && s0[i] > 0.0 && determinant > LEAST_DETERMINANT * error;
         (height, supported)
     };
