@@ -1,7 +1,7 @@
 //! Two rough flanks run in: energy, contact, Rq and Rpk of every cycle until shakedown.
 //!
 //! ```text
-//! cargo run -p asperity --example running_in
+//! cargo run -p asperity --example running_in_rpk
 //! ```
 
 use asperity_contact::SolverSettings;
