@@ -9,18 +9,25 @@ use asperity_contact::running_in::{Cycle, RunningIn};
 use asperity_contact::two_flanks::TwoFlanks;
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
+use asperity_roughness::generate::SelfAffine;
 use asperity_roughness::material_ratio::rk_parameters;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let points = 1200;
-    let flank = |phase: f64| {
-        let wave = |i: usize, k: f64| (phase * k * k + k * i as f64 / 40.0).sin() / k.powf(1.3);
-        let heights = (0..points)
-            .map(|i| (1..=15).map(|k| 0.25e-6 * wave(i, f64::from(k))).sum())
-            .collect();
-        Profile::new(Length::from_si(0.5e-6), heights)
+    // Ground flanks of other seeds.
+    let flank = |seed| {
+        SelfAffine {
+            points,
+            spacing: Length::from_si(0.5e-6),
+            rq: Length::from_si(0.2e-6),
+            hurst: 0.8,
+            roll_off: Length::from_si(100e-6),
+            short_cut: Length::from_si(5e-6),
+            seed,
+        }
+        .generate()
     };
-    let (pinion, wheel) = (flank(1.7)?, flank(2.9)?);
+    let (pinion, wheel) = (flank(1)?, flank(2)?);
     let flanks = TwoFlanks {
         first: &pinion,
         second: &wheel,

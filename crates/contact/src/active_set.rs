@@ -1,8 +1,7 @@
 //! The active set: Newton's method on which points touch, with a few conjugate gradients per set.
 //!
 //! On a given free set F the pressure is the solution of a linear problem, whatever its sign. A
-//! point whose pressure leaves the bounds leaves F, and one outside that overlaps joins it
-//! (primal-dual active set; Hintermüller, Ito & Kunisch 2002, SIAM J. Optim. 13, 865). Each
+//! point whose pressure leaves the bounds leaves F, and one outside that overlaps joins it. Each
 //! linear problem is solved to a twentieth of its first residual before the set is looked at
 //! again. From a coarser solution a handful of sets is enough; and since no step is spoilt by
 //! clipping, the coarse space of the contact patches does its full work: iterations depend neither
@@ -15,9 +14,9 @@
 //! | F, α, g | free set, mean of v over F, gap v − α | -, m, m |
 
 use crate::direction::{Search, choose_direction, remove_patch_means};
-use crate::ppcg::settle;
 use crate::runs::{Lanes, Run, listed, parts, vectorised};
 use crate::state::{Level, Task, Workspace};
+use crate::step::settle;
 
 /// Sets after which another way is tried.
 const SETS: usize = 30;
@@ -118,13 +117,13 @@ fn step(level: Level, work: &mut Workspace, task: &Task) -> bool {
     if !(largest > 0.0 && largest.is_finite()) {
         return false;
     }
-    let steps = work.inverse_buffers.signal(residual.len());
+    let steps = work.single_buffers.signal(residual.len());
     for (run, place) in parts(runs) {
         for (step, d) in steps[place].iter_mut().zip(&direction[run]) {
             *step = (d / largest) as f32;
         }
     }
-    let buffers = &mut work.inverse_buffers;
+    let buffers = &mut work.single_buffers;
     level.single.filter_runs(buffers, 1.0, runs);
     let change = &*buffers.signal(direction.len());
     let scale = largest * task.compliance;
@@ -212,8 +211,9 @@ impl Workspace {
         any
     }
 
-    /// Clips the pressure to its bounds, and takes the points between them and those on the wrong
-    /// side of one as the runs.
+    /// F' = {0 < p < p_max} ∪ {p = 0, g < 0} ∪ {p = p_max, g > 0}, p and g solving on F    `[Active-1]`
+    ///
+    /// Takes F' as the runs, and clips the pressure to its bounds.
     fn update_set(&mut self, task: &Task, forgiven: f64) {
         let (approach, limit) = (self.measure_set().mean, task.limit);
         self.next.clear();

@@ -2,8 +2,7 @@
 //!
 //! What the masked symbol |q| does not see is the interaction between patches. The residual that
 //! it leaves is averaged over each patch, and the even pressures on the patches that remove these
-//! averages are added (deflation after Tang, Nabben, Vuik & Erlangga 2009, J. Sci. Comput. 39,
-//! their A-DEF2): iterations then hardly depend on the number of patches.
+//! averages are added: iterations then hardly depend on the number of patches.
 //!
 //! K f = y − λ, Σf = 0 is solved by conjugate gradients. K is the sum of
 //! - what passes through a grid of nodes: each patch spreads its force over them by cubic
@@ -27,7 +26,7 @@ use crate::problem::Boundary;
 use crate::runs::{Run, parts};
 use crate::transform::Buffers;
 
-/// Fewest patches that are worth the two displacements that deflation costs.
+/// A single patch acts on no other.
 const FEWEST: usize = 2;
 /// Cells per patch below which patches are no coarser than the grid.
 const SPARSE: usize = 4;
@@ -246,10 +245,10 @@ impl CoarseSpace {
             }
             self.displace(inner);
             let curvature = dot(&inner.direction, &inner.image);
-            if curvature.partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater) {
+            let length = descent / curvature;
+            if !(length.is_finite() && length > 0.0) {
                 return;
             }
-            let length = descent / curvature;
             for (f, d) in inner.force.iter_mut().zip(&inner.direction) {
                 *f += length * d;
             }
@@ -374,8 +373,9 @@ mod tests {
                         force * kernel.mean(one, other, shift)
                     })
                     .sum();
+                // Forces to 1 on 150 patches; a pair beyond three nodes errs by up to 7e-3.
                 assert!(
-                    (inner.image[i] - exact).abs() < 0.1,
+                    (inner.image[i] - exact).abs() < 0.02,
                     "{boundary:?} {i}: {} {exact}",
                     inner.image[i]
                 );

@@ -133,7 +133,7 @@ fn precondition(level: Level, work: &mut Workspace, task: &Task, residual_mean: 
     // Scaled so that single precision neither overflows nor vanishes, whatever the units.
     let [largest] = lanes.reduce(|a, b| [a[0].max(b[0])]);
     let scale = if largest > 0.0 { largest } else { 1.0 };
-    let buffers = &mut work.inverse_buffers;
+    let buffers = &mut work.single_buffers;
     let scaled = buffers.signal(residual.len());
     vectorised(
         #[inline(always)]
@@ -165,11 +165,13 @@ fn precondition(level: Level, work: &mut Workspace, task: &Task, residual_mean: 
     vectorised(|| work.ascent.iter_mut().for_each(|z| *z *= stiffness));
 }
 
-/// Lets z leave no mean residual on any contact patch. Both are in units of the residual's scale.
+/// z = B r + Z·K⁻¹·Zᵀ(r − A·B r), B r being z before, Z even pressures on the patches   `[Deflation-1]`
+///
+/// z then leaves no mean residual on any contact patch. All are in units of the residual's scale.
 fn deflate(level: Level, work: &mut Workspace, scale: f64) {
     let (ascent, residual, runs) = (&mut work.ascent, &work.residual, &work.runs);
     let mean = ascent.iter().sum::<f64>() / ascent.len() as f64;
-    let buffers = &mut work.inverse_buffers;
+    let buffers = &mut work.single_buffers;
     let signal = buffers.signal(ascent.len());
     for (to, z) in signal.iter_mut().zip(&mut *ascent) {
         *z -= mean;

@@ -16,6 +16,16 @@ const POLONSKY_1999: Reference = Reference {
     key: "polonsky_1999",
     text: "I. A. Polonsky, L. M. Keer, A numerical method for solving rough contact problems based on the multi-level multi-summation and conjugate gradient techniques, Wear 231 (1999) 206-219, doi:10.1016/S0043-1648(99)00113-1",
 };
+/// Newton's method on the set of touching points.
+const HINTERMUELLER_2002: Reference = Reference {
+    key: "hintermueller_2002",
+    text: "M. Hintermüller, K. Ito, K. Kunisch, The primal-dual active set strategy as a semismooth Newton method, SIAM Journal on Optimization 13 (2002) 865-888, doi:10.1137/S1052623401383558",
+};
+/// Two-level preconditioners; the one used is their A-DEF2.
+const TANG_2009: Reference = Reference {
+    key: "tang_2009",
+    text: "J. M. Tang, R. Nabben, C. Vuik, Y. A. Erlangga, Comparison of two-level preconditioners derived from deflation, domain decomposition and multigrid methods, Journal of Scientific Computing 39 (2009) 340-370, doi:10.1007/s10915-009-9272-6",
+};
 /// The wavy half-plane.
 const WESTERGAARD_1939: Reference = Reference {
     key: "westergaard_1939",
@@ -227,6 +237,33 @@ pub const EQUATIONS: &[Equation] = &[
         formula: "δ(D) = (2·W/(π·E*))·ln(2·D/b)",
         file: "crates/contact/src/flat_punch.rs",
         test: "a_flat_strip_has_the_pressure_and_approach_of_the_punch",
+        references: &[JOHNSON_1985],
+        misprint: None,
+    },
+    Equation {
+        tag: "Active-1",
+        title: "Next set of free points",
+        formula: "F' = {0 < p < p_max} ∪ {p = 0, g < 0} ∪ {p = p_max, g > 0}",
+        file: "crates/contact/src/active_set.rs",
+        test: "a_contact_of_many_patches_does_not_depend_on_the_start",
+        references: &[HINTERMUELLER_2002],
+        misprint: None,
+    },
+    Equation {
+        tag: "Deflation-1",
+        title: "Preconditioner with the means over contact patches removed",
+        formula: "z = B r + Z·K⁻¹·Zᵀ(r − A·B r)",
+        file: "crates/contact/src/direction.rs",
+        test: "iterations_grow_neither_with_the_grid_nor_with_the_patches",
+        references: &[TANG_2009],
+        misprint: None,
+    },
+    Equation {
+        tag: "Patch-1",
+        title: "Mean displacement between contact patches",
+        formula: "K_IJ = [G(b−c) − G(b−d) − G(a−c) + G(a−d)]/(l_I·l_J), G(k+1) − 2·G(k) + G(k−1) = C(k)",
+        file: "crates/contact/src/patches.rs",
+        test: "the_mean_displacement_between_patches_is_the_double_sum_of_the_kernel",
         references: &[JOHNSON_1985],
         misprint: None,
     },

@@ -198,7 +198,7 @@ mod tests {
                     let most = exact.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
                     let pairs = exact.iter().zip(found);
                     let lost = pairs.fold(0.0, |m: f64, (u, s)| m.max((u - f64::from(*s)).abs()));
-                    assert!(lost < crate::ppcg::SINGLE * most);
+                    assert!(lost < crate::step::SINGLE * most);
                 }
             }
         }

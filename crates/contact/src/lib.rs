@@ -20,6 +20,7 @@ pub mod array_file;
 mod cascade;
 pub mod certificate;
 mod coarse_space;
+mod descent;
 pub mod direct;
 mod direction;
 pub mod equations;

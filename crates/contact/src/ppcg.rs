@@ -1,4 +1,5 @@
-//! Projected preconditioned conjugate gradients for bounded pressures.
+//! Projected preconditioned conjugate gradients for bounded pressures: for single patches, for a given
+//! approach, and where the active set does not settle.
 //!
 //! One displacement and one preconditioner application per iteration, where the method of
 //! Polonsky and Keer (1999) needs two displacements and three to twelve times the iterations. The
@@ -17,45 +18,26 @@
 //! | d, τ | direction, length of the trial step along it | Pa, - |
 //! | Δ, s | feasible step, its length by exact line search | Pa, - |
 
-use crate::active_set;
 use crate::direction::{Search, choose_direction};
-use crate::projection::{clip, restore_load};
 use crate::state::{Assessment, Level, Task, Workspace};
-use crate::step::{exact_length, farthest, line_search, take_step, try_gradient, try_step};
+use crate::step::{
+    SINGLE, exact_length, farthest, line_search, settle, take_step, try_gradient, try_step,
+};
 
 /// Updates of the displacement after which it is computed afresh, before round-off gathers.
 const REFRESH: usize = 50;
-/// Certificate of a coarser grid over that of its start: the next grid halves the cells, and its
-/// start is about as much better.
-const GAIN: f64 = 0.1;
 /// Iterations without a smaller duality gap after which no more progress is expected.
 const STALL: usize = 400;
 /// A clipped step is taken whole when the line search would go at least half as far: the energy
 /// then decreases, and the bounds are identified exactly.
 const WHOLE: f64 = 0.5;
-/// Error of a displacement in single precision over its largest value: a tenth to a half of this from
-/// 50 to 30 000 points.
-pub(crate) const SINGLE: f64 = 1e-6;
 /// Share of the gap left to close that the error of the displacement may have.
 const DRIFT: f64 = 0.1;
 
-/// Improves `work.pressure` until its certificate is within the tolerance or no progress is left;
-/// returns the iterations.
-pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize {
-    work.resize();
-    settle(level, work, task);
-    let tolerance = if task.least_tolerance < task.tolerance {
-        let start = work.assess(task);
-        let goal = GAIN * start.duality_gap.max(start.penetration);
-        goal.clamp(task.least_tolerance, task.tolerance)
-    } else {
-        task.tolerance
-    };
-    let task = &Task { tolerance, ..*task };
-    let mut iterations = match task.sum {
-        Some(_) => active_set::minimise(level, work, task),
-        None => 0,
-    };
+/// Improves `work.pressure`, whose opening is known, until its certificate is within the tolerance or
+/// no progress is left; returns the iterations, of which `most` are allowed.
+pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task, most: usize) -> usize {
+    let mut iterations = 0;
     let mut search = Search::default();
     let (mut updates, mut stalled, mut best) = (0, 0, f64::INFINITY);
     loop {
@@ -76,7 +58,7 @@ pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize
         };
         best = best.min(assessment.duality_gap);
         if done
-            || iterations >= task.max_iterations
+            || iterations >= most
             || stalled > STALL
             || !advance(level, work, task, &assessment, &mut search)
         {
@@ -84,20 +66,6 @@ pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize
         }
         iterations += 1;
         updates += 1;
-    }
-}
-
-/// Makes the pressure feasible and computes its displacement afresh: both drift by round-off.
-pub(crate) fn settle(level: Level, work: &mut Workspace, task: &Task) {
-    make_feasible(&mut work.pressure, task);
-    work.refresh(level.displacement, task);
-}
-
-/// Clips to the bounds, and restores the load when it is given.
-pub(crate) fn make_feasible(pressure: &mut [f64], task: &Task) {
-    match task.sum {
-        Some(sum) => restore_load(pressure, sum, task.limit),
-        None => clip(pressure, task.limit),
     }
 }
 

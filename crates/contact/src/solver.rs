@@ -10,10 +10,10 @@ use asperity_core::quantity::{Length, Pressure};
 use rustfft::FftPlanner;
 
 use crate::cascade::{Window, grids, is_smooth, prolong, prolong_slopes, restrict};
+use crate::descent::minimise;
 use crate::error::{ContactError, SolverShape};
 use crate::half_plane::{displacement_filter, inverse_filter, line_load};
 use crate::plasticity::{dissipated_energy, plastic_displacement};
-use crate::ppcg::minimise;
 use crate::problem::{Boundary, ContactProblem, ContactSolution, LEAST_POINTS, SolverSettings};
 use crate::scene::{Scene, touching};
 use crate::state::{Level, Task, Workspace};
@@ -100,7 +100,7 @@ impl Levels {
             .inverses
             .entry(points)
             .or_insert_with(|| inverse_filter(planner, points));
-        work.inverse_buffers.reserve(inverse);
+        work.single_buffers.reserve(inverse);
         let (planner, buffers) = (&mut self.planner, &mut work.buffers);
         let displacement = self
             .displacements
@@ -112,7 +112,7 @@ impl Levels {
             .singles
             .entry(points)
             .or_insert_with(|| displacement.single(planner));
-        work.inverse_buffers.reserve(single);
+        work.single_buffers.reserve(single);
         Level {
             displacement,
             single,

@@ -61,7 +61,7 @@ impl Task<'_> {
 #[derive(Default)]
 pub(crate) struct Workspace {
     pub(crate) buffers: Buffers,
-    pub(crate) inverse_buffers: Buffers<f32>,
+    pub(crate) single_buffers: Buffers<f32>,
     pub(crate) coarse: CoarseSpace,
     pub(crate) pressure: Vec<f64>,
     /// v
@@ -124,7 +124,7 @@ impl Workspace {
 
     /// Gives back the memory that only an iteration needs.
     pub(crate) fn release(&mut self) {
-        self.inverse_buffers = Buffers::default();
+        self.single_buffers = Buffers::default();
         self.coarse = CoarseSpace::default();
         for array in [
             &mut self.direction,
@@ -156,7 +156,7 @@ impl Workspace {
     /// v + s·(A Δ + `datum`) with A Δ the signal of the single-precision buffers times `scale`; p
     /// has taken that step already. Returns the largest change.
     pub(crate) fn open(&mut self, length: f64, scale: f64, datum: f64) -> f64 {
-        let change = &*self.inverse_buffers.signal(self.opening.len());
+        let change = &*self.single_buffers.signal(self.opening.len());
         let (opening, slope, rise) = (&mut self.opening, length * scale, length * datum);
         let (mut least, mut most) = ([0_f32; 8], [0_f32; 8]);
         vectorised(

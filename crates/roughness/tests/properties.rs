@@ -2,7 +2,10 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
-use std::io::{Cursor, Read, Result, Seek, SeekFrom};
+#[path = "common/drops.rs"]
+mod drops;
+
+use std::io::Cursor;
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
@@ -16,6 +19,7 @@ use asperity_roughness::read::{
     read_stream,
 };
 use asperity_roughness::summits::asperity_radius;
+use drops::Drops;
 use proptest::prelude::*;
 
 fn any_rough() -> impl Strategy<Value = Profile> {
@@ -177,30 +181,9 @@ fn any_options() -> impl Strategy<Value = ReadOptions> {
         )
 }
 
-/// Bytes that come a few at a time: chunks end inside numbers, characters, byte order marks and line ends.
-struct Drops<'a>(Cursor<&'a [u8]>);
-
-impl Read for Drops<'_> {
-    fn read(&mut self, buffer: &mut [u8]) -> Result<usize> {
-        const MOST: usize = 7;
-        let most = buffer.len().min(MOST);
-        self.0.read(&mut buffer[..most])
-    }
-}
-
-impl Seek for Drops<'_> {
-    fn seek(&mut self, to: SeekFrom) -> Result<u64> {
-        self.0.seek(to)
-    }
-}
-
 /// A reading is a profile of finite heights on a positive grid, or an error with a code and a name, and
 /// is the same however the bytes come.
-fn reads_or_refuses(
-    name: &str,
-    bytes: &[u8],
-    options: &ReadOptions,
-) -> std::result::Result<(), TestCaseError> {
+fn reads_or_refuses(name: &str, bytes: &[u8], options: &ReadOptions) -> Result<(), TestCaseError> {
     let whole = read_bytes(name, bytes, options);
     // Each fourth file, for time.
     if bytes.len().is_multiple_of(4) {

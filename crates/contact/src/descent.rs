@@ -1,0 +1,30 @@
+//! From a start to the contact on one grid: sets of touching points first, gradients for the rest.
+
+use crate::state::{Level, Task, Workspace};
+use crate::step::settle;
+use crate::{active_set, ppcg};
+
+/// Certificate of a coarser grid over that of its start: the next grid halves the cells, and its
+/// start is about as much better.
+const GAIN: f64 = 0.1;
+
+/// Improves `work.pressure` until its certificate is within the tolerance or no progress is left;
+/// returns the iterations.
+pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize {
+    work.resize();
+    settle(level, work, task);
+    let tolerance = if task.least_tolerance < task.tolerance {
+        let start = work.assess(task);
+        let goal = GAIN * start.duality_gap.max(start.penetration);
+        goal.clamp(task.least_tolerance, task.tolerance)
+    } else {
+        task.tolerance
+    };
+    let task = &Task { tolerance, ..*task };
+    let on_sets = match task.sum {
+        Some(_) => active_set::minimise(level, work, task),
+        None => 0,
+    };
+    let left = task.max_iterations.saturating_sub(on_sets);
+    on_sets + ppcg::minimise(level, work, task, left)
+}
