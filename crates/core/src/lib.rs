@@ -12,6 +12,7 @@ pub mod lubricant;
 pub mod material;
 pub mod numerics;
 pub mod profile;
+pub mod provenance;
 pub mod quantity;
 mod unit_text;
 

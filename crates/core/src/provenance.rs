@@ -1,0 +1,216 @@
+//! Tags of the equations that ran, collected while they run.
+//!
+//! A tagged function calls [`cite!`](crate::cite) with its tag. Outside of [`Provenance::collect`] that
+//! costs one look at a thread-local flag; inside it the tag is noted once. A result therefore names an
+//! equation exactly when its function ran.
+//!
+//! ```
+//! use asperity_core::{cite, provenance::Provenance};
+//!
+//! /// F = m·a                                                              `[Newton-2]`
+//! fn force(mass: f64, acceleration: f64) -> f64 {
+//!     cite!("Newton-2");
+//!     mass * acceleration
+//! }
+//!
+//! let used = Provenance::new();
+//! let weight = used.collect(|| force(2.0, 9.81));
+//! assert_eq!(weight, 19.62);
+//! assert!(used.tags().contains("Newton-2"));
+//! ```
+
+use std::cell::{Cell, RefCell};
+use std::collections::BTreeSet;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// Notes that the equation with this tag is evaluated; the first statement of a tagged function.
+///
+/// In a loop over many points, call it in the function around the loop.
+#[macro_export]
+macro_rules! cite {
+    ($tag:literal) => {{
+        static SITE: $crate::provenance::Site = $crate::provenance::Site::new($tag);
+        SITE.note();
+    }};
+}
+
+/// Tags in the order in which they were first noted; their index is the bit of a tag.
+static REGISTRY: Mutex<Vec<&'static str>> = Mutex::new(Vec::new());
+
+/// Bits of a word of a [`BitSet`].
+const WORD: usize = u64::BITS as usize;
+
+type BitSet = Vec<u64>;
+
+thread_local! {
+    static COLLECTING: Cell<bool> = const { Cell::new(false) };
+    static NOTED: RefCell<BitSet> = const { RefCell::new(Vec::new()) };
+}
+
+/// Place in the code that evaluates an equation; made by [`cite!`](crate::cite).
+#[derive(Debug)]
+pub struct Site {
+    tag: &'static str,
+    /// One more than the index in the registry; 0 until first used.
+    number: AtomicUsize,
+}
+
+impl Site {
+    /// The place with this tag.
+    #[must_use]
+    pub const fn new(tag: &'static str) -> Self {
+        Self {
+            tag,
+            number: AtomicUsize::new(0),
+        }
+    }
+
+    /// Notes the tag where somebody collects on this thread.
+    #[inline]
+    pub fn note(&self) {
+        if COLLECTING.get() {
+            self.note_bit();
+        }
+    }
+
+    fn note_bit(&self) {
+        let index = match self.number.load(Ordering::Relaxed) {
+            0 => self.register(),
+            number => number - 1,
+        };
+        NOTED.with_borrow_mut(|noted| {
+            if noted.len() <= index / WORD {
+                noted.resize(index / WORD + 1, 0);
+            }
+            noted[index / WORD] |= 1 << (index % WORD);
+        });
+    }
+
+    fn register(&self) -> usize {
+        let mut registry = REGISTRY.lock().unwrap_or_else(PoisonError::into_inner);
+        let index = registry
+            .iter()
+            .position(|known| *known == self.tag)
+            .unwrap_or_else(|| {
+                registry.push(self.tag);
+                registry.len() - 1
+            });
+        self.number.store(index + 1, Ordering::Relaxed);
+        index
+    }
+}
+
+/// Set of the equations that ran inside [`Provenance::collect`]; clones share the set, so that one
+/// goes into every task of a parallel computation.
+#[derive(Debug, Clone, Default)]
+pub struct Provenance {
+    tags: Arc<Mutex<BTreeSet<&'static str>>>,
+}
+
+impl Provenance {
+    /// An empty set.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Runs `work` and adds the tags of all equations that it evaluates on this thread.
+    ///
+    /// Of nested calls the innermost collects. Work that runs on other threads is collected by calling
+    /// this in each task.
+    pub fn collect<T>(&self, work: impl FnOnce() -> T) -> T {
+        let _scope = Scope::enter(self);
+        work()
+    }
+
+    /// Tags collected so far, in alphabetical order.
+    #[must_use]
+    pub fn tags(&self) -> BTreeSet<&'static str> {
+        self.tags
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .clone()
+    }
+}
+
+/// Collects until dropped, also where the work panics.
+struct Scope<'a> {
+    into: &'a Provenance,
+    outer: Option<BitSet>,
+}
+
+impl<'a> Scope<'a> {
+    fn enter(into: &'a Provenance) -> Self {
+        let noted = NOTED.take();
+        Self {
+            into,
+            outer: COLLECTING.replace(true).then_some(noted),
+        }
+    }
+}
+
+impl Drop for Scope<'_> {
+    fn drop(&mut self) {
+        COLLECTING.set(self.outer.is_some());
+        let noted = NOTED.replace(self.outer.take().unwrap_or_default());
+        let registry = REGISTRY.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut tags = self
+            .into
+            .tags
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
+        for (index, tag) in registry.iter().enumerate() {
+            let word = noted.get(index / WORD).copied().unwrap_or(0);
+            if word >> (index % WORD) & 1 == 1 {
+                tags.insert(tag);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn first() {
+        cite!("Test-1");
+    }
+
+    fn second() {
+        cite!("Test-2");
+    }
+
+    #[test]
+    fn only_what_ran_inside_is_named() {
+        first();
+        let used = Provenance::new();
+        used.collect(second);
+        assert_eq!(used.tags(), BTreeSet::from(["Test-2"]));
+        first();
+        assert_eq!(used.tags(), BTreeSet::from(["Test-2"]));
+    }
+
+    #[test]
+    fn the_innermost_of_nested_calls_collects() {
+        let (outer, inner) = (Provenance::new(), Provenance::new());
+        outer.collect(|| {
+            first();
+            inner.collect(second);
+        });
+        assert_eq!(outer.tags(), BTreeSet::from(["Test-1"]));
+        assert_eq!(inner.tags(), BTreeSet::from(["Test-2"]));
+    }
+
+    #[test]
+    fn tasks_on_other_threads_share_a_clone() {
+        let used = Provenance::new();
+        std::thread::scope(|scope| {
+            for work in [first, second] {
+                let used = used.clone();
+                scope.spawn(move || used.collect(work));
+            }
+        });
+        assert_eq!(used.tags(), BTreeSet::from(["Test-1", "Test-2"]));
+    }
+}
