@@ -6,10 +6,10 @@
 
 use std::fmt::Debug;
 
+use asperity_core::Checked;
 use asperity_core::lubricant::{Lubricant, LubricantState};
 use asperity_core::material::Material;
 use asperity_core::quantity::{Length, Pressure, Speed, Temperature};
-use asperity_core::{Checked, DomainError};
 
 use crate::conditions::FrictionConditions;
 use crate::error::FrictionError;
@@ -94,15 +94,13 @@ pub trait FilmFriction: Debug + Send + Sync {
     fn traction(&self, contact: &FilmContact<'_>) -> Result<Checked<FilmTraction>, FrictionError>;
 }
 
-/// Law of a case file with what it leaves to choose, and a factor on its coefficient.
+/// Law of a case file with what it leaves to choose.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NamedFriction {
     /// The law.
     pub law: FrictionLaw,
     /// What it leaves to choose.
     pub settings: FrictionSettings,
-    /// Factor on the coefficient.
-    pub scale: f64,
 }
 
 impl FilmFriction for NamedFriction {
@@ -111,14 +109,7 @@ impl FilmFriction for NamedFriction {
     }
 
     fn traction(&self, contact: &FilmContact<'_>) -> Result<Checked<FilmTraction>, FrictionError> {
-        let scale = DomainError::require(
-            self.scale.is_finite() && self.scale >= 0.0,
-            "friction scale",
-            self.scale,
-            "-",
-            "must be finite and not negative",
-        )?;
         let found = self.law.coefficient(&self.settings, &contact.position)?;
-        Ok(found.map(|coefficient| FilmTraction::of(scale * coefficient)))
+        Ok(found.map(FilmTraction::of))
     }
 }
