@@ -28,17 +28,18 @@ struct Source {
 
 /// Groups of files that import each other in a circle, of the crate with these `sources`.
 pub fn circles(sources: &Path) -> Vec<Vec<String>> {
-    let mut files = BTreeMap::new();
-    for top in ["lib.rs", "main.rs"] {
-        if sources.join(top).exists() {
+    let tops = ["lib.rs", "main.rs"].into_iter();
+    tops.filter(|top| sources.join(top).exists())
+        .flat_map(|top| {
+            let mut files = BTreeMap::new();
             read(sources, top, &[], &mut files);
-        }
-    }
-    let edges = files
-        .iter()
-        .map(|(module, source)| (source.file.clone(), targets(&files, module, source)))
-        .collect();
-    strong_components(&edges)
+            let edges = files
+                .iter()
+                .map(|(module, source)| (source.file.clone(), targets(&files, module, source)))
+                .collect();
+            strong_components(&edges)
+        })
+        .collect()
 }
 
 /// Reads a file and all its children.
