@@ -37,6 +37,7 @@ mod parameters;
 pub mod preparation;
 pub mod read;
 pub mod robust_filter;
+pub mod section_heights;
 pub mod spectral;
 pub mod summits;
 mod warning;
