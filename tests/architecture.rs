@@ -6,6 +6,7 @@ use std::path::Path;
 /// What each crate may use of the workspace. The physics crates stand apart from each other.
 const ALLOWED: &[(&str, &[&str])] = &[
     ("crates/core", &[]),
+    ("crates/profile-io", &["asperity-core"]),
     ("crates/roughness", &["asperity-core"]),
     ("crates/gear", &["asperity-core"]),
     ("crates/contact", &["asperity-core"]),
@@ -17,6 +18,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
         "crates/asperity",
         &[
             "asperity-core",
+            "asperity-profile-io",
             "asperity-roughness",
             "asperity-gear",
             "asperity-contact",
@@ -33,6 +35,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "asperity-core",
             "asperity-contact",
             "asperity-ns-film",
+            "asperity-profile-io",
             "asperity-roughness",
             "asperity-fixtures",
         ],
