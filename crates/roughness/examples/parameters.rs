@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         Ok(heights.rq)
     };
     let (first, second) = (rq("pinion", &pinion)?, rq("wheel", &wheel)?);
-    let composite = compose(&pinion, &wheel, &Pairing::default())?;
+    let composite = compose(&pinion, &wheel, Pairing::default())?;
     let of_both = rq("composite", &composite.profile)?;
     println!(
         "composite Rq {of_both:.3}, {:.3} expected of uncorrelated flanks",
