@@ -35,6 +35,7 @@ pub mod outliers;
 mod parameters;
 pub mod preparation;
 pub mod robust_filter;
+pub mod section_heights;
 pub mod spectral;
 pub mod summits;
 mod warning;

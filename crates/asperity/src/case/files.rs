@@ -4,6 +4,7 @@ use std::path::Path;
 
 use asperity_core::DomainError;
 use asperity_core::Profile;
+use asperity_core::provenance::Provenance;
 use asperity_core::quantity::Length;
 use asperity_profile_io::Warning as ReadWarning;
 use asperity_profile_io::read::{Format, ReadOptions, Reading, read_bytes};
@@ -37,6 +38,8 @@ pub struct LoadedCase {
     pub flanks: [FlankReport; 2],
     /// What about the files calls for attention.
     pub warnings: Vec<Warning>,
+    /// Equations that the preparation of oil, gears and traces used.
+    pub provenance: Provenance,
 }
 
 /// Reads the case file `path` and the traces it names; `formulation` wins over the file's.
@@ -65,7 +68,13 @@ pub fn load_with(
 ) -> Result<LoadedCase, (Box<CaseError>, Option<Box<Source>>)> {
     let source = open(path).map_err(|error| (Box::new(error), None))?;
     let folder = path.parent().unwrap_or(Path::new("."));
-    from_source(&source, folder, change)
+    let provenance = Provenance::new();
+    provenance
+        .collect(|| from_source(&source, folder, change))
+        .map(|loaded| LoadedCase {
+            provenance,
+            ..loaded
+        })
         .map_err(|error| (Box::new(error), Some(Box::new(source.clone()))))
 }
 
@@ -167,6 +176,7 @@ fn load_flanks(case: Case, source: &Source, folder: &Path) -> Result<LoadedCase,
         surfaces,
         flanks: [pinion, wheel],
         warnings,
+        provenance: Provenance::new(),
     })
 }
 

@@ -22,45 +22,40 @@ use rustfft::num_complex::Complex;
 use rustfft::num_traits::Zero;
 use rustfft::{Fft, FftNum, FftPlanner};
 
-use crate::runs::{Run, vectorised};
-
-mod kernel;
-#[cfg(test)]
-mod tests;
-
-use kernel::turns;
+use super::index_ranges::Run;
+use super::vector_lanes::vectorised;
 
 /// A filter of real signals whose kernel is even, so that its symbol is real.
 pub(crate) struct EvenFilter<T: FftNum = f64> {
-    points: usize,
+    pub(super) points: usize,
     /// m
-    length: usize,
+    pub(super) length: usize,
     /// Inverse transforms are forward ones of the conjugate: one plan for both.
-    plan: Arc<dyn Fft<T>>,
+    pub(super) plan: Arc<dyn Fft<T>>,
     /// S − D·sin θ of each wave.
-    direct: Vec<T>,
+    pub(super) direct: Vec<T>,
     /// D·cos θ of the first half of the waves, whose mirror images have the same; empty when m is
     /// odd and values are not paired.
-    crossed: Vec<T>,
+    pub(super) crossed: Vec<T>,
     /// For a signal that fills half of its period.
-    alternating: Option<Alternating<T>>,
+    pub(super) alternating: Option<Alternating<T>>,
 }
 
 /// The part of a kernel that turns its sign: c_j = (x_j − i·x_{j+h})·ω^j has as its transform the
 /// waves 4k + 1 of the period 2m, and the other odd waves are their mirror images.
-struct Alternating<T: FftNum> {
+pub(super) struct Alternating<T: FftNum> {
     /// ω^j
-    twist: Vec<Complex<T>>,
-    symbol: Vec<T>,
+    pub(super) twist: Vec<Complex<T>>,
+    pub(super) symbol: Vec<T>,
 }
 
 /// Memory for the transforms of all filters that are used one after the other.
 #[derive(Default)]
 pub(crate) struct Buffers<T: FftNum = f64> {
-    signal: Vec<T>,
-    wave: Vec<Complex<T>>,
-    twisted: Vec<Complex<T>>,
-    scratch: Vec<Complex<T>>,
+    pub(super) signal: Vec<T>,
+    pub(super) wave: Vec<Complex<T>>,
+    pub(super) twisted: Vec<Complex<T>>,
+    pub(super) scratch: Vec<Complex<T>>,
 }
 
 impl<T: FftNum> Buffers<T> {
@@ -127,7 +122,7 @@ impl<T: FftNum> EvenFilter<T> {
         filter
     }
 
-    fn empty(planner: &mut FftPlanner<T>, points: usize, length: usize) -> Self {
+    pub(super) fn empty(planner: &mut FftPlanner<T>, points: usize, length: usize) -> Self {
         let paired = length.is_multiple_of(2);
         Self {
             points,
@@ -140,7 +135,7 @@ impl<T: FftNum> EvenFilter<T> {
     }
 
     /// Takes over the symbol of the period m, times `share`.
-    fn set_symbol(&mut self, symbol: impl Fn(usize) -> f64, share: f64) {
+    pub(super) fn set_symbol(&mut self, symbol: impl Fn(usize) -> f64, share: f64) {
         let waves = self.plan.len();
         let scale = share / waves as f64;
         if waves == self.length {
@@ -306,6 +301,15 @@ impl<T: FftNum> EvenFilter<T> {
             *last = wave[self.points / 2].re;
         }
     }
+}
+
+/// exp(i·k·`angle`) for the first k: products of few sines and cosines, to a unit in the last place.
+pub(super) fn turns(count: usize, angle: f64) -> Vec<Complex<f64>> {
+    let block = (count as f64).sqrt().ceil().max(1.0) as usize;
+    let fine: Vec<_> = (0..block).map(|k| Complex::cis(angle * k as f64)).collect();
+    let coarse = (0..count.div_ceil(block)).map(|k| Complex::cis(angle * (k * block) as f64));
+    let blocks = coarse.flat_map(|turn| fine.iter().map(move |small| turn * small));
+    blocks.take(count).collect()
 }
 
 /// Calls `each` with every run and its values, which follow each other in `signal`.

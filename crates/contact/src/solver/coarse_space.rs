@@ -1,7 +1,7 @@
 //! The coarse space of the preconditioner: one unknown per contact patch.
 //!
-//! What the masked symbol |q| does not see is the interaction between patches. The residual that
-//! it leaves is averaged over each patch, and the even pressures on the patches that remove these
+//! The masked symbol |q| does not see the interaction between patches. The residual that it
+//! leaves is averaged over each patch, and the even pressures on the patches that remove these
 //! averages are added: iterations then hardly depend on the number of patches.
 //!
 //! K f = y − λ, Σf = 0 is solved by conjugate gradients. K is the sum of
@@ -14,26 +14,27 @@
 //!
 //! | symbol | meaning |
 //! |---|---|
-//! | K_IJ | mean displacement of patch I by unit force on patch J, see `patches` |
+//! | K_IJ | mean displacement of patch I by unit force on patch J, see `contact_patches` |
 //! | f, y | forces of the patches, mean residuals of the patches |
 //! | h | cells between nodes |
 
+use asperity_core::cite;
 use rustfft::FftPlanner;
 
-use crate::nodes::{Nodes, cubic_weights};
-use crate::patches::{Patch, PatchKernel};
-use crate::problem::Boundary;
-use crate::runs::{Run, parts};
-use crate::transform::Buffers;
+use super::coarse_nodes::{Nodes, cubic_weights};
+use super::contact_patches::{Patch, PatchKernel};
+use crate::boundary::Boundary;
+use crate::convolution::Buffers;
+use crate::convolution::{Run, parts};
 
 /// A single patch acts on no other.
-const FEWEST: usize = 2;
+const MIN_PATCHES: usize = 2;
 /// Cells per patch below which patches are no coarser than the grid.
-const SPARSE: usize = 4;
+const MIN_CELLS_PER_PATCH: usize = 4;
 /// Nodes by which patches are at least apart for the nodes alone to tell their interaction.
-const NEAR: f64 = 3.0;
+const NEAR_NODES: f64 = 3.0;
 /// Near pairs per patch beyond which patches are too crowded for the nodes.
-const CROWDED: usize = 16;
+const MAX_NEAR_PAIRS: usize = 16;
 /// Residual of the inner solution over that it began with, and most iterations.
 const INNER_TOLERANCE: f64 = 1e-3;
 const INNER_ITERATIONS: usize = 40;
@@ -82,7 +83,7 @@ impl CoarseSpace {
             listed: listed.start,
         }));
         let count = self.patches.len();
-        if count < FEWEST || count * SPARSE > points {
+        if count < MIN_PATCHES || count * MIN_CELLS_PER_PATCH > points {
             return false;
         }
         let kernel = PatchKernel {
@@ -153,9 +154,10 @@ impl CoarseSpace {
 
     /// The pairs that nodes do not tell apart; false when they are too many.
     fn find_near(&mut self, kernel: PatchKernel) -> bool {
+        cite!("Patch-1");
         let Some(grid) = &self.grid else { return false };
         let count = self.patches.len();
-        let reach = NEAR * grid.step;
+        let reach = NEAR_NODES * grid.step;
         self.near.clear();
         self.diagonal.clear();
         for (i, one) in self.patches.iter().enumerate() {
@@ -171,7 +173,7 @@ impl CoarseSpace {
                 {
                     break;
                 }
-                if self.near.len() >= CROWDED * count {
+                if self.near.len() >= MAX_NEAR_PAIRS * count {
                     return false;
                 }
                 let exact = kernel.mean(one, other, shift as f64);

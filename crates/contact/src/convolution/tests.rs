@@ -1,3 +1,7 @@
+use std::f64::consts::TAU;
+
+use rustfft::FftPlanner;
+
 use super::*;
 
 /// Values without pattern between −1 and 1.

@@ -9,8 +9,9 @@
 //! | z = M r | preconditioned residual | Pa |
 //! | d, β | direction, share of the last one | Pa, - |
 
-use crate::runs::{Lanes, parts, vectorised};
-use crate::state::{Level, Task, Workspace};
+use super::workspace::{Level, Task, Workspace};
+use crate::convolution::{Lanes, parts, vectorised};
+use asperity_core::cite;
 
 /// Memory of the search from one iteration to the next.
 #[derive(Default)]
@@ -169,6 +170,7 @@ fn precondition(level: Level, work: &mut Workspace, task: &Task, residual_mean: 
 ///
 /// z then leaves no mean residual on any contact patch. All are in units of the residual's scale.
 fn deflate(level: Level, work: &mut Workspace, scale: f64) {
+    cite!("Deflation-1");
     let (ascent, residual, runs) = (&mut work.ascent, &work.residual, &work.runs);
     let mean = ascent.iter().sum::<f64>() / ascent.len() as f64;
     let buffers = &mut work.single_buffers;

@@ -1,8 +1,8 @@
-//! From a start to the contact on one grid: sets of touching points first, gradients for the rest.
+//! Minimisation on one grid: active set first, projected gradients for the rest.
 
-use crate::state::{Level, Task, Workspace};
-use crate::step::settle;
-use crate::{active_set, ppcg};
+use super::line_search::settle;
+use super::workspace::{Level, Task, Workspace};
+use super::{active_set, projected_gradient};
 
 /// Certificate of a coarser grid over that of its start: the next grid halves the cells, and its
 /// start is about as much better.
@@ -26,5 +26,5 @@ pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize
         None => 0,
     };
     let left = task.max_iterations.saturating_sub(on_sets);
-    on_sets + ppcg::minimise(level, work, task, left)
+    on_sets + projected_gradient::minimise(level, work, task, left)
 }

@@ -1,4 +1,4 @@
-//! The arrays and operators of an iteration on one grid, and what is known of a pressure.
+//! Arrays and operators of an iteration on one grid, and the assessment of a pressure.
 //!
 //! Everything but the transforms and one pass over v happens on the runs of points that touch or
 //! overlap: a rough contact covers a small part of its grid.
@@ -9,10 +9,12 @@
 //! | v, α, g | u + h, approach, gap v − α | m |
 //! | F | free set: points between the bounds, and those at one with the gap on its wrong side | - |
 
-use crate::coarse_space::CoarseSpace;
-use crate::problem::Boundary;
-use crate::runs::{Lanes, Run, extend, listed, parts, vectorised};
-use crate::transform::{Buffers, EvenFilter};
+use asperity_core::cite;
+
+use super::coarse_space::CoarseSpace;
+use crate::boundary::Boundary;
+use crate::convolution::{Buffers, EvenFilter};
+use crate::convolution::{Lanes, Run, extend, listed, parts, vectorised};
 
 /// Points looked at together for one that overlaps: as many as an integer has bits.
 const BLOCK: usize = u64::BITS as usize;
@@ -27,9 +29,9 @@ pub(crate) struct Level<'a> {
     pub(crate) boundary: Boundary,
 }
 
-/// What is minimised on one grid.
+/// Bounded quadratic problem on one grid.
 pub(crate) struct Task<'a> {
-    /// h in m, with the displacement by prescribed pressures; less the approach when it is controlled.
+    /// h in m, with the displacement by prescribed pressures; minus the approach when it is controlled.
     pub(crate) gap: &'a [f64],
     /// Σp in Pa, unless the approach is controlled.
     pub(crate) sum: Option<f64>,
@@ -47,7 +49,7 @@ pub(crate) struct Task<'a> {
 }
 
 impl Task<'_> {
-    /// What the datum adds to the displacement by pressures of this sum.
+    /// Contribution of the datum to the displacement by pressures of this sum.
     pub(crate) fn datum_displacement(&self, sum: impl FnOnce() -> f64) -> f64 {
         if self.sum.is_some() || self.datum == 0.0 {
             0.0
@@ -82,7 +84,7 @@ pub(crate) struct Workspace {
     pub(crate) free: Vec<bool>,
 }
 
-/// What is known of a pressure.
+/// Approach, error bounds and free set of a pressure.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Assessment {
     /// α in m; zero when the approach is controlled.
@@ -136,8 +138,9 @@ impl Workspace {
         }
     }
 
-    /// v = A p + h, with all points listed.
+    /// v = A p + h, with all points listed; A as in `P3`.
     pub(crate) fn refresh(&mut self, displacement: &EvenFilter, task: &Task) {
+        cite!("P3");
         let points = self.pressure.len();
         let (buffers, pressure) = (&mut self.buffers, &self.pressure);
         displacement.filter(buffers, task.compliance, pressure);

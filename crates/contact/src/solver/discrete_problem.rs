@@ -1,16 +1,18 @@
-//! A contact problem as the iteration sees it, on its own and on coarser grids.
+//! Discrete contact problem of the iteration, on its own grid and on coarser ones.
 
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
+use asperity_core::cite;
 use asperity_core::quantity::{Length, LineEnergy, Pressure};
 
-use crate::cascade::Window;
+use super::cascadic_multigrid::Window;
+use super::workspace::{Assessment, Task};
+use crate::boundary::Boundary;
 use crate::certificate::Certificate;
 use crate::error::ContactError;
 use crate::half_plane::cell_compliance;
-use crate::problem::{Boundary, ContactProblem, Control, SolverSettings};
-use crate::state::{Assessment, Task};
+use crate::problem::{ContactProblem, Control, SolverSettings};
 use crate::strip_kernel::datum_constant;
 
 /// Tolerances of the coarser grids, which only give a start. With free ends the finest grid is
@@ -25,10 +27,10 @@ const ROOM: f64 = 0.9;
 /// gap is this share of the deformation.
 const FLAT: f64 = 1e-3;
 
-/// What all grids of a problem share.
-pub(crate) struct Scene<'a> {
+/// Data that all grids of a problem share.
+pub(crate) struct DiscreteProblem<'a> {
     pub(crate) problem: &'a ContactProblem<'a>,
-    /// h with the displacement by the prescribed pressure, less a controlled approach in m.
+    /// h with the displacement by the prescribed pressure, minus a controlled approach in m.
     pub(crate) gap: Cow<'a, [f64]>,
     pub(crate) reference_gap: f64,
     /// Σp in Pa when the load is controlled.
@@ -41,8 +43,8 @@ pub(crate) struct Scene<'a> {
     prescribed_sum: f64,
 }
 
-impl<'a> Scene<'a> {
-    /// The scene of a valid problem; `displace` is the displacement in m by a pressure for a
+impl<'a> DiscreteProblem<'a> {
+    /// The discrete form of a valid problem; `displace` is the displacement in m by a pressure for a
     /// compliance.
     pub(crate) fn new<'b>(
         problem: &'a ContactProblem<'a>,
@@ -168,8 +170,9 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// What is certified of a pressure on the finest grid.
+    /// Certificate of a pressure on the finest grid.
     pub(crate) fn certificate(&self, pressure: &[f64], assessment: &Assessment) -> Certificate {
+        cite!("Duality-1");
         let carried: f64 = pressure.iter().sum();
         Certificate {
             duality_gap: assessment.duality_gap,

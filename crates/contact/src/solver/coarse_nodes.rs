@@ -8,9 +8,9 @@
 use rustfft::FftPlanner;
 use rustfft::num_complex::Complex;
 
-use crate::patches::{Patch, PatchKernel};
-use crate::problem::Boundary;
-use crate::transform::{Buffers, EvenFilter};
+use super::contact_patches::{Patch, PatchKernel};
+use crate::boundary::Boundary;
+use crate::convolution::{Buffers, EvenFilter};
 
 /// Nodes that stencils may need beyond those of free ends.
 const BEYOND: usize = 4;

@@ -18,21 +18,21 @@
 //! | d, τ | direction, length of the trial step along it | Pa, - |
 //! | Δ, s | feasible step, its length by exact line search | Pa, - |
 
-use crate::direction::{Search, choose_direction};
-use crate::state::{Assessment, Level, Task, Workspace};
-use crate::step::{
+use super::line_search::{
     SINGLE, exact_length, farthest, line_search, settle, take_step, try_gradient, try_step,
 };
+use super::search_direction::{Search, choose_direction};
+use super::workspace::{Assessment, Level, Task, Workspace};
 
 /// Updates of the displacement after which it is computed afresh, before round-off gathers.
-const REFRESH: usize = 50;
+const REFRESH_INTERVAL: usize = 50;
 /// Iterations without a smaller duality gap after which no more progress is expected.
-const STALL: usize = 400;
+const MAX_STALLED: usize = 400;
 /// A clipped step is taken whole when the line search would go at least half as far: the energy
 /// then decreases, and the bounds are identified exactly.
-const WHOLE: f64 = 0.5;
+const FULL_STEP_FROM: f64 = 0.5;
 /// Share of the gap left to close that the error of the displacement may have.
-const DRIFT: f64 = 0.1;
+const MAX_DRIFT: f64 = 0.1;
 
 /// Improves `work.pressure`, whose opening is known, until its certificate is within the tolerance or
 /// no progress is left; returns the iterations, of which `most` are allowed.
@@ -43,7 +43,7 @@ pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task, most: us
     loop {
         let mut assessment = work.assess(task);
         let left = assessment.penetration.max(task.tolerance) * task.reference_gap;
-        let drifted = search.drift > DRIFT * left || updates >= REFRESH;
+        let drifted = search.drift > MAX_DRIFT * left || updates >= REFRESH_INTERVAL;
         if updates > 0 && (drifted || assessment.within(task.tolerance)) {
             settle(level, work, task);
             search.drift = 0.0;
@@ -59,7 +59,7 @@ pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task, most: us
         best = best.min(assessment.duality_gap);
         if done
             || iterations >= most
-            || stalled > STALL
+            || stalled > MAX_STALLED
             || !advance(level, work, task, &assessment, &mut search)
         {
             return iterations;
@@ -102,10 +102,10 @@ fn advance(
     let s = -line.slope / line.curvature;
     let length = if clipped {
         search.length = Some(reach * s.clamp(0.5, 2.0));
-        if s < WHOLE {
+        if s < FULL_STEP_FROM {
             search.descent = 0.0;
         }
-        if s < WHOLE { s } else { 1.0 }
+        if s < FULL_STEP_FROM { s } else { 1.0 }
     } else {
         search.length = Some(reach * s.clamp(0.1, 4.0));
         if s > 1.0 {

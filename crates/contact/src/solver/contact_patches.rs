@@ -50,7 +50,7 @@ fn second_sum(k: f64) -> f64 {
     square * (1.0 - 2.0 * logarithm) + (logarithm + 1.0) / 6.0 + 7.0 / (1440.0 * square) + OFFSET
 }
 
-/// The kernel of a grid at any distance in cells, less what is the same at all distances.
+/// The kernel of a grid at any distance in cells, up to a constant.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PatchKernel {
     /// Cells in a period; none for free ends.
@@ -63,7 +63,7 @@ impl PatchKernel {
         strip(2.0 * cells) + self.images(cells)
     }
 
-    /// What the images of a period add, but for a constant.
+    /// Contribution of the images of a period, up to a constant.
     fn images(&self, cells: f64) -> f64 {
         match self.period {
             Some(period) => periodic_rest(cells, period) - periodic_rest(0.0, period),

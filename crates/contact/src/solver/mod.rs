@@ -1,28 +1,42 @@
-//! The solver of rough line contacts: cascade, window, iteration, verification.
+//! Solver of rough line contacts: cascadic multigrid, window, iteration, verification.
 //!
 //! A coarse solution tells where the bodies touch; the finest grid is solved there by projected
 //! conjugate gradients, and the result is certified on the whole grid with one more displacement.
 
+mod active_set;
+mod cascadic_multigrid;
+mod coarse_nodes;
+mod coarse_space;
+mod contact_patches;
+mod discrete_problem;
+mod feasible_pressure;
+mod line_search;
+mod projected_gradient;
+mod search_direction;
+mod single_grid;
+mod workspace;
+
 use std::collections::BTreeMap;
 
-use asperity_core::DomainError;
-use asperity_core::quantity::{Length, Pressure};
+use asperity_core::quantity::{Length, LineEnergy, Pressure};
+use asperity_core::{DomainError, cite};
 use rustfft::FftPlanner;
 
-use crate::cascade::{Window, grids, is_smooth, prolong, prolong_slopes, restrict};
-use crate::descent::minimise;
+use crate::boundary::Boundary;
+use crate::convolution::{Buffers, EvenFilter};
 use crate::error::{ContactError, SolverShape};
-use crate::half_plane::{displacement_filter, inverse_filter, line_load};
+use crate::half_plane::{cite_kernel, displacement_filter, inverse_filter, line_load};
 use crate::plasticity::{dissipated_energy, plastic_displacement};
-use crate::problem::{Boundary, ContactProblem, ContactSolution, LEAST_POINTS, SolverSettings};
-use crate::scene::{Scene, touching};
-use crate::state::{Level, Task, Workspace};
-use crate::transform::{Buffers, EvenFilter};
+use crate::problem::{ContactProblem, ContactSolution, LEAST_POINTS, SolverSettings};
+use cascadic_multigrid::{Window, grids, is_smooth, prolong, prolong_slopes, restrict};
+use discrete_problem::{DiscreteProblem, touching};
+use single_grid::minimise;
+use workspace::{Level, Task, Workspace};
 
 /// Points of a grid from which on the operators of one size only are kept.
-const LARGE: usize = 1 << 18;
+const LARGE_GRID: usize = 1 << 18;
 /// Windows tried before the whole grid is solved.
-const WINDOWS: usize = 3;
+const MAX_WINDOWS: usize = 3;
 
 /// Solves one problem.
 ///
@@ -71,7 +85,7 @@ struct Levels {
 impl Levels {
     /// Forgets other sizes before a large one is made: memory is then what counts.
     fn make_room(&mut self, points: usize) {
-        if points > LARGE && !self.displacements.contains_key(&points) {
+        if points > LARGE_GRID && !self.displacements.contains_key(&points) {
             self.displacements.clear();
             self.singles.clear();
             self.inverses.clear();
@@ -92,7 +106,7 @@ impl Levels {
         filter
     }
 
-    /// What an iteration needs of a grid, with room for it in the workspace.
+    /// The operators of an iteration on a grid, with room for them in the workspace.
     fn level(&mut self, points: usize, work: &mut Workspace) -> Level<'_> {
         self.make_room(points);
         let planner = &mut self.inverse_planner;
@@ -148,7 +162,7 @@ impl Solver {
         })
     }
 
-    /// What the solver is made for.
+    /// Points and ends that the solver is made for.
     pub fn shape(&self) -> SolverShape {
         self.shape
     }
@@ -162,6 +176,7 @@ impl Solver {
         problem: &ContactProblem,
         settings: &SolverSettings,
     ) -> Result<ContactSolution, ContactError> {
+        cite_kernel(problem.boundary);
         problem.validate()?;
         let tolerance = settings.tolerance;
         let sensible = tolerance.is_finite() && tolerance > 0.0;
@@ -183,23 +198,23 @@ impl Solver {
             });
         }
         let buffers = &mut self.work.buffers;
-        let scene = Scene::new(problem, |prescribed, compliance| {
+        let discrete = DiscreteProblem::new(problem, |prescribed, compliance| {
             let whole = self.levels.displacement(shape.points, buffers);
             whole.filter(buffers, compliance, prescribed);
             buffers.signal(shape.points)
         })?;
-        let start = self.start(&scene, settings)?;
-        let iterations = self.descend(&scene, settings, start)?;
-        self.conclude(&scene, settings, iterations)
+        let start = self.start(&discrete, settings)?;
+        let iterations = self.descend(&discrete, settings, start)?;
+        self.conclude(&discrete, settings, iterations)
     }
 
     /// The pressure to start from: as given, from coarser grids, or even.
     fn start(
         &mut self,
-        scene: &Scene,
+        discrete: &DiscreteProblem,
         settings: &SolverSettings,
     ) -> Result<Vec<f64>, ContactError> {
-        if let Some(start) = scene.given_start() {
+        if let Some(start) = discrete.given_start() {
             return Ok(start);
         }
         let mut grids = grids(self.shape.points);
@@ -208,11 +223,11 @@ impl Solver {
         }
         let mut gaps: Vec<Vec<f64>> = vec![];
         for _ in 1..grids.len() {
-            let finer: &[f64] = gaps.last().map_or(&scene.gap, |gap| gap);
+            let finer: &[f64] = gaps.last().map_or(&discrete.gap, |gap| gap);
             gaps.push(restrict(finer));
         }
         let coarsest = grids[grids.len() - 1];
-        let mut pressure = vec![scene.even_pressure(); coarsest];
+        let mut pressure = vec![discrete.even_pressure(); coarsest];
         for (halvings, gap) in gaps.iter().enumerate().rev() {
             let touches = touching(gap, &pressure);
             // What the even start of the coarsest grid touches says nothing.
@@ -225,7 +240,7 @@ impl Solver {
                 Window::whole(gap.len())
             };
             let gap = &gap[window.range()];
-            let task = scene.coarse_task(gap, halvings as i32 + 1, smooth, settings)?;
+            let task = discrete.coarse_task(gap, halvings as i32 + 1, smooth, settings)?;
             self.minimise(window, &task, &mut pressure);
             let finer = if smooth { prolong_slopes } else { prolong };
             pressure = finer(&pressure, grids[halvings]);
@@ -254,22 +269,22 @@ impl Solver {
     /// iterations.
     fn descend(
         &mut self,
-        scene: &Scene,
+        discrete: &DiscreteProblem,
         settings: &SolverSettings,
         mut pressure: Vec<f64>,
     ) -> Result<usize, ContactError> {
         let points = self.shape.points;
-        let mut touches = touching(&scene.gap, &pressure);
+        let mut touches = touching(&discrete.gap, &pressure);
         let mut iterations = 0;
-        for attempt in 0..=WINDOWS {
-            let window = if self.windowed(settings) && attempt < WINDOWS {
+        for attempt in 0..=MAX_WINDOWS {
+            let window = if self.windowed(settings) && attempt < MAX_WINDOWS {
                 Window::around(points, &touches)
             } else {
                 Window::whole(points)
             };
-            let task = scene.task(window, settings, settings.max_iterations - iterations);
+            let task = discrete.task(window, settings, settings.max_iterations - iterations);
             iterations += self.minimise(window, &task, &mut pressure);
-            if window.points == points || self.verify(scene, settings, &pressure) {
+            if window.points == points || self.verify(discrete, settings, &pressure) {
                 break;
             }
             touches.clear();
@@ -279,11 +294,16 @@ impl Solver {
     }
 
     /// Whether the pressure of a window is the solution of the whole grid.
-    fn verify(&mut self, scene: &Scene, settings: &SolverSettings, pressure: &[f64]) -> bool {
-        let task = scene.task(Window::whole(pressure.len()), settings, 0);
+    fn verify(
+        &mut self,
+        discrete: &DiscreteProblem,
+        settings: &SolverSettings,
+        pressure: &[f64],
+    ) -> bool {
+        let task = discrete.task(Window::whole(pressure.len()), settings, 0);
         self.work.pressure.clear();
         self.work.pressure.extend_from_slice(pressure);
-        if pressure.len() > LARGE {
+        if pressure.len() > LARGE_GRID {
             self.work.release();
         }
         let buffers = &mut self.work.buffers;
@@ -295,13 +315,13 @@ impl Solver {
     /// The solution that the workspace holds, when its certificate is good enough.
     fn conclude(
         &mut self,
-        scene: &Scene,
+        discrete: &DiscreteProblem,
         settings: &SolverSettings,
         iterations: usize,
     ) -> Result<ContactSolution, ContactError> {
-        let task = scene.task(Window::whole(self.shape.points), settings, 0);
+        let task = discrete.task(Window::whole(self.shape.points), settings, 0);
         let assessment = self.work.assess(&task);
-        let certificate = scene.certificate(&self.work.pressure, &assessment);
+        let certificate = discrete.certificate(&self.work.pressure, &assessment);
         if !certificate.within(settings.tolerance) {
             return Err(ContactError::NotConverged {
                 iterations,
@@ -309,9 +329,11 @@ impl Solver {
                 tolerance: settings.tolerance,
             });
         }
+        // The gap of `deformed_gap`, in place.
+        cite!("P1");
         let pressure = std::mem::take(&mut self.work.pressure);
-        let problem = scene.problem;
-        let approach = scene.approach(&pressure, assessment.approach);
+        let problem = discrete.problem;
+        let approach = discrete.approach(&pressure, assessment.approach);
         let mut gap = std::mem::take(&mut self.work.opening);
         for g in &mut gap {
             *g -= assessment.approach;
@@ -321,12 +343,15 @@ impl Solver {
             .zip(problem.gap)
             .map(|(g, h)| g - h + approach)
             .collect();
-        let plastic_displacement = plastic_displacement(&pressure, &gap, problem.pressure_limit);
         let limit = problem.pressure_limit;
-        let dissipated = dissipated_energy(&plastic_displacement, problem.spacing, limit);
-        for (g, w) in gap.iter_mut().zip(&plastic_displacement) {
-            *g += w;
-        }
+        let (plastic_displacement, dissipated) = if limit.is_some() {
+            let w = plastic_displacement(&pressure, &gap, limit);
+            let dissipated = dissipated_energy(&w, problem.spacing, limit);
+            gap.iter_mut().zip(&w).for_each(|(g, w)| *g += w);
+            (w, dissipated)
+        } else {
+            (vec![0.0; pressure.len()], LineEnergy::from_si(0.0))
+        };
         let touching = pressure.iter().filter(|&&p| p > 0.0).count();
         Ok(ContactSolution {
             load: line_load(&pressure, problem.spacing),
@@ -335,7 +360,7 @@ impl Solver {
             contact_fraction: touching as f64 / pressure.len() as f64,
             max_pressure: Pressure::from_si(pressure.iter().fold(0.0, |m, &p| f64::max(m, p))),
             dissipated,
-            elastic_energy: scene.elastic_energy(&pressure, &displacement),
+            elastic_energy: discrete.elastic_energy(&pressure, &displacement),
             plastic_displacement,
             pressure,
             displacement,

@@ -1,4 +1,4 @@
-//! A step of the pressure: trial, line search, what is taken of it.
+//! Line search: trial step within the bounds, exact step length, update of the pressure.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -7,9 +7,9 @@
 //! | Δ = q − p, s | feasible step, its length by exact line search | Pa, - |
 //! | v, α, g | u + h, approach, gap v − α | m |
 
-use crate::projection::{clip, project, restore_load};
-use crate::runs::{Lanes, listed, parts, vectorised};
-use crate::state::{Level, Task, Workspace};
+use super::feasible_pressure::{clip, project, restore_load};
+use super::workspace::{Level, Task, Workspace};
+use crate::convolution::{Lanes, listed, parts, vectorised};
 
 /// Step along the gradient, in π·E*/a: about the stiffness of pressure moved to the next cell,
 /// whose kernel differs by 6.6·a.
@@ -129,7 +129,7 @@ pub(crate) struct Line {
     pub(crate) curvature: f64,
     /// Of the displacement that the buffers hold.
     pub(crate) scale: f64,
-    /// What the datum adds to the displacement by Δ.
+    /// Contribution of the datum to the displacement by Δ.
     pub(crate) datum: f64,
 }
 
@@ -235,4 +235,50 @@ pub(crate) fn take_step(work: &mut Workspace, task: &Task, length: f64) {
             }
         },
     );
+}
+
+#[cfg(test)]
+mod tests {
+    use rustfft::FftPlanner;
+
+    use super::*;
+    use crate::boundary::{Boundary, PeriodicKernel};
+    use crate::convolution::Buffers;
+    use crate::half_plane::displacement_filter;
+
+    #[test]
+    fn single_precision_loses_little_of_a_displacement() {
+        for boundary in [
+            Boundary::FreeEnds,
+            Boundary::Periodic(PeriodicKernel::Strip),
+        ] {
+            for points in [50, 1_000, 30_000] {
+                let (mut planner, mut singles) = (FftPlanner::new(), FftPlanner::new());
+                let mut buffers = Buffers::default();
+                let filter = displacement_filter(&mut planner, points, boundary, &mut buffers);
+                let single = filter.single(&mut singles);
+                let mut single_buffers = Buffers::default();
+                buffers.reserve(&filter);
+                single_buffers.reserve(&single);
+                // Steps of constant load, smooth and rough.
+                for roughness in [0.0, 1.0] {
+                    let value = |i: usize| {
+                        let x = i as f64 / points as f64 - 0.5;
+                        x + roughness * (12.9898 * (i * i) as f64).sin()
+                    };
+                    let mean = (0..points).map(value).sum::<f64>() / points as f64;
+                    let steps: Vec<f64> = (0..points).map(|i| value(i) - mean).collect();
+                    let rounded: Vec<f32> = steps.iter().map(|&x| x as f32).collect();
+                    filter.filter(&mut buffers, 1.0, &steps);
+                    single.filter(&mut single_buffers, 1.0, &rounded);
+                    let exact = buffers.signal(points);
+                    let found = single_buffers.signal(points);
+                    let most = exact.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
+                    let pairs = exact.iter().zip(found);
+                    let lost = pairs.fold(0.0, |m: f64, (u, s)| m.max((u - f64::from(*s)).abs()));
+                    assert!(lost < SINGLE * most);
+                }
+            }
+        }
+    }
 }

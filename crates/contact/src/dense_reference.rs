@@ -1,4 +1,6 @@
-//! The contact problem with a dense matrix and an active set: slow, exact, the judge of the solver.
+//! Dense reference solver: the full matrix with an active set, O(n³), exact to round-off.
+//!
+//! Built with the feature `oracle`; the tests of the fast solver compare with it.
 //!
 //! Every point is apart, touching or flowing. With these sets given the problem is linear and is
 //! solved by Cholesky factors; points whose pressure or gap has the wrong sign then change sets
@@ -17,21 +19,23 @@ use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use serde::Serialize;
 
+use crate::boundary::{Boundary, PeriodicKernel};
 use crate::error::ContactError;
 use crate::half_plane::cell_compliance;
-use crate::problem::{Boundary, ContactProblem, Control, PeriodicKernel};
+use crate::problem::{ContactProblem, Control};
 use crate::strip_kernel::{periodic_column, spectral_symbol, strip, strip_column};
 
 /// Most points: a matrix of 18 MB.
-pub const MOST_POINTS: usize = 1500;
+pub const MAX_POINTS: usize = 1500;
 /// Steps after which a set that still changes is taken to cycle.
-const MOST_STEPS: usize = 100;
+const MAX_SET_UPDATES: usize = 100;
 /// Overlap over the range of the gap that counts as round-off and keeps a point in its set.
 const ROUND_OFF: f64 = 1e-12;
 
 /// A solution to round-off.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct DirectSolution {
+#[non_exhaustive]
+pub struct DenseSolution {
     /// Pressure between the solids in Pa.
     pub pressure: Vec<f64>,
     /// Approach, from the same datum as that of [`ContactSolution`](crate::ContactSolution).
@@ -51,49 +55,49 @@ enum State {
 struct Dense {
     /// First column of A.
     column: Vec<f64>,
-    /// h, with the displacement by prescribed pressures, less a controlled approach in m.
+    /// h, with the displacement by prescribed pressures, minus a controlled approach in m.
     gap: Vec<f64>,
     /// Σy when the load is controlled.
     sum: Option<f64>,
     limit: f64,
 }
 
-/// Solves a problem of at most [`MOST_POINTS`] points to round-off; its start is not used.
+/// Solves a problem of at most [`MAX_POINTS`] points to round-off; its start is not used.
 ///
 /// # Errors
 /// When the problem is not well posed or too large, or its active set does not settle.
 ///
 /// ```
-/// use asperity_contact::{Boundary, ContactProblem, Control, direct::solve_direct};
+/// use asperity_contact::{Boundary, ContactProblem, Control, dense_reference::solve_dense};
 /// let problem = ContactProblem {
 ///     gap: &[1e-6, 0.0, 1e-6], spacing: "1 um".parse()?, modulus: "100 GPa".parse()?,
 ///     boundary: Boundary::FreeEnds, control: Control::Load("1 N/mm".parse()?),
 ///     prescribed_pressure: None, pressure_limit: None, start: None,
 /// };
-/// let pressure = solve_direct(&problem)?.pressure;
+/// let pressure = solve_dense(&problem)?.pressure;
 /// assert!(pressure[0] == 0.0 && (pressure[1] - 1e9).abs() < 1.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn solve_direct(problem: &ContactProblem) -> Result<DirectSolution, ContactError> {
+pub fn solve_dense(problem: &ContactProblem) -> Result<DenseSolution, ContactError> {
     problem.validate()?;
     let points = problem.gap.len();
-    if points > MOST_POINTS {
+    if points > MAX_POINTS {
         return Err(ContactError::TooManyPoints {
             points,
-            most: MOST_POINTS,
+            most: MAX_POINTS,
         });
     }
     let compliance = cell_compliance(problem.spacing, problem.modulus)?;
     let dense = Dense::new(problem, compliance);
     let mut states = dense.first_states();
     let mut changes = points;
-    for steps in 1..=MOST_STEPS {
+    for steps in 1..=MAX_SET_UPDATES {
         let Some((y, alpha)) = dense.pressures(&states) else {
             return Err(ContactError::ActiveSetUnsettled { steps, changes });
         };
         changes = dense.update(&mut states, &y, alpha);
         if changes == 0 {
-            return Ok(DirectSolution {
+            return Ok(DenseSolution {
                 pressure: y.iter().map(|y| y / compliance).collect(),
                 approach: dense.approach(problem, compliance, alpha),
                 steps,
@@ -101,7 +105,7 @@ pub fn solve_direct(problem: &ContactProblem) -> Result<DirectSolution, ContactE
         }
     }
     Err(ContactError::ActiveSetUnsettled {
-        steps: MOST_STEPS,
+        steps: MAX_SET_UPDATES,
         changes,
     })
 }
@@ -244,7 +248,7 @@ impl Dense {
     }
 }
 
-/// What is added to every element of the matrix: C₀/a, or for the load of periodic ends, where it
+/// Constant added to every element of the matrix: C₀/a, or for the load of periodic ends, where it
 /// does not matter, one.
 fn datum_term(problem: &ContactProblem) -> f64 {
     match (problem.boundary, problem.control) {

@@ -1,19 +1,19 @@
-//! Coarser grids, and the part of a grid that touches.
+//! Cascadic multigrid: coarser grids for the start, and the window of a grid that touches.
 //!
 //! The solution on a grid of half as many cells tells nearly which points will touch on the finer
 //! one. With free ends only these and a margin need be solved; the rest is verified afterwards.
 
 /// Fewest cells of a coarser grid.
-const COARSEST: usize = 128;
+const MIN_CELLS: usize = 128;
 /// Margin on either side of a window, over the width of the contact, and in cells.
 const MARGIN: f64 = 0.1;
-const LEAST_MARGIN: usize = 16;
+const MIN_MARGIN_CELLS: usize = 16;
 /// A window of more than this share of the grid saves nothing.
-const WORTHWHILE: f64 = 0.75;
+const MAX_WINDOW_SHARE: f64 = 0.75;
 
 /// The grids from `points` cells down to about 128, each of half the cells, rounded up.
 pub(crate) fn grids(points: usize) -> Vec<usize> {
-    let coarser = |&n: &usize| Some(n.div_ceil(2)).filter(|&half| half >= COARSEST);
+    let coarser = |&n: &usize| Some(n.div_ceil(2)).filter(|&half| half >= MIN_CELLS);
     std::iter::successors(Some(points), coarser).collect()
 }
 
@@ -25,13 +25,13 @@ pub(crate) fn restrict(fine: &[f64]) -> Vec<f64> {
 }
 
 /// A contact of no more patches than this is taken as smooth.
-const FEW: usize = 4;
+const MAX_SMOOTH_PATCHES: usize = 4;
 
 /// Whether the points that `touch` lie in few patches, which converge quickly, so that it pays to
 /// start the finer grid with the slopes of the pressure.
 pub(crate) fn is_smooth(touches: &[usize]) -> bool {
     let ends = touches.windows(2).filter(|pair| pair[1] > pair[0] + 1);
-    ends.count() < FEW
+    ends.count() < MAX_SMOOTH_PATCHES
 }
 
 /// Each value at its two halves, which differ by the slope over its neighbours; alike at the edges
@@ -88,9 +88,9 @@ impl Window {
             return Self::whole(points);
         };
         let width = last - first + 1;
-        let margin = ((MARGIN * width as f64).ceil() as usize).max(LEAST_MARGIN);
+        let margin = ((MARGIN * width as f64).ceil() as usize).max(MIN_MARGIN_CELLS);
         let wide = window_length(width + 2 * margin);
-        if wide as f64 > WORTHWHILE * points as f64 {
+        if wide as f64 > MAX_WINDOW_SHARE * points as f64 {
             return Self::whole(points);
         }
         let centred = (first + last + 1).saturating_sub(wide) / 2;
@@ -118,8 +118,8 @@ mod tests {
         ] {
             let window = Window::around(points, &[low, high]);
             assert!(window.range().end <= points && window.points < points / 5);
-            assert!(window.first <= low.saturating_sub(LEAST_MARGIN));
-            assert!(window.range().end >= (high + 1 + LEAST_MARGIN).min(points));
+            assert!(window.first <= low.saturating_sub(MIN_MARGIN_CELLS));
+            assert!(window.range().end >= (high + 1 + MIN_MARGIN_CELLS).min(points));
         }
         assert_eq!(Window::around(100, &[0, 89]), Window::whole(100));
         assert_eq!(Window::around(100, &[]), Window::whole(100));

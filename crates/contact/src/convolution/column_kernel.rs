@@ -5,16 +5,7 @@ use std::f64::consts::{PI, TAU};
 use rustfft::FftPlanner;
 use rustfft::num_complex::Complex;
 
-use super::{Alternating, Buffers, EvenFilter, fast_length};
-
-/// exp(i·k·`angle`) for the first k: products of few sines and cosines, to a unit in the last place.
-pub(super) fn turns(count: usize, angle: f64) -> Vec<Complex<f64>> {
-    let block = (count as f64).sqrt().ceil().max(1.0) as usize;
-    let fine: Vec<_> = (0..block).map(|k| Complex::cis(angle * k as f64)).collect();
-    let coarse = (0..count.div_ceil(block)).map(|k| Complex::cis(angle * (k * block) as f64));
-    let blocks = coarse.flat_map(|turn| fine.iter().map(move |small| turn * small));
-    blocks.take(count).collect()
-}
+use super::even_filter::{Alternating, Buffers, EvenFilter, fast_length, turns};
 
 impl EvenFilter<f64> {
     /// The filter with the kernel `column[k]` at distance k in either direction, of a period that
@@ -81,7 +72,7 @@ impl EvenFilter<f64> {
         self.set_symbol(|k| symbol[k], share);
     }
 
-    /// The alternating part of the kernel of the period 2m whose value at each distance less that
+    /// The alternating part of the kernel of the period 2m whose value at each distance minus that
     /// at m more is `kernel`.
     fn alternate(&self, kernel: impl Fn(usize) -> f64, buffers: &mut Buffers) -> Alternating<f64> {
         let waves = self.plan.len();

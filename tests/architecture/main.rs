@@ -1,4 +1,6 @@
-//! Arrows between the crates point down only.
+//! Arrows between the crates point down only, and the files of a crate import each other without circles.
+
+mod file_imports;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -74,7 +76,10 @@ fn no_crate_uses_one_above_or_beside_it() {
             let Some(used) = manifest.get(section).and_then(toml::Value::as_table) else {
                 continue;
             };
-            for name in used.keys().filter(|name| name.starts_with("asperity")) {
+            // Tests of a crate may turn on features of its own.
+            let own = manifest["package"]["name"].as_str();
+            let others = used.keys().filter(|name| Some(name.as_str()) != own);
+            for name in others.filter(|name| name.starts_with("asperity")) {
                 assert!(
                     may_use.contains(&name.as_str()),
                     "{folder} must not use {name} ({section})"
@@ -82,4 +87,24 @@ fn no_crate_uses_one_above_or_beside_it() {
             }
         }
     }
+}
+
+#[test]
+fn the_files_of_a_crate_import_each_other_without_circles() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let circles: Vec<String> = ALLOWED
+        .iter()
+        .flat_map(|(folder, _)| {
+            let sources = root.join(folder).join("src");
+            let circles = file_imports::circles(&sources);
+            circles
+                .into_iter()
+                .map(move |files| format!("{folder}: {}", files.join(", ")))
+        })
+        .collect();
+    assert!(
+        circles.is_empty(),
+        "files that import each other in a circle:\n{}",
+        circles.join("\n")
+    );
 }

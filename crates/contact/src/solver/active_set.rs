@@ -1,4 +1,5 @@
-//! The active set: Newton's method on which points touch, with a few conjugate gradients per set.
+//! Primal-dual active set: Newton's method on the set of touching points, with a few conjugate
+//! gradients per set.
 //!
 //! On a given free set F the pressure is the solution of a linear problem, whatever its sign. A
 //! point whose pressure leaves the bounds leaves F, and one outside that overlaps joins it. Each
@@ -13,29 +14,30 @@
 //! | p, v | pressure, displacement with the undeformed gap | Pa, m |
 //! | F, α, g | free set, mean of v over F, gap v − α | -, m, m |
 
-use crate::direction::{Search, choose_direction, remove_patch_means};
-use crate::runs::{Lanes, Run, listed, parts, vectorised};
-use crate::state::{Level, Task, Workspace};
-use crate::step::settle;
+use super::line_search::settle;
+use super::search_direction::{Search, choose_direction, remove_patch_means};
+use super::workspace::{Level, Task, Workspace};
+use crate::convolution::{Lanes, Run, listed, parts, vectorised};
+use asperity_core::cite;
 
-/// Sets after which another way is tried.
-const SETS: usize = 30;
+/// Updates of the set after which projected gradients take over.
+const MAX_SET_UPDATES: usize = 30;
 /// Sets one after the other that may be worse than the last: the first often is, for the pressure
 /// that it clips.
-const PATIENCE: usize = 2;
+const MAX_WORSE_SETS: usize = 2;
 /// Iterations on one set.
-const ITERATIONS: usize = 60;
+const MAX_ITERATIONS_PER_SET: usize = 60;
 /// Residual over the first one of a set at which the set is looked at again.
-const LOOSE: f64 = 0.05;
+const SET_TOLERANCE: f64 = 0.05;
 /// Residual and overlap that the tolerance forgives, in units of the tolerated penetration.
-const FORGIVEN: f64 = 0.25;
+const FORGIVEN_SHARE: f64 = 0.25;
 
 /// Improves `work.pressure`, whose opening is known, until its certificate is within the tolerance
 /// or the sets do not settle; returns the iterations. The opening is that of the result.
 pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize {
-    let forgiven = FORGIVEN * task.tolerance * task.reference_gap;
+    let forgiven = FORGIVEN_SHARE * task.tolerance * task.reference_gap;
     let (mut iterations, mut worse, mut last) = (0, 0, f64::INFINITY);
-    for set in 0..SETS {
+    for set in 0..MAX_SET_UPDATES {
         let assessment = work.assess(task);
         worse = if assessment.duality_gap < last {
             0
@@ -44,7 +46,7 @@ pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize
         };
         last = assessment.duality_gap;
         if assessment.within(task.tolerance)
-            || worse > PATIENCE
+            || worse > MAX_WORSE_SETS
             || iterations >= task.max_iterations
         {
             break;
@@ -62,7 +64,13 @@ pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize
             break;
         }
         let most = task.max_iterations - iterations;
-        iterations += solve_on_set(level, work, task, forgiven, most.min(ITERATIONS));
+        iterations += solve_on_set(
+            level,
+            work,
+            task,
+            forgiven,
+            most.min(MAX_ITERATIONS_PER_SET),
+        );
         work.update_set(task, forgiven);
         std::mem::swap(&mut work.runs, &mut work.held);
         settle(level, work, task);
@@ -88,7 +96,7 @@ fn solve_on_set(
     step(level, work, task);
     residual = work.measure_set();
     let mut search = Search::default();
-    let mut goal = (LOOSE * residual.largest).max(forgiven);
+    let mut goal = (SET_TOLERANCE * residual.largest).max(forgiven);
     for iteration in 0..most {
         if residual.largest <= goal {
             if goal <= forgiven || work.has_to_change(task, residual.mean, forgiven) {
@@ -147,7 +155,7 @@ fn step(level: Level, work: &mut Workspace, task: &Task) -> bool {
     true
 }
 
-/// What is known of the residual on a set.
+/// Mean and size of the residual on a set.
 struct SetResidual {
     /// α
     mean: f64,
@@ -215,6 +223,7 @@ impl Workspace {
     ///
     /// Takes F' as the runs, and clips the pressure to its bounds.
     fn update_set(&mut self, task: &Task, forgiven: f64) {
+        cite!("Active-1");
         let (approach, limit) = (self.measure_set().mean, task.limit);
         self.next.clear();
         let points = self.pressure.iter_mut().zip(&self.opening);

@@ -1,13 +1,13 @@
 //! Pressures within their bounds that carry the load.
 
-use crate::runs::{Lanes, vectorised};
+use crate::convolution::{Lanes, vectorised};
 
 /// Points moved before they are counted: few enough to stay in the nearest cache.
 const BLOCK: usize = 1 << 10;
 /// Passes of the uniform shift before another way is tried.
-const SHIFTS: usize = 50;
+const MAX_SHIFTS: usize = 50;
 /// Halvings that bring any bracket below round-off.
-const HALVINGS: usize = 100;
+const MAX_HALVINGS: usize = 100;
 /// Load error that a shift cannot improve: round-off of a sum, which grows with √n.
 const ROUND_OFF: f64 = 4e-16;
 /// Load error that is accepted when the shift has no interior point left to move.
@@ -51,7 +51,7 @@ fn close(pressure: &[f64], sum: f64) -> f64 {
 pub(crate) fn restore_load(pressure: &mut [f64], sum: f64, limit: f64) {
     let close = close(pressure, sum);
     let mut tally = shift_and_clip(pressure, 0.0, limit);
-    for _ in 0..SHIFTS {
+    for _ in 0..MAX_SHIFTS {
         let missing = sum - tally.sum;
         if missing.abs() <= close {
             return;
@@ -76,7 +76,7 @@ pub(crate) fn project(pressure: &mut [f64], sum: f64, limit: f64) {
     // The ends carry nothing and, on a single point, everything.
     let (mut low, mut high) = (-most, sum - least);
     let mut shift = 0.0;
-    for _ in 0..SHIFTS + HALVINGS {
+    for _ in 0..MAX_SHIFTS + MAX_HALVINGS {
         let mut lanes = Lanes::new([0.0; 2]);
         vectorised(
             #[inline(always)]
