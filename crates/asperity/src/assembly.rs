@@ -5,11 +5,12 @@ use asperity_tribo_friction::FrictionLaw;
 
 use crate::case::{Case, Formulation, LoadedCase};
 use crate::error::PositionError;
+use crate::flank_record::FlankRecord;
 use crate::losses::efficiency_at;
 use crate::position::Position;
 use crate::result::{
-    ComparisonOutcome, FrictionComparison, OffsetRow, Outcome, PositionRow, Regime, RunResult,
-    RunningIn, SCHEMA_VERSION, Summary,
+    CitedSource, ComparisonOutcome, FrictionComparison, OffsetRow, Outcome, PositionRow, Regime,
+    RunResult, RunningIn, SCHEMA_VERSION, Summary,
 };
 use crate::{attention, friction, provenance};
 
@@ -56,19 +57,26 @@ pub(crate) fn assemble(
         running_in: running_in(case, &meshes),
         summary,
         warnings,
-        flanks: loaded.flanks.clone(),
+        flanks: [
+            FlankRecord::from(&loaded.flanks[0]),
+            FlankRecord::from(&loaded.flanks[1]),
+        ],
         gears: case.gears.clone(),
         lubricant: case.oil,
         inputs: case.input.clone(),
         defaults: case.defaults.clone(),
         equations,
-        references,
+        references: references.into_iter().map(CitedSource::from).collect(),
     };
     let fields = positions.into_iter().filter_map(|position| position.fields);
     Ok(Outcome {
         result,
         offsets: offset_rows(&meshes),
         fields: fields.collect(),
+        traces: [0, 1].map(|body| {
+            let reading = loaded.flanks[body].reading.as_ref();
+            reading.map(|reading| reading.profile.clone())
+        }),
     })
 }
 
@@ -232,7 +240,8 @@ fn row(case: &Case, position: &Position, rolling: f64, per_width: f64) -> Positi
         film_central_um: station.film.central.si() * 1e6,
         film_minimum_um: station.film.minimum.si() * 1e6,
         lambda_star: (!known.is_empty()).then(|| mean(known.iter().copied())),
-        film_ratio: over(|offset| offset.film_ratio),
+        // Between flat flanks it has no limit.
+        film_ratio: Some(over(|offset| offset.film_ratio)).filter(|ratio| ratio.is_finite()),
         mixed_share: share,
         regime: if share >= 0.5 {
             Regime::Mixed

@@ -1,7 +1,7 @@
 //! From two measured tooth flanks to the efficiency of a gear mesh.
 //!
 //! [`case::load`] reads a case file and the traces it names; [`pipeline::run`] computes it, pure data in
-//! and pure data out; [`report`] writes the result. The physics lives in the crates below this one; the
+//! and pure data out. The physics lives in the crates below this one; the
 //! order in which it is used lives in [`pipeline`] alone.
 
 mod assembly;
@@ -12,7 +12,8 @@ pub mod dry_contact;
 pub mod encounter;
 pub mod equations;
 pub mod error;
-mod fluid;
+pub mod flank_record;
+pub mod fluid;
 mod friction;
 pub mod local_roughness;
 mod losses;
@@ -20,7 +21,6 @@ pub mod message;
 pub mod pipeline;
 mod position;
 pub mod provenance;
-pub mod report;
 pub mod result;
 pub mod station;
 pub mod surfaces;

@@ -99,9 +99,9 @@ pub(crate) fn used(case: &Case, touched: bool) -> (Vec<EquationUse>, Vec<Referen
     let uses = found
         .iter()
         .map(|equation| EquationUse {
-            tag: equation.tag,
-            title: equation.title,
-            references: equation.references.iter().map(|r| r.key).collect(),
+            tag: equation.tag.into(),
+            title: equation.title.into(),
+            references: equation.references.iter().map(|r| r.key.into()).collect(),
         })
         .collect();
     (uses, equations::bibliography(&found))

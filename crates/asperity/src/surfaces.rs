@@ -5,7 +5,6 @@ use asperity_core::quantity::Length;
 use asperity_roughness::Parameters;
 use asperity_roughness::preparation::PreparationRecord;
 use asperity_roughness::read::Reading;
-use serde::Serialize;
 
 use crate::error::PositionError;
 use crate::local_roughness::{Roughness, peaks};
@@ -131,8 +130,8 @@ fn range(values: &[f64]) -> f64 {
     highest - lowest
 }
 
-/// A flank as the result reports it.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+/// A flank as read and prepared.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct FlankReport {
     /// File of the trace as the case names it; none for roughness values.
     pub file: Option<String>,

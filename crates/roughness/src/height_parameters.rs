@@ -48,7 +48,7 @@ impl std::fmt::Display for Mode {
 }
 
 /// Height, spacing and slope parameters of a profile.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct HeightParameters {
     /// The definitions used.
     pub mode: Mode,

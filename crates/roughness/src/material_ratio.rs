@@ -32,7 +32,7 @@ pub enum Line {
 }
 
 /// The Rk family.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct RkParameters {
     /// Core height.
     pub rk: Length,

@@ -2,7 +2,7 @@
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::height_parameters::{HeightParameters, Mode, in_sections, sections_in};
 use crate::material_ratio::{RkParameters, rk_parameters};
@@ -13,7 +13,7 @@ use crate::{RoughnessError, Warning};
 const NORMAL_SECTIONS: usize = 5;
 
 /// The parameters of a prepared profile, with the mode they were computed in.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Parameters {
     /// Heights, spacing and slope; carries the mode.
     pub heights: HeightParameters,

@@ -57,7 +57,7 @@ pub enum RoughnessFilter {
 }
 
 /// What was done to a profile.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PreparationRecord {
     /// The recipe.
     pub recipe: Preparation,

@@ -28,7 +28,7 @@ use std::f64::consts::PI;
 
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::RoughnessError;
 use crate::gaussian_filter::{SUPPORT, alpha};
@@ -56,7 +56,7 @@ pub struct RobustLine {
 }
 
 /// How the iteration of a robust mean line ended.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct RobustEvidence {
     /// Distance from the line beyond which points were ignored.
     pub outlier_distance: Length,

@@ -17,13 +17,13 @@ use std::f64::consts::{PI, TAU};
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use realfft::RealFftPlanner;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::RoughnessError;
 use crate::height_parameters::sum;
 
 /// Mean squares of a profile and its derivatives.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SpectralMoments {
     /// Mean square height about the mean `[m²]`: a mean height is no wave.
     pub m0: f64,

@@ -2,12 +2,12 @@
 //!
 //! Formats that are known but not read are named, so that the user learns what to export instead.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::text::Head;
 
 /// A file format.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Format {

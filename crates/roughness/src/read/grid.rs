@@ -3,7 +3,7 @@
 //! The spacing is (x_last − x_first)/(n − 1). The mean or median of single differences is wrong
 //! by the rounding of x: a trace with dx = 0.0996 um written to 0.1 um has a median of 0.1 um.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::error::ReadError;
 use super::options::Gaps;
@@ -19,7 +19,7 @@ const MOST_MISSING: f64 = 0.1;
 const UNEVENNESS: f64 = 0.25;
 
 /// How the spacing was found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum SpacingSource {

@@ -1,6 +1,6 @@
 //! What the lines above a table say: which column is what, in which unit, filtered or not.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::dialect::Dialect;
 use super::format::extension;
@@ -8,7 +8,7 @@ use super::options::LengthUnit;
 use super::text::Line;
 
 /// Whether the heights have been through a roughness filter, as far as the file says.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FilterState {
     /// The file does not say.

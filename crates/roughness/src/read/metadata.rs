@@ -1,12 +1,12 @@
 //! What an instrument's file says beside the heights.
 
 use asperity_core::quantity::Length;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::decimal;
 
 /// Facts about a measurement as the file states them; nothing here is computed.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Metadata {
     /// Maker, model or program that wrote the file.
     pub instrument: Option<String>,
@@ -27,7 +27,7 @@ pub struct Metadata {
 }
 
 /// A result of the instrument itself.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PrintedParameter {
     /// Name as printed, `Ra`.
     pub name: String,

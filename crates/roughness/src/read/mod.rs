@@ -47,7 +47,7 @@ use std::path::Path;
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 pub use dialect::Dialect;
 pub use error::{FirstLine, ReadError, SpacingHint};
@@ -69,7 +69,7 @@ const MOST_BYTES: u64 = 4 << 30;
 const MOST_HELD: u64 = 1 << 30;
 
 /// How a table of text is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct TableLayout {
     /// What separates the columns.
     pub separator: Separator,
