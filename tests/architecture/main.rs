@@ -8,6 +8,7 @@ use std::path::Path;
 /// What each crate may use of the workspace. The physics crates stand apart from each other.
 const ALLOWED: &[(&str, &[&str])] = &[
     ("crates/core", &[]),
+    ("crates/profile-io", &["asperity-core"]),
     ("crates/roughness", &["asperity-core"]),
     ("crates/gear", &["asperity-core"]),
     ("crates/contact", &["asperity-core"]),
@@ -19,6 +20,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
         "crates/asperity",
         &[
             "asperity-core",
+            "asperity-profile-io",
             "asperity-roughness",
             "asperity-gear",
             "asperity-contact",
@@ -29,12 +31,30 @@ const ALLOWED: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "crates/report",
+        &["asperity", "asperity-core", "asperity-roughness"],
+    ),
+    (
+        "crates/studies",
+        &[
+            "asperity-report",
+            "asperity",
+            "asperity-core",
+            "asperity-roughness",
+            "asperity-contact",
+            "asperity-ns-film",
+        ],
+    ),
+    (
         "cli",
         &[
+            "asperity-studies",
+            "asperity-report",
             "asperity",
             "asperity-core",
             "asperity-contact",
             "asperity-ns-film",
+            "asperity-profile-io",
             "asperity-roughness",
             "asperity-fixtures",
         ],
