@@ -5,6 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use asperity::case::{Case, Formulation, LoadedCase, load};
+use asperity::result::EquationUse;
 use asperity_ehl_regime::{FilmLaw, LoadShareLaw, ThermalLaw};
 use asperity_tribo_friction::FrictionLaw;
 
@@ -56,25 +57,23 @@ fn shipped(name: &str, formulation: Formulation) -> LoadedCase {
     loaded
 }
 
+/// Tags as their rows have them.
+fn tags(equations: &[EquationUse]) -> BTreeSet<&'static str> {
+    let rows = equations
+        .iter()
+        .map(|used| asperity::equations::find(&used.tag).unwrap());
+    rows.map(|equation| equation.tag).collect()
+}
+
 fn used(loaded: &LoadedCase) -> BTreeSet<&'static str> {
-    let outcome = asperity::run(loaded, &|_, _| {}).unwrap();
-    let tags = outcome.result.equations.iter().map(|equation| equation.tag);
-    tags.filter_map(|tag| asperity::equations::find(tag))
-        .map(|equation| equation.tag)
-        .collect()
+    tags(&asperity::run(loaded, &|_, _| {}).unwrap().result.equations)
 }
 
 /// Tags of losses with `change` made to the case.
 fn used_by_losses(loaded: &LoadedCase, change: impl FnOnce(&mut Case)) -> BTreeSet<&'static str> {
     let mut loaded = loaded.clone();
     change(&mut loaded.case);
-    let losses = asperity::losses(&loaded, &|_, _| {}).unwrap();
-    losses
-        .equations
-        .iter()
-        .filter_map(|equation| asperity::equations::find(equation.tag))
-        .map(|equation| equation.tag)
-        .collect()
+    tags(&asperity::losses(&loaded, &|_, _| {}).unwrap().equations)
 }
 
 /// Of all tags of `laws` those of the law in use are named, and no other.
