@@ -8,6 +8,7 @@ use std::path::Path;
 /// What each crate may use of the workspace. The physics crates stand apart from each other.
 const ALLOWED: &[(&str, &[&str])] = &[
     ("crates/core", &[]),
+    ("crates/profile-io", &["asperity-core"]),
     ("crates/roughness", &["asperity-core"]),
     ("crates/gear", &["asperity-core"]),
     ("crates/contact", &["asperity-core"]),
@@ -19,6 +20,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
         "crates/asperity",
         &[
             "asperity-core",
+            "asperity-profile-io",
             "asperity-roughness",
             "asperity-gear",
             "asperity-contact",
@@ -35,6 +37,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "asperity-core",
             "asperity-contact",
             "asperity-ns-film",
+            "asperity-profile-io",
             "asperity-roughness",
             "asperity-fixtures",
         ],

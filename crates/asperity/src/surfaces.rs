@@ -2,9 +2,9 @@
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
+use asperity_profile_io::read::Reading;
 use asperity_roughness::Parameters;
 use asperity_roughness::preparation::PreparationRecord;
-use asperity_roughness::read::Reading;
 use asperity_roughness::section_heights::section_heights;
 use serde::Serialize;
 

@@ -4,10 +4,11 @@
 //! |---|---|---|
 //! | z | heights from the mean line | m |
 
+use asperity_core::cite;
+use asperity_core::numerics::{extremes, sum};
 use asperity_core::quantity::Length;
 
-use crate::RoughnessError;
-use crate::height_parameters::{extremes, sum};
+use crate::error::RoughnessError;
 
 /// Ra, Rq and Rz of one section.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,7 +36,7 @@ pub struct SectionHeights {
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn section_heights(heights: &[f64]) -> Result<SectionHeights, RoughnessError> {
-    asperity_core::cite!("Section-2");
+    cite!("Section-2");
     if heights.is_empty() {
         return Err(RoughnessError::TooFewPoints {
             points: 0,

@@ -101,6 +101,7 @@ fn of_case(path: &Path, args: &ContactArgs) -> Result<Found, Failure> {
         x,
         undeformed,
         solution,
+        ..
     } = dry_contact(&loaded, place)
         .map_err(|error| Failure::new(error.code(), format!("{}: {error}", path.display())))?;
     Ok(Found {

@@ -6,11 +6,12 @@ use asperity_core::DomainError;
 use asperity_core::Profile;
 use asperity_core::provenance::Provenance;
 use asperity_core::quantity::Length;
+use asperity_profile_io::Warning as ReadWarning;
+use asperity_profile_io::read::{Format, ReadOptions, Reading, read_bytes};
+use asperity_roughness::Parameters;
 use asperity_roughness::composite::resampled;
 use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::preparation::prepare;
-use asperity_roughness::read::{Format, ReadOptions, Reading, read_bytes};
-use asperity_roughness::{Parameters, Warning as ProfileWarning};
 use asperity_tribo_friction::XuCalibration;
 use sha2::{Digest, Sha256};
 
@@ -271,11 +272,13 @@ fn trace(
     let lambda_c = case.preparation.lambda_c;
     let section = lambda_c.unwrap_or_else(|| prepared.profile.length() / 5.0);
     let parameters = Parameters::of(&prepared.profile, Mode::Iso4287, section).map_err(refused)?;
-    let lists = [&reading.warnings, &prepared.warnings, &parameters.warnings];
-    for warning in lists.into_iter().flatten() {
-        if lambda_c.is_some() || *warning != ProfileWarning::AlreadyFiltered {
+    for warning in &reading.warnings {
+        if lambda_c.is_some() || *warning != ReadWarning::AlreadyFiltered {
             warnings.push(Warning::new(warning.code(), format!("{name}: {warning}")));
         }
+    }
+    for warning in prepared.warnings.iter().chain(&parameters.warnings) {
+        warnings.push(Warning::new(warning.code(), format!("{name}: {warning}")));
     }
     let report = FlankReport {
         file: Some(name),
