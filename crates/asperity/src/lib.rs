@@ -1,7 +1,7 @@
 //! From two measured tooth flanks to the efficiency of a gear mesh.
 //!
 //! [`case::load`] reads a case file and the traces it names; [`pipeline::run`] computes it, pure data in
-//! and pure data out; [`report`] writes the result. The physics lives in the crates below this one; the
+//! and pure data out. The physics lives in the crates below this one; the
 //! order in which it is used lives in [`pipeline`] alone.
 
 mod assembly;
@@ -18,7 +18,8 @@ pub mod encounter;
 pub mod equations;
 pub mod error;
 mod fields;
-mod fluid;
+pub mod flank_record;
+pub mod fluid;
 mod formulation;
 mod friction;
 pub mod laws;
@@ -29,7 +30,6 @@ pub mod message;
 pub mod pipeline;
 mod position;
 mod provenance;
-pub mod report;
 pub mod result;
 mod solve;
 mod solved;

@@ -2,13 +2,15 @@
 //!
 //! Codes are stable: E1xx files, E2xx cases, E3xx solutions, W1xx about a file, W4xx about a result.
 
-use serde::Serialize;
+use std::borrow::Cow;
+
+use serde::{Deserialize, Serialize};
 
 /// A warning that goes with a result.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Warning {
     /// Stable code, `W402`.
-    pub code: &'static str,
+    pub code: Cow<'static, str>,
     /// What was seen, what was expected.
     pub text: String,
 }
@@ -17,7 +19,7 @@ impl Warning {
     /// A warning of this code.
     pub fn new(code: &'static str, text: impl Into<String>) -> Self {
         Self {
-            code,
+            code: code.into(),
             text: text.into(),
         }
     }

@@ -1,7 +1,9 @@
 //! Warnings about a file that was read all the same.
 
+use std::borrow::Cow;
+
 use asperity_core::quantity::Length;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::read::options::{Axis, LengthUnit};
 
@@ -13,7 +15,7 @@ use crate::read::options::{Axis, LengthUnit};
 /// assert_eq!(note.code(), "W111");
 /// assert_eq!(note.to_string(), "no unit found for the heights; taken as um because no other unit gives a possible trace. Say --z-unit um to confirm");
 /// ```
-#[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, thiserror::Error)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Warning {
@@ -59,7 +61,7 @@ pub enum Warning {
     )]
     ChecksumDiffers {
         /// Which checksum.
-        what: &'static str,
+        what: Cow<'static, str>,
         /// As the file says.
         stated: String,
         /// Of the content.
