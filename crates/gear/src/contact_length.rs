@@ -12,6 +12,7 @@
 //! path 0 ≤ ξ ≤ ε_α: a strip.
 
 use asperity_core::DomainError;
+use asperity_core::cite;
 use asperity_core::quantity::Length;
 use serde::Serialize;
 
@@ -47,6 +48,7 @@ impl GearPair {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn contact_length(&self, phase: f64) -> Result<Length, GearError> {
+        cite!("Length-1");
         DomainError::require(
             phase.is_finite(),
             "mesh phase",
@@ -68,6 +70,7 @@ impl GearPair {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn mean_contact_length(&self) -> Length {
+        cite!("Length-2");
         self.face_width * (self.path.eps_alpha / self.base_helix.si().cos())
     }
 

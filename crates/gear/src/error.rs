@@ -72,6 +72,14 @@ pub enum GearError {
         /// Distance of the other base tangent point.
         limit: Length,
     },
+    /// The tip of a ring reaches below the involute of the gear inside it.
+    #[error(
+        "the tip of the ring starts contact at {start:.5} from the base tangent point of the pinion, before its involute begins: interference"
+    )]
+    RingInterference {
+        /// Coordinate of A; must be positive.
+        start: Length,
+    },
     /// A tooth comes to a point below its tip.
     #[error("the tooth of the {gear} is pointed: its thickness at the tip would be {thickness:.5}")]
     PointedTip {

@@ -12,6 +12,7 @@
 
 use std::num::NonZeroUsize;
 
+use asperity_core::cite;
 use asperity_core::quantity::Length;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -69,6 +70,7 @@ impl GearPair {
         count: usize,
         rule: PositionRule,
     ) -> Result<Vec<MeshPosition>, GearError> {
+        cite!("Mean-1");
         let breaks = self.segment_ends();
         let least = breaks.len() - 1;
         if !(least..=MOST_POSITIONS).contains(&count) {
