@@ -108,13 +108,18 @@ impl GearPair {
 
     /// The strips (from ξ, to ξ) on which the teeth of a helical pair touch at a phase in 0..1.
     pub(crate) fn strips(&self, phase: f64) -> impl Iterator<Item = (f64, f64)> {
+        self.numbered_strips(phase).map(|(_, from, to)| (from, to))
+    }
+
+    /// The same with the number of the tooth, which stands at φ + j at the front face.
+    pub(crate) fn numbered_strips(&self, phase: f64) -> impl Iterator<Item = (i64, f64, f64)> {
         let (eps_alpha, eps_beta) = (self.path.eps_alpha, self.path.eps_beta);
         let first = (-eps_beta - phase).floor() as i64;
         let last = (eps_alpha - phase).ceil() as i64;
         (first..=last).filter_map(move |tooth| {
             let front = phase + tooth as f64;
             let (from, to) = (front.max(0.0), (front + eps_beta).min(eps_alpha));
-            (to > from).then_some((from, to))
+            (to > from).then_some((tooth, from, to))
         })
     }
 

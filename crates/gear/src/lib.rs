@@ -34,22 +34,31 @@
 //! ```
 
 mod centre_distance;
+mod chebyshev;
 pub mod contact_length;
+pub mod edge_contact;
 pub mod equations;
 pub mod error;
 pub mod forces;
+mod hertz_compliance;
 pub mod input;
 pub mod involute;
+pub mod iso_stiffness;
 pub mod kinematics;
 pub mod line_load;
+pub mod load_map;
 pub mod load_sharing;
 pub mod loss_factor;
 pub mod pair;
+pub mod pair_compliance;
 pub mod path_of_contact;
 pub mod positions;
 mod quadrature;
 mod rack;
+pub mod relief;
 mod tips;
+mod tooth_compliance;
+pub mod tooth_outline;
 
 pub use contact_length::ContactLengths;
 pub use equations::EQUATIONS;
@@ -57,8 +66,14 @@ pub use error::{Gear, GearError};
 pub use forces::Forces;
 pub use input::{GearPairInput, Plane};
 pub use kinematics::Kinematics;
+pub use load_map::{
+    LoadCell, LoadLaw, LoadMap, LoadMapEvidence, LoadMapSettings, LoadSample, TransmissionError,
+};
 pub use load_sharing::LoadSharing;
 pub use loss_factor::LossFactors;
 pub use pair::GearPair;
+pub use pair_compliance::StiffnessSource;
 pub use path_of_contact::PathOfContact;
 pub use positions::{MeshPosition, PositionRule};
+pub use relief::{AmountDirection, EndRelief, MicroGeometry, Relief, ReliefExtent, ReliefShape};
+pub use tooth_outline::RootForm;

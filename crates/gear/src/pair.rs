@@ -216,6 +216,16 @@ impl GearPair {
         })
     }
 
+    /// The division of the sum of profile shifts that the tip radii suggest for full-depth teeth.
+    pub(crate) fn likely_profile_shift(&self) -> [f64; 2] {
+        let addendum = |gear: usize| {
+            (self.tip_radius[gear] - self.reference_radius[gear]) / self.normal_module
+        };
+        let difference = addendum(0) - addendum(1);
+        let sum = self.profile_shift_sum;
+        [0.5 * (sum + difference), 0.5 * (sum - difference)]
+    }
+
     /// Whether the tips of a pinion and its ring may foul each other away from the line of action,
     /// which is not checked: fewer than ten teeth of difference.
     pub fn tips_may_foul(&self) -> bool {

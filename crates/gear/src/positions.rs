@@ -163,7 +163,7 @@ impl GearPair {
 }
 
 /// `count` shared out over the segments by their width, at least one each.
-fn spread(count: usize, breaks: &[f64]) -> Vec<usize> {
+pub(crate) fn spread(count: usize, breaks: &[f64]) -> Vec<usize> {
     let widths: Vec<f64> = breaks.windows(2).map(|ends| ends[1] - ends[0]).collect();
     let mut shares = vec![1; widths.len()];
     for _ in widths.len()..count {

@@ -2,8 +2,8 @@
 //!
 //! Source: ISO 21771:2007. Symbols as in [`crate::pair`].
 
-use asperity_core::cite;
 use asperity_core::DomainError;
+use asperity_core::cite;
 use asperity_core::quantity::{Angle, Length};
 
 use crate::error::GearError;

@@ -80,7 +80,8 @@ pub(crate) fn tip_thickness(
         };
     };
     let angles = half_angles(shifts)?;
-    let thickness = [0, 1].map(|gear| Length::from_si(2.0 * tip_radius[gear].si().abs() * angles[gear]));
+    let thickness =
+        [0, 1].map(|gear| Length::from_si(2.0 * tip_radius[gear].si().abs() * angles[gear]));
     for (gear, thickness) in [Gear::Pinion, Gear::Wheel].into_iter().zip(thickness) {
         if thickness.si() <= 0.0 {
             return Err(GearError::PointedTip { gear, thickness });
