@@ -26,9 +26,6 @@ use std::num::NonZeroUsize;
 /// Points on the fillet; its integrals are then exact to 1e-9.
 const FILLET_ORDER: NonZeroUsize = NonZeroUsize::MIN.saturating_add(23);
 
-/// Steps in which the fillet of an undercut tooth is searched for its crossing with the involute.
-const CROSSING_STEPS: usize = 64;
-
 /// The part of the basic rack that makes the root, in normal modules.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -206,6 +203,9 @@ impl Outline {
         }
         let fillet = Fillet::new(&flank, root);
         let refuse = |reason| Err(GearError::RootForm { gear, reason });
+        if fillet.edge < 0.0 {
+            return refuse("the rack is pointed above its rounding");
+        }
         let end = 1.0 / flank.pressure_angle.tan();
         let sin = flank.pressure_angle.sin();
         let flank_start =
@@ -345,14 +345,12 @@ fn crossing(fillet: &Fillet, flank: &Flank, end: f64) -> Option<(f64, f64)> {
         let [radius, angle, ..] = fillet.polar(t);
         angle - flank.half_angle(roll(radius))
     };
-    let step = end / CROSSING_STEPS as f64;
-    let inside = |t: f64| fillet.polar(t)[0] >= flank.base_radius;
-    let below = (0..CROSSING_STEPS)
-        .rev()
-        .map(|k| k as f64 * step)
-        .take_while(|t| inside(*t) || inside(*t + step))
-        .find(|t| excess(*t) <= 0.0)?;
-    let t = bisect(excess, below, below + step);
+    // The fillet leaves the base circle inside of the involute and ends outside of it.
+    let base = bisect(|t| fillet.polar(t)[0] - flank.base_radius, 0.0, end);
+    if !(excess(base) <= 0.0 && excess(end) > 0.0) {
+        return None;
+    }
+    let t = bisect(excess, base, end);
     Some((t, roll(fillet.polar(t)[0])))
 }
 

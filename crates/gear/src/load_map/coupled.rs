@@ -330,4 +330,68 @@ mod tests {
             assert!((cell.load / (5.0 / 32.0) - 1.0).abs() < 1e-12);
         }
     }
+
+    /// w of the whole face, from the loads alone and without the elimination of idle cells.
+    fn deflections(row: &Row, spread: f64, cells: usize) -> Vec<f64> {
+        let mut source = vec![0.0; cells];
+        for (k, cell) in row.cells.iter().enumerate() {
+            source[row.idle[0] + k] = cell.root_bending * cell.cover * cell.load;
+        }
+        // Gauss-Seidel on (1 + 2κ) w − κ (w₋ + w₊) = source with mirrored ends.
+        let mut w = source.clone();
+        for _ in 0..20_000 {
+            for k in 0..cells {
+                let left = if k == 0 { w[0] } else { w[k - 1] };
+                let right = if k + 1 == cells { w[k] } else { w[k + 1] };
+                w[k] = (source[k] + spread * (left + right)) / (1.0 + 2.0 * spread);
+            }
+        }
+        w
+    }
+
+    #[test]
+    fn touching_cells_share_the_approach_and_the_others_stay_clear() {
+        let cells = 48;
+        let mut rows = [row(cells, 40), row(cells, 30)];
+        for (r, row) in rows.iter_mut().enumerate() {
+            row.idle = [3 * r, cells - row.cells.len() - 3 * r];
+            let last = row.cells.len() - 1;
+            row.cells[last].cover = 0.3;
+            for (k, cell) in row.cells.iter_mut().enumerate() {
+                cell.separation = 600.0 * (k as f64 / 20.0 - 0.6).powi(2) * (1.0 + r as f64);
+            }
+        }
+        let tails = Tails::new(2.5, cells);
+        let problem = Problem {
+            force: 1.0,
+            cell_length: 1.0 / cells as f64,
+            mean_load: 0.7,
+            slope: 1.7,
+            tails: &tails,
+        };
+        let solved = solve(&mut rows, &problem);
+        assert!(solved.converged && solved.rounds < 12, "{solved:?}");
+        let force: f64 = (rows.iter().flat_map(|row| &row.cells))
+            .map(|cell| cell.load * cell.cover * problem.cell_length)
+            .sum();
+        assert!((force - 1.0).abs() < 1e-9);
+        let (mut touching, mut clear) = (0, 0);
+        for row in &rows {
+            let w = deflections(row, tails.spread, cells);
+            for (k, cell) in row.cells.iter().enumerate() {
+                let u = cell.root_bending * w[row.idle[0] + k];
+                let room = solved.approach - cell.separation - u;
+                if cell.load > 0.0 {
+                    let floor = LOAD_FLOOR * problem.mean_load;
+                    let q = cell.flattening - 1.7 * (cell.load.max(floor) / 0.7).ln();
+                    assert!((room - cell.load * q).abs() < 1e-7, "{k} {cell:?}");
+                    touching += 1;
+                } else {
+                    assert!(room <= 1e-7, "{k} {cell:?}");
+                    clear += 1;
+                }
+            }
+        }
+        assert!(touching > 10 && clear > 10, "{touching} {clear}");
+    }
 }

@@ -75,6 +75,8 @@ pub struct LoadMapEvidence {
     pub converged: bool,
     /// Largest last change of the load over the mean load.
     pub residual: f64,
+    /// Mean approach of the teeth, normal to the flank; none for laws without deflections.
+    pub mean_approach: Option<Length>,
     /// Profile shifts assumed for the form of the teeth when only their sum is known.
     pub assumed_profile_shift: Option<[f64; 2]>,
 }
@@ -151,6 +153,7 @@ impl LoadMap {
             most_rounds: 0,
             converged: true,
             residual: 0.0,
+            mean_approach: None,
             assumed_profile_shift: None,
         };
         let force = pair.forces(Torque::from_si(torque))?.normal_base.si();
@@ -204,8 +207,9 @@ impl LoadMap {
         let mut samples = Vec::new();
         let mut evidence = self.evidence.clone();
         evidence.phases = phases.len();
+        let mut mean = None;
         for phase in &phases {
-            self.solve(phase, &mut rows, &mut evidence, &mut |point: Point| {
+            let approach = self.solve(phase, &mut rows, &mut evidence, &mut |point: Point| {
                 samples.push(LoadSample {
                     phase: phase.phase,
                     xi: point.xi,
@@ -214,7 +218,11 @@ impl LoadMap {
                     weight: Length::from_si(point.length * phase.weight),
                 });
             })?;
+            if let Some(approach) = approach {
+                mean = Some(mean.unwrap_or(0.0) + phase.weight * approach);
+            }
         }
+        evidence.mean_approach = mean.map(Length::from_si);
         (self.samples, self.evidence) = (samples, evidence);
         self.loss_factor = self.sliding_integral(|_| 1.0);
         Ok(())
@@ -415,4 +423,49 @@ fn elastic(
         cells,
         mean_load,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::GearPairInput;
+    use asperity_core::quantity::{Angle, Density, Pressure, SpecificHeat, ThermalConductivity};
+
+    #[test]
+    fn equal_slices_are_the_uniform_law() {
+        let pair = GearPair::new(&GearPairInput::standard(
+            [23, 68],
+            Length::from_si(1.8e-3),
+            Angle::from_si(23.4f64.to_radians()),
+            Length::from_si(32e-3),
+        ))
+        .unwrap();
+        let steel = Material {
+            young: Pressure::from_si(206e9),
+            poisson: 0.3,
+            elastic_limit: Pressure::from_si(1e9),
+            density: Density::from_si(7850.0),
+            conductivity: ThermalConductivity::from_si(45.0),
+            heat_capacity: SpecificHeat::from_si(460.0),
+        };
+        let solve = |law| {
+            let settings = LoadMapSettings {
+                face_coupling: 0.0,
+                cells: Some(128),
+                ..LoadMapSettings::default()
+            };
+            let torque = Torque::from_si(145.0);
+            let micro = MicroGeometry::default();
+            LoadMap::new(&pair, torque, &law, &micro, &[steel; 2], &settings).unwrap()
+        };
+        let uniform = solve(LoadLaw::Uniform).loss_factor();
+        assert!((uniform - 0.148_288).abs() < 1e-6, "{uniform}");
+        let mut slices = solve(LoadLaw::Elastic);
+        if let Model::Elastic(grid, _) = &mut slices.model {
+            grid.compliance = PairCompliance::constant(80e-12, 16e-12);
+        }
+        slices.run().unwrap();
+        // 128 cells.
+        assert!((slices.loss_factor() / uniform - 1.0).abs() < 1e-4);
+    }
 }
