@@ -8,15 +8,15 @@
     reason = "a pair that cannot be solved has no time"
 )]
 
-#[path = "../tests/common/mod.rs"]
-mod common;
+#[path = "../tests/common/reference.rs"]
+mod reference;
 
 use std::time::Duration;
 
 use asperity_core::quantity::Length;
 use asperity_gear::{LoadLaw, LoadMap, LoadMapSettings, MicroGeometry, ReliefShape};
-use common::{golden, steel};
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
+use reference::{golden, steel};
 
 fn maps(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("load map");

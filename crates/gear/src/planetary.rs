@@ -200,7 +200,7 @@ impl PlanetarySet {
     /// Whether equally spaced planets can be assembled: (z_s + z_r)/n_p is a whole number.
     pub fn can_be_equally_spaced(&self) -> bool {
         let teeth = self.sun_planet.teeth[0] + self.planet_ring.teeth[1];
-        teeth % self.planets == 0
+        teeth.is_multiple_of(self.planets)
     }
 
     /// ω_c = (ω_s z_s + ω_r z_r)/(z_s + z_r), ω_p − ω_c = −(ω_s − ω_c) z_s/z_p      [Planet-1]

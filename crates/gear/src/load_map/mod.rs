@@ -19,6 +19,7 @@
 mod cells;
 mod coupled;
 mod deflection;
+mod every_law;
 mod grid;
 mod law;
 mod phases;
