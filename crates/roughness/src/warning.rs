@@ -1,6 +1,7 @@
 //! What a user should know about a profile that was read or prepared all the same.
 
 use asperity_core::quantity::Length;
+use asperity_core::remedy::{Remedy, Setting, Value};
 use serde::Serialize;
 
 use crate::read::{Axis, LengthUnit};
@@ -11,14 +12,15 @@ use crate::read::{Axis, LengthUnit};
 /// use asperity_roughness::{Warning, read::{Axis, LengthUnit}};
 /// let note = Warning::UnitAssumed { axis: Axis::Height, unit: LengthUnit::Micrometre };
 /// assert_eq!(note.code(), "W111");
-/// assert_eq!(note.to_string(), "no unit found for the heights; taken as um because no other unit gives a possible trace. Say --z-unit um to confirm");
+/// assert_eq!(note.to_string(), "no unit found for the heights; taken as um because no other unit gives a possible trace");
+/// assert_eq!(note.remedy().to_string(), "Set z_unit to um to confirm");
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Warning {
     /// A unit was found by elimination.
-    #[error("no unit found for the {axis}; taken as {unit} because no other unit gives a possible trace. Say {} {unit} to confirm", axis.option())]
+    #[error("no unit found for the {axis}; taken as {unit} because no other unit gives a possible trace")]
     UnitAssumed {
         /// Which column.
         axis: Axis,
@@ -27,7 +29,7 @@ pub enum Warning {
     },
     /// The trace still has its form.
     #[error(
-        "form not removed (parabola of {} over {}); Ra {} is not roughness. Try --form poly2", rounded(*sag), rounded(*length), rounded(*ra)
+        "form not removed (parabola of {} over {}); Ra {} is not roughness", rounded(*sag), rounded(*length), rounded(*ra)
     )]
     FormNotRemoved {
         /// Height of the parabola between its apex and the ends.
@@ -39,7 +41,7 @@ pub enum Warning {
     },
     /// The grid is too coarse for the short-wave filter.
     #[error(
-        "spacing {} is more than a fifth of lambda_s {lambda_s}: the filter is poorly sampled. Measure finer, or choose a longer lambda_s", rounded(*spacing)
+        "spacing {} is more than a fifth of lambda_s {lambda_s}: the filter is poorly sampled", rounded(*spacing)
     )]
     CoarseForLambdaS {
         /// Spacing of the profile.
@@ -82,7 +84,7 @@ pub enum Warning {
     },
     /// The file holds the output of a roughness filter.
     #[error(
-        "the file says it holds an already filtered roughness profile; filtering it again changes it. Use --lambda-c none"
+        "the file says it holds an already filtered roughness profile; filtering it again changes it"
     )]
     AlreadyFiltered,
     /// A checksum in the file is not that of its content.
@@ -107,14 +109,14 @@ pub enum Warning {
     },
     /// The spacing comes from a number that looks like one.
     #[error(
-        "line 1 reads {value} and is taken as the spacing in um, as in NPL text profiles. Say --dx to be sure"
+        "line 1 reads {value} and is taken as the spacing in um, as in NPL text profiles"
     )]
     SpacingFromFirstLine {
         /// The number.
         value: f64,
     },
     /// The spacing comes from a length printed with few digits.
-    #[error("the spacing follows from an evaluation length printed as {length}: it is known to {:.4} % only. Say --dx to be exact", 100.0 * uncertainty)]
+    #[error("the spacing follows from an evaluation length printed as {length}: it is known to {:.4} % only", 100.0 * uncertainty)]
     LengthRounded {
         /// The length.
         length: Length,
@@ -130,6 +132,27 @@ pub(crate) fn rounded(length: Length) -> Length {
 }
 
 impl Warning {
+    /// What can be done about it; empty where nothing need be.
+    pub fn remedy(&self) -> Remedy {
+        let dx = |why| Remedy::state(Setting::Spacing).because(why);
+        match self {
+            Self::UnitAssumed { axis, unit } => {
+                Remedy::set(axis.setting(), Value::This(unit.to_string().into()))
+                    .because("to confirm")
+            }
+            Self::FormNotRemoved { .. } => {
+                Remedy::set(Setting::Form, Value::This("poly2".into()))
+            }
+            Self::CoarseForLambdaS { .. } => Remedy::act("measure finer")
+                .or_set(Setting::NoiseCutoff, Value::Any)
+                .because("to a longer lambda_s"),
+            Self::AlreadyFiltered => Remedy::set(Setting::Cutoff, Value::This("0 mm".into())),
+            Self::SpacingFromFirstLine { .. } => dx("to be sure"),
+            Self::LengthRounded { .. } => dx("to be exact"),
+            _ => Remedy::none(),
+        }
+    }
+
     /// The code under which the message is explained.
     pub fn code(&self) -> &'static str {
         match self {

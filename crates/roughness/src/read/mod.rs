@@ -50,7 +50,7 @@ use asperity_core::quantity::Length;
 use serde::Serialize;
 
 pub use dialect::Dialect;
-pub use error::{FirstLine, ReadError, SpacingHint};
+pub use error::{CellRemedy, FirstLine, ReadError, SpacingHint};
 pub use format::Format;
 pub use grid::SpacingSource;
 pub use header::FilterState;

@@ -2,7 +2,7 @@
 
 use super::ReadOptions;
 use super::dialect::{Cell, Dialect, Sniffed, Stated, sniff};
-use super::error::ReadError;
+use super::error::{CellRemedy, ReadError};
 use super::header::{Label, Role};
 use super::options::{Columns, DecimalSign, Separator};
 use super::text::Line;
@@ -131,15 +131,15 @@ pub(super) fn unreadable(
     let other_decimal = matches!(other.cell(cell), Cell::Number(_));
     let (dialect, remedy) = match (other_decimal, other.decimal) {
         (true, DecimalSign::Comma) if free.decimal == DecimalSign::Comma => {
-            (free, "Try --decimal comma")
+            (free, CellRemedy::Decimal(DecimalSign::Comma))
         }
         (true, DecimalSign::Point) if free.decimal == DecimalSign::Point => {
-            (free, "Try --decimal point")
+            (free, CellRemedy::Decimal(DecimalSign::Point))
         }
         _ if free.separator != used.separator => {
-            (free, "Leave --separator away, or correct this line")
+            (free, CellRemedy::Separator)
         }
-        _ => (free, "Correct or remove this line"),
+        _ => (free, CellRemedy::Line),
     };
     ReadError::UnreadableNumber {
         file: file.to_owned(),
