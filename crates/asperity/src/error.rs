@@ -34,9 +34,7 @@ pub enum PositionError {
     #[error(transparent)]
     Lubricant(#[from] asperity_core::lubricant::LubricantError),
     /// The flash temperature fed back into the oil does not settle.
-    #[error(
-        "the flash temperature did not settle in {passes} passes (last {flash_kelvin:.1} K); leave model.flash_feedback out"
-    )]
+    #[error("the flash temperature did not settle in {passes} passes (last {flash_kelvin:.1} K)")]
     FlashNotSettled {
         /// Last flash temperature \[K\].
         flash_kelvin: f64,
@@ -63,8 +61,7 @@ pub enum PositionError {
     },
     /// The prepared trace does not cover the window.
     #[error(
-        "the prepared trace of {available_um:.0} um is shorter than the contact window of {needed_um:.0} um; \
-         measure longer, choose a shorter cut-off, or reduce model.window"
+        "the prepared trace of {available_um:.0} um is shorter than the contact window of {needed_um:.0} um"
     )]
     TraceTooShort {
         /// Prepared length \[µm\].
@@ -73,9 +70,7 @@ pub enum PositionError {
         needed_um: f64,
     },
     /// The rough contact presses measured profiles together and a flank has none.
-    #[error(
-        "the rough contact presses two measured profiles together; give surface.pinion.file (and surface.wheel.file)"
-    )]
+    #[error("the rough contact presses two measured profiles together, and a flank has none")]
     NoProfile,
     /// Marching did not meet the load.
     #[error(
@@ -294,8 +289,7 @@ impl PositionError {
                 .or_set(key("model.window"), Value::Any)
                 .because("to fewer half-widths"),
             Self::FlashNotSettled { .. } => Remedy::omit(key("model.flash_feedback")),
-            Self::NoProfile => Remedy::state(key("surface.pinion.file"))
-                .because("and that of surface.wheel"),
+            Self::NoProfile => Remedy::act("give surface.pinion.file and surface.wheel.file"),
             Self::Marching { .. } => Remedy::state(key("model.delta_step"))
                 .because("to a smaller one")
                 .or_set(key("model.numerical_error"), Value::Any)

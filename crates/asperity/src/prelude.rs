@@ -9,8 +9,8 @@ pub use crate::result::{Outcome, RunResult};
 pub use asperity_core::lubricant::{BaseOil, LubricantInput, ViscosityLaw};
 pub use asperity_core::material::Material;
 pub use asperity_core::quantity::{
-    Angle, AngularSpeed, Density, DynamicViscosity, KinematicViscosity, Length, LineLoad, PerKelvin,
-    Pressure, PressureViscosity, Quantity, Ratio, SpecificHeat, Speed, Temperature,
+    Angle, AngularSpeed, Density, DynamicViscosity, KinematicViscosity, Length, LineLoad,
+    PerKelvin, Pressure, PressureViscosity, Quantity, Ratio, SpecificHeat, Speed, Temperature,
     ThermalConductivity, Torque,
 };
 pub use asperity_core::remedy::{Action, Remedy, Setting};

@@ -20,7 +20,9 @@ use crate::read::{Axis, LengthUnit};
 #[non_exhaustive]
 pub enum Warning {
     /// A unit was found by elimination.
-    #[error("no unit found for the {axis}; taken as {unit} because no other unit gives a possible trace")]
+    #[error(
+        "no unit found for the {axis}; taken as {unit} because no other unit gives a possible trace"
+    )]
     UnitAssumed {
         /// Which column.
         axis: Axis,
@@ -108,9 +110,7 @@ pub enum Warning {
         traced: Length,
     },
     /// The spacing comes from a number that looks like one.
-    #[error(
-        "line 1 reads {value} and is taken as the spacing in um, as in NPL text profiles"
-    )]
+    #[error("line 1 reads {value} and is taken as the spacing in um, as in NPL text profiles")]
     SpacingFromFirstLine {
         /// The number.
         value: f64,
@@ -140,9 +140,7 @@ impl Warning {
                 Remedy::set(axis.setting(), Value::This(unit.to_string().into()))
                     .because("to confirm")
             }
-            Self::FormNotRemoved { .. } => {
-                Remedy::set(Setting::Form, Value::This("poly2".into()))
-            }
+            Self::FormNotRemoved { .. } => Remedy::set(Setting::Form, Value::This("poly2".into())),
             Self::CoarseForLambdaS { .. } => Remedy::act("measure finer")
                 .or_set(Setting::NoiseCutoff, Value::Any)
                 .because("to a longer lambda_s"),

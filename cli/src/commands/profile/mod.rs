@@ -23,6 +23,7 @@ use asperity_roughness::{Parameters, RoughnessError, Warning};
 use self::plan::Plan;
 use crate::args::{Common, PreparingArgs, ProfileCommand, ReadingArgs};
 use crate::failure::Failure;
+use crate::words;
 
 /// Runs one of the subcommands.
 pub fn run(command: &ProfileCommand, common: &Common) -> Result<(), Failure> {
@@ -119,8 +120,10 @@ fn opened(file: &Path, args: &ReadingArgs) -> Result<Reading, Failure> {
         gaps: args.gaps.unwrap_or_default(),
         row: args.row,
     };
-    let reading =
-        read(file, &options).map_err(|error| Failure::new(error.code(), error.to_string()))?;
+    let reading = read(file, &options).map_err(|error| {
+        let message = words::with_options(&error.to_string(), &error.remedy());
+        Failure::new(error.code(), message)
+    })?;
     let row = args.row.unwrap_or(1);
     if row > 1 && !matches!(reading.format, Format::X3p | Format::SdfAscii) {
         let name = &reading.name;
@@ -136,7 +139,7 @@ fn refusal(reading: &Reading, plan: &Plan, error: &RoughnessError) -> Failure {
     let advice = match error {
         RoughnessError::TooShort { .. } => plan.advice_for(reading),
         RoughnessError::TooFewPoints { .. } if matches!(plan.sections, Sections::Number(_)) => {
-            ". Say fewer --sections".to_owned()
+            ". Pass fewer --sections".to_owned()
         }
         _ => String::new(),
     };
@@ -163,6 +166,11 @@ fn save_bytes(output: &Path, bytes: &[u8]) -> Result<(), Failure> {
         let text = format!("{}: cannot be written: {error}", output.display());
         Failure::new("E401", text)
     })
+}
+
+/// A warning with what to do about it.
+fn told(warning: &Warning) -> String {
+    words::with_options(&warning.to_string(), &warning.remedy())
 }
 
 fn um(length: Length) -> f64 {

@@ -162,8 +162,7 @@ impl CaseBuilder {
     #[must_use]
     pub fn file(mut self, name: impl AsRef<Path>, bytes: impl Into<Vec<u8>>) -> Self {
         let bytes: Vec<u8> = bytes.into();
-        self.files
-            .hold(name.as_ref(), Content::Bytes(bytes.into()));
+        self.files.hold(name.as_ref(), Content::Bytes(bytes.into()));
         self
     }
 

@@ -1,7 +1,7 @@
 //! What can be wrong with a case file, each with a code, a place and a remedy.
 
-use asperity_core::remedy::{Remedy, Setting, Value};
 use asperity_core::DomainError;
+use asperity_core::remedy::{Remedy, Setting};
 use asperity_roughness::read::ReadError;
 
 use super::source::Place;
@@ -197,9 +197,7 @@ impl CaseError {
                 ..
             } => Remedy::act(format!("write {nearest}")),
             Self::Profile { source, .. } => source.remedy(),
-            Self::Preparation { .. } => {
-                Remedy::state(Setting::Cutoff).or_set(Setting::NoiseCutoff, Value::Any)
-            }
+            Self::Preparation { .. } => Remedy::state(Setting::Cutoff).because("to suit the trace"),
             _ => Remedy::none(),
         }
     }

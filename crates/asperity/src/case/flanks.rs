@@ -169,7 +169,10 @@ fn trace(
         .chain(&parameters.warnings)
     {
         if lambda_c.is_some() || *warning != ProfileWarning::AlreadyFiltered {
-            warnings.push(Warning::new(warning.code(), format!("{name}: {warning}")));
+            let remedy = warning.remedy();
+            let end = if remedy.is_empty() { "" } else { ". " };
+            let text = format!("{name}: {warning}{end}{remedy}");
+            warnings.push(Warning::new(warning.code(), text));
         }
     }
     let report = FlankReport {

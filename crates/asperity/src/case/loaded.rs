@@ -124,7 +124,12 @@ impl LoadedCase {
     fn changed_to(&self, input: CaseInput) -> Result<Self, Error> {
         // Lines of the file would be those of the values before.
         let source = Source::without_text(&self.name);
-        Ok(complete(input, &source, Arc::clone(&self.files), Some(self))?)
+        Ok(complete(
+            input,
+            &source,
+            Arc::clone(&self.files),
+            Some(self),
+        )?)
     }
 
     pub(super) fn built(input: CaseInput, files: Files) -> Result<Self, Error> {
@@ -210,11 +215,7 @@ fn complete(
     })
 }
 
-fn xu_calibration(
-    file: &Path,
-    source: &Source,
-    files: &Files,
-) -> Result<XuCalibration, CaseError> {
+fn xu_calibration(file: &Path, source: &Source, files: &Files) -> Result<XuCalibration, CaseError> {
     let key = XU_COEFFICIENTS;
     let refused = |message: String| CaseError::Value {
         place: source.place_of(key),

@@ -226,14 +226,13 @@ impl Source {
     }
 
     fn at_span(&self, span: Option<Range<usize>>) -> Place {
-        let before = span
-            .as_ref()
-            .and_then(|span| self.text.get(..span.start));
+        let before = span.as_ref().and_then(|span| self.text.get(..span.start));
         Place {
             file: self.name.clone(),
             key: None,
             line: before.map(|before| 1 + before.matches('\n').count()),
-            column: before.map(|before| 1 + before.chars().rev().take_while(|c| *c != '\n').count()),
+            column: before
+                .map(|before| 1 + before.chars().rev().take_while(|c| *c != '\n').count()),
             span,
         }
     }

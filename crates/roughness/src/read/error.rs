@@ -13,9 +13,7 @@ use super::options::{Axis, DecimalSign, LengthUnit, Separator};
 #[non_exhaustive]
 pub enum ReadError {
     /// A cell that is not a number.
-    #[error(
-        "{file}:{line}: cannot read \"{text}\" as a number; the file looks like {dialect}"
-    )]
+    #[error("{file}:{line}: cannot read \"{text}\" as a number; the file looks like {dialect}")]
     UnreadableNumber {
         /// Name of the file.
         file: String,
@@ -289,9 +287,7 @@ impl ReadError {
             }
             Self::MissingPoints { .. } => Remedy::act("measure again"),
             Self::FormatNotRead { format, .. } => Remedy::act(format.remedy()),
-            Self::UnevenSpacing { .. } => {
-                Remedy::act("resample the trace evenly before exporting")
-            }
+            Self::UnevenSpacing { .. } => Remedy::act("resample the trace evenly before exporting"),
             Self::NoSpacing { hint, .. } => {
                 let spacing = Remedy::set(Setting::Spacing, Value::Like("0.5 um".into()));
                 match hint {
@@ -302,12 +298,9 @@ impl ReadError {
                 }
             }
             Self::RaggedRow { .. } => Remedy::act("correct or remove this line"),
-            Self::ColumnsUnclear { .. } => {
-                Remedy::set(Setting::Columns, Value::Like("1,2".into()))
-            }
+            Self::ColumnsUnclear { .. } => Remedy::set(Setting::Columns, Value::Like("1,2".into())),
             Self::AmbiguousComma { .. } => {
-                Remedy::state_all(&[Setting::Separator, Setting::Decimal])
-                    .or_do("export with ';'")
+                Remedy::state_all(&[Setting::Separator, Setting::Decimal]).or_do("export with ';'")
             }
             Self::UnknownUnit { axis, .. } => Remedy::act("convert the file")
                 .or_set(axis.setting(), Value::Any)

@@ -136,9 +136,7 @@ pub(super) fn unreadable(
         (true, DecimalSign::Point) if free.decimal == DecimalSign::Point => {
             (free, CellRemedy::Decimal(DecimalSign::Point))
         }
-        _ if free.separator != used.separator => {
-            (free, CellRemedy::Separator)
-        }
+        _ if free.separator != used.separator => (free, CellRemedy::Separator),
         _ => (free, CellRemedy::Line),
     };
     ReadError::UnreadableNumber {
