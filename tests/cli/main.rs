@@ -14,6 +14,7 @@ mod codes;
 mod file_messages;
 mod fuzz;
 mod instrument_files;
+mod outside;
 mod profile_reports;
 mod result_messages;
 mod results;

@@ -6,12 +6,14 @@ use asperity_core::quantity::Length;
 
 use crate::branch::{Mixed, mixed};
 use crate::case::LoadedCase;
+use crate::chosen_laws::ChosenLaws;
 use crate::encounter::Encounter;
 use crate::error::{PositionError, RunError};
-use crate::station::Station;
+use crate::stations::station;
 
 /// A dry rough contact.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct DryContact {
     /// Place on the path, 0 at A and 1 at E.
     pub path_fraction: f64,
@@ -37,7 +39,7 @@ fn solve(loaded: &LoadedCase, path_fraction: f64) -> Result<DryContact, Position
     let case = &loaded.case;
     let path = case.gears.path();
     let s: Length = path.a + (path.e - path.a) * path_fraction;
-    let station = Station::new(case, 1, s, 0.0)?;
+    let station = station(case, &ChosenLaws::of(case), 1, s, 0.0)?;
     let encounter = Encounter::new(&loaded.surfaces, &station, case.model.window, 0, 1)?
         .ok_or(PositionError::NoProfile)?;
     let problem = Mixed {

@@ -5,7 +5,6 @@ use asperity_core::DomainError;
 use asperity_core::remedy::{Remedy, Setting, Value};
 
 use crate::case::{CaseError, Place, Source};
-use crate::encounter::Encounter;
 use crate::message::explain;
 
 /// Why a mesh position has no solution.
@@ -103,13 +102,13 @@ pub struct UnsolvedContact {
 }
 
 impl PositionError {
-    /// The same error with the gap of `encounter`, where it is about one that was not closed.
-    pub(crate) fn keeping(self, encounter: &Encounter) -> Self {
+    /// The same error with the gap \[m\] at the points `x` \[m\], where it is about one that was not closed.
+    pub(crate) fn keeping(self, x: &[f64], gap: &[f64]) -> Self {
         match self {
             Self::Contact(ContactError::NotConverged { .. }) => {
                 Self::Unsolved(Box::new(UnsolvedContact {
-                    x: encounter.x.clone(),
-                    gap: encounter.gap.clone(),
+                    x: x.to_vec(),
+                    gap: gap.to_vec(),
                     source: self,
                 }))
             }

@@ -14,4 +14,4 @@ pub use asperity_core::quantity::{
     ThermalConductivity, Torque,
 };
 pub use asperity_core::remedy::{Action, Remedy, Setting};
-pub use asperity_roughness::read::ReadOptions;
+pub use asperity_profile_io::read::ReadOptions;

@@ -2,6 +2,7 @@
 
 use asperity_core::Reference;
 use asperity_core::lubricant::LubricantState;
+pub use asperity_ehl_regime::Regime;
 use asperity_gear::GearPair;
 use serde::Serialize;
 
@@ -109,16 +110,6 @@ pub enum ComparisonOutcome {
     Efficiency(f64),
     /// Why the law cannot be used here.
     Refused(String),
-}
-
-/// Lubrication regime.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Regime {
-    /// Λ* ≥ 1: the film parts the flanks.
-    FullFilm,
-    /// Λ* < 1: asperities carry part of the load.
-    Mixed,
 }
 
 /// One mesh position; values that vary with the offset are means over the offsets.
@@ -294,8 +285,23 @@ pub struct OffsetRow {
     pub rolling_w: f64,
 }
 
+/// Losses of a case without fields, comparisons and running-in.
+#[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
+pub struct Losses {
+    /// Efficiency and losses, mean over the offsets.
+    pub summary: Summary,
+    /// One row per mesh position; the columns of the rough contact are empty unless the losses hang on it.
+    pub path: Vec<PositionRow>,
+    /// Efficiency and losses at each offset, whose mean is the summary.
+    pub offsets: Vec<OffsetRow>,
+    /// Equations used.
+    pub equations: Vec<EquationUse>,
+}
+
 /// A run: the result and the fields of its positions.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Outcome {
     /// Summary and path.
     pub result: RunResult,

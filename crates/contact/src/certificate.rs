@@ -1,4 +1,4 @@
-//! How far a pressure is from the solution, from above.
+//! Bounds of the error of a pressure, from above.
 //!
 //! The contact problem is: least ½ p'Ap + h'p over 0 ≤ p ≤ p_max with Σ p·dx = W. For any α its
 //! dual gives a lower bound of the energy, so the difference bounds the error of the energy, and
@@ -12,11 +12,13 @@
 //! | g = v − α | gap | m |
 //! | g_ref | reference gap: the range of h | m |
 
+use asperity_core::cite;
 use asperity_core::quantity::Length;
 use serde::Serialize;
 
 /// Three measures of error, each zero for the exact solution.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Certificate {
     /// Bound of the energy error over Σp·g_ref (see [`duality_gap`]).
     pub duality_gap: f64,
@@ -50,6 +52,7 @@ impl Certificate {
 /// assert_eq!(duality_gap(&[0.0, 2.0], &[0.0, 1.0], f64::INFINITY), 2.0);
 /// ```
 pub fn duality_gap(pressure: &[f64], gap: &[f64], limit: f64) -> f64 {
+    cite!("Duality-1");
     let pairs = || pressure.iter().zip(gap);
     if limit.is_finite() {
         pairs()

@@ -1,52 +1,21 @@
-//! A contact problem, what is asked of its solution, and the solution.
+//! Contact problem, settings of its solver, and solution.
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, LineEnergy, LineLoad, Pressure};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::boundary::Boundary;
 use crate::certificate::Certificate;
 use crate::error::ContactError;
 
 /// Fewest points of a contact problem.
 pub const LEAST_POINTS: usize = 2;
 
-/// What happens at the ends of the window.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
-pub enum Boundary {
-    /// Nothing outside the window is loaded: a single line contact.
-    #[default]
-    FreeEnds,
-    /// Window and pressure repeat for ever; the mean displacement is taken as zero.
-    Periodic(PeriodicKernel),
-}
-
-impl std::fmt::Display for Boundary {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::FreeEnds => "free ends",
-            Self::Periodic(PeriodicKernel::Strip) => "periodic ends (strip kernel)",
-            Self::Periodic(PeriodicKernel::Spectral) => "periodic ends (spectral kernel)",
-        })
-    }
-}
-
-/// How a cell of a periodic contact is taken to be loaded; the difference is of the order of the
-/// discretisation error.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
-pub enum PeriodicKernel {
-    /// Constant pressure over each cell, summed over all periods.
-    #[default]
-    Strip,
-    /// The band-limited pressure through the points, 2/(E*·|q|) per wave.
-    Spectral,
-}
-
-/// What presses the bodies together.
+/// Load or approach that presses the bodies together.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[non_exhaustive]
 pub enum Control {
     /// This load, per metre of face width (periodic: per metre and period).
     Load(LineLoad),
@@ -82,7 +51,7 @@ pub struct ContactProblem<'a> {
     pub start: Option<&'a [f64]>,
 }
 
-/// When a solution is good enough, and the means to get there.
+/// Tolerance and means of the solver.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, rename_all = "kebab-case", deny_unknown_fields)]
 pub struct SolverSettings {
@@ -110,6 +79,7 @@ impl Default for SolverSettings {
 
 /// A certified solution of a [`ContactProblem`].
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct ContactSolution {
     /// Pressure between the solids in Pa.
     pub pressure: Vec<f64>,
@@ -136,8 +106,35 @@ pub struct ContactSolution {
     pub elastic_energy: LineEnergy,
     /// Iterations on the finest grid.
     pub iterations: usize,
-    /// How good the solution is.
+    /// Error bounds of the solution.
     pub certificate: Certificate,
+}
+
+impl<'a> ContactProblem<'a> {
+    /// An elastic contact with free ends over `gap` in m under a load: the common case, whose other
+    /// fields are set as in any struct.
+    ///
+    /// ```
+    /// use asperity_contact::{ContactProblem, SolverSettings, solve};
+    /// let gap: Vec<f64> = (0..1000).map(|i| (0.6e-6 * (f64::from(i) - 499.5)).powi(2) / 6e-3).collect();
+    /// let elastic = ContactProblem::new(&gap, "0.6 um".parse()?, "115.4 GPa".parse()?, "300 N/mm".parse()?);
+    /// let flowing = ContactProblem { pressure_limit: Some("1.5 GPa".parse()?), ..elastic };
+    /// let [elastic, flowing] = [elastic, flowing].map(|problem| solve(&problem, &SolverSettings::default()));
+    /// assert!(flowing?.contact_fraction > elastic?.contact_fraction);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn new(gap: &'a [f64], spacing: Length, modulus: Pressure, load: LineLoad) -> Self {
+        Self {
+            gap,
+            spacing,
+            modulus,
+            boundary: Boundary::FreeEnds,
+            control: Control::Load(load),
+            prescribed_pressure: None,
+            pressure_limit: None,
+            start: None,
+        }
+    }
 }
 
 impl ContactProblem<'_> {
@@ -155,7 +152,7 @@ impl ContactProblem<'_> {
         }
     }
 
-    /// Everything that can be wrong before solving.
+    /// Checks of everything known before solving.
     pub(crate) fn validate(&self) -> Result<(), ContactError> {
         let points = self.gap.len();
         if points < LEAST_POINTS {

@@ -1,6 +1,6 @@
 //! Displacement of a half-plane by uniform pressure on a strip.
 //!
-//! Source: Johnson 1985, eq. 2.30; the paper's eq. 2 with its misprint mended. Plane strain.
+//! Source: Johnson 1985, eq. 2.30; the paper's eq. 2 with its misprint corrected. Plane strain.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -17,8 +17,8 @@
 
 use std::f64::consts::PI;
 
-use asperity_core::DomainError;
 use asperity_core::quantity::Length;
+use asperity_core::{DomainError, cite};
 
 use crate::error::ContactError;
 
@@ -41,6 +41,7 @@ const FAR: f64 = 64.0;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn strip_kernel(position: Length, half_cell: Length) -> Result<Length, ContactError> {
+    cite!("P2");
     let x = DomainError::finite("position", position)?;
     let a = DomainError::positive("half cell", half_cell)?;
     Ok(Length::from_si(a * strip(x.abs() / a)))
@@ -59,6 +60,7 @@ pub fn strip_kernel(position: Length, half_cell: Length) -> Result<Length, Conta
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn datum_constant(datum: Length, half_cell: Length) -> Result<Length, ContactError> {
+    cite!("Datum-1");
     DomainError::positive("datum distance", datum)?;
     Ok(-strip_kernel(datum, half_cell)?)
 }
@@ -81,6 +83,7 @@ pub(crate) fn strip(r: f64) -> f64 {
 
 /// C/a of the cells at 0, 1, … `points` − 1 cells, with C(0) = 0.
 pub(crate) fn strip_column(points: usize) -> Vec<f64> {
+    cite!("P2");
     (0..points).map(|k| strip(2.0 * k as f64)).collect()
 }
 
@@ -107,11 +110,12 @@ const GAUSS: [(f64, f64); 3] = [
 /// assert_eq!(column[1], column[15]);
 /// ```
 pub fn periodic_column(points: usize) -> Vec<f64> {
+    cite!("Periodic-1");
     let value = |k: usize| strip(2.0 * k as f64) + periodic_rest(k as f64, points);
     (0..points).map(|k| value(k.min(points - k))).collect()
 }
 
-/// What the images of a period of `points` cells add to a strip at a distance of `cells`.
+/// Contribution of the images of a period of `points` cells at a distance of `cells` from a strip.
 pub(crate) fn periodic_rest(cells: f64, points: usize) -> f64 {
     let (n, r) = (points as f64, 2.0 * cells);
     let rest: f64 = GAUSS
@@ -142,6 +146,7 @@ fn ln_sinc(x: f64) -> f64 {
 /// assert_eq!(spectral_symbol(0, 64), 0.0);
 /// ```
 pub fn spectral_symbol(wave: usize, points: usize) -> f64 {
+    cite!("Periodic-2");
     if wave == 0 {
         0.0
     } else {

@@ -3,7 +3,7 @@
 
 mod common;
 
-use asperity_contact::direct::{MOST_POINTS, solve_direct};
+use asperity_contact::dense_reference::{MAX_POINTS, solve_dense};
 use asperity_contact::flat_punch;
 use asperity_contact::half_plane::HalfPlane;
 use asperity_contact::two_flanks::TwoFlanks;
@@ -196,7 +196,7 @@ fn nonsense_is_refused_by_name() {
     for (problem, expected) in cases {
         for error in [
             solved(&problem).unwrap_err(),
-            solve_direct(&problem).unwrap_err(),
+            solve_dense(&problem).unwrap_err(),
         ] {
             let text = error.to_string();
             assert!(text.contains(expected), "{text} does not say {expected}");
@@ -306,7 +306,7 @@ fn a_half_plane_refuses_arrays_of_another_length() {
 
 #[test]
 fn the_dense_matrix_refuses_what_is_too_large_for_it() {
-    let (gap, spacing) = CYLINDER.gap(MOST_POINTS + 1);
-    let error = solve_direct(&hertz_problem(&gap, spacing)).unwrap_err();
+    let (gap, spacing) = CYLINDER.gap(MAX_POINTS + 1);
+    let error = solve_dense(&hertz_problem(&gap, spacing)).unwrap_err();
     assert!(error.to_string().contains("use the solver with transforms"));
 }

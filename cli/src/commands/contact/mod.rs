@@ -101,6 +101,7 @@ fn of_case(path: &Path, args: &ContactArgs) -> Result<Found, Failure> {
         x,
         undeformed,
         solution,
+        ..
     } = dry_contact(&loaded, place).map_err(|error| Failure::about(path, &error))?;
     Ok(Found {
         title: format!("{} at {path_fraction:.4} of the path, dry", path.display()),

@@ -7,7 +7,7 @@ use asperity::report::wrapped;
 
 use super::details::Details;
 use super::plan::Plan;
-use super::{Evaluated, json, text, told, um};
+use super::{Evaluated, json, text, um};
 use crate::args::{Common, ProfileInfoArgs};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
@@ -121,7 +121,7 @@ fn table(found: &[Evaluated]) -> String {
     for found in found {
         for warning in found.warnings() {
             let name = shortened(&found.reading.name);
-            let note = format!("{name}: {} {}", warning.code(), told(warning));
+            let note = format!("{name}: {} {}", warning.code(), warning);
             let _ = writeln!(text, "{}", wrapped(&note, "    "));
         }
     }

@@ -9,7 +9,7 @@ use asperity_roughness::spectral::PowerSpectrum;
 use serde_json::{Map, Value, json};
 
 use super::details::Details;
-use super::{Evaluated, told, um};
+use super::{Evaluated, um};
 use crate::args::name_of;
 
 /// How the spectrum is meant.
@@ -22,7 +22,7 @@ pub fn report(found: &Evaluated, details: &Details, curves: bool) -> Value {
     let spectral = &found.iso4287.spectral;
     let notes = found.warnings().into_iter();
     let notes: Vec<Value> = notes
-        .map(|w| json!({ "code": w.code(), "text": told(w) }))
+        .map(|w| json!({ "code": w.code(), "text": w.to_string() }))
         .collect();
     let mut report = json!({
         "file": reading.name,

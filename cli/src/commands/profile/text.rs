@@ -2,13 +2,13 @@
 
 use asperity::report::wrapped;
 use asperity_core::quantity::Length;
+use asperity_profile_io::read::FilterState;
 use asperity_roughness::height_parameters::HeightParameters;
 use asperity_roughness::material_ratio::RkParameters;
-use asperity_roughness::read::FilterState;
 
 use super::details::Details;
 use super::plan::as_is;
-use super::{Evaluated, told, um};
+use super::{Evaluated, um};
 use crate::args::name_of;
 
 /// The report for reading.
@@ -25,7 +25,7 @@ pub fn report(found: &Evaluated, details: &Details) -> String {
     choices(&mut page, found);
     printed(&mut page, found);
     for warning in found.warnings() {
-        page.line(&format!("{} {}", warning.code(), told(warning)));
+        page.line(&format!("{} {}", warning.code(), warning));
     }
     page.0
 }

@@ -2,7 +2,7 @@
 
 use asperity_core::DomainError;
 use asperity_core::remedy::{Remedy, Setting};
-use asperity_roughness::read::ReadError;
+use asperity_profile_io::read::ReadError;
 
 use super::source::Place;
 

@@ -2,13 +2,16 @@
 
 use std::path::Path;
 
+use asperity_core::provenance::Provenance;
 use asperity_core::quantity::Length;
+use asperity_core::remedy::Remedy;
 use asperity_core::{DomainError, Profile};
+use asperity_profile_io::Warning as ReadWarning;
+use asperity_profile_io::read::{Format, ReadOptions, Reading, read_bytes};
+use asperity_roughness::Parameters;
 use asperity_roughness::composite::resampled;
 use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::preparation::prepare;
-use asperity_roughness::read::{Format, ReadOptions, Reading, read_bytes};
-use asperity_roughness::{Parameters, Warning as ProfileWarning};
 use sha2::{Digest, Sha256};
 
 use super::error::CaseError;
@@ -26,6 +29,8 @@ pub(super) struct Flanks {
     pub surfaces: Surfaces,
     pub reports: [FlankReport; 2],
     pub warnings: Vec<Warning>,
+    /// Equations of the preparation.
+    pub provenance: Provenance,
 }
 
 /// What is shared by the reading of both flanks.
@@ -45,6 +50,15 @@ struct Flank {
 
 /// Reads and prepares the flanks that `case` names.
 pub(super) fn flanks(case: &Case, source: &Source, files: &Files) -> Result<Flanks, CaseError> {
+    let provenance = Provenance::new();
+    let flanks = provenance.collect(|| both(case, source, files))?;
+    Ok(Flanks {
+        provenance,
+        ..flanks
+    })
+}
+
+fn both(case: &Case, source: &Source, files: &Files) -> Result<Flanks, CaseError> {
     let given = Given {
         case,
         source,
@@ -73,6 +87,7 @@ pub(super) fn flanks(case: &Case, source: &Source, files: &Files) -> Result<Flan
         surfaces: Surfaces::new(textures, case.preparation.lambda_s, same_trace),
         reports,
         warnings,
+        provenance: Provenance::new(),
     })
 }
 
@@ -163,17 +178,20 @@ fn trace(
     let lambda_c = preparation.lambda_c;
     let section = lambda_c.unwrap_or_else(|| prepared.profile.length() / 5.0);
     let parameters = Parameters::of(&prepared.profile, Mode::Iso4287, section).map_err(refused)?;
-    let of_reading = read.reading.iter().flat_map(|reading| &reading.warnings);
-    for warning in of_reading
-        .chain(&prepared.warnings)
-        .chain(&parameters.warnings)
-    {
-        if lambda_c.is_some() || *warning != ProfileWarning::AlreadyFiltered {
-            let remedy = warning.remedy();
-            let end = if remedy.is_empty() { "" } else { ". " };
-            let text = format!("{name}: {warning}{end}{remedy}");
-            warnings.push(Warning::new(warning.code(), text));
+    let mut warn = |code, warning: &dyn std::fmt::Display, remedy: Remedy| {
+        let end = if remedy.is_empty() { "" } else { ". " };
+        warnings.push(Warning::new(
+            code,
+            format!("{name}: {warning}{end}{remedy}"),
+        ));
+    };
+    for warning in read.reading.iter().flat_map(|reading| &reading.warnings) {
+        if lambda_c.is_some() || *warning != ReadWarning::AlreadyFiltered {
+            warn(warning.code(), warning, warning.remedy());
         }
+    }
+    for warning in prepared.warnings.iter().chain(&parameters.warnings) {
+        warn(warning.code(), warning, warning.remedy());
     }
     let report = FlankReport {
         file: Some(name),

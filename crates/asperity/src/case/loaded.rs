@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use asperity_core::provenance::Provenance;
 use asperity_tribo_friction::XuCalibration;
 
 use super::error::CaseError;
@@ -29,6 +30,10 @@ pub struct LoadedCase {
     pub flanks: [FlankReport; 2],
     /// Warnings about the files.
     pub warnings: Vec<Warning>,
+    /// Equations that the preparation of oil, gears and traces used.
+    pub provenance: Provenance,
+    /// Equations that the preparation of the traces used, which a change of the case may keep.
+    of_flanks: Provenance,
     /// Name of the case, for messages about what is changed.
     name: Arc<str>,
     files: Arc<Files>,
@@ -188,28 +193,37 @@ fn complete(
     files: Arc<Files>,
     before: Option<&LoadedCase>,
 ) -> Result<LoadedCase, CaseError> {
-    let mut case = resolve(input, source)?;
+    let provenance = Provenance::new();
+    let mut case = provenance.collect(|| resolve(input, source))?;
     if let Some(file) = &case.input.model.xu_coefficients {
         let calibration = xu_calibration(file, source, &files)?;
         case.model.friction_settings.xu.coefficients = calibration.coefficients;
+    }
+    if let Some(before) = before {
+        case.laws = before.case.laws.clone();
     }
     let Flanks {
         surfaces,
         reports,
         warnings,
+        provenance: of_flanks,
     } = match before {
         Some(before) if before.case.input.surface == case.input.surface => Flanks {
             surfaces: before.surfaces.clone(),
             reports: before.flanks.clone(),
             warnings: before.warnings.clone(),
+            provenance: before.of_flanks.clone(),
         },
         _ => flanks(&case, source, &files)?,
     };
+    provenance.include(&of_flanks);
     Ok(LoadedCase {
         case,
         surfaces,
         flanks: reports,
         warnings,
+        provenance,
+        of_flanks,
         name: source.name().into(),
         files,
     })

@@ -22,6 +22,7 @@ mod key_names;
 mod known_keys;
 mod loaded;
 mod model;
+mod own_laws;
 mod plain_words;
 mod resolve;
 mod set;

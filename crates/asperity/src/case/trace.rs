@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
-use asperity_roughness::read::{LengthUnit, ReadError, ReadOptions};
+use asperity_profile_io::read::{LengthUnit, ReadError, ReadOptions};
 
 use super::error::CaseError;
 use super::files::Content;
