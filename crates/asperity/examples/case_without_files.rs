@@ -7,11 +7,10 @@ pub fn loss_w(pinion: &[f64], wheel: &[f64], dx: Length) -> Result<f64, asperity
     let mut gears = GearsInput::new([23, 68], Length::from_si(1.8e-3), Length::from_si(35e-3));
     gears.helix = Some(Angle::from_si(23.4 * (std::f64::consts::PI / 180.0)));
     gears.face_width = OneOrTwo::Two([Length::from_si(35e-3), Length::from_si(32e-3)]);
-    let (at_40, at_100) = (30.8e-6, 5.9e-6);
     let oil = LubricantInput {
         viscosity: Some(ViscosityLaw::AstmD341 {
-            at_40: KinematicViscosity::from_si(at_40),
-            at_100: KinematicViscosity::from_si(at_100),
+            at_40: KinematicViscosity::from_si(30.8e-6),
+            at_100: KinematicViscosity::from_si(5.9e-6),
         }),
         density: Some(Density::from_si(845.0)),
         base_oil: Some(BaseOil::Pao),
@@ -32,9 +31,8 @@ pub fn loss_w(pinion: &[f64], wheel: &[f64], dx: Length) -> Result<f64, asperity
 }
 
 pub fn main() -> Result<(), asperity::Error> {
-    let height = |line: &str| line.split_once(',')?.1.parse().ok();
-    let si = |um: f64| um / 1e6;
-    let read = |csv: &str| csv.lines().filter_map(height).map(si).collect::<Vec<_>>();
+    let metres = |line: &str| Some(line.split_once(',')?.1.parse::<f64>().ok()? / 1e6);
+    let read = |csv: &str| csv.lines().filter_map(metres).collect::<Vec<_>>();
     let pinion = read(include_str!("../../../fixtures/profiles/ground_pinion.csv"));
     let wheel = read(include_str!("../../../fixtures/profiles/ground_wheel.csv"));
     println!("{} W", loss_w(&pinion, &wheel, Length::from_si(0.5e-6))?);
