@@ -4,14 +4,16 @@
 //! No option of a command is named here: an explanation carries the settings it is about, and whoever shows it
 //! names them.
 
+use std::borrow::Cow;
+
 use asperity_core::remedy::Setting;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A warning that goes with a result.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Warning {
     /// Stable code, `W402`.
-    pub code: &'static str,
+    pub code: Cow<'static, str>,
     /// What was seen, what was expected.
     pub text: String,
 }
@@ -20,7 +22,7 @@ impl Warning {
     /// A warning of this code.
     pub fn new(code: &'static str, text: impl Into<String>) -> Self {
         Self {
-            code,
+            code: code.into(),
             text: text.into(),
         }
     }

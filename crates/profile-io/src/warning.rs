@@ -1,8 +1,10 @@
 //! Warnings about a file that was read all the same.
 
+use std::borrow::Cow;
+
 use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::read::options::{Axis, LengthUnit};
 
@@ -15,7 +17,7 @@ use crate::read::options::{Axis, LengthUnit};
 /// assert_eq!(note.to_string(), "no unit found for the heights; taken as um because no other unit gives a possible trace");
 /// assert_eq!(note.remedy().to_string(), "Set z_unit to um to confirm");
 /// ```
-#[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, thiserror::Error)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Warning {
@@ -63,7 +65,7 @@ pub enum Warning {
     )]
     ChecksumDiffers {
         /// Which checksum.
-        what: &'static str,
+        what: Cow<'static, str>,
         /// As the file says.
         stated: String,
         /// Of the content.

@@ -192,5 +192,5 @@ fn write_points(found: &Found, path: &Path) -> Result<(), Failure> {
         _ => Path::new("."),
     };
     std::fs::create_dir_all(folder).map_err(|error| refused(&error))?;
-    asperity::report::save(path, text.as_bytes()).map_err(|error| refused(&error))
+    asperity_report::save(path, text.as_bytes()).map_err(|error| refused(&error))
 }

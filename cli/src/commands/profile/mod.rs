@@ -190,7 +190,7 @@ fn save(output: &Path, profile: &Profile, metadata: &Metadata) -> Result<(), Fai
 
 /// Writes `bytes`, all or nothing.
 fn save_bytes(output: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    asperity::report::save(output, bytes).map_err(|error| {
+    asperity_report::save(output, bytes).map_err(|error| {
         let text = format!("{}: cannot be written: {error}", output.display());
         Failure::new("E401", text)
     })

@@ -1,7 +1,7 @@
 //! `asperity profile convert`, `filter` and `generate`: a profile into a file.
 
-use asperity::report::wrapped;
 use asperity_profile_io::read::Metadata;
+use asperity_report::wrapped;
 use asperity_roughness::composite::resampled;
 use asperity_roughness::generate::{Recipe, SelfAffine, Surface};
 use asperity_roughness::outliers::{Outliers, replace};
