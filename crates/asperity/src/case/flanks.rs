@@ -194,6 +194,7 @@ fn trace(
         warn(warning.code(), warning, warning.remedy());
     }
     let report = FlankReport {
+        trace: Some(read.profile.clone()),
         file: Some(name),
         sha256: read.sha256,
         mirrored,
