@@ -15,6 +15,7 @@ mod contact;
 mod file_messages;
 mod fuzz;
 mod instrument_files;
+mod outside;
 mod profile_reports;
 mod result_messages;
 mod results;
