@@ -7,7 +7,7 @@
 //! ```
 //! use asperity_core::{cite, provenance::Provenance};
 //!
-//! /// F = m·a                                                              `[Newton-2]`
+//! /// F = m·a `[Newton-2]`
 //! fn force(mass: f64, acceleration: f64) -> f64 {
 //!     cite!("Newton-2");
 //!     mass * acceleration
@@ -122,6 +122,15 @@ impl Provenance {
     pub fn collect<T>(&self, work: impl FnOnce() -> T) -> T {
         let _scope = Scope::enter(self);
         work()
+    }
+
+    /// Adds the tags of `other`, of work that was done before and is used again.
+    pub fn include(&self, other: &Self) {
+        let found = other.tags();
+        self.tags
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .extend(found);
     }
 
     /// Tags collected so far, in alphabetical order.

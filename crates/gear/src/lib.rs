@@ -47,6 +47,7 @@ pub mod involute;
 pub mod iso_stiffness;
 pub mod kinematics;
 pub mod line_load;
+pub mod load_distribution;
 pub mod load_map;
 pub mod load_sharing;
 mod loss_band;
@@ -69,6 +70,7 @@ pub use error::{Gear, GearError};
 pub use forces::Forces;
 pub use input::{GearPairInput, Plane};
 pub use kinematics::Kinematics;
+pub use load_distribution::LoadDistribution;
 pub use load_map::{
     LoadCell, LoadLaw, LoadMap, LoadMapEvidence, LoadMapSettings, LoadSample, TransmissionError,
 };

@@ -22,7 +22,7 @@
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Angle, Length};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::centre_distance::Centre;
 use crate::error::GearError;
@@ -36,7 +36,7 @@ use crate::tips::{tip_radii, tip_thickness};
 const LEAST_RING_DIFFERENCE: u32 = 10;
 
 /// The working geometry of a gear pair. Index 0 is gear 1, the pinion.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct GearPair {
     /// Tooth numbers |z₁|, |z₂|.
     pub teeth: [u32; 2],

@@ -17,7 +17,7 @@
 use asperity_core::DomainError;
 use asperity_core::cite;
 use asperity_core::quantity::Length;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::error::{Gear, GearError};
 
@@ -28,7 +28,7 @@ pub(crate) const LEAST_OVERLAP: f64 = 1e-9;
 const LARGEST_OVERLAP: f64 = 1000.0;
 
 /// Points along the line of action, as distances from T₁, and the contact ratios.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PathOfContact {
     /// A: the tip of gear 2 enters contact.
     pub a: Length,

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use asperity::report::wrapped;
+use asperity_report::wrapped;
 
 use super::details::Details;
 use super::plan::Plan;
@@ -73,8 +73,7 @@ pub fn compare(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
 
 fn check(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
     if args.curves && !common.json {
-        let text =
-            "--curves are for programs: say --json with it, or asperity profile plot for a picture";
+        let text = "--curves are for programs: pass --json with it, or asperity profile plot for a picture";
         return Err(Failure::new("E205", text));
     }
     // A contradiction is told once, not for every file.
@@ -122,7 +121,7 @@ fn table(found: &[Evaluated]) -> String {
     for found in found {
         for warning in found.warnings() {
             let name = shortened(&found.reading.name);
-            let note = format!("{name}: {} {warning}", warning.code());
+            let note = format!("{name}: {} {}", warning.code(), warning);
             let _ = writeln!(text, "{}", wrapped(&note, "    "));
         }
     }

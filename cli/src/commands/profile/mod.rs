@@ -13,16 +13,18 @@ use std::path::Path;
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
+use asperity_profile_io::Warning as ReadWarning;
+use asperity_profile_io::read::{Format, Metadata, ReadOptions, Reading, read};
+use asperity_profile_io::write::{WrittenFormat, write};
 use asperity_roughness::ambiguity::Sections;
 use asperity_roughness::height_parameters::{HeightParameters, Mode, in_sections};
 use asperity_roughness::preparation::{Profiles, profiles};
-use asperity_roughness::read::{Format, Metadata, ReadOptions, Reading, read};
-use asperity_roughness::write::{WrittenFormat, write};
 use asperity_roughness::{Parameters, RoughnessError, Warning};
 
 use self::plan::Plan;
 use crate::args::{Common, PreparingArgs, ProfileCommand, ReadingArgs};
 use crate::failure::Failure;
+use crate::words;
 
 /// Runs one of the subcommands.
 pub fn run(command: &ProfileCommand, common: &Common) -> Result<(), Failure> {
@@ -88,21 +90,48 @@ impl Evaluated {
     }
 
     /// All warnings, each once.
-    fn warnings(&self) -> Vec<&Warning> {
-        let mut all: Vec<&Warning> = Vec::new();
-        let lists = [
-            &self.reading.warnings,
-            &self.parts.roughness.warnings,
-            &self.iso4287.warnings,
-        ];
-        for warning in lists.into_iter().flatten() {
-            let is_about_filtering = *warning == Warning::AlreadyFiltered;
-            let is_idle = is_about_filtering && self.plan.recipe.lambda_c.is_none();
-            if !is_idle && !all.contains(&warning) {
-                all.push(warning);
+    fn warnings(&self) -> Vec<Note<'_>> {
+        let is_idle = |warning: &ReadWarning| {
+            *warning == ReadWarning::AlreadyFiltered && self.plan.recipe.lambda_c.is_none()
+        };
+        let read = self.reading.warnings.iter().filter(|w| !is_idle(w));
+        let evaluated = [&self.parts.roughness.warnings, &self.iso4287.warnings];
+        let evaluated = evaluated.into_iter().flatten();
+        let mut all = Vec::new();
+        for note in read.map(Note::Read).chain(evaluated.map(Note::Evaluated)) {
+            if !all.contains(&note) {
+                all.push(note);
             }
         }
         all
+    }
+}
+
+/// A warning of the reader or of the evaluation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Note<'a> {
+    Read(&'a ReadWarning),
+    Evaluated(&'a Warning),
+}
+
+impl Note<'_> {
+    /// The code under which the message is explained.
+    fn code(self) -> &'static str {
+        match self {
+            Self::Read(warning) => warning.code(),
+            Self::Evaluated(warning) => warning.code(),
+        }
+    }
+}
+
+/// With what to do about it.
+impl std::fmt::Display for Note<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (text, remedy) = match self {
+            Self::Read(warning) => (warning.to_string(), warning.remedy()),
+            Self::Evaluated(warning) => (warning.to_string(), warning.remedy()),
+        };
+        f.write_str(&words::with_options(&text, &remedy))
     }
 }
 
@@ -119,8 +148,10 @@ fn opened(file: &Path, args: &ReadingArgs) -> Result<Reading, Failure> {
         gaps: args.gaps.unwrap_or_default(),
         row: args.row,
     };
-    let reading =
-        read(file, &options).map_err(|error| Failure::new(error.code(), error.to_string()))?;
+    let reading = read(file, &options).map_err(|error| {
+        let message = words::with_options(&error.to_string(), &error.remedy());
+        Failure::new(error.code(), message)
+    })?;
     let row = args.row.unwrap_or(1);
     if row > 1 && !matches!(reading.format, Format::X3p | Format::SdfAscii) {
         let name = &reading.name;
@@ -136,7 +167,7 @@ fn refusal(reading: &Reading, plan: &Plan, error: &RoughnessError) -> Failure {
     let advice = match error {
         RoughnessError::TooShort { .. } => plan.advice_for(reading),
         RoughnessError::TooFewPoints { .. } if matches!(plan.sections, Sections::Number(_)) => {
-            ". Say fewer --sections".to_owned()
+            ". Pass fewer --sections".to_owned()
         }
         _ => String::new(),
     };
@@ -159,7 +190,7 @@ fn save(output: &Path, profile: &Profile, metadata: &Metadata) -> Result<(), Fai
 
 /// Writes `bytes`, all or nothing.
 fn save_bytes(output: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    asperity::report::save(output, bytes).map_err(|error| {
+    asperity_report::save(output, bytes).map_err(|error| {
         let text = format!("{}: cannot be written: {error}", output.display());
         Failure::new("E401", text)
     })

@@ -1,15 +1,15 @@
 //! `asperity profile convert`, `filter` and `generate`: a profile into a file.
 
-use asperity::report::wrapped;
+use asperity_profile_io::read::Metadata;
+use asperity_report::wrapped;
 use asperity_roughness::composite::resampled;
 use asperity_roughness::generate::{Recipe, SelfAffine, Surface};
 use asperity_roughness::outliers::{Outliers, replace};
 use asperity_roughness::preparation::profiles;
-use asperity_roughness::read::Metadata;
 use serde_json::json;
 
 use super::plan::Plan;
-use super::{opened, refusal, save, um};
+use super::{Note, opened, refusal, save, um};
 use crate::args::{
     Common, ProfileConvertArgs, ProfileFilterArgs, ProfileGenerateArgs, ProfilePart,
 };
@@ -62,7 +62,7 @@ pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure
         text += &format!("  resampled from {} by straight lines\n", reading.spacing);
     }
     for warning in &reading.warnings {
-        let note = format!("  {} {warning}", warning.code());
+        let note = format!("  {} {}", warning.code(), Note::Read(warning));
         text += &format!("{}\n", wrapped(&note, "    "));
     }
     print_text(common, &text)
