@@ -126,7 +126,6 @@ impl PairCompliance {
         stiffness_factor: f64,
         load: f64,
     ) -> Result<Self, GearError> {
-        asperity_core::cite!("Stiffness-3");
         let single = pair.iso_single_stiffness(shift)?;
         let flanks = [0, 1].map(|gear| Flank::new(pair, gear, shift[gear]));
         let middle = 0.5 * pair.path.eps_alpha;
