@@ -14,6 +14,7 @@ pub mod equations;
 pub mod error;
 mod fluid;
 mod friction;
+pub mod load_share;
 pub mod local_roughness;
 mod losses;
 pub mod message;

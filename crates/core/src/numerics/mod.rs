@@ -2,10 +2,12 @@
 
 mod convolution;
 mod fft_length;
+mod increasing_root;
 mod root;
 
 pub use convolution::SymmetricToeplitz;
 pub use fft_length::good_fft_length;
+pub use increasing_root::{Solved, newton_root, secant_root};
 pub use root::{Root, RootError, find_root};
 
 /// ∫ y dx by the trapezoidal rule over points `x`, `y` of equal number (fewer than two give 0).
