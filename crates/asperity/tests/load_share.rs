@@ -1,5 +1,10 @@
 //! The load share against an independent program, and what must hold whatever the numbers.
 
+#![allow(
+    clippy::unwrap_used,
+    reason = "helpers of tests may unwrap as tests do"
+)]
+
 use std::path::Path;
 use std::sync::OnceLock;
 
@@ -39,7 +44,9 @@ fn number(text: &str) -> Option<f64> {
 
 /// Prepared heights \[m\] of a fixture: λs 2.5 um, λc 0.25 mm.
 fn prepared(file: &str, mirrored: bool) -> Vec<f64> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/profiles").join(file);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../fixtures/profiles")
+        .join(file);
     let text = std::fs::read_to_string(path).unwrap();
     let heights = text
         .lines()
@@ -50,12 +57,20 @@ fn prepared(file: &str, mirrored: bool) -> Vec<f64> {
         .map(|z| z * 1e-6)
         .collect();
     let profile = Profile::new(SPACING, heights).unwrap();
-    let profile = if mirrored { profile.mirrored() } else { profile };
+    let profile = if mirrored {
+        profile.mirrored()
+    } else {
+        profile
+    };
     let recipe = Preparation {
         lambda_c: Some(Length::from_si(0.25e-3)),
         ..Preparation::default()
     };
-    prepare(&profile, &recipe).unwrap().profile.heights().to_vec()
+    prepare(&profile, &recipe)
+        .unwrap()
+        .profile
+        .heights()
+        .to_vec()
 }
 
 /// Prepared traces of pinion and wheel with their spectra.
@@ -66,31 +81,45 @@ struct Flanks {
 
 impl Flanks {
     fn new(heights: [Vec<f64>; 2]) -> Self {
-        let spectra = heights.each_ref().map(|z| TraceSpectrum::new(z, SPACING).unwrap());
+        let spectra = heights
+            .each_ref()
+            .map(|z| TraceSpectrum::new(z, SPACING).unwrap());
         Self { heights, spectra }
     }
 
     fn scaled(&self, factor: f64) -> Self {
-        Self::new(self.heights.each_ref().map(|z| z.iter().map(|z| factor * z).collect()))
+        Self::new(
+            self.heights
+                .each_ref()
+                .map(|z| z.iter().map(|z| factor * z).collect()),
+        )
     }
 
     fn window(&self, starts: [usize; 2], points: usize) -> Vec<f64> {
         let [first, second] = &self.heights;
-        (0..points).map(|i| first[starts[0] + i] + second[starts[1] + i]).collect()
+        (0..points)
+            .map(|i| first[starts[0] + i] + second[starts[1] + i])
+            .collect()
     }
 }
 
 fn ground() -> &'static Flanks {
     static GROUND: OnceLock<Flanks> = OnceLock::new();
     GROUND.get_or_init(|| {
-        Flanks::new([prepared("ground_pinion.csv", false), prepared("ground_wheel.csv", true)])
+        Flanks::new([
+            prepared("ground_pinion.csv", false),
+            prepared("ground_wheel.csv", true),
+        ])
     })
 }
 
 fn superfinished() -> &'static Flanks {
     static SUPERFINISHED: OnceLock<Flanks> = OnceLock::new();
     SUPERFINISHED.get_or_init(|| {
-        Flanks::new([prepared("superfinished.csv", false), prepared("superfinished_wheel.csv", true)])
+        Flanks::new([
+            prepared("superfinished.csv", false),
+            prepared("superfinished_wheel.csv", true),
+        ])
     })
 }
 
@@ -130,7 +159,11 @@ fn line_contact(load: f64, radius: f64, speeds: [f64; 2]) -> LineContact {
 
 /// First position of the ground e-drive pair.
 fn e_drive() -> LineContact {
-    line_contact(1.4379302065e5, 3.6272968270e-3, [3.5865118774, 9.2742971144])
+    line_contact(
+        1.4379302065e5,
+        3.6272968270e-3,
+        [3.5865118774, 9.2742971144],
+    )
 }
 
 /// Points of the window of three half widths to each side.
@@ -140,7 +173,11 @@ fn points(contact: &LineContact) -> usize {
     2 * (3.0 * a / SPACING.si()).ceil() as usize + 1
 }
 
-fn rough(contact: &LineContact, composite: &[f64], flow: f64) -> Result<RoughContact, LoadShareError> {
+fn rough(
+    contact: &LineContact,
+    composite: &[f64],
+    flow: f64,
+) -> Result<RoughContact, LoadShareError> {
     RoughContact::new(&RoughWindow {
         composite,
         spacing: SPACING,
@@ -221,9 +258,16 @@ fn load_share_of_the_reference_windows() {
     for row in golden.windows {
         let name = format!("{} {:?} w {}", row.profile, row.starts, row.w);
         let near = |what: &str, seen: f64, expected: f64, tolerance: f64| {
-            assert!((seen - expected).abs() <= tolerance, "{name} {what}: {seen:e} for {expected:e}");
+            assert!(
+                (seen - expected).abs() <= tolerance,
+                "{name} {what}: {seen:e} for {expected:e}"
+            );
         };
-        let flanks = if row.profile == "ground" { ground() } else { superfinished() };
+        let flanks = if row.profile == "ground" {
+            ground()
+        } else {
+            superfinished()
+        };
         let contact = line_contact(row.w, row.R, [row.u1, row.u2]);
         let n = points(&contact);
         let rheology = oil(&row.oil);
@@ -233,7 +277,12 @@ fn load_share_of_the_reference_windows() {
         };
         settings.film.nodes = std::num::NonZeroUsize::new(32).unwrap();
         let mut film = PositionFilm::new(&rheology, &contact, celsius(90.0), &settings).unwrap();
-        near("smooth film", film.smooth_film() / Length::from_si(row.hc), 1.0, 1e-8);
+        near(
+            "smooth film",
+            film.smooth_film() / Length::from_si(row.hc),
+            1.0,
+            1e-8,
+        );
         let [first, second] = &flanks.spectra;
         let traces = AttenuatedTraces::new([first, second], film.nabla_per_length()).unwrap();
         let rms = traces.window_rms(row.starts, n).unwrap();
@@ -248,25 +297,46 @@ fn load_share_of_the_reference_windows() {
         near("friction", solution.coefficient, row.mu, 2e-5);
         near("film friction", solution.film_coefficient, row.mu_f, 2e-6);
         near("boundary", solution.boundary_of_asperities, row.beta, 2e-3);
-        near("asperity friction", solution.asperity_coefficient, row.mu_a, 1e-4);
+        near(
+            "asperity friction",
+            solution.asperity_coefficient,
+            row.mu_a,
+            1e-4,
+        );
         near("spot film", solution.spot_film.si(), row.h_a, 0.2e-9);
         near("area", solution.area, row.area, 2e-3);
         assert_eq!(state.is_some(), row.phi > 0.0, "{name}");
         if let Some(state) = state {
             // The parts of the load: asperities phi w, the film the rest.
             let carried: f64 = state.spots.iter().map(|spot| spot.load.si()).sum();
-            near("load", carried / (solution.asperity_share * row.w), 1.0, 1e-9);
+            near(
+                "load",
+                carried / (solution.asperity_share * row.w),
+                1.0,
+                1e-9,
+            );
             assert!(solution.evidence.share.residual.abs() < 1e-5, "{name}");
             let supplied = rms.si() / row.hc;
-            let gap = row.hc * (1.0 + 2.342 * supplied * supplied).sqrt()
+            let gap = row.hc
+                * (1.0 + 2.342 * supplied * supplied).sqrt()
                 * (1.0 - solution.asperity_share).powf(-0.16);
             near("gap", solution.mean_gap.si() / gap, 1.0, 1e-6);
         }
         // The table instead of direct solves.
         let table = ContactTable::build(&mut rough).unwrap();
         let quick = film.share(&table, rms).unwrap().value;
-        near("share by table", quick.asperity_share, solution.asperity_share, TABLE_SHARE);
-        near("friction by table", quick.coefficient / solution.coefficient, 1.0, TABLE_FRICTION);
+        near(
+            "share by table",
+            quick.asperity_share,
+            solution.asperity_share,
+            TABLE_SHARE,
+        );
+        near(
+            "friction by table",
+            quick.coefficient / solution.coefficient,
+            1.0,
+            TABLE_FRICTION,
+        );
     }
 }
 
@@ -284,7 +354,9 @@ fn smooth_flanks_have_the_film_friction_alone() {
     let settings = LoadShareSettings::default();
     let mut film = PositionFilm::new(&rheology, &contact, celsius(90.0), &settings).unwrap();
     let by_table = film.share(&table, Length::from_si(0.0)).unwrap().value;
-    let (direct, state) = film.share_by_direct_solves(&mut smooth, Length::from_si(0.0)).unwrap();
+    let (direct, state) = film
+        .share_by_direct_solves(&mut smooth, Length::from_si(0.0))
+        .unwrap();
     let alone = film_friction::solve(
         &rheology,
         &FilmContact {
@@ -311,7 +383,11 @@ fn smooth_flanks_have_the_film_friction_alone() {
 
 #[test]
 fn the_gap_never_rises_with_the_share() {
-    for (flanks, starts) in [(ground(), STARTS), (ground(), [500, 2500]), (superfinished(), [900, 100])] {
+    for (flanks, starts) in [
+        (ground(), STARTS),
+        (ground(), [500, 2500]),
+        (superfinished(), [900, 100]),
+    ] {
         let table = table(&e_drive(), flanks, starts, FLOW);
         let mut before = table.first_touch_gap();
         for k in 1..=400 {
@@ -350,10 +426,16 @@ fn the_share_rises_with_height_and_temperature_and_falls_with_speed() {
         share(&faster, ground(), ground_table(), STARTS, 90.0, &settings)
     };
     let slow = [0.01, 0.1, 0.5, 1.0, 3.0].map(by_speed);
-    assert!(slow.windows(2).all(|pair| pair[1].asperity_share <= pair[0].asperity_share));
+    assert!(
+        slow.windows(2)
+            .all(|pair| pair[1].asperity_share <= pair[0].asperity_share)
+    );
     // Without film everything rubs on the boundary layer.
     let crawling = by_speed(1e-4);
-    assert!(crawling.coefficient > 0.07 && crawling.coefficient <= 0.08 + 1e-12, "{crawling:?}");
+    assert!(
+        crawling.coefficient > 0.07 && crawling.coefficient <= 0.08 + 1e-12,
+        "{crawling:?}"
+    );
 }
 
 #[test]
@@ -361,7 +443,10 @@ fn bodies_that_change_places_have_the_same_friction() {
     let contact = e_drive();
     let n = points(&contact);
     let mirrored = |z: &[f64]| z.iter().rev().copied().collect::<Vec<f64>>();
-    let flanks = Flanks::new([mirrored(&ground().heights[1]), mirrored(&ground().heights[0])]);
+    let flanks = Flanks::new([
+        mirrored(&ground().heights[1]),
+        mirrored(&ground().heights[0]),
+    ]);
     let starts = [1, 0].map(|k: usize| ground().heights[k].len() - n - STARTS[k]);
     let [u1, u2] = contact.speeds;
     let swapped = LineContact {
@@ -386,11 +471,17 @@ fn flow_pressure_matters_and_is_refused_where_the_film_alone_reaches_it() {
         share(&contact, ground(), &table, STARTS, 90.0, &settings)
     };
     let (soft, hard) = (with(2.5e9), with(20e9));
-    assert!((soft.coefficient / hard.coefficient - 1.0).abs() > 0.02, "{soft:?} {hard:?}");
+    assert!(
+        (soft.coefficient / hard.coefficient - 1.0).abs() > 0.02,
+        "{soft:?} {hard:?}"
+    );
     assert!(soft.max_pressure.si() <= 2.5e9 * (1.0 + 1e-12));
     let composite = ground().window(STARTS, points(&contact));
     let refused = rough(&contact, &composite, 1.4 * 1.2066e9).err();
-    assert!(matches!(refused, Some(LoadShareError::FlowPressureTooLow { .. })));
+    assert!(matches!(
+        refused,
+        Some(LoadShareError::FlowPressureTooLow { .. })
+    ));
 }
 
 #[test]
@@ -418,11 +509,16 @@ fn parts_of_friction_and_loss_add_up() {
     let total = solution.parts.total();
     assert!((total / solution.coefficient - 1.0).abs() < 1e-11);
     let contact = e_drive();
-    let loss = solution.coefficient * contact.load.si() * (contact.speeds[1] - contact.speeds[0]).si();
+    let loss =
+        solution.coefficient * contact.load.si() * (contact.speeds[1] - contact.speeds[0]).si();
     assert!((solution.losses.total() / loss - 1.0).abs() < 1e-11);
     let product = solution.asperity_share * solution.boundary_of_asperities;
     assert_eq!(solution.boundary_share, product);
-    assert!(solution.evidence.friction.iterations <= 8, "{:?}", solution.evidence);
+    assert!(
+        solution.evidence.friction.iterations <= 8,
+        "{:?}",
+        solution.evidence
+    );
 }
 
 #[test]
@@ -431,7 +527,14 @@ fn without_sliding_only_the_boundary_layer_rubs_and_no_power_is_lost() {
         speeds: [Speed::from_si(6.0); 2],
         ..e_drive()
     };
-    let solution = share(&contact, ground(), ground_table(), STARTS, 90.0, &LoadShareSettings::default());
+    let solution = share(
+        &contact,
+        ground(),
+        ground_table(),
+        STARTS,
+        90.0,
+        &LoadShareSettings::default(),
+    );
     assert!((solution.coefficient - 0.08 * solution.boundary_share).abs() < 1e-15);
     assert_eq!((solution.losses.total(), solution.surface_rise), (0.0, 0.0));
 }
@@ -440,19 +543,35 @@ fn without_sliding_only_the_boundary_layer_rubs_and_no_power_is_lost() {
 fn structural_choices_move_the_friction_the_way_they_say() {
     let base = LoadShareSettings::default();
     let usual = at(&base);
-    let half = at(&LoadShareSettings { share_factor: 0.5, ..base });
+    let half = at(&LoadShareSettings {
+        share_factor: 0.5,
+        ..base
+    });
     assert_eq!(half.asperity_share, 0.5 * usual.asperity_share);
-    let carried = at(&LoadShareSettings { spot_speed: SpotSpeed::HalfSliding, ..base });
+    let carried = at(&LoadShareSettings {
+        spot_speed: SpotSpeed::HalfSliding,
+        ..base
+    });
     assert!(carried.coefficient > usual.coefficient && carried.spot_film < usual.spot_film);
-    let poon = at(&LoadShareSettings { supply: InletSupply::Smooth, ..base });
+    let poon = at(&LoadShareSettings {
+        supply: InletSupply::Smooth,
+        ..base
+    });
     assert!(poon.asperity_share > usual.asperity_share && poon.inlet_factor == 1.0);
-    let isotropic = at(&LoadShareSettings { lay: Lay::ISOTROPIC, ..base });
+    let isotropic = at(&LoadShareSettings {
+        lay: Lay::ISOTROPIC,
+        ..base
+    });
     assert!(isotropic.asperity_share > usual.asperity_share);
+    let rheology = oil("e-fluid");
     let refused = PositionFilm::new(
-        &oil("e-fluid"),
+        &rheology,
         &e_drive(),
         celsius(90.0),
-        &LoadShareSettings { share_factor: 0.0, ..base },
+        &LoadShareSettings {
+            share_factor: 0.0,
+            ..base
+        },
     );
     assert!(refused.is_err());
 }

@@ -1,5 +1,10 @@
 //! Energies of a contact that sweeps the flank.
 
+#![allow(
+    clippy::unwrap_used,
+    reason = "helpers of tests may unwrap as tests do"
+)]
+
 use std::collections::BTreeMap;
 
 use asperity_core::quantity::{Length, LineEnergy, LineLoad, Speed};

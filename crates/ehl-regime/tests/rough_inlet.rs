@@ -1,5 +1,10 @@
 //! Attenuation, inlet supply, central gap and published shares.
 
+#![allow(
+    clippy::unwrap_used,
+    reason = "helpers of tests may unwrap as tests do"
+)]
+
 use asperity_core::quantity::{
     DynamicViscosity, Length, LineLoad, Pressure, PressureViscosity, Speed,
 };

@@ -1,5 +1,10 @@
 //! The film law against independent programs, its limits, and what must hold whatever the numbers.
 
+#![allow(
+    clippy::unwrap_used,
+    reason = "helpers of tests may unwrap as tests do"
+)]
+
 use asperity_core::lubricant::{LubricantInput, ViscosityLaw};
 use asperity_core::material::Material;
 use asperity_core::quantity::{

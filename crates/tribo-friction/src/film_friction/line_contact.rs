@@ -353,7 +353,12 @@ impl<'a> LoadedFilm<'a> {
 /// Gauss-Legendre nodes and weights; those of the default order are made once.
 fn rule(order: NonZeroUsize) -> Cow<'static, [(f64, f64)]> {
     static DEFAULT: OnceLock<Vec<(f64, f64)>> = OnceLock::new();
-    let make = || GaussLegendre::new(order).iter().copied().collect::<Vec<_>>();
+    let make = || {
+        GaussLegendre::new(order)
+            .iter()
+            .copied()
+            .collect::<Vec<_>>()
+    };
     if order == FilmSettings::default().nodes {
         Cow::Borrowed(DEFAULT.get_or_init(make))
     } else {
