@@ -211,27 +211,34 @@ fn abscissa(share: f64) -> f64 {
     share.sqrt().sqrt()
 }
 
-/// Slopes of Fritsch and Butland: no new extreme between the knots.
+/// Slopes of the parabola through three neighbours, held to three times the flatter chord: no new extreme
+/// between the knots (Fritsch and Carlson).
 fn set_monotone_slopes(knots: &mut [[f64; 3]]) {
+    const STEEPEST: f64 = 3.0;
     let chord = |a: &[f64; 3], b: &[f64; 3]| (b[1] - a[1]) / (b[0] - a[0]);
     let last = knots.len() - 1;
     for k in 0..=last {
-        knots[k][2] = if k == 0 {
-            chord(&knots[0], &knots[1])
+        // At an end the parabola of the nearest three knots, seen from there.
+        let middle = k.clamp(1, last - 1);
+        let (left, right) = (
+            chord(&knots[middle - 1], &knots[middle]),
+            chord(&knots[middle], &knots[middle + 1]),
+        );
+        let bend = (right - left) / (knots[middle + 1][0] - knots[middle - 1][0]);
+        let slope = left + bend * (2.0 * knots[k][0] - knots[middle - 1][0] - knots[middle][0]);
+        let flatter = if k == 0 {
+            left
         } else if k == last {
-            chord(&knots[last - 1], &knots[last])
+            right
+        } else if left * right > 0.0 {
+            left.abs().min(right.abs()).copysign(left)
         } else {
-            let (left, right) = (
-                chord(&knots[k - 1], &knots[k]),
-                chord(&knots[k], &knots[k + 1]),
-            );
-            if left * right <= 0.0 {
-                0.0
-            } else {
-                let (h0, h1) = (knots[k][0] - knots[k - 1][0], knots[k + 1][0] - knots[k][0]);
-                let (w0, w1) = (2.0 * h1 + h0, h1 + 2.0 * h0);
-                (w0 + w1) / (w0 / left + w1 / right)
-            }
+            0.0
+        };
+        knots[k][2] = if slope * flatter > 0.0 {
+            slope.abs().min(STEEPEST * flatter.abs()).copysign(flatter)
+        } else {
+            0.0
         };
     }
 }
