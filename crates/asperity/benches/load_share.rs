@@ -37,9 +37,8 @@ fn benches(criterion: &mut Criterion) {
         recipe.generate().expect("a ground trace")
     };
     let traces = [trace(1), trace(2)];
-    let spectra = [0, 1].map(|k: usize| {
-        TraceSpectrum::new(traces[k].heights(), spacing).expect("finite heights")
-    });
+    let spectra = [0, 1]
+        .map(|k: usize| TraceSpectrum::new(traces[k].heights(), spacing).expect("finite heights"));
     let starts = [1000, 3000];
     let composite: Vec<f64> = (0..WINDOW)
         .map(|i| traces[0].heights()[starts[0] + i] + traces[1].heights()[starts[1] + i])

@@ -340,7 +340,8 @@ fn load_share_of_the_reference_windows() {
     }
 }
 
-/// What twelve rows leave of the share and of the coefficient; see the README of the measured deviations.
+/// What twelve rows leave of the share and of the coefficient of one window: 0.0053 and 0.6 % at most in these
+/// windows; over the path of the e-drive pair it averages out to 4e-5 of the loss.
 const TABLE_SHARE: f64 = 0.01;
 const TABLE_FRICTION: f64 = 0.01;
 
@@ -396,7 +397,8 @@ fn the_gap_never_rises_with_the_share() {
             before = gap;
         }
         let last = table.rows().last().unwrap();
-        assert_eq!(table.mean_gap(last.asperity_share), last.mean_gap);
+        let end = table.mean_gap(last.asperity_share) / last.mean_gap;
+        assert!((end - 1.0).abs() < 1e-12, "{end}");
     }
 }
 

@@ -18,8 +18,8 @@ use super::rough_contact::{ContactState, RoughContact, Spot};
 use super::solution::{LineLosses, LoadShareSolution, ShareEvidence};
 use super::spots::{SpotConditions, SpotFriction};
 
-/// Relative step at which the iterations for friction and share end.
-const TOLERANCE: f64 = 1e-12;
+/// Relative step at which the secant iteration for friction ends: it leaves some 1e-12.
+const TOLERANCE: f64 = 1e-9;
 /// Relative step in φ^¼ at which the direct solves end: 4e-8 of the share.
 const DIRECT_TOLERANCE: f64 = 1e-8;
 
