@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity_roughness::read::{ReadOptions, read_bytes};
+use asperity_profile_io::read::{ReadOptions, read_bytes};
 
 /// Heights are written to 0.01 nm; transforms round differently from machine to machine, which can move
 /// the last digit by one.

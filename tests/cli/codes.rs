@@ -58,7 +58,12 @@ fn explained() -> BTreeSet<String> {
 #[test]
 fn every_code_in_the_sources_is_explained_and_no_other() {
     let used = codes_of(
-        &["crates/roughness/src", "crates/asperity/src", "cli/src"],
+        &[
+            "crates/profile-io/src",
+            "crates/roughness/src",
+            "crates/asperity/src",
+            "cli/src",
+        ],
         "message.rs",
     );
     assert_eq!(used, explained());

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use asperity_core::quantity::Length;
+use asperity_profile_io::read::{Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator};
 use asperity_roughness::gaussian_filter::Ends;
-use asperity_roughness::read::{Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator};
 use clap::{Args, Subcommand, ValueEnum};
 
 use super::{choice, cutoff};

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::case::{self, CaseInput, FlankInput, LoadedCase};
-use asperity::report::compare::{self, Finish};
+use asperity_studies::compare::{self, Finish};
 
 use crate::args::{Common, CompareArgs, FinishArg};
 use crate::failure::Failure;

@@ -1,6 +1,6 @@
 //! `asperity figures`: the figures of the 2022 paper.
 
-use asperity::report::figures::{self, FigureError};
+use asperity_studies::figures::{self, FigureError};
 
 use super::load_case;
 use crate::args::{Common, FiguresArgs, FormulationArg};

@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use asperity::report::{self, ReportError};
 use asperity::result::RunResult;
 use asperity::{RunError, pipeline};
+use asperity_report::{self as report, ReportError};
 
 use super::load_case;
 use crate::args::{Common, RunArgs};
@@ -50,6 +50,7 @@ fn text(result: &RunResult, args: &RunArgs, folder: Option<&Path>, begin: Instan
         for default in &result.defaults {
             let source = default
                 .source
+                .as_deref()
                 .map(|s| format!("  ({s})"))
                 .unwrap_or_default();
             text.push_str(&format!("  {} = {}{source}\n", default.key, default.value));

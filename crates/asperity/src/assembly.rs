@@ -1,75 +1,87 @@
 //! From solved positions to the result: rows, summary, warnings.
 
 use asperity_efficiency::{LossKind, MeshEfficiency, equivalent_friction};
-use asperity_tribo_friction::FrictionLaw;
+use asperity_gear::LossFactors;
 
-use crate::case::{Case, Formulation, LoadedCase};
+use crate::case::Case;
+use crate::comparison::friction_laws;
 use crate::error::PositionError;
-use crate::losses::efficiency_at;
+use crate::flank_record::FlankRecord;
 use crate::position::Position;
 use crate::result::{
-    ComparisonOutcome, FrictionComparison, OffsetRow, Outcome, PositionRow, Regime, RunResult,
-    RunningIn, SCHEMA_VERSION, Summary,
+    Losses, OffsetRow, Outcome, PositionRow, Regime, RunResult, RunningIn, SCHEMA_VERSION, Summary,
 };
-use crate::{attention, friction, provenance};
+use crate::solved::{Solved, mean};
+use crate::{attention, formulation};
 
-/// Builds the outcome of a run from its positions and the rolling force at each.
-pub(crate) fn assemble(
-    loaded: &LoadedCase,
-    positions: Vec<Position>,
-    rolling: &[f64],
-) -> Result<Outcome, PositionError> {
-    let case = &loaded.case;
-    let offsets = positions
-        .first()
-        .map_or(0, |position| position.offsets.len());
-    let meshes = (0..offsets)
-        .map(|k| {
-            efficiency_at(case, &positions, rolling, k, |p, k| {
-                p.offsets[k].friction_force
-            })
+impl Solved<'_> {
+    /// Losses alone.
+    pub(crate) fn losses(self) -> Result<Losses, PositionError> {
+        Ok(Losses {
+            summary: self.summary()?,
+            path: self.path()?,
+            offsets: offset_rows(&self.meshes),
+            equations: Vec::new(),
         })
-        .collect::<Result<Vec<_>, _>>()?;
-    let summary = summary(case, &positions, &meshes)?;
-    let touched = positions.iter().any(|position| {
-        position
-            .offsets
+    }
+
+    /// The outcome of a run; what its equations are is noted by the caller.
+    pub(crate) fn outcome(self) -> Result<Outcome, PositionError> {
+        let case = &self.loaded.case;
+        let summary = self.summary()?;
+        let mut warnings = self.loaded.warnings.clone();
+        warnings.extend(attention::warnings(self.loaded, &self.positions, &summary)?);
+        let result = RunResult {
+            schema_version: SCHEMA_VERSION,
+            program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
+            title: case.title.clone(),
+            formulation: case.formulation,
+            friction_laws: friction_laws(&self, summary.efficiency)?,
+            path: self.path()?,
+            running_in: running_in(case, &self.meshes),
+            summary,
+            warnings,
+            flanks: [0, 1].map(|body| FlankRecord::from(&self.loaded.flanks[body])),
+            gears: case.gears.clone(),
+            lubricant: case.oil,
+            inputs: case.input.clone(),
+            defaults: case.defaults.clone(),
+            equations: Vec::new(),
+            references: Vec::new(),
+        };
+        let fields = self
+            .positions
+            .into_iter()
+            .filter_map(|position| position.fields);
+        Ok(Outcome {
+            result,
+            offsets: offset_rows(&self.meshes),
+            fields: fields.collect(),
+            traces: [0, 1].map(|body| {
+                let reading = self.loaded.flanks[body].reading.as_ref();
+                reading.map(|reading| reading.profile.clone())
+            }),
+        })
+    }
+
+    fn path(&self) -> Result<Vec<PositionRow>, PositionError> {
+        let case = &self.loaded.case;
+        let forces = case.gears.forces(case.torque)?;
+        let per_width = forces.transverse_base.si() / case.gears.face_width.si();
+        Ok(self
+            .positions
             .iter()
-            .any(|offset| offset.contact.is_some())
-    });
-    let (equations, references) = provenance::used(case, touched);
-    let mut warnings = loaded.warnings.clone();
-    warnings.extend(attention::warnings(loaded, &positions, &summary)?);
-    let forces = case.gears.forces(case.torque)?;
-    let per_width = forces.transverse_base.si() / case.gears.face_width.si();
-    let result = RunResult {
-        schema_version: SCHEMA_VERSION,
-        program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
-        title: case.title.clone(),
-        formulation: case.formulation,
-        friction_laws: friction_laws(case, &positions, rolling, summary.efficiency)?,
-        path: positions
-            .iter()
-            .zip(rolling)
+            .zip(&self.rolling)
             .map(|(position, rolling)| row(case, position, *rolling, per_width))
-            .collect(),
-        running_in: running_in(case, &meshes),
-        summary,
-        warnings,
-        flanks: loaded.flanks.clone(),
-        gears: case.gears.clone(),
-        lubricant: case.oil,
-        inputs: case.input.clone(),
-        defaults: case.defaults.clone(),
-        equations,
-        references,
-    };
-    let fields = positions.into_iter().filter_map(|position| position.fields);
-    Ok(Outcome {
-        result,
-        offsets: offset_rows(&meshes),
-        fields: fields.collect(),
-    })
+            .collect())
+    }
+
+    fn summary(&self) -> Result<Summary, PositionError> {
+        let case = &self.loaded.case;
+        let (positions, meshes) = (&self.positions, &self.meshes);
+        let factors = self.laws.load_distribution.loss_factors(&case.gears)?;
+        summary(positions, meshes, factors)
+    }
 }
 
 fn offset_rows(meshes: &[MeshEfficiency]) -> Vec<OffsetRow> {
@@ -84,14 +96,13 @@ fn offset_rows(meshes: &[MeshEfficiency]) -> Vec<OffsetRow> {
 }
 
 fn summary(
-    case: &Case,
     positions: &[Position],
     meshes: &[MeshEfficiency],
+    factors: LossFactors,
 ) -> Result<Summary, PositionError> {
     let efficiencies: Vec<f64> = meshes.iter().map(|mesh| mesh.flow.efficiency).collect();
     let efficiency = mean(efficiencies.iter().copied());
     let power = |kind| mean(meshes.iter().map(|mesh| mesh.breakdown.power(kind).si()));
-    let factors = case.gears.loss_factors(&case.model.load_sharing)?;
     // One position stands for the mesh in the paper's reading; its loss factor is of the whole path.
     let equivalent = equivalent_friction(efficiency, factors.local)?;
     let contacts = || {
@@ -133,64 +144,6 @@ fn summary(
     })
 }
 
-/// Efficiency with other laws in the film, everything else equal.
-fn friction_laws(
-    case: &Case,
-    positions: &[Position],
-    rolling: &[f64],
-    own: f64,
-) -> Result<Vec<FrictionComparison>, PositionError> {
-    let mut laws = vec![FrictionComparison {
-        law: case.model.friction.name().to_owned(),
-        outcome: ComparisonOutcome::Efficiency(own),
-    }];
-    let others = [
-        FrictionLaw::Xu,
-        FrictionLaw::Iso14179Part2,
-        FrictionLaw::BenedictKelley,
-    ];
-    for law in others.into_iter().filter(|law| *law != case.model.friction) {
-        let outcome = match with_law(case, positions, rolling, law) {
-            Ok(value) => ComparisonOutcome::Efficiency(value),
-            // A law that refuses these conditions must not stop the run: it was not asked for.
-            Err(error) => ComparisonOutcome::Refused(error.to_string()),
-        };
-        laws.push(FrictionComparison {
-            law: law.name().to_owned(),
-            outcome,
-        });
-    }
-    Ok(laws)
-}
-
-fn with_law(
-    case: &Case,
-    positions: &[Position],
-    rolling: &[f64],
-    law: FrictionLaw,
-) -> Result<f64, PositionError> {
-    let mut forces = Vec::with_capacity(positions.len());
-    for position in positions {
-        let mut of_offsets = Vec::with_capacity(position.offsets.len());
-        for offset in &position.offsets {
-            let mu = friction::by_law(law, case, &position.station, &offset.roughness)?.mu;
-            of_offsets.push(offset.rubbing.force(mu));
-        }
-        forces.push(of_offsets);
-    }
-    let number = |position: &Position| position.station.number - 1;
-    let offsets = positions
-        .first()
-        .map_or(0, |position| position.offsets.len());
-    let efficiencies = (0..offsets)
-        .map(|k| {
-            let mesh = efficiency_at(case, positions, rolling, k, |p, k| forces[number(p)][k])?;
-            Ok(mesh.flow.efficiency)
-        })
-        .collect::<Result<Vec<_>, PositionError>>()?;
-    Ok(mean(efficiencies.into_iter()))
-}
-
 /// A row of the path; `per_width` is the transverse base force over the face width \[N/m\], which is the
 /// load of a line of contact that carries everything.
 fn row(case: &Case, position: &Position, rolling: f64, per_width: f64) -> PositionRow {
@@ -209,10 +162,7 @@ fn row(case: &Case, position: &Position, rolling: f64, per_width: f64) -> Positi
         .collect();
     let force = over(|offset| offset.friction_force);
     let share = mixed_share(position);
-    let surfaces = match case.formulation {
-        Formulation::Corrected => 2.0,
-        Formulation::Paper => 1.0,
-    };
+    let surfaces = formulation::of(case.formulation).rolling_surfaces().count();
     PositionRow {
         position: station.number,
         s_mm: station.s.si() * 1e3,
@@ -232,7 +182,8 @@ fn row(case: &Case, position: &Position, rolling: f64, per_width: f64) -> Positi
         film_central_um: station.film.central.si() * 1e6,
         film_minimum_um: station.film.minimum.si() * 1e6,
         lambda_star: (!known.is_empty()).then(|| mean(known.iter().copied())),
-        film_ratio: over(|offset| offset.film_ratio),
+        // Between flat flanks it has no limit.
+        film_ratio: Some(over(|offset| offset.film_ratio)).filter(|ratio| ratio.is_finite()),
         mixed_share: share,
         regime: if share >= 0.5 {
             Regime::Mixed
@@ -279,11 +230,6 @@ fn running_in(case: &Case, meshes: &[MeshEfficiency]) -> RunningIn {
 pub(crate) fn mixed_share(position: &Position) -> f64 {
     let is_mixed = |offset: &crate::position::Offset| f64::from(offset.regime == Regime::Mixed);
     mean(position.offsets.iter().map(is_mixed))
-}
-
-fn mean(values: impl Iterator<Item = f64>) -> f64 {
-    let (sum, count) = values.fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
-    sum / count
 }
 
 /// Sample standard deviation; none for fewer than two values.

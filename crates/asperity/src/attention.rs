@@ -1,12 +1,13 @@
-//! What about a result calls for attention.
+//! Warnings raised from a finished result.
 
 use std::collections::BTreeMap;
 
 use asperity_core::OutOfRange;
 use asperity_efficiency::equivalent_friction;
 
-use crate::case::{Formulation, LoadedCase};
+use crate::case::LoadedCase;
 use crate::error::PositionError;
+use crate::formulation;
 use crate::local_roughness::FEW_ASPERITIES;
 use crate::message::Warning;
 use crate::position::Position;
@@ -76,7 +77,10 @@ fn ranges(positions: &[Position], found: &mut Vec<Warning>) {
     };
     for position in positions {
         let mut here = std::collections::BTreeSet::new();
-        let offsets = position.offsets.iter().flat_map(|offset| offset.outside());
+        let offsets = position
+            .offsets
+            .iter()
+            .flat_map(|offset| &offset.friction.outside);
         for note in position.station.outside.iter().chain(offsets) {
             add(note, &mut here);
         }
@@ -128,7 +132,8 @@ fn no_sliding(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warni
     /// Slide-to-roll ratios below this are round-off at the pitch point.
     const PURE_ROLLING: f64 = 1e-9;
     let rolls = |position: &Position| position.station.motion.slide_to_roll.abs() < PURE_ROLLING;
-    if loaded.case.formulation == Formulation::Paper && positions.iter().all(rolls) {
+    let strategy = formulation::of(loaded.case.formulation);
+    if strategy.takes_one_position() && positions.iter().all(rolls) {
         found.push(Warning::new(
             "W412",
             "the one position of the paper's reading is the pitch point, where nothing slides: the efficiency holds no sliding loss. Set model.position, as 0.25",

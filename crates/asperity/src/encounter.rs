@@ -1,5 +1,6 @@
 //! Two rough windows that meet at a mesh position: their gap and what the film sees of them.
 
+use asperity_contact::two_flanks::TwoFlanks;
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
 
@@ -11,11 +12,12 @@ use crate::surfaces::{Surfaces, Texture};
 /// Least points per Hertz half-width at which a contact is resolved.
 pub const LEAST_POINTS_PER_HALF_WIDTH: f64 = 20.0;
 
-/// The golden section: multiples of it, less their whole part, fill an interval evenly.
+/// The golden section: multiples of it, minus their whole part, fill an interval evenly.
 const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
 
 /// The two flanks under the contact at one offset.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Encounter {
     /// Position across the contact, 0 at its middle \[m\].
     pub x: Vec<f64>,
@@ -60,16 +62,20 @@ impl Encounter {
         // Evenly along the pinion; along the wheel in another order, so that the pairs differ.
         let along = (k as f64 + 0.5) / count as f64;
         let across = (0.5 + k as f64 * GOLDEN_SECTION).fract();
-        let heights = [part(first, n, along)?, part(second, n, across)?];
+        let flanks = [part(first, n, along)?, part(second, n, across)?];
         let dx = spacing.si();
         let x: Vec<f64> = (0..n).map(|i| (i as f64 - reach as f64) * dx).collect();
-        let curvature = 1.0 / station.motion.radius.si();
-        let gap = x
-            .iter()
-            .zip(heights[0].iter().zip(&heights[1]))
-            .map(|(x, (z1, z2))| 0.5 * curvature * x * x - z1 - z2)
-            .collect();
-        let roughness = surfaces.roughness_of(&heights, spacing)?;
+        let gap = TwoFlanks {
+            first: &flanks[0],
+            second: &flanks[1],
+            radius: station.motion.radius,
+            load: station.load,
+            modulus: station.film_conditions.modulus,
+            pressure_limit: None,
+        }
+        .gap()?;
+        let roughness = surfaces.roughness_of(&flanks)?;
+        let heights = flanks.map(|flank| flank.heights().to_vec());
         Ok(Some(Self {
             x,
             spacing,
@@ -80,8 +86,8 @@ impl Encounter {
     }
 }
 
-/// `n` neighbouring heights of `profile`, from the fraction `place` of where they can start.
-fn part(profile: &Profile, n: usize, place: f64) -> Result<Vec<f64>, PositionError> {
+/// Window of `n` neighbouring points of `profile`, from the fraction `place` of where they can start.
+fn part(profile: &Profile, n: usize, place: f64) -> Result<Profile, PositionError> {
     let free = profile
         .len()
         .checked_sub(n)
@@ -90,5 +96,6 @@ fn part(profile: &Profile, n: usize, place: f64) -> Result<Vec<f64>, PositionErr
             needed_um: profile.spacing().si() * (n - 1) as f64 * 1e6,
         })?;
     let start = (place * free as f64).round() as usize;
-    Ok(profile.heights()[start..start + n].to_vec())
+    let window = profile.heights()[start..start + n].to_vec();
+    Ok(Profile::new(profile.spacing(), window)?)
 }

@@ -3,8 +3,6 @@
 use asperity_contact::ContactError;
 use asperity_core::DomainError;
 
-use crate::encounter::Encounter;
-
 /// Why a mesh position has no solution.
 #[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]
@@ -105,13 +103,13 @@ pub struct UnsolvedContact {
 }
 
 impl PositionError {
-    /// The same error with the gap of `encounter`, where it is about one that was not closed.
-    pub(crate) fn keeping(self, encounter: &Encounter) -> Self {
+    /// The same error with the gap \[m\] at the points `x` \[m\], where it is about one that was not closed.
+    pub(crate) fn keeping(self, x: &[f64], gap: &[f64]) -> Self {
         match self {
             Self::Contact(ContactError::NotConverged { .. }) => {
                 Self::Unsolved(Box::new(UnsolvedContact {
-                    x: encounter.x.clone(),
-                    gap: encounter.gap.clone(),
+                    x: x.to_vec(),
+                    gap: gap.to_vec(),
                     source: self,
                 }))
             }

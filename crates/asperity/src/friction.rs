@@ -1,23 +1,24 @@
 //! Friction at one mesh position: in the film by the law chosen, of the whole contact, of rolling.
 
 use asperity_core::OutOfRange;
+use asperity_core::cite;
 use asperity_core::lubricant::{LubricantState, roelands};
-use asperity_core::quantity::{Length, LineLoad, Pressure, Temperature};
+use asperity_core::quantity::{Length, LineLoad, Pressure, Speed, Temperature};
 use asperity_tribo_friction::{
-    FlashConditions, FrictionConditions, FrictionLaw, MeshConditions, RollingConditions,
-    flash_temperature, mixed_friction, rolling_force,
+    FilmContact, FilmFriction, FlashConditions, FrictionConditions, MeshConditions,
+    RollingConditions, flash_temperature, mixed_friction, rolling_force,
 };
 
 use crate::branch::Carried;
 use crate::case::Case;
-use crate::encounter::Encounter;
 use crate::error::PositionError;
+use crate::load_share_law::SharedLoad;
 use crate::local_roughness::Roughness;
 use crate::station::Station;
 
 /// Friction coefficient in the film.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct FilmFriction {
+pub(crate) struct InFilm {
     pub mu: f64,
     /// What left its fitted range.
     pub outside: Vec<OutOfRange>,
@@ -28,33 +29,24 @@ const FLASH_SETTLED: f64 = 1e-6;
 /// Most passes of the flash feedback; each pass shrinks the change about tenfold.
 const FLASH_PASSES: usize = 50;
 
-/// Friction in the film by the case's law.
-pub(crate) fn in_film(
-    case: &Case,
-    station: &Station,
-    roughness: &Roughness,
-) -> Result<FilmFriction, PositionError> {
-    by_law(case.model.friction, case, station, roughness)
-}
-
 /// Friction in the film by `law`. With flash feedback the oil is taken at bulk plus flash
 /// temperature, found by repeated substitution.
-pub(crate) fn by_law(
-    law: FrictionLaw,
+pub(crate) fn in_film(
     case: &Case,
+    law: &dyn FilmFriction,
     station: &Station,
     roughness: &Roughness,
-) -> Result<FilmFriction, PositionError> {
+) -> Result<InFilm, PositionError> {
     let mut oil = case.oil;
     let mut before = 0.0;
     for _ in 0..FLASH_PASSES {
-        let conditions = conditions(case, station, roughness, &oil)?;
-        let found = law.coefficient(&case.model.friction_settings, &conditions)?;
-        let mu = case.model.friction_scale * found.value;
+        let contact = film_contact(case, station, roughness, &oil)?;
+        let found = law.traction(&contact)?;
+        let mu = case.model.friction_scale * found.value.coefficient;
         let flash = flash(case, station, mu)?;
         let settled = (flash - before).abs() <= FLASH_SETTLED;
         if settled || !case.model.flash_feedback {
-            return Ok(FilmFriction {
+            return Ok(InFilm {
                 mu,
                 outside: found.outside,
             });
@@ -82,6 +74,25 @@ pub(crate) fn flash(case: &Case, station: &Station, mu: f64) -> Result<f64, Posi
     })?)
 }
 
+/// The local contact at `station` with the oil in the state `oil`.
+pub(crate) fn film_contact<'a>(
+    case: &'a Case,
+    station: &Station,
+    roughness: &Roughness,
+    oil: &LubricantState,
+) -> Result<FilmContact<'a>, PositionError> {
+    Ok(FilmContact {
+        position: conditions(case, station, roughness, oil)?,
+        surface_speeds: [station.motion.u1, station.motion.u2],
+        modulus: case.modulus,
+        half_width: station.hertz.half_width,
+        materials: case.materials,
+        bulk_temperature: case.temperature,
+        oil: *oil,
+        lubricant: &case.lubricant,
+    })
+}
+
 fn conditions(
     case: &Case,
     station: &Station,
@@ -103,7 +114,7 @@ fn conditions(
         pressure_viscosity: oil.pressure_viscosity,
         central_film: station.film.central,
         minimum_film: station.film.minimum,
-        combined_roughness: Length::from_si(roughness.combined_rq()),
+        combined_roughness: roughness.combined_rq()?,
         mean_ra: Length::from_si(0.5 * (roughness.ra[0] + roughness.ra[1])),
         sum_rz: Length::from_si(roughness.rz[0] + roughness.rz[1]),
         boundary_coefficient: case.model.boundary_friction,
@@ -127,7 +138,7 @@ fn mesh_conditions(case: &Case) -> Result<MeshConditions, PositionError> {
         load_intensity: Pressure::from_si(
             forces.tangential.si() / (width * 2.0 * pitch_radius) * (ratio + 1.0) / ratio,
         ),
-        pitch_line_speed: asperity_core::quantity::Speed::from_si(case.speed.si() * pitch_radius),
+        pitch_line_speed: Speed::from_si(case.speed.si() * pitch_radius),
     })
 }
 
@@ -141,19 +152,20 @@ pub(crate) struct Rubbing {
 }
 
 impl Rubbing {
-    /// With the film carrying `film_share` of the load.
-    pub(crate) fn of_share(case: &Case, station: &Station, film_share: f64) -> Self {
+    /// With film and asperities sharing the load as `shared` says.
+    pub(crate) fn of_share(case: &Case, station: &Station, shared: &SharedLoad) -> Self {
         let load = station.load.si();
+        let coefficient = shared.asperity_coefficient(case.model.boundary_friction);
         Self {
-            solid_force: case.model.boundary_friction * (1.0 - film_share) * load,
-            film_load: film_share * load,
+            solid_force: coefficient * (1.0 - shared.film_share) * load,
+            film_load: shared.film_share * load,
         }
     }
 
-    /// Summed over the pressures of the window.
+    /// Summed over the pressures of the window, points `spacing` apart.
     pub(crate) fn of_pressures(
         case: &Case,
-        encounter: &Encounter,
+        spacing: Length,
         carried: &Carried,
     ) -> Result<Self, PositionError> {
         let none = vec![0.0; carried.fluid.len()];
@@ -163,15 +175,20 @@ impl Rubbing {
         let fluid: Vec<f64> = carried.fluid.iter().map(|p| p.max(0.0)).collect();
         let boundary = case.model.boundary_friction;
         // With a coefficient of one the film's friction is the load on it.
-        let friction = mixed_friction(encounter.spacing, solid, &fluid, boundary, 1.0)?;
+        let friction = mixed_friction(spacing, solid, &fluid, boundary, 1.0)?;
         Ok(Self {
             solid_force: friction.solid.si(),
             film_load: friction.fluid.si(),
         })
     }
 
-    /// Friction force \[N/m\] with the coefficient `mu_film` in the film.
+    /// Friction force \[N/m\] with the coefficient `mu_film` in the film, the integrals taken before:
+    ///
+    /// ```text
+    /// F_s = μ_m ∫ p_solid dx + μ ∫ p_fluid dx                                     [P21]
+    /// ```
     pub(crate) fn force(&self, mu_film: f64) -> f64 {
+        cite!("P21");
         self.solid_force + mu_film * self.film_load
     }
 }

@@ -1,8 +1,9 @@
 //! Roughness under one contact, as the film and friction laws see it.
 
-use asperity_core::Profile;
 use asperity_core::quantity::Length;
+use asperity_core::{DomainError, Profile};
 use asperity_roughness::RoughnessError;
+use asperity_roughness::composite::{Pairing, combined_rq, compose};
 use asperity_roughness::material_ratio::rk_parameters;
 use asperity_roughness::summits::{AsperityRadius, asperity_radius};
 
@@ -29,26 +30,24 @@ pub struct Roughness {
 }
 
 impl Roughness {
-    /// S = √(Rq₁² + Rq₂²) \[m\].
-    pub fn combined_rq(&self) -> f64 {
-        self.rq[0].hypot(self.rq[1])
+    /// S of both flanks.
+    ///
+    /// # Errors
+    /// When an Rq is negative or not finite.
+    pub fn combined_rq(&self) -> Result<Length, DomainError> {
+        combined_rq(Length::from_si(self.rq[0]), Length::from_si(self.rq[1]))
     }
 }
 
 /// Reduced peak height \[m\] of the composite of two windows, and its asperities if it has any.
 pub(crate) fn peaks(
-    heights: &[Vec<f64>; 2],
-    spacing: Length,
+    windows: &[Profile; 2],
     lambda_s: Length,
 ) -> Result<(f64, Option<AsperityRadius>), PositionError> {
-    let composite: Vec<f64> = heights[0]
-        .iter()
-        .zip(&heights[1])
-        .map(|(a, b)| a + b)
-        .collect();
-    let peak = rk_parameters(&composite)?.rpk.si();
-    let profile = Profile::new(spacing, composite)?;
-    match asperity_radius(&profile, lambda_s) {
+    let [first, second] = windows;
+    let composite = compose(first, second, Pairing::default())?.profile;
+    let peak = rk_parameters(composite.heights())?.rpk.si();
+    match asperity_radius(&composite, lambda_s) {
         Ok(found) => Ok((peak, Some(found))),
         // A window without summits is smooth: its asperities lift no film of their own.
         Err(RoughnessError::NoSummit { .. } | RoughnessError::NoRadius { .. }) => Ok((peak, None)),

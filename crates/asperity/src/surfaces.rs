@@ -2,9 +2,10 @@
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
+use asperity_profile_io::read::Reading;
 use asperity_roughness::Parameters;
 use asperity_roughness::preparation::PreparationRecord;
-use asperity_roughness::read::Reading;
+use asperity_roughness::section_heights::section_heights;
 use serde::Serialize;
 
 use crate::error::PositionError;
@@ -13,8 +14,9 @@ use crate::local_roughness::{Roughness, peaks};
 /// λs at which summits are measured when no noise filter was asked for: the usual stylus filter.
 const SUMMIT_WINDOW: Length = Length::from_si(2.5e-6);
 
-/// What is known of one flank's surface.
+/// Surface of one flank: measured, or known by its roughness values.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum Texture {
     /// A prepared trace.
     Trace(Profile),
@@ -65,20 +67,22 @@ impl Surfaces {
             .all(|texture| matches!(texture, Texture::Trace(_)))
     }
 
-    /// Roughness of two windows \[m\] of the traces.
-    pub(crate) fn roughness_of(
-        &self,
-        heights: &[Vec<f64>; 2],
-        spacing: Length,
-    ) -> Result<Roughness, PositionError> {
-        let (peak, summits) = peaks(heights, spacing, self.noise_cutoff.unwrap_or(SUMMIT_WINDOW))?;
+    /// Offsets that are computed when `wanted` are asked for: one where a flank was not measured.
+    pub(crate) fn offsets(&self, wanted: usize) -> usize {
+        if self.are_measured() { wanted } else { 1 }
+    }
+
+    /// Roughness of the windows that meet.
+    pub(crate) fn roughness_of(&self, windows: &[Profile; 2]) -> Result<Roughness, PositionError> {
+        let (peak, summits) = peaks(windows, self.noise_cutoff.unwrap_or(SUMMIT_WINDOW))?;
+        let [first, second] = [
+            section_heights(windows[0].heights())?,
+            section_heights(windows[1].heights())?,
+        ];
         Ok(Roughness {
-            rq: [rms(&heights[0]), rms(&heights[1])],
-            ra: [
-                mean_of(&heights[0], f64::abs),
-                mean_of(&heights[1], f64::abs),
-            ],
-            rz: [range(&heights[0]), range(&heights[1])],
+            rq: [first.rq.si(), second.rq.si()],
+            ra: [first.ra.si(), second.ra.si()],
+            rz: [first.rz.si(), second.rz.si()],
             reduced_peak: Some(peak),
             asperities: summits.map_or(0, |found| found.count),
             asperity_radius: summits.map(|found| found.radius),
@@ -86,22 +90,24 @@ impl Surfaces {
     }
 
     /// Roughness from values, where a flank has no trace; a trace counts with its whole length.
-    pub(crate) fn roughness_of_values(&self) -> Roughness {
-        let each = |texture: &Texture| match texture {
-            Texture::Trace(profile) => {
-                let z = profile.heights();
-                (rms(z), mean_of(z, f64::abs), range(z), None, None)
-            }
-            Texture::Values {
-                rq,
-                ra,
-                rz,
-                rpk,
-                asperity_radius,
-            } => (*rq, *ra, *rz, *rpk, *asperity_radius),
+    pub(crate) fn roughness_of_values(&self) -> Result<Roughness, PositionError> {
+        let each = |texture: &Texture| -> Result<_, PositionError> {
+            Ok(match texture {
+                Texture::Trace(profile) => {
+                    let found = section_heights(profile.heights())?;
+                    (found.rq.si(), found.ra.si(), found.rz.si(), None, None)
+                }
+                Texture::Values {
+                    rq,
+                    ra,
+                    rz,
+                    rpk,
+                    asperity_radius,
+                } => (*rq, *ra, *rz, *rpk, *asperity_radius),
+            })
         };
-        let (a, b) = (each(&self.textures[0]), each(&self.textures[1]));
-        Roughness {
+        let (a, b) = (each(&self.textures[0])?, each(&self.textures[1])?);
+        Ok(Roughness {
             rq: [a.0, b.0],
             ra: [a.1, b.1],
             rz: [a.2, b.2],
@@ -113,22 +119,8 @@ impl Surfaces {
                 .4
                 .zip(b.4)
                 .map(|(p, q)| Length::from_si(1.0 / (1.0 / p.si()).hypot(1.0 / q.si()))),
-        }
+        })
     }
-}
-
-fn mean_of(values: &[f64], of: impl Fn(f64) -> f64) -> f64 {
-    values.iter().map(|&value| of(value)).sum::<f64>() / values.len() as f64
-}
-
-fn rms(values: &[f64]) -> f64 {
-    mean_of(values, |z| z * z).sqrt()
-}
-
-fn range(values: &[f64]) -> f64 {
-    let highest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let lowest = values.iter().copied().fold(f64::INFINITY, f64::min);
-    highest - lowest
 }
 
 /// A flank as the result reports it.

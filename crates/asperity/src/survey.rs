@@ -1,17 +1,17 @@
-//! Film and regime along the path of contact alone: what the paper evaluates before it branches.
+//! Film and regime along the path of contact alone, which the paper evaluates before it branches.
 
 use asperity_core::quantity::Length;
 use asperity_ns_film::{FluidModel, pressure_difference_across};
 use serde::Serialize;
 
 use crate::case::LoadedCase;
+use crate::chosen_laws::ChosenLaws;
+use crate::decision::decide;
 use crate::encounter::Encounter;
 use crate::error::{PositionError, RunError};
 use crate::fluid::film_at;
-use crate::pipeline::stations;
-use crate::position::decide;
 use crate::result::Regime;
-use crate::station::Station;
+use crate::stations::{station_at, stations_with};
 
 /// Film and regime at one mesh position, mean over the offsets.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -53,20 +53,18 @@ pub fn survey(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, RunError> {
 fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
     let case = &loaded.case;
     let path = case.gears.path();
-    let count = match loaded.surfaces.are_measured() {
-        true => case.model.offsets,
-        false => 1,
-    };
+    let laws = ChosenLaws::of(case);
+    let count = loaded.surfaces.offsets(case.model.offsets);
     let mut rows = Vec::new();
-    for station in stations(case)? {
+    for station in stations_with(case, &laws)? {
         let mut decisions = Vec::with_capacity(count);
         for k in 0..count {
             let met = Encounter::new(&loaded.surfaces, &station, case.model.window, k, count)?;
-            let roughness = match met {
+            let roughness = match &met {
                 Some(encounter) => encounter.roughness,
-                None => loaded.surfaces.roughness_of_values(),
+                None => loaded.surfaces.roughness_of_values()?,
             };
-            decisions.push(decide(case, &station, &roughness)?);
+            decisions.push(decide(case, &laws, &station, &roughness, met.as_ref())?);
         }
         let n = count as f64;
         let known: Vec<f64> = decisions.iter().filter_map(|d| d.lambda_star).collect();
@@ -82,7 +80,7 @@ fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
             lambda_star: (!known.is_empty())
                 .then(|| known.iter().sum::<f64>() / known.len() as f64),
             film_ratio: decisions.iter().map(|d| d.film_ratio).sum::<f64>() / n,
-            film_share: decisions.iter().map(|d| d.film_share).sum::<f64>() / n,
+            film_share: decisions.iter().map(|d| d.shared.film_share).sum::<f64>() / n,
             mixed_share: decisions
                 .iter()
                 .filter(|d| d.regime == Regime::Mixed)
@@ -139,7 +137,7 @@ fn film_rows(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, Posi
     let path = case.gears.path();
     let place = place.unwrap_or((path.c - path.a) / (path.e - path.a));
     let s = path.a + (path.e - path.a) * place;
-    let station = Station::new(case, 1, s, 0.0)?;
+    let station = station_at(case, s)?;
     let hertz = station.hertz.max_pressure.si();
     let mut rows = Vec::new();
     for step in 0..=PER_DECADE * DECADES {

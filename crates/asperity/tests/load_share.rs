@@ -23,7 +23,9 @@ use asperity_core::quantity::{
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_ehl_regime::{ThermalLaw, TraceSpectrum};
 use asperity_roughness::preparation::{Preparation, prepare};
-use asperity_tribo_friction::{FilmContact, FilmRheology, FilmSettings, OilFamily, film_friction};
+use asperity_tribo_friction::{
+    FilmLineContact, FilmRheology, FilmSettings, OilFamily, film_friction,
+};
 use serde::Deserialize;
 
 const STEEL: Material = Material {
@@ -360,7 +362,7 @@ fn smooth_flanks_have_the_film_friction_alone() {
         .unwrap();
     let alone = film_friction::solve(
         &rheology,
-        &FilmContact {
+        &FilmLineContact {
             load: contact.load,
             radius: contact.radius,
             modulus: contact.modulus,
@@ -503,6 +505,25 @@ fn the_boundary_layer_runs_from_lubricated_to_boundary_friction() {
     assert!((all.coefficient / expected - 1.0).abs() < 1e-5);
     assert!(none.coefficient < usual.coefficient && usual.coefficient < all.coefficient);
     assert!(usual.boundary_of_asperities > 0.0 && usual.boundary_of_asperities < 1.0);
+}
+
+#[test]
+fn friction_solves_its_equation_where_heat_raises_it() {
+    // A window with much contact: warmer spots have thinner films, so that friction exceeds its cold value.
+    // Share and friction by an independent program, 0.76374 and 0.04257.
+    let starts = [2867, 3377];
+    let table = table(&e_drive(), ground(), starts, FLOW);
+    let hot = share(
+        &e_drive(),
+        ground(),
+        &table,
+        starts,
+        90.0,
+        &LoadShareSettings::default(),
+    );
+    assert!((hot.asperity_share - 0.76374).abs() < 0.002, "{hot:?}");
+    assert!((hot.coefficient - 0.04257).abs() < 1e-4, "{hot:?}");
+    assert!((hot.parts.total() / hot.coefficient - 1.0).abs() < 1e-10);
 }
 
 #[test]

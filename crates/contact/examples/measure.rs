@@ -106,7 +106,7 @@ fn per_iteration(problem: &ContactProblem) -> f64 {
 fn transforms(points: usize, problem: &ContactProblem) -> f64 {
     let padded = match problem.boundary {
         Boundary::FreeEnds => good_fft_length(2 * points - 1),
-        Boundary::Periodic(_) => points,
+        _ => points,
     };
     pair::<f64>(padded) + pair::<f32>(good_fft_length(points))
 }

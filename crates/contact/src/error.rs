@@ -1,11 +1,12 @@
-//! What can be wrong with a contact problem.
+//! Errors of contact problems.
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 
+use crate::boundary::Boundary;
 use crate::certificate::Certificate;
 
-/// Why a contact problem has no answer.
+/// Error of a contact problem.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ContactError {
@@ -51,10 +52,10 @@ pub enum ContactError {
         value: f64,
         /// Its unit.
         unit: &'static str,
-        /// What was expected.
+        /// Rule that it breaks.
         rule: &'static str,
     },
-    /// The pressure limit on every point together is less than the load.
+    /// The pressure limit on every point together is below the load.
     #[error(
         "the pressure limit {limit} carries at most {capacity} on this window, the load is {load}: raise the limit, widen the window or lower the load"
     )]
@@ -89,9 +90,9 @@ pub enum ContactError {
     /// A problem given to a solver made for another number of points or another boundary.
     #[error("the solver was made for {solver} and the problem has {problem}: make a new solver")]
     SolverMismatch {
-        /// What the solver was made for.
+        /// Shape the solver was made for.
         solver: SolverShape,
-        /// What the problem has.
+        /// Shape of the problem.
         problem: SolverShape,
     },
     /// The iterations allowed were used up, or no further progress was possible.
@@ -102,27 +103,37 @@ pub enum ContactError {
     NotConverged {
         /// Iterations used on the finest grid.
         iterations: usize,
-        /// What is certified of the last iterate.
+        /// Certificate of the last iterate.
         certificate: Certificate,
         /// Tolerance asked for.
         tolerance: f64,
     },
+    /// A tolerance at which any answer would pass.
+    #[error(
+        "the tolerance {tolerance:e} is too large: pressures would be wrong beyond use; give at most {most:e}"
+    )]
+    ToleranceTooLarge {
+        /// Tolerance asked for.
+        tolerance: f64,
+        /// Largest tolerance accepted.
+        most: f64,
+    },
     /// Something that is only defined under a given load was asked of a controlled approach.
     #[error("{purpose} needs a load and the problem controls the approach: control the load")]
     LoadControlNeeded {
-        /// What was asked for.
+        /// Computation asked for.
         purpose: &'static str,
     },
     /// Something that holds for elastic contacts only was asked of one with a pressure limit.
     #[error("{purpose} is elastic and the problem has a pressure limit: remove the limit")]
     ElasticOnly {
-        /// What was asked for.
+        /// Computation asked for.
         purpose: &'static str,
     },
     /// Something that needs flow was asked of a contact without pressure limit.
     #[error("{purpose} needs a pressure at which the softer body flows: give a pressure limit")]
     LimitNeeded {
-        /// What was asked for.
+        /// Computation asked for.
         purpose: &'static str,
     },
     /// The flanks still flow after all cycles.
@@ -140,7 +151,7 @@ pub enum ContactError {
     /// Something that is only defined for free ends was asked of a periodic contact.
     #[error("{purpose} is defined for free ends and the problem is periodic: widen the window")]
     FreeEndsNeeded {
-        /// What was asked for.
+        /// Computation asked for.
         purpose: &'static str,
     },
     /// A fixed point was not reached.
@@ -165,13 +176,14 @@ pub enum ContactError {
     },
 }
 
-/// What a [`Solver`](crate::Solver) is made for.
+/// Points and ends that a [`Solver`](crate::Solver) is made for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct SolverShape {
     /// Number of points.
     pub points: usize,
     /// Ends of the window.
-    pub boundary: crate::Boundary,
+    pub boundary: Boundary,
 }
 
 impl std::fmt::Display for SolverShape {

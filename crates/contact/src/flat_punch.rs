@@ -11,8 +11,8 @@
 
 use std::f64::consts::PI;
 
-use asperity_core::DomainError;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
+use asperity_core::{DomainError, cite};
 
 use crate::error::ContactError;
 
@@ -32,6 +32,7 @@ pub fn pressure(
     half_width: Length,
     position: Length,
 ) -> Result<Pressure, ContactError> {
+    cite!("Punch-1");
     let w = DomainError::non_negative("load", load)?;
     let b = DomainError::positive("half width", half_width)?;
     let x = position.si();
@@ -56,6 +57,7 @@ pub fn approach(
     modulus: Pressure,
     datum: Length,
 ) -> Result<Length, ContactError> {
+    cite!("Punch-2");
     let w = DomainError::non_negative("load", load)?;
     let b = DomainError::positive("half width", half_width)?;
     let e = DomainError::positive("reduced modulus", modulus)?;

@@ -19,7 +19,7 @@ use std::f64::consts::{FRAC_PI_4, PI};
 
 use asperity_core::material::JOHNSON_1985;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
-use asperity_core::{DomainError, Equation};
+use asperity_core::{DomainError, Equation, cite};
 use serde::Serialize;
 
 use crate::ContactError;
@@ -82,6 +82,7 @@ pub fn half_width(
     radius: Length,
     modulus: Pressure,
 ) -> Result<Length, ContactError> {
+    cite!("Hertz-1");
     let (w, r, e) = domain(load, radius, modulus)?;
     Ok(Length::from_si((4.0 * w * r / (PI * e)).sqrt()))
 }
@@ -102,6 +103,7 @@ pub fn max_pressure(
     radius: Length,
     modulus: Pressure,
 ) -> Result<Pressure, ContactError> {
+    cite!("Hertz-2");
     let (w, r, e) = domain(load, radius, modulus)?;
     Ok(Pressure::from_si((w * e / (PI * r)).sqrt()))
 }
@@ -128,6 +130,7 @@ pub fn approach(
     modulus: Pressure,
     datum: Length,
 ) -> Result<Length, ContactError> {
+    cite!("Hertz-4");
     let (w, _, e) = domain(load, radius, modulus)?;
     let b = half_width(load, radius, modulus)?.si();
     let d = DomainError::positive("datum distance", datum)?;
@@ -200,6 +203,7 @@ impl HertzLine {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn pressure(&self, position: Length) -> Result<Pressure, ContactError> {
+        cite!("Hertz-3");
         let x = DomainError::finite("position", position)?;
         let b = self.half_width.si();
         let ordinate = if x.abs() < b {

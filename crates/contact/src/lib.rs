@@ -12,48 +12,37 @@
 //! | friction, partial slip, dissimilar materials | [`friction`] |
 //! | stress below the surface | [`subsurface`] |
 //! | closed forms | [`hertz_line`], [`westergaard`], [`flat_punch`] |
-//! | the kernel and its fast product, the dense judge | [`strip_kernel`], [`half_plane`], [`direct`] |
+//! | the kernel and its fast product | [`strip_kernel`], [`half_plane`] |
+//! | the dense reference solver | `dense_reference` (feature `oracle`) |
 //! | files | [`array_file`] |
 
-mod active_set;
 pub mod array_file;
-mod cascade;
+pub mod boundary;
 pub mod certificate;
-mod coarse_space;
-mod descent;
-pub mod direct;
-mod direction;
+mod convolution;
+#[cfg(feature = "oracle")]
+pub mod dense_reference;
 pub mod equations;
 pub mod error;
 pub mod flat_punch;
 pub mod friction;
 pub mod half_plane;
 pub mod hertz_line;
-mod nodes;
-mod patches;
 pub mod path;
 pub mod plasticity;
-mod ppcg;
 pub mod problem;
-mod projection;
 pub mod running_in;
-mod runs;
-mod scene;
 pub mod solver;
-mod state;
-mod step;
 pub mod strip_kernel;
 pub mod subsurface;
-mod transform;
 pub mod two_flanks;
 pub mod westergaard;
 
+pub use boundary::{Boundary, PeriodicKernel};
 pub use certificate::Certificate;
 pub use error::{ContactError, SolverShape};
 pub use path::{Path, press_paths, solve_paths};
-pub use problem::{
-    Boundary, ContactProblem, ContactSolution, Control, PeriodicKernel, SolverSettings,
-};
+pub use problem::{ContactProblem, ContactSolution, ContactWarning, Control, SolverSettings};
 pub use solver::{Solver, solve};
 
 /// The examples of the README are tests.

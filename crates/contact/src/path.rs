@@ -10,8 +10,9 @@
 
 use rayon::prelude::*;
 
+use crate::boundary::Boundary;
 use crate::error::ContactError;
-use crate::problem::{Boundary, ContactProblem, ContactSolution, Control, SolverSettings};
+use crate::problem::{ContactProblem, ContactSolution, Control, SolverSettings};
 use crate::solver::Solver;
 use crate::two_flanks::TwoFlanks;
 
@@ -41,7 +42,7 @@ pub struct Path {
     before: Option<Step>,
 }
 
-/// What is kept of a contact.
+/// Pressure and load of a solved contact.
 struct Step {
     pressure: Vec<f64>,
     load: f64,

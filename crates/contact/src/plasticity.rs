@@ -15,9 +15,9 @@
 //! | σ_VM, σ_y | von Mises stress, elastic limit | Pa |
 //! | c = (1 − ν²)/E | plane-strain compliance of a body | 1/Pa |
 
-use asperity_core::DomainError;
 use asperity_core::material::Material;
 use asperity_core::quantity::{Length, LineEnergy, Pressure};
+use asperity_core::{DomainError, cite};
 
 use crate::error::ContactError;
 
@@ -42,6 +42,7 @@ pub fn plastic_stress(
     von_mises: Pressure,
     elastic_limit: Pressure,
 ) -> Result<Pressure, ContactError> {
+    cite!("P6");
     let stress = DomainError::non_negative("von Mises stress", von_mises)?;
     let limit = DomainError::positive("elastic limit", elastic_limit)?;
     Ok(Pressure::from_si((stress - limit).max(0.0)))
@@ -52,6 +53,7 @@ pub fn plastic_stress(
 /// # Errors
 /// When an elastic limit is not positive.
 pub fn flow_pressure(first: &Material, second: &Material) -> Result<Pressure, ContactError> {
+    cite!("Tabor-1");
     let one = DomainError::positive("elastic limit", first.elastic_limit)?;
     let other = DomainError::positive("elastic limit", second.elastic_limit)?;
     Ok(Pressure::from_si(FLOW_OVER_YIELD * one.min(other)))
@@ -72,6 +74,7 @@ pub fn plastic_displacement(
     gap: &[f64],
     flow_pressure: Option<Pressure>,
 ) -> Vec<f64> {
+    cite!("Plastic-1");
     let limit = flow_pressure.map_or(f64::INFINITY, Pressure::si);
     let pairs = pressure.iter().zip(gap);
     pairs
@@ -92,6 +95,7 @@ pub fn dissipated_energy(
     spacing: Length,
     flow_pressure: Option<Pressure>,
 ) -> LineEnergy {
+    cite!("Plastic-2");
     let area = plastic_displacement.iter().sum::<f64>() * spacing.si();
     LineEnergy::from_si(flow_pressure.map_or(0.0, |limit| limit.si() * area))
 }
@@ -103,6 +107,7 @@ pub fn dissipated_energy(
 /// # Errors
 /// When a modulus is not positive or a Poisson's ratio is outside −1 < ν ≤ 0.5.
 pub fn elastic_shares(first: &Material, second: &Material) -> Result<[f64; 2], ContactError> {
+    cite!("Share-1");
     let (one, other) = (first.compliance()?, second.compliance()?);
     Ok([one / (one + other), other / (one + other)])
 }
@@ -116,6 +121,7 @@ pub fn elastic_shares(first: &Material, second: &Material) -> Result<[f64; 2], C
 /// # Errors
 /// When an elastic limit is not positive.
 pub fn plastic_shares(first: &Material, second: &Material) -> Result<[f64; 2], ContactError> {
+    cite!("Share-2");
     let one = DomainError::positive("elastic limit", first.elastic_limit)?;
     let other = DomainError::positive("elastic limit", second.elastic_limit)?;
     Ok([other / (one + other), one / (one + other)])
@@ -131,6 +137,7 @@ pub fn plastic_shares(first: &Material, second: &Material) -> Result<[f64; 2], C
 /// assert_eq!(displaced_profile(&[2e-6, 1e-6], &[1e-6, 0.0], 0.5), [1.5e-6, 1e-6]);
 /// ```
 pub fn displaced_profile(heights: &[f64], displacement: &[f64], share: f64) -> Vec<f64> {
+    cite!("Plastic-3");
     let pairs = heights.iter().zip(displacement);
     pairs.map(|(z, w)| z - share * w).collect()
 }

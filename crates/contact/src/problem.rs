@@ -1,52 +1,26 @@
-//! A contact problem, what is asked of its solution, and the solution.
+//! Contact problem, settings of its solver, and solution.
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, LineEnergy, LineLoad, Pressure};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::boundary::Boundary;
 use crate::certificate::Certificate;
 use crate::error::ContactError;
 
 /// Fewest points of a contact problem.
 pub const LEAST_POINTS: usize = 2;
+/// Largest tolerance accepted: at 1e-2 pressures were found more than half off, and a looser solution
+/// hardly takes less time.
+pub const MAX_TOLERANCE: f64 = 1e-4;
+/// Range of the gap over that of the deformation beyond which the gap is suspected of an outlier.
+pub const SUSPECT_GAP: f64 = 1e3;
 
-/// What happens at the ends of the window.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
-pub enum Boundary {
-    /// Nothing outside the window is loaded: a single line contact.
-    #[default]
-    FreeEnds,
-    /// Window and pressure repeat for ever; the mean displacement is taken as zero.
-    Periodic(PeriodicKernel),
-}
-
-impl std::fmt::Display for Boundary {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::FreeEnds => "free ends",
-            Self::Periodic(PeriodicKernel::Strip) => "periodic ends (strip kernel)",
-            Self::Periodic(PeriodicKernel::Spectral) => "periodic ends (spectral kernel)",
-        })
-    }
-}
-
-/// How a cell of a periodic contact is taken to be loaded; the difference is of the order of the
-/// discretisation error.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
-pub enum PeriodicKernel {
-    /// Constant pressure over each cell, summed over all periods.
-    #[default]
-    Strip,
-    /// The band-limited pressure through the points, 2/(E*·|q|) per wave.
-    Spectral,
-}
-
-/// What presses the bodies together.
+/// Load or approach that presses the bodies together.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[non_exhaustive]
 pub enum Control {
     /// This load, per metre of face width (periodic: per metre and period).
     Load(LineLoad),
@@ -82,11 +56,11 @@ pub struct ContactProblem<'a> {
     pub start: Option<&'a [f64]>,
 }
 
-/// When a solution is good enough, and the means to get there.
+/// Tolerance and means of the solver.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, rename_all = "kebab-case", deny_unknown_fields)]
 pub struct SolverSettings {
-    /// Largest duality gap, penetration and load error accepted.
+    /// Largest duality gap, penetration and load error accepted; at most [`MAX_TOLERANCE`].
     pub tolerance: f64,
     /// Most iterations on the finest grid.
     pub max_iterations: usize,
@@ -110,6 +84,7 @@ impl Default for SolverSettings {
 
 /// A certified solution of a [`ContactProblem`].
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct ContactSolution {
     /// Pressure between the solids in Pa.
     pub pressure: Vec<f64>,
@@ -134,10 +109,118 @@ pub struct ContactSolution {
     pub dissipated: LineEnergy,
     /// Elastic energy ½ ∫ (p + prescribed)·u dx, of `displacement` and thus of its datum.
     pub elastic_energy: LineEnergy,
+    /// Largest pressure at an end of a window with free ends; zero for periodic ends.
+    pub end_pressure: Pressure,
+    /// Range of the undeformed gap, with the displacement by a prescribed pressure.
+    pub gap_range: Length,
+    /// Range of the deformation about the contact: from half a contact width before the first
+    /// touching point to as much behind the last.
+    pub deformation: Length,
     /// Iterations on the finest grid.
     pub iterations: usize,
-    /// How good the solution is.
+    /// Error bounds of the solution.
     pub certificate: Certificate,
+}
+
+/// Doubt about a solution that is correct for the numbers given.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub enum ContactWarning {
+    /// The contact runs into a free end of the window, and would go on beyond it.
+    PressureAtEnd {
+        /// Largest pressure at an end.
+        end_pressure: Pressure,
+        /// Largest pressure.
+        max_pressure: Pressure,
+    },
+    /// The gap spans more than [`SUSPECT_GAP`] times the deformation, as with an outlier or a wrong
+    /// unit.
+    GapBeyondDeformation {
+        /// Range of the gap.
+        gap_range: Length,
+        /// Range of the deformation about the contact.
+        deformation: Length,
+    },
+}
+
+impl std::fmt::Display for ContactWarning {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::PressureAtEnd {
+                end_pressure,
+                max_pressure,
+            } => write!(
+                f,
+                "the contact runs into the end of the window: {end_pressure:.4} there, {max_pressure:.4} at most"
+            ),
+            Self::GapBeyondDeformation {
+                gap_range,
+                deformation,
+            } => write!(
+                f,
+                "the gap spans {gap_range:.4} where the bodies deform by {deformation:.4}: an outlier or a wrong unit?"
+            ),
+        }
+    }
+}
+
+impl ContactSolution {
+    /// Doubts about the solution, none as a rule.
+    ///
+    /// ```
+    /// use asperity_contact::{ContactProblem, ContactWarning, SolverSettings, solve};
+    /// // A window that is narrower than the contact.
+    /// let gap: Vec<f64> = (0..100).map(|i| (1e-6 * (f64::from(i) - 49.5)).powi(2) / 6e-3).collect();
+    /// let problem = ContactProblem::new(&gap, "1 um".parse()?, "115.4 GPa".parse()?, "300 N/mm".parse()?);
+    /// let warnings = solve(&problem, &SolverSettings::default())?.warnings();
+    /// assert!(matches!(warnings[..], [ContactWarning::PressureAtEnd { .. }]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn warnings(&self) -> Vec<ContactWarning> {
+        let mut warnings = vec![];
+        if self.end_pressure.si() > 0.0 {
+            warnings.push(ContactWarning::PressureAtEnd {
+                end_pressure: self.end_pressure,
+                max_pressure: self.max_pressure,
+            });
+        }
+        // Without contact nothing deforms.
+        let deforms = self.deformation.si() > 0.0;
+        if deforms && self.gap_range.si() > SUSPECT_GAP * self.deformation.si() {
+            warnings.push(ContactWarning::GapBeyondDeformation {
+                gap_range: self.gap_range,
+                deformation: self.deformation,
+            });
+        }
+        warnings
+    }
+}
+
+impl<'a> ContactProblem<'a> {
+    /// An elastic contact with free ends over `gap` in m under a load: the common case, whose other
+    /// fields are set as in any struct.
+    ///
+    /// ```
+    /// use asperity_contact::{ContactProblem, SolverSettings, solve};
+    /// let gap: Vec<f64> = (0..1000).map(|i| (0.6e-6 * (f64::from(i) - 499.5)).powi(2) / 6e-3).collect();
+    /// let elastic = ContactProblem::new(&gap, "0.6 um".parse()?, "115.4 GPa".parse()?, "300 N/mm".parse()?);
+    /// let flowing = ContactProblem { pressure_limit: Some("1.5 GPa".parse()?), ..elastic };
+    /// let [elastic, flowing] = [elastic, flowing].map(|problem| solve(&problem, &SolverSettings::default()));
+    /// assert!(flowing?.contact_fraction > elastic?.contact_fraction);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn new(gap: &'a [f64], spacing: Length, modulus: Pressure, load: LineLoad) -> Self {
+        Self {
+            gap,
+            spacing,
+            modulus,
+            boundary: Boundary::FreeEnds,
+            control: Control::Load(load),
+            prescribed_pressure: None,
+            pressure_limit: None,
+            start: None,
+        }
+    }
 }
 
 impl ContactProblem<'_> {
@@ -155,7 +238,7 @@ impl ContactProblem<'_> {
         }
     }
 
-    /// Everything that can be wrong before solving.
+    /// Checks of everything known before solving.
     pub(crate) fn validate(&self) -> Result<(), ContactError> {
         let points = self.gap.len();
         if points < LEAST_POINTS {

@@ -15,13 +15,14 @@ use asperity_core::quantity::{Length, LineEnergy};
 use asperity_core::{DomainError, Profile};
 use serde::Serialize;
 
+use crate::boundary::Boundary;
 use crate::error::ContactError;
 use crate::path::Path;
 use crate::plasticity::displaced_profile;
-use crate::problem::{Boundary, ContactProblem, ContactSolution, SolverSettings};
+use crate::problem::{ContactProblem, ContactSolution, SolverSettings};
 use crate::two_flanks::TwoFlanks;
 
-/// How flanks run in.
+/// Plan of a running-in: passes, shares of the flow, and when it is over.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunningIn {
     /// Shifts of the second flank in points, one pass each in every cycle.
@@ -35,8 +36,9 @@ pub struct RunningIn {
     pub max_cycles: usize,
 }
 
-/// What one cycle did.
+/// Record of one cycle.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Cycle {
     /// Energy dissipated, all passes together.
     pub dissipated: LineEnergy,
@@ -54,6 +56,7 @@ pub struct Cycle {
 
 /// Flanks that have run in.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct RanIn {
     /// Every cycle, the first first.
     pub cycles: Vec<Cycle>,
@@ -102,7 +105,7 @@ impl RunningIn {
     }
 
     /// Runs the flanks in as [`run`](Self::run); `watch` sees every cycle and the flanks after it, to
-    /// follow what this crate does not know, as the reduced peak height Rpk.
+    /// follow quantities that this crate does not know, such as the reduced peak height Rpk.
     ///
     /// # Errors
     /// As [`run`](Self::run).
@@ -237,7 +240,7 @@ fn worn(flank: &Profile, flow: &[f64], share: f64) -> Result<Profile, DomainErro
     )
 }
 
-/// What is kept of a pass.
+/// Record of one pass.
 struct Pass {
     dissipated: f64,
     largest_flow: f64,

@@ -8,11 +8,12 @@
 //! | h | undeformed gap | m |
 
 use asperity_core::quantity::{Length, LineLoad, Pressure};
-use asperity_core::{DomainError, Profile};
+use asperity_core::{DomainError, Profile, cite};
 
+use crate::boundary::Boundary;
 use crate::error::ContactError;
 use crate::plasticity::displaced_profile;
-use crate::problem::{Boundary, ContactProblem, ContactSolution, Control, SolverSettings};
+use crate::problem::{ContactProblem, ContactSolution, Control, SolverSettings};
 use crate::solver::solve;
 
 /// Two profiles face to face, and what presses them together.
@@ -51,6 +52,7 @@ impl TwoFlanks<'_> {
     /// # Errors
     /// When the profiles differ in length or spacing, or the radius is not positive.
     pub fn gap(&self) -> Result<Vec<f64>, ContactError> {
+        cite!("Flanks-1");
         let (first, second) = (self.first, self.second);
         if first.len() != second.len() {
             return Err(ContactError::WrongLength {

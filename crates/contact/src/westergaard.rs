@@ -12,8 +12,8 @@
 
 use std::f64::consts::PI;
 
-use asperity_core::DomainError;
 use asperity_core::quantity::{Length, Pressure};
+use asperity_core::{DomainError, cite};
 
 use crate::error::ContactError;
 
@@ -41,6 +41,7 @@ impl Wave {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn closing_pressure(&self) -> Result<Pressure, ContactError> {
+        cite!("Westergaard-1");
         let amplitude = DomainError::positive("amplitude", self.amplitude)?;
         let wavelength = DomainError::positive("wavelength", self.wavelength)?;
         let modulus = DomainError::positive("reduced modulus", self.modulus)?;
@@ -52,6 +53,7 @@ impl Wave {
     /// # Errors
     /// When the mean pressure is not between 0 and p*, or the wave is not valid.
     pub fn half_width(&self, mean_pressure: Pressure) -> Result<Length, ContactError> {
+        cite!("Westergaard-2");
         let angle = self.load_ratio(mean_pressure)?.sqrt().asin();
         Ok(self.wavelength * (angle / PI))
     }
@@ -75,6 +77,7 @@ impl Wave {
         mean_pressure: Pressure,
         position: Length,
     ) -> Result<Pressure, ContactError> {
+        cite!("Westergaard-3");
         let ratio = self.load_ratio(mean_pressure)?;
         let x = DomainError::finite("position", position)?;
         let psi = PI * x / self.wavelength.si();
@@ -88,6 +91,7 @@ impl Wave {
     /// # Errors
     /// When the mean pressure is not between 0 and p*, or the wave is not valid.
     pub fn mean_gap(&self, mean_pressure: Pressure) -> Result<Length, ContactError> {
+        cite!("Westergaard-4");
         let ratio = self.load_ratio(mean_pressure)?;
         Ok(self.amplitude * (2.0 * (0.5 * (1.0 - ratio) + 0.5 * ratio * ratio.ln())))
     }

@@ -3,7 +3,7 @@
 
 mod common;
 
-use asperity_contact::direct::{MOST_POINTS, solve_direct};
+use asperity_contact::dense_reference::{MAX_POINTS, solve_dense};
 use asperity_contact::flat_punch;
 use asperity_contact::half_plane::HalfPlane;
 use asperity_contact::two_flanks::TwoFlanks;
@@ -45,6 +45,8 @@ fn too_few_iterations_are_an_error_with_evidence() {
     };
     assert_eq!((*iterations, *tolerance), (3, 1e-8));
     assert!(certificate.duality_gap > 1e-8 && certificate.duality_gap < 1.0);
+    assert!(certificate.penetration > 1e-8 && certificate.penetration < 1.0);
+    assert!(certificate.load_error < 1e-12 && certificate.reference_gap.si() > 1e-7);
     assert!(error.to_string().contains("after 3 iterations"));
 }
 
@@ -57,6 +59,31 @@ fn a_tolerance_below_round_off_is_an_error_and_not_endless() {
     };
     let error = solve(&hertz_problem(&gap, spacing), &settings).unwrap_err();
     assert!(matches!(error, ContactError::NotConverged { iterations, .. } if iterations < 5_000));
+}
+
+#[test]
+fn a_tolerance_at_which_anything_passes_is_refused() {
+    let (gap, spacing) = rough_gap(1_000);
+    for (tolerance, accepted) in [
+        (1e-4, true),
+        (1.001e-4, false),
+        (1e-2, false),
+        (f64::INFINITY, false),
+    ] {
+        let settings = SolverSettings {
+            tolerance,
+            ..SolverSettings::default()
+        };
+        let found = solve(&hertz_problem(&gap, spacing), &settings);
+        let refused = ContactError::ToleranceTooLarge {
+            tolerance,
+            most: 1e-4,
+        };
+        match found {
+            Ok(_) => assert!(accepted),
+            Err(error) => assert!(!accepted && error == refused, "{error}"),
+        }
+    }
 }
 
 #[test]
@@ -196,7 +223,7 @@ fn nonsense_is_refused_by_name() {
     for (problem, expected) in cases {
         for error in [
             solved(&problem).unwrap_err(),
-            solve_direct(&problem).unwrap_err(),
+            solve_dense(&problem).unwrap_err(),
         ] {
             let text = error.to_string();
             assert!(text.contains(expected), "{text} does not say {expected}");
@@ -306,7 +333,7 @@ fn a_half_plane_refuses_arrays_of_another_length() {
 
 #[test]
 fn the_dense_matrix_refuses_what_is_too_large_for_it() {
-    let (gap, spacing) = CYLINDER.gap(MOST_POINTS + 1);
-    let error = solve_direct(&hertz_problem(&gap, spacing)).unwrap_err();
+    let (gap, spacing) = CYLINDER.gap(MAX_POINTS + 1);
+    let error = solve_dense(&hertz_problem(&gap, spacing)).unwrap_err();
     assert!(error.to_string().contains("use the solver with transforms"));
 }

@@ -81,6 +81,7 @@ impl Material {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn reduced_modulus(first: &Material, second: &Material) -> Result<Pressure, DomainError> {
+    crate::cite!("E-star");
     Ok(Pressure::from_si(
         1.0 / (first.compliance()? + second.compliance()?),
     ))

@@ -7,7 +7,7 @@
 //! ```
 //! use asperity_core::{cite, provenance::Provenance};
 //!
-//! /// F = m·a                                                              `[Newton-2]`
+//! /// F = m·a `[Newton-2]`
 //! fn force(mass: f64, acceleration: f64) -> f64 {
 //!     cite!("Newton-2");
 //!     mass * acceleration

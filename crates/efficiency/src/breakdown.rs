@@ -73,6 +73,7 @@ impl Breakdown {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn new(losses: &[(LossKind, Power)], period: Time) -> Result<Self, EfficiencyError> {
+        asperity_core::cite!("Breakdown-1");
         let t_z = DomainError::positive("engagement period", period)?;
         let mut total = 0.0;
         for &(_, power) in losses {
@@ -121,6 +122,7 @@ impl Breakdown {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn imbalance(&self, flow: &PowerFlow, operation: &MeshOperation) -> f64 {
+        asperity_core::cite!("Breakdown-2");
         let [z1, z2] = operation.teeth.map(f64::from);
         let pinion = operation.pinion_speed.si();
         let output_speed = if flow.pinion_drives {

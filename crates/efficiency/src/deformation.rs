@@ -45,6 +45,7 @@ pub fn printed_deformation_power(
     width: Length,
     period: Time,
 ) -> Result<Power, EfficiencyError> {
+    asperity_core::cite!("P19");
     let sigma = DomainError::non_negative("stress", stress)?;
     let delta = DomainError::non_negative("deformation", deformation)?;
     let a = DomainError::positive("contact width", width)?;
@@ -120,6 +121,7 @@ pub fn plastic_work(
     plastic_gain: &[f64],
     spacing: Length,
 ) -> Result<LineEnergy, EfficiencyError> {
+    asperity_core::cite!("Deformation-1");
     work("plastic work", pressure, plastic_gain, spacing)
 }
 
@@ -142,6 +144,7 @@ pub fn elastic_energy(
     displacement: &[f64],
     spacing: Length,
 ) -> Result<LineEnergy, EfficiencyError> {
+    asperity_core::cite!("Deformation-2");
     Ok(work("elastic energy", pressure, displacement, spacing)? * 0.5)
 }
 
@@ -187,6 +190,7 @@ fn work(
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn engagement_period(teeth: u32, speed: AngularSpeed) -> Result<Time, EfficiencyError> {
+    asperity_core::cite!("Deformation-3");
     let z = f64::from(teeth);
     DomainError::require(z > 0.0, "teeth", z, "-", "must be at least 1")?;
     let omega = DomainError::positive("speed", speed)?;
@@ -226,6 +230,7 @@ pub fn running_in(
     face_width: Length,
     period: Time,
 ) -> Result<RunningIn, EfficiencyError> {
+    asperity_core::cite!("Deformation-4");
     let b = DomainError::positive("face width", face_width)?;
     let t = DomainError::positive("engagement period", period)?;
     let mut energy_per_tooth = Vec::with_capacity(passes.len());
@@ -263,6 +268,7 @@ pub fn hysteresis_power(
     face_width: Length,
     period: Time,
 ) -> Result<Power, EfficiencyError> {
+    asperity_core::cite!("Deformation-5");
     let energy = DomainError::non_negative("elastic energy", elastic)?;
     DomainError::require(
         (0.0..=1.0).contains(&fraction),

@@ -47,7 +47,9 @@ pub enum RollingSurfaces {
 }
 
 impl RollingSurfaces {
-    fn count(self) -> f64 {
+    /// Number of surfaces.
+    #[must_use]
+    pub const fn count(self) -> f64 {
         match self {
             Self::Both => 2.0,
             Self::One => 1.0,
@@ -80,6 +82,7 @@ pub struct MeshLoss {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn sliding_power(positions: &[PositionLoss]) -> Result<Power, EfficiencyError> {
+    asperity_core::cite!("P17");
     mean(positions, |place| {
         let f_s = DomainError::non_negative("sliding force", place.sliding_force)?;
         let v_s = DomainError::finite("sliding speed", place.sliding_speed)?;
@@ -105,6 +108,7 @@ pub fn rolling_power(
     positions: &[PositionLoss],
     surfaces: RollingSurfaces,
 ) -> Result<Power, EfficiencyError> {
+    asperity_core::cite!("P18");
     mean(positions, |place| {
         let f_r = DomainError::non_negative("rolling force", place.rolling_force)?;
         let v_e = DomainError::non_negative("entrainment speed", place.entrainment_speed)?;

@@ -28,6 +28,7 @@ use crate::error::EfficiencyError;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn efficiency(input: Power, loss: Power) -> Result<f64, EfficiencyError> {
+    asperity_core::cite!("P20");
     let power = DomainError::positive("input power", input)?;
     let sum = DomainError::non_negative("loss", loss)?;
     if sum >= power {
@@ -53,6 +54,7 @@ pub fn output_torque(
     output_speed: AngularSpeed,
     efficiency: f64,
 ) -> Result<Torque, EfficiencyError> {
+    asperity_core::cite!("P16");
     let m1 = DomainError::finite("input torque", input_torque)?;
     let omega1 = DomainError::positive("input speed", input_speed)?;
     let omega2 = DomainError::positive("output speed", output_speed)?;

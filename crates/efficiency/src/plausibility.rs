@@ -37,6 +37,7 @@ pub fn equivalent_friction(
     efficiency: f64,
     loss_factor: f64,
 ) -> Result<Checked<f64>, EfficiencyError> {
+    asperity_core::cite!("Plausible-1");
     DomainError::require(
         (0.0..=1.0).contains(&efficiency),
         "efficiency",

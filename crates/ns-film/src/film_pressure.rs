@@ -74,6 +74,7 @@ pub fn film_pressure(
     viscosity: DynamicViscosity,
     rupture: Rupture,
 ) -> Result<FilmPressure, FilmError> {
+    asperity_core::cite!("Reynolds-2");
     check(position, gap)?;
     let u = DomainError::positive("sum of the wall speeds", speed_sum)?;
     let eta = DomainError::positive("viscosity", viscosity)?;

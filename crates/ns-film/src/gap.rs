@@ -45,6 +45,7 @@ impl GapShape {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn gap(self, least: Length, position: Length, radius: Length) -> Result<Length, FilmError> {
+        asperity_core::cite!("Gap-1");
         let h0 = DomainError::non_negative("least gap", least)?;
         let (x, r) = self.domain(position, radius)?;
         Ok(Length::from_si(match self {
@@ -65,6 +66,7 @@ impl GapShape {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn slope(self, position: Length, radius: Length) -> Result<f64, FilmError> {
+        asperity_core::cite!("Gap-2");
         let (x, r) = self.domain(position, radius)?;
         Ok(match self {
             Self::Parabola => x / r,
@@ -100,6 +102,7 @@ impl GapShape {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn paper_gap(least: Length, angle: Angle, r1: Length, r2: Length) -> Result<Length, FilmError> {
+    asperity_core::cite!("P29");
     let (h0, theta, r1, r2) = domain(least, angle, r1, r2)?;
     // 1 − cos θ = 2·sin²(θ/2) keeps its digits at small angles.
     Ok(Length::from_si(
@@ -122,6 +125,7 @@ pub fn paper_gap(least: Length, angle: Angle, r1: Length, r2: Length) -> Result<
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn exact_gap(least: Length, angle: Angle, r1: Length, r2: Length) -> Result<Length, FilmError> {
+    asperity_core::cite!("Gap-3");
     let (h0, theta, r1, r2) = domain(least, angle, r1, r2)?;
     let l = r1 + r2 + h0;
     let aside = l * theta.sin();

@@ -61,6 +61,7 @@ pub struct FilmConditions {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn wall_speed(rotation: AngularSpeed, radius: Length) -> Result<Speed, FilmError> {
+    asperity_core::cite!("Wall-1");
     let omega = DomainError::finite("rotational speed", rotation)?;
     Ok(Speed::from_si(
         omega * DomainError::positive("radius", radius)?,

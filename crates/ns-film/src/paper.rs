@@ -90,6 +90,7 @@ pub fn radial_momentum(
     density: Density,
     viscosity: DynamicViscosity,
 ) -> Result<f64, FilmError> {
+    asperity_core::cite!("P22");
     let r = DomainError::positive("radius", Length::from_si(flow.radius))?;
     let (rho, mu) = (density.si(), viscosity.si());
     let inertia = flow.along * flow.along / r
@@ -112,6 +113,7 @@ pub fn radial_momentum(
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn angular_pitch(teeth: u32) -> Result<Angle, FilmError> {
+    asperity_core::cite!("P34");
     let z = f64::from(teeth);
     DomainError::require(z > 0.0, "number of teeth", z, "-", "must be at least 1")?;
     Ok(Angle::from_si(2.0 * PI / z))
@@ -133,6 +135,7 @@ pub fn base_radius(
     teeth: u32,
     transverse_pressure_angle: Angle,
 ) -> Result<Length, FilmError> {
+    asperity_core::cite!("P36");
     let m = DomainError::positive("transverse module", transverse_module)?;
     let z = f64::from(teeth);
     DomainError::require(z > 0.0, "number of teeth", z, "-", "must be at least 1")?;
@@ -188,6 +191,7 @@ impl PaperFilm {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn radial_velocity(&self, radius: Length) -> Result<Speed, FilmError> {
+        asperity_core::cite!("P31");
         let k = self.kernel()?;
         let r = DomainError::positive("radius", radius)?;
         Ok(Speed::from_si(-k.f * (r + k.d) / r))
@@ -213,6 +217,7 @@ impl PaperFilm {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn pressure_gradient(&self, radius: Length) -> Result<f64, FilmError> {
+        asperity_core::cite!("P23");
         let k = self.kernel()?;
         let r = DomainError::positive("radius", radius)?;
         let (r2, r3) = (r * r, r * r * r);
@@ -244,6 +249,7 @@ impl PaperFilm {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn pressure_difference(&self) -> Result<Pressure, FilmError> {
+        asperity_core::cite!("Paper-1");
         let k = self.kernel()?;
         let (r, h, d) = (k.r2, k.h, k.d);
         let outer = r + h;

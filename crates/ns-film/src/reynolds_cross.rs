@@ -87,6 +87,7 @@ impl FilmSection {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn cross_film(&self) -> Result<CrossFilm, FilmError> {
+        asperity_core::cite!("Cross-1");
         let profile =
             VelocityProfile::carrying(self.flow, self.wall_1, self.wall_2, self.thickness)?;
         let slope = DomainError::require(
@@ -123,6 +124,7 @@ impl FilmSection {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn pressure_gradient(&self) -> Result<f64, FilmError> {
+        asperity_core::cite!("Reynolds-1");
         let (h, u1, u2) = self.walls()?;
         let eta = DomainError::positive("viscosity", self.viscosity)?;
         let q = DomainError::require(
@@ -151,6 +153,7 @@ impl FilmSection {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn wall_shear(&self) -> Result<[f64; 2], FilmError> {
+        asperity_core::cite!("Cross-2");
         let (h, u1, u2) = self.walls()?;
         let couette = self.viscosity.si() * (u1 - u2) / h;
         let poiseuille = 0.5 * h * self.pressure_gradient()?;
@@ -172,6 +175,7 @@ impl FilmSection {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn centrifugal_difference(&self) -> Result<Pressure, FilmError> {
+        asperity_core::cite!("Cross-3");
         let (h, u1, u2) = self.walls()?;
         let rho = DomainError::positive("density", self.density)?;
         let r2 = DomainError::positive("radius of wall 2", self.radius)?;
@@ -198,6 +202,7 @@ impl FilmSection {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn centrifugal_difference_thick(&self) -> Result<Pressure, FilmError> {
+        asperity_core::cite!("Cross-4");
         let profile =
             VelocityProfile::carrying(self.flow, self.wall_1, self.wall_2, self.thickness)?;
         let [a, b, c] = profile.coefficients()?;

@@ -52,6 +52,7 @@ impl VelocityProfile {
         wall_2: Speed,
         thickness: Length,
     ) -> Result<Self, FilmError> {
+        asperity_core::cite!("Profile-1");
         let q = DomainError::require(flow.is_finite(), "flow", flow, "m2/s", "must be finite")?;
         let u1 = DomainError::finite("speed of wall 1", wall_1)?;
         let u2 = DomainError::finite("speed of wall 2", wall_2)?;
@@ -76,6 +77,7 @@ impl VelocityProfile {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn speed(&self, height: Length) -> Result<Speed, FilmError> {
+        asperity_core::cite!("P30");
         let [a, b, c] = self.coefficients()?;
         let y = self.inside(height)?;
         Ok(Speed::from_si((a * y + b) * y + c))
@@ -110,6 +112,7 @@ impl VelocityProfile {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn coefficients(&self) -> Result<[f64; 3], FilmError> {
+        asperity_core::cite!("P32");
         let u1 = DomainError::finite("speed of wall 1", self.wall_1)?;
         let um = DomainError::finite("speed in the middle", self.middle)?;
         let u2 = DomainError::finite("speed of wall 2", self.wall_2)?;

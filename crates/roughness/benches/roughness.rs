@@ -1,4 +1,4 @@
-//! Reading, filtering and parameters at the sizes labs send.
+//! Filters and parameters at the sizes labs send.
 
 #![allow(clippy::expect_used)]
 
@@ -11,7 +11,6 @@ use asperity_roughness::gaussian_filter::{Ends, mean_line};
 use asperity_roughness::generate::SelfAffine;
 use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::preparation::{Preparation, prepare};
-use asperity_roughness::read::{ReadOptions, read_bytes};
 use asperity_roughness::robust_filter::robust_mean_line;
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 
@@ -31,37 +30,14 @@ fn rough(points: usize) -> Profile {
     recipe(points).generate().expect("the recipe is valid")
 }
 
-/// x in mm and heights in um, as instruments export them.
-fn table(points: usize) -> String {
-    let mut text = String::from("x [mm];z [um]\n");
-    for (i, z) in rough(points).heights().iter().enumerate() {
-        text += &format!("{:.4};{:.5}\n", 0.0005 * i as f64, z * 1e6);
-    }
-    text
-}
-
-fn reading(c: &mut Criterion) {
-    let mut group = c.benchmark_group("read text");
-    group.sample_size(20);
-    for points in [10_000, 100_000, 1_000_000] {
-        let text = table(points);
-        let id = BenchmarkId::from_parameter(points);
-        group.bench_with_input(id, text.as_bytes(), |b, bytes| {
-            b.iter(|| read_bytes("flank.csv", black_box(bytes), &ReadOptions::default()));
-        });
-    }
-    group.finish();
-}
-
 fn info(c: &mut Criterion) {
-    let text = table(1_000_000);
+    let flank = rough(1_000_000);
     let mut group = c.benchmark_group("info");
     group.sample_size(10);
-    group.bench_function("read, prepare and evaluate 1e6 points in both modes", |b| {
+    group.bench_function("prepare and evaluate 1e6 points in both modes", |b| {
         b.iter(|| {
-            let reading =
-                read_bytes("flank.csv", text.as_bytes(), &ReadOptions::default()).expect("valid");
-            let prepared = prepare(&reading.profile, &Preparation::default()).expect("long enough");
+            let prepared =
+                prepare(black_box(&flank), &Preparation::default()).expect("long enough");
             let rough = &prepared.profile;
             let found = Parameters::of(rough, Mode::Iso4287, Length::from_si(0.8e-3));
             let found = found.expect("long enough");
@@ -123,7 +99,5 @@ fn generating(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(
-    benches, reading, info, parameters, filtering, robust, generating
-);
+criterion_group!(benches, info, parameters, filtering, robust, generating);
 criterion_main!(benches);

@@ -11,7 +11,7 @@ use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use serde::Serialize;
 
-use crate::RoughnessError;
+use crate::error::RoughnessError;
 use crate::gaussian_filter::Ends;
 use crate::height_parameters::{HeightParameters, Mode, in_sections, sections_in};
 use crate::material_ratio::{RkParameters, rk_of_both_lines};
@@ -51,6 +51,7 @@ impl Sections {
 /// What is left open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Choice {
     /// What the filters do at the ends: `cut`, `reg0`, `reg1` or `reflect`.
     Ends,
@@ -64,6 +65,7 @@ pub enum Choice {
 
 /// Values of a parameter over one choice, in the unit of its [`Ambiguity`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Spread {
     /// What was chosen otherwise.
     pub choice: Choice,
@@ -75,6 +77,7 @@ pub struct Spread {
 
 /// The range of one parameter over all allowed choices.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Ambiguity {
     /// Name of the parameter.
     pub parameter: &'static str,

@@ -11,18 +11,20 @@
 //! little overlaps. The products come from fast Fourier transforms, the lengths from as few shifts as
 //! they need.
 
+use asperity_core::cite;
 use asperity_core::numerics::good_fft_length;
+use asperity_core::numerics::sum;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
-use crate::RoughnessError;
-use crate::height_parameters::sum;
+use crate::error::RoughnessError;
 
 /// Lengths over which a profile forgets itself.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct AutocorrelationLengths {
     /// Shortest shift at which ρ falls to 0.2 (Ral of ISO 25178-2, in profile); none when it never does.
     pub to_one_fifth: Option<Length>,
@@ -45,6 +47,7 @@ pub struct AutocorrelationLengths {
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn autocorrelation(heights: &[f64]) -> Result<Vec<f64>, RoughnessError> {
+    cite!("ACF-1");
     let n = at_least_two(heights)?.len();
     Ok(normalised(&products(&centred(heights)?, n), n))
 }
@@ -124,6 +127,7 @@ fn products(z: &[f64], shifts: usize) -> Vec<f64> {
 
 /// Products over their overlap of `n` − k points, 1 at k = 0.
 fn normalised(products: &[f64], n: usize) -> Vec<f64> {
+    cite!("ACF-1");
     let scale = n as f64 / products[0];
     let over_overlap = |(k, product): (usize, &f64)| product * scale / (n - k) as f64;
     products.iter().enumerate().map(over_overlap).collect()
@@ -145,6 +149,7 @@ fn normalised(products: &[f64], n: usize) -> Vec<f64> {
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn lengths(profile: &Profile) -> Result<AutocorrelationLengths, RoughnessError> {
+    cite!("ACF-2");
     const ONE_FIFTH: f64 = 0.2;
     // Most profiles forget themselves within these shifts; few need more than eight times as many.
     const FIRST: usize = 4096;

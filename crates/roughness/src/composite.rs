@@ -7,12 +7,13 @@
 //! | z₁, z₂ | profiles of the two flanks | m |
 //! | S | composite root mean square height | m |
 
+use asperity_core::cite;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::RoughnessError;
+use crate::error::RoughnessError;
 
 /// How two profiles are laid on each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
@@ -26,6 +27,7 @@ pub struct Pairing {
 
 /// A composite profile and how it was made.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Composite {
     /// z₁ + z₂ on the finer grid, as long as the shorter profile.
     #[serde(skip)]
@@ -59,6 +61,7 @@ pub fn compose(
     second: &Profile,
     pairing: Pairing,
 ) -> Result<Composite, RoughnessError> {
+    cite!("Composite-1");
     // Over 10^5 points a relative difference of 10^-6 shifts the ends by a tenth of a point.
     const SAME: f64 = 1e-6;
     let (dx1, dx2) = (first.spacing(), second.spacing());
@@ -135,6 +138,7 @@ pub fn resampled(profile: &Profile, spacing: Length) -> Result<Profile, DomainEr
 /// # Ok::<(), asperity_core::DomainError>(())
 /// ```
 pub fn combined_rq(first: Length, second: Length) -> Result<Length, DomainError> {
+    cite!("P8");
     let (rq1, rq2) = (
         DomainError::non_negative("Rq1", first)?,
         DomainError::non_negative("Rq2", second)?,

@@ -7,7 +7,7 @@
 //! by linear interpolation. An element runs from a crossing to the next but one. In ISO 4287 elements
 //! follow each other; in ISO 21920 every crossing starts one, and the trace is run both ways.
 
-use crate::height_parameters::extremes;
+use asperity_core::numerics::extremes;
 
 /// Width [points] and height [unit of z] of one profile element.
 #[derive(Debug, Clone, Copy, PartialEq)]

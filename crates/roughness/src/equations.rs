@@ -203,6 +203,14 @@ pub const EQUATIONS: &[Equation] = &[
         [ISO_4287]
     ),
     equation!(
+        "Section-2",
+        "Heights of one section",
+        "Ra = ⟨|z|⟩, Rq = √⟨z²⟩, Rz = max z − min z",
+        "section_heights.rs",
+        "one_section_has_the_heights_of_a_profile_of_one_section",
+        [ISO_4287]
+    ),
+    equation!(
         "Height-1",
         "Moments of the heights",
         "Ra = ⟨|z|⟩, Rq = √⟨z²⟩, Rsk = ⟨z³⟩/Rq³, Rku = ⟨z⁴⟩/Rq⁴",

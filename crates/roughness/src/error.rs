@@ -1,10 +1,8 @@
-//! What the numerical half of the crate refuses; files have [`ReadError`](crate::read::ReadError).
+//! What the numerical half of the crate refuses; files are read by `asperity-profile-io`.
 
 use asperity_core::DomainError;
 use asperity_core::quantity::Length;
 use serde::Serialize;
-
-use crate::warning::rounded;
 
 /// Why a filter, a parameter or a generator gave no answer.
 #[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
@@ -14,7 +12,7 @@ pub enum RoughnessError {
     #[error(transparent)]
     Domain(#[from] DomainError),
     /// The trace is shorter than the evaluation needs.
-    #[error("the profile is {} long, {purpose} needs at least {}", rounded(*length), rounded(*needed))]
+    #[error("the profile is {length:.4} long, {purpose} needs at least {needed:.4}")]
     TooShort {
         /// Length at hand.
         length: Length,
@@ -51,8 +49,7 @@ pub enum RoughnessError {
     },
     /// Two profiles that must share a grid do not.
     #[error(
-        "the profiles are spaced {} and {}; resample one, or allow linear resampling",
-        rounded(*first), rounded(*second)
+        "the profiles are spaced {first:.4} and {second:.4}; resample one, or allow linear resampling"
     )]
     SpacingDiffers {
         /// Spacing of the first profile.
@@ -61,7 +58,7 @@ pub enum RoughnessError {
         second: Length,
     },
     /// All points around a place are outliers.
-    #[error("at {} the robust filter finds no points that are not outliers", rounded(*place))]
+    #[error("at {place:.4} the robust filter finds no points that are not outliers")]
     NoSupport {
         /// Distance from the start of the profile.
         place: Length,

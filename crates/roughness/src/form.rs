@@ -11,15 +11,17 @@
 //! | R | radius of the circle | m |
 
 use asperity_core::Profile;
+use asperity_core::cite;
 use asperity_core::quantity::Length;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::RoughnessError;
+use crate::error::RoughnessError;
 
 /// The form to remove.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[non_exhaustive]
 pub enum Form {
     /// Nothing, not even the mean height.
     None,
@@ -35,7 +37,8 @@ pub enum Form {
 }
 
 /// A polynomial of degree two or less in the orthogonal basis 1, t, t² − ⟨t²⟩.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct Polynomial {
     /// Coefficients c₀, c₁, c₂ `[m]`; those above the degree are zero.
     pub coefficients: [f64; 3],
@@ -88,6 +91,7 @@ fn mean_square(n: usize) -> f64 {
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn fit(heights: &[f64], degree: usize) -> Result<Polynomial, RoughnessError> {
+    cite!("Form-1");
     let n = heights.len();
     let degree = degree.min(2);
     if n <= degree {
@@ -161,6 +165,7 @@ pub fn remove(profile: &Profile, form: Form) -> Result<Profile, RoughnessError> 
 /// x runs from the middle of the trace, the curvature κ = ±1/R is the unknown, and
 /// √(R² − x²) − R = −κ x²/(1 + √(1 − κ² x²)), which holds for a flat trace too.
 fn circle_residual(profile: &Profile) -> Result<Vec<f64>, RoughnessError> {
+    cite!("Form-2");
     const MOST: usize = 50;
     // Relative change of the curvature at which the heights no longer change.
     const SETTLED: f64 = 1e-12;

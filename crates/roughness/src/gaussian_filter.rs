@@ -12,6 +12,7 @@
 //! The weights reach to ±1.0 λ_c; ±0.5 λ_c, which the standard allows, errs by up to 2.7 % in Rq.
 //! Sums over many weights are convolutions by fast Fourier transform, block by block: n log m.
 
+use asperity_core::cite;
 use std::f64::consts::{LN_2, PI};
 
 use asperity_core::numerics::SymmetricToeplitz;
@@ -20,8 +21,8 @@ use asperity_core::{DomainError, Profile};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::RoughnessError;
 use crate::blocks::Blocks;
+use crate::error::RoughnessError;
 
 /// Reach of the weights on either side, in cut-offs.
 pub const SUPPORT: f64 = 1.0;
@@ -29,6 +30,7 @@ pub const SUPPORT: f64 = 1.0;
 /// What is done where the weights reach past an end of the trace.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[non_exhaustive]
 pub enum Ends {
     /// The remaining weights are normalised, and half a cut-off is dropped at both ends.
     #[default]
@@ -49,6 +51,7 @@ pub enum Ends {
 /// assert!((asperity_roughness::gaussian_filter::alpha() - 0.469_718_639).abs() < 1e-9);
 /// ```
 pub fn alpha() -> f64 {
+    cite!("Gauss-1");
     (LN_2 / PI).sqrt()
 }
 
@@ -67,6 +70,7 @@ pub fn alpha() -> f64 {
 /// # Ok::<(), asperity_core::DomainError>(())
 /// ```
 pub fn transmission(wavelength: Length, cutoff: Length) -> Result<f64, DomainError> {
+    cite!("Gauss-2");
     let (l, lc) = (
         DomainError::positive("wavelength", wavelength)?,
         DomainError::positive("cut-off", cutoff)?,
@@ -90,6 +94,7 @@ pub fn transmission(wavelength: Length, cutoff: Length) -> Result<f64, DomainErr
 /// # Ok::<(), asperity_core::DomainError>(())
 /// ```
 pub fn weights(cutoff: Length, spacing: Length) -> Result<Vec<f64>, DomainError> {
+    cite!("Gauss-3");
     // A cut-off that is a whole number of spacings must not gain a weight by rounding.
     const ROUNDING: f64 = 1e-9;
     // 10^8 weights are a gigabyte; no trace is that long.
@@ -111,8 +116,9 @@ pub fn weights(cutoff: Length, spacing: Length) -> Result<Vec<f64>, DomainError>
         "must not exceed 1e8 spacings",
     )?;
     let m = (SUPPORT * lc / dx - ROUNDING).ceil() as usize;
+    let width = alpha() * lc;
     let mut w: Vec<f64> = (0..=m)
-        .map(|k| (-PI * (k as f64 * dx / (alpha() * lc)).powi(2)).exp())
+        .map(|k| (-PI * (k as f64 * dx / width).powi(2)).exp())
         .collect();
     let sum = w[0] + 2.0 * w[1..].iter().sum::<f64>();
     w.iter_mut().for_each(|w| *w /= sum);
@@ -140,6 +146,7 @@ pub fn mean_line(
     cutoff: Length,
     ends: Ends,
 ) -> Result<Vec<f64>, RoughnessError> {
+    cite!("Gauss-4");
     let w = weights(cutoff, profile.spacing())?;
     if profile.len() < w.len() {
         return Err(RoughnessError::TooShort {

@@ -12,24 +12,24 @@
 //! The two ways differ by up to a factor on surfaces with single features: the mode goes with every
 //! value.
 
+use asperity_core::cite;
+use asperity_core::numerics::{extremes, sum};
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::RoughnessError;
 use crate::elements::{Element, elements, overlapping_elements};
+use crate::error::RoughnessError;
 use crate::spectral::{each_slope, mean_square};
 
 /// Share of Rz (or Rp, Rv) that a profile element must exceed on either side (ISO 4287, 21920-2).
 const DISCRIMINATION: f64 = 0.1;
 
-/// Independent running sums and extremes: an addition takes four cycles, but four can run at once.
-const LANES: usize = 8;
-
 /// The standard whose definitions are used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[non_exhaustive]
 pub enum Mode {
     /// Per sampling length, then the mean: ISO 4287, as testers print it.
     #[default]
@@ -48,7 +48,8 @@ impl std::fmt::Display for Mode {
 }
 
 /// Height, spacing and slope parameters of a profile.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct HeightParameters {
     /// The definitions used.
     pub mode: Mode,
@@ -118,6 +119,7 @@ pub fn height_parameters(
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn sections_in(profile: &Profile, section_length: Length) -> Result<usize, RoughnessError> {
+    cite!("Section-1");
     // Five sections of 0.8 mm must not become four by the rounding of dx.
     const ROUNDING: f64 = 1e-9;
     let lc = DomainError::positive("section length", section_length)?;
@@ -175,29 +177,6 @@ pub fn in_sections(
     Ok(found.finish(mode, n, high - low))
 }
 
-/// Lowest and highest value; (∞, −∞) for none.
-pub(crate) fn extremes(z: &[f64]) -> (f64, f64) {
-    let (groups, rest) = z.as_chunks::<LANES>();
-    let mut lanes = [(f64::INFINITY, f64::NEG_INFINITY); LANES];
-    // Plain comparisons, which the processor has as one instruction.
-    let widened = |(low, high): (f64, f64), z: f64| {
-        (
-            if z < low { z } else { low },
-            if z > high { z } else { high },
-        )
-    };
-    for group in groups {
-        for (lane, z) in lanes.iter_mut().zip(group) {
-            *lane = widened(*lane, *z);
-        }
-    }
-    let all = lanes
-        .into_iter()
-        .reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
-    let all = all.unwrap_or((f64::INFINITY, f64::NEG_INFINITY));
-    rest.iter().fold(all, |all, z| widened(all, *z))
-}
-
 /// Numbers in SI on their way to [`HeightParameters`].
 struct Raw {
     moments: Moments,
@@ -243,6 +222,7 @@ struct Moments {
 
 /// Ra = ⟨|z|⟩,  Rq = √⟨z²⟩,  Rsk = ⟨z³⟩/Rq³,  Rku = ⟨z⁴⟩/Rq⁴                      [Height-1]
 fn moments(z: &[f64]) -> Moments {
+    cite!("Height-1");
     let n = z.len() as f64;
     let rq = (sum(z, |z| z * z) / n).sqrt();
     // Heights are scaled by Rq before they are raised, so that no power underflows.
@@ -258,18 +238,6 @@ fn moments(z: &[f64]) -> Moments {
     }
 }
 
-/// Σ f(z) in eight running parts, which do not wait for each other.
-pub(crate) fn sum(z: &[f64], f: impl Fn(f64) -> f64) -> f64 {
-    let (groups, rest) = z.as_chunks::<LANES>();
-    let mut parts = [0.0; LANES];
-    for group in groups {
-        for (part, z) in parts.iter_mut().zip(group) {
-            *part += f(*z);
-        }
-    }
-    parts.iter().sum::<f64>() + rest.iter().map(|z| f(*z)).sum::<f64>()
-}
-
 fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {
     let (sum, count) = values.fold((0.0, 0_usize), |(sum, count), value| {
         (sum + value, count + 1)
@@ -279,6 +247,7 @@ fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {
 
 /// X = (1/n) Σ Xᵢ over the sampling lengths; Rp = ⟨max z⟩, Rv = ⟨−min z⟩, Rz = Rp + Rv   [Height-2]
 fn per_section(parts: &[&[f64]], dx: f64) -> Raw {
+    cite!("Height-2");
     let each: Vec<Section> = parts.iter().map(|part| Section::of(part, dx)).collect();
     let average = |value: fn(&Section) -> f64| mean(each.iter().map(value)).unwrap_or_default();
     let shapes = || each.iter().filter_map(|section| section.moments.shape);
@@ -327,6 +296,7 @@ impl Section {
 /// Field parameters over l_e; Rp, Rv mean over sections of the highest hill and the deepest dale
 /// whose extremum lies in the section, 0 where there is none                                         [Height-3]
 fn over_the_length(z: &[f64], parts: &[&[f64]], dx: f64) -> Raw {
+    cite!("Height-3");
     let n = parts.len();
     let (hills, dales) = hills_and_dales(z, n);
     let height = |values: &[f64]| values.iter().sum::<f64>() / n as f64;

@@ -11,11 +11,12 @@
 //! The fit is over the wavelengths that the user names: a spectrum has a roll-off above and a filter
 //! below, and neither has the slope of the surface.
 
+use asperity_core::cite;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
-use crate::RoughnessError;
+use crate::error::RoughnessError;
 use crate::spectral::power_spectrum;
 
 /// Bands per decade of wavelength.
@@ -24,7 +25,8 @@ const BANDS_PER_DECADE: f64 = 10.0;
 const FEWEST: usize = 4;
 
 /// A fitted power law.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct HurstFit {
     /// Hurst exponent H = −(b + 1)/2; outside 0 .. 1 the spectrum is not that of a self-affine profile.
     pub hurst: f64,
@@ -60,6 +62,7 @@ pub fn hurst_fit(
     longest: Length,
     shortest: Length,
 ) -> Result<HurstFit, RoughnessError> {
+    cite!("Hurst-1");
     let (long, short) = (
         DomainError::positive("longest wavelength", longest)?,
         DomainError::positive("shortest wavelength", shortest)?,

@@ -10,12 +10,13 @@
 //! | θ | roll angle from there | rad |
 //! | x, z | along the tangent at the middle, out of the material | m |
 
+use asperity_core::cite;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::RoughnessError;
+use crate::error::RoughnessError;
 use crate::form::fit;
 
 /// Where on an involute a trace lies.
@@ -47,6 +48,7 @@ pub struct Involute {
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn heights(flank: &Involute, x: &[f64]) -> Result<Vec<f64>, RoughnessError> {
+    cite!("Form-3");
     // A step of the roll angle that moves x by less than a rounding error.
     const SETTLED: f64 = 1e-15;
     const MOST: usize = 50;

@@ -11,11 +11,12 @@
 //! | c(Mr) | the equivalent straight line | m |
 
 use asperity_core::DomainError;
+use asperity_core::cite;
 use asperity_core::quantity::Length;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::RoughnessError;
+use crate::error::RoughnessError;
 
 /// Share of the curve that the line is laid through (ISO 13565-2).
 const WINDOW: f64 = 0.4;
@@ -23,6 +24,7 @@ const WINDOW: f64 = 0.4;
 /// How the equivalent line is laid through the flattest 40 % of the curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[non_exhaustive]
 pub enum Line {
     /// By least squares, as the standard says.
     #[default]
@@ -32,7 +34,8 @@ pub enum Line {
 }
 
 /// The Rk family.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct RkParameters {
     /// Core height.
     pub rk: Length,
@@ -93,6 +96,7 @@ pub fn rk_parameters(heights: &[f64]) -> Result<RkParameters, RoughnessError> {
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn rk_parameters_with(heights: &[f64], line: Line) -> Result<RkParameters, RoughnessError> {
+    cite!("Rk-1");
     Ok(rk_of_curve(&curve(heights)?, line))
 }
 
@@ -117,6 +121,7 @@ fn curve(heights: &[f64]) -> Result<Vec<f64>, RoughnessError> {
 
 /// The Rk family of a material ratio curve of ten points or more.
 fn rk_of_curve(s: &[f64], line: Line) -> RkParameters {
+    cite!("Rk-1");
     let n = s.len();
     let ratio = |k: usize| (k as f64 + 0.5) / n as f64 * 100.0;
     let m = (WINDOW * n as f64).round() as usize;
@@ -157,6 +162,7 @@ fn rk_of_curve(s: &[f64], line: Line) -> RkParameters {
 /// # Ok::<(), asperity_core::DomainError>(())
 /// ```
 pub fn abbott_curve(heights: &[f64]) -> Result<Vec<f64>, DomainError> {
+    cite!("Rk-2");
     if let Some(&bad) = heights.iter().find(|z| !z.is_finite()) {
         return Err(DomainError {
             name: "height",

@@ -11,12 +11,13 @@
 //! the median with it, and stays. Towards the ends the window narrows evenly; the outermost points have
 //! none and stay.
 
+use asperity_core::cite;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::RoughnessError;
+use crate::error::RoughnessError;
 
 /// Median deviation of normal heights over their standard deviation, inverted.
 const NORMAL: f64 = 1.4826;
@@ -34,7 +35,8 @@ pub struct Outliers {
 }
 
 /// What was replaced.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct OutlierRecord {
     /// The rule.
     pub rule: Outliers,
@@ -68,6 +70,7 @@ pub fn replace(
     profile: &Profile,
     rule: Outliers,
 ) -> Result<(Profile, OutlierRecord), RoughnessError> {
+    cite!("Outlier-1");
     let z = profile.heights();
     let k = rule.deviations;
     DomainError::require(

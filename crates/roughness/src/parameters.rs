@@ -2,18 +2,20 @@
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
+use crate::error::RoughnessError;
 use crate::height_parameters::{HeightParameters, Mode, in_sections, sections_in};
 use crate::material_ratio::{RkParameters, rk_parameters};
 use crate::spectral::{SpectralMoments, moments};
-use crate::{RoughnessError, Warning};
+use crate::warning::Warning;
 
 /// Sections that ISO 4288 takes as normal.
 const NORMAL_SECTIONS: usize = 5;
 
 /// The parameters of a prepared profile, with the mode they were computed in.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct Parameters {
     /// Heights, spacing and slope; carries the mode.
     pub heights: HeightParameters,

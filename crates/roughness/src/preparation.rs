@@ -5,14 +5,16 @@
 //! λ_s alone.
 
 use asperity_core::Profile;
+use asperity_core::cite;
 use asperity_core::quantity::Length;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::error::RoughnessError;
 use crate::form::{self, Form};
 use crate::gaussian_filter::{Ends, alpha, mean_line};
 use crate::robust_filter::{RobustEvidence, robust_mean_line};
-use crate::{RoughnessError, Warning};
+use crate::warning::Warning;
 
 /// λ_s of the default recipe `[m]` (ISO 3274 for λ_c = 0.8 mm).
 const LAMBDA_S: f64 = 2.5e-6;
@@ -47,6 +49,7 @@ impl Default for Preparation {
 /// The filter that gives the mean line at λ_c.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[non_exhaustive]
 pub enum RoughnessFilter {
     /// The linear Gaussian filter (ISO 16610-21).
     #[default]
@@ -57,7 +60,8 @@ pub enum RoughnessFilter {
 }
 
 /// What was done to a profile.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct PreparationRecord {
     /// The recipe.
     pub recipe: Preparation,
@@ -77,6 +81,7 @@ pub struct PreparationRecord {
 
 /// A profile that has been through a recipe.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Prepared {
     /// The profile.
     #[serde(skip)]
@@ -108,6 +113,7 @@ pub struct Prepared {
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn prepare(profile: &Profile, recipe: &Preparation) -> Result<Prepared, RoughnessError> {
+    cite!("Prep-1");
     prepare_with(profile, recipe, RoughnessFilter::Gaussian)
 }
 
@@ -142,6 +148,7 @@ fn from_primary(
     recipe: &Preparation,
     filter: RoughnessFilter,
 ) -> Result<Prepared, RoughnessError> {
+    cite!("Prep-1");
     let spacing = profile.spacing();
     let mut current = primary;
     let (mut dropped, mut robust) = (0, None);
@@ -203,6 +210,7 @@ pub fn profiles(
     recipe: &Preparation,
     filter: RoughnessFilter,
 ) -> Result<Profiles, RoughnessError> {
+    cite!("Prep-2");
     let (primary, warnings) = primary(profile, recipe)?;
     let roughness = from_primary(profile, primary.clone(), warnings, recipe, filter)?;
     let waviness = recipe.lambda_c.map(|_| {

@@ -24,13 +24,14 @@
 //! settle: the line within the feature hangs on a few points, and a change of the heights by 10⁻¹⁸ m grows
 //! to micrometres in 100 passes. Such a trace is refused; there is no robust line that its heights define.
 
+use asperity_core::cite;
 use std::f64::consts::PI;
 
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
-use crate::RoughnessError;
+use crate::error::RoughnessError;
 use crate::gaussian_filter::{SUPPORT, alpha};
 use crate::local_parabolas::LocalParabolas;
 
@@ -47,7 +48,8 @@ const ROUNDING: f64 = 1e-13;
 const MOST: usize = 100;
 
 /// A mean line that ignores outliers, with the evidence that it settled.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct RobustLine {
     /// Heights of the line, one per point of the profile, in metres.
     pub heights: Vec<f64>,
@@ -56,7 +58,8 @@ pub struct RobustLine {
 }
 
 /// How the iteration of a robust mean line ended.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct RobustEvidence {
     /// Distance from the line beyond which points were ignored.
     pub outlier_distance: Length,
@@ -88,6 +91,7 @@ pub struct RobustEvidence {
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn robust_mean_line(profile: &Profile, cutoff: Length) -> Result<RobustLine, RoughnessError> {
+    cite!("Robust-1");
     let n = profile.len();
     let points_per_cutoff = check(profile, cutoff)?;
     // The offset of a raw trace would cost digits in the transform.

@@ -12,18 +12,20 @@
 //! λ_s and dx. They are never taken from a periodogram without a window, whose leakage makes m₄ up to
 //! three times too large.
 
+use asperity_core::cite;
 use std::f64::consts::{PI, TAU};
 
+use asperity_core::numerics::sum;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use realfft::RealFftPlanner;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
-use crate::RoughnessError;
-use crate::height_parameters::sum;
+use crate::error::RoughnessError;
 
 /// Mean squares of a profile and its derivatives.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct SpectralMoments {
     /// Mean square height about the mean `[m²]`: a mean height is no wave.
     pub m0: f64,
@@ -44,11 +46,13 @@ pub struct SpectralMoments {
 /// assert_eq!(slopes, [2.0]);
 /// ```
 pub fn slopes(heights: &[f64], dx: f64) -> Vec<f64> {
+    cite!("Slope-1");
     each_slope(heights, dx).collect()
 }
 
 /// The slopes one by one.
 pub(crate) fn each_slope(heights: &[f64], dx: f64) -> impl Iterator<Item = f64> {
+    cite!("Slope-1");
     let slope =
         move |z: &[f64]| (z[6] - z[0] - 9.0 * (z[5] - z[1]) + 45.0 * (z[4] - z[2])) / (60.0 * dx);
     heights.windows(7).map(slope)
@@ -70,6 +74,7 @@ pub(crate) fn each_slope(heights: &[f64], dx: f64) -> impl Iterator<Item = f64> 
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn moments(profile: &Profile) -> Result<SpectralMoments, RoughnessError> {
+    cite!("Moment-1");
     const LEAST: usize = 7;
     let (z, dx) = (profile.heights(), profile.spacing().si());
     if z.len() < LEAST {
@@ -111,12 +116,14 @@ impl SpectralMoments {
     /// # Ok::<(), asperity_roughness::RoughnessError>(())
     /// ```
     pub fn bandwidth(&self) -> Option<f64> {
+        cite!("Nayak-2");
         Some(self.m0 * self.m4 / (self.m2 * self.m2)).filter(|alpha| alpha.is_finite())
     }
 }
 
 /// A one-sided power spectral density.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct PowerSpectrum {
     /// Step of the spatial frequency [1/m]; entry k of `density` is at k times this.
     pub frequency_step: f64,
@@ -143,6 +150,7 @@ pub struct PowerSpectrum {
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn power_spectrum(profile: &Profile) -> Result<PowerSpectrum, RoughnessError> {
+    cite!("PSD-1");
     const LEAST: usize = 4;
     let (n, dx) = (profile.len(), profile.spacing().si());
     if n < LEAST {
@@ -186,6 +194,7 @@ pub fn power_spectrum(profile: &Profile) -> Result<PowerSpectrum, RoughnessError
 /// # Ok::<(), asperity_core::DomainError>(())
 /// ```
 pub fn gaussian_summit_curvature(m4: f64) -> Result<f64, DomainError> {
+    cite!("Nayak-1");
     let m4 = DomainError::require(
         m4.is_finite() && m4 >= 0.0,
         "m4",

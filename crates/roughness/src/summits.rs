@@ -12,11 +12,12 @@
 //! core, c(0) of the Rk line, carry the load; when fewer than five do, those above the mean line are
 //! taken, and the result says so.
 
+use asperity_core::cite;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
-use crate::RoughnessError;
+use crate::error::RoughnessError;
 use crate::material_ratio::rk_parameters;
 use crate::spectral::{gaussian_summit_curvature, moments};
 
@@ -24,8 +25,9 @@ use crate::spectral::{gaussian_summit_curvature, moments};
 const FEWEST: usize = 5;
 
 /// Which summits were measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum ReferenceLevel {
     /// Above c(0) of the Rk line, the top of the core.
     PeakZone,
@@ -34,7 +36,8 @@ pub enum ReferenceLevel {
 }
 
 /// The asperity radius and how it was found.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct AsperityRadius {
     /// R_xa, one over the mean curvature.
     pub radius: Length,
@@ -74,6 +77,7 @@ pub fn asperity_radius(
     composite: &Profile,
     lambda_s: Length,
 ) -> Result<AsperityRadius, RoughnessError> {
+    cite!("Summit-1");
     let (z, dx) = (composite.heights(), composite.spacing().si());
     let window = DomainError::positive("lambda_s", lambda_s)?;
     DomainError::require(
@@ -116,7 +120,8 @@ pub fn asperity_radius(
 }
 
 /// What the summits of a profile are like.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct SummitStatistics {
     /// Summits found, those within a window of an end left out.
     pub count: usize,
@@ -155,6 +160,7 @@ pub fn summit_statistics(
     profile: &Profile,
     window: Length,
 ) -> Result<SummitStatistics, RoughnessError> {
+    cite!("Summit-3");
     let (z, dx) = (profile.heights(), profile.spacing().si());
     let m = window_points(window, dx)?;
     let all = summits(z, m);
@@ -233,6 +239,7 @@ fn summits(z: &[f64], margin: usize) -> Vec<usize> {
 
 /// κ = −2 c₂ of the least-squares parabola c₀ + c₁ x + c₂ x² through 2m + 1 even points     [Summit-2]
 fn parabola_curvature(z: &[f64], dx: f64) -> f64 {
+    cite!("Summit-2");
     let m = (z.len() / 2) as f64;
     let count = z.len() as f64;
     // In points from the middle: ⟨k²⟩ and Σ (k² − ⟨k²⟩)².

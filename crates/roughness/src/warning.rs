@@ -1,33 +1,28 @@
-//! What a user should know about a profile that was read or prepared all the same.
+//! Warnings about a profile that was prepared and evaluated all the same.
 
 use asperity_core::quantity::Length;
-use serde::Serialize;
-
-use crate::read::{Axis, LengthUnit};
+use serde::{Deserialize, Serialize};
 
 /// A note that goes with a result, under a stable code.
 ///
 /// ```
-/// use asperity_roughness::{Warning, read::{Axis, LengthUnit}};
-/// let note = Warning::UnitAssumed { axis: Axis::Height, unit: LengthUnit::Micrometre };
-/// assert_eq!(note.code(), "W111");
-/// assert_eq!(note.to_string(), "no unit found for the heights; taken as um because no other unit gives a possible trace. Say --z-unit um to confirm");
+/// use asperity_core::quantity::Length;
+/// use asperity_roughness::Warning;
+/// let note = Warning::FewSections {
+///     sections: 2,
+///     lambda_c: Length::from_si(2.5e-3),
+///     length: Length::from_si(5e-3),
+/// };
+/// assert_eq!(note.code(), "W114");
+/// assert_eq!(note.to_string(), "2 sampling lengths of 2.5 mm in 5 mm; five are normal");
 /// ```
-#[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, thiserror::Error)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Warning {
-    /// A unit was found by elimination.
-    #[error("no unit found for the {axis}; taken as {unit} because no other unit gives a possible trace. Say {} {unit} to confirm", axis.option())]
-    UnitAssumed {
-        /// Which column.
-        axis: Axis,
-        /// The unit taken.
-        unit: LengthUnit,
-    },
     /// The trace still has its form.
     #[error(
-        "form not removed (parabola of {} over {}); Ra {} is not roughness. Try --form poly2", rounded(*sag), rounded(*length), rounded(*ra)
+        "form not removed (parabola of {sag:.4} over {length:.4}); Ra {ra:.4} is not roughness. Try --form poly2"
     )]
     FormNotRemoved {
         /// Height of the parabola between its apex and the ends.
@@ -39,7 +34,7 @@ pub enum Warning {
     },
     /// The grid is too coarse for the short-wave filter.
     #[error(
-        "spacing {} is more than a fifth of lambda_s {lambda_s}: the filter is poorly sampled. Measure finer, or choose a longer lambda_s", rounded(*spacing)
+        "spacing {spacing:.4} is more than a fifth of lambda_s {lambda_s}: the filter is poorly sampled. Measure finer, or choose a longer lambda_s"
     )]
     CoarseForLambdaS {
         /// Spacing of the profile.
@@ -48,7 +43,7 @@ pub enum Warning {
         lambda_s: Length,
     },
     /// Fewer sampling lengths than the five that ISO 4288 takes as normal.
-    #[error("{sections} sampling lengths of {lambda_c} in {}; five are normal", rounded(*length))]
+    #[error("{sections} sampling lengths of {lambda_c} in {length:.4}; five are normal")]
     FewSections {
         /// Sections evaluated.
         sections: usize,
@@ -57,94 +52,15 @@ pub enum Warning {
         /// Evaluation length.
         length: Length,
     },
-    /// Missing points were interpolated on request.
-    #[error(
-        "{filled} missing points interpolated (longest run {longest}), {cut} cut off at the ends"
-    )]
-    GapsFilled {
-        /// Points interpolated.
-        filled: usize,
-        /// Longest run of them.
-        longest: usize,
-        /// Missing points dropped at the ends.
-        cut: usize,
-    },
-    /// The trace was stored backwards.
-    #[error("x falls along the file; the trace was turned round")]
-    Reversed,
-    /// The stated spacing overrides another one.
-    #[error("spacing {stated} was stated, the x column says {}; the stated one is used", rounded(*column))]
-    SpacingOverridden {
-        /// As stated.
-        stated: Length,
-        /// From the x column.
-        column: Length,
-    },
-    /// The file holds the output of a roughness filter.
-    #[error(
-        "the file says it holds an already filtered roughness profile; filtering it again changes it. Use --lambda-c none"
-    )]
-    AlreadyFiltered,
-    /// A checksum in the file is not that of its content.
-    #[error(
-        "the {what} checksum {stated} is not that of the content, {found}: the file was changed, or its writer counts differently"
-    )]
-    ChecksumDiffers {
-        /// Which checksum.
-        what: &'static str,
-        /// As the file says.
-        stated: String,
-        /// Of the content.
-        found: String,
-    },
-    /// The trace is shorter than the header says.
-    #[error("the header says {} but {} were traced: the trace was aborted; the spacing follows from what was traced", rounded(*nominal), rounded(*traced))]
-    TraceAborted {
-        /// As the header says.
-        nominal: Length,
-        /// Evaluation length.
-        traced: Length,
-    },
-    /// The spacing comes from a number that looks like one.
-    #[error(
-        "line 1 reads {value} and is taken as the spacing in um, as in NPL text profiles. Say --dx to be sure"
-    )]
-    SpacingFromFirstLine {
-        /// The number.
-        value: f64,
-    },
-    /// The spacing comes from a length printed with few digits.
-    #[error("the spacing follows from an evaluation length printed as {length}: it is known to {:.4} % only. Say --dx to be exact", 100.0 * uncertainty)]
-    LengthRounded {
-        /// The length.
-        length: Length,
-        /// Relative uncertainty of the spacing.
-        uncertainty: f64,
-    },
-}
-
-/// A length as a message shows it: four digits, "38.12 um".
-pub(crate) fn rounded(length: Length) -> Length {
-    let text = format!("{:.3e}", length.si());
-    Length::from_si(text.parse().unwrap_or(length.si()))
 }
 
 impl Warning {
     /// The code under which the message is explained.
     pub fn code(&self) -> &'static str {
         match self {
-            Self::UnitAssumed { .. } => "W111",
             Self::FormNotRemoved { .. } => "W112",
             Self::CoarseForLambdaS { .. } => "W113",
             Self::FewSections { .. } => "W114",
-            Self::GapsFilled { .. } => "W115",
-            Self::Reversed => "W116",
-            Self::SpacingOverridden { .. } => "W117",
-            Self::AlreadyFiltered => "W118",
-            Self::ChecksumDiffers { .. } => "W120",
-            Self::TraceAborted { .. } => "W121",
-            Self::SpacingFromFirstLine { .. } => "W122",
-            Self::LengthRounded { .. } => "W123",
         }
     }
 }

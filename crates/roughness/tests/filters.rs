@@ -84,6 +84,7 @@ fn direct(z: &[f64], w: &[f64], ends: Ends) -> Vec<f64> {
                     };
                     (-m..=m).map(|k| weight(k) * height(mirrored(i + k))).sum()
                 }
+                other => panic!("no direct sum for {other:?}"),
             }
         })
         .collect()

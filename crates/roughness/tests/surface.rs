@@ -267,7 +267,9 @@ fn a_recipe_reads_from_text_and_returns_what_it_achieved() {
         "hurst": 0.8, "roll-off": "100 um", "short-cut": "5 um", "seed": 1}}, "amplitudes": "random",
         "pits": {"count": 3, "width": "40 um", "depth": "5 um", "seed": 2}, "mirrored": true}"#;
     let recipe: Recipe = serde_json::from_str(text).unwrap();
-    let Generated { profile, achieved } = recipe.generate().unwrap();
+    let Generated {
+        profile, achieved, ..
+    } = recipe.generate().unwrap();
     assert_eq!(achieved, Achieved::of(&profile));
     assert!(achieved.rt.si() > 3e-6 && achieved.rsk.unwrap() < -1.0);
     assert_eq!(recipe.generate().unwrap().profile, profile);

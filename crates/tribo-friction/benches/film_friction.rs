@@ -8,7 +8,7 @@ use asperity_core::quantity::{
     Density, Length, LineLoad, Pressure, SpecificHeat, Speed, Temperature, ThermalConductivity,
 };
 use asperity_tribo_friction::{
-    FilmContact, FilmHeat, FilmRheology, FilmSettings, OilFamily, film_friction,
+    FilmHeat, FilmLineContact, FilmRheology, FilmSettings, OilFamily, film_friction,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 
@@ -32,7 +32,7 @@ fn film(criterion: &mut Criterion) {
     let Ok(rheology) = FilmRheology::new(&oil, OilFamily::Mineral) else {
         return;
     };
-    let contact = FilmContact {
+    let contact = FilmLineContact {
         load: LineLoad::from_si(300e3),
         radius: Length::from_si(9e-3),
         modulus: Pressure::from_si(115.385e9),

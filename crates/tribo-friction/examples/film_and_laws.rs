@@ -4,7 +4,9 @@ use asperity_core::lubricant::{BaseOil, LubricantInput, ViscosityLaw};
 use asperity_core::material::Material;
 use asperity_core::quantity::{Length, Speed, Temperature};
 use asperity_tribo_friction::xu::{XuConditions, XuLaw};
-use asperity_tribo_friction::{FilmContact, FilmRheology, FilmSettings, OilFamily, film_friction};
+use asperity_tribo_friction::{
+    FilmLineContact, FilmRheology, FilmSettings, OilFamily, film_friction,
+};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let steel = Material {
@@ -30,7 +32,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for celsius in [-20.0, 20.0, 60.0, 90.0, 120.0] {
         let temperature = Temperature::from_si(celsius + 273.15);
         let speeds = [Speed::from_si(8.125), Speed::from_si(4.875)];
-        let contact = FilmContact {
+        let contact = FilmLineContact {
             load: "144 N/mm".parse()?,
             radius: "4.5 mm".parse()?,
             modulus: "115.385 GPa".parse()?,

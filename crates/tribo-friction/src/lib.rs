@@ -29,6 +29,7 @@ pub mod equations;
 pub mod error;
 pub mod eyring;
 pub mod film_friction;
+pub mod film_friction_law;
 pub mod flash;
 pub mod friction_law;
 pub mod iso_14179_1;
@@ -42,9 +43,10 @@ pub mod xu;
 pub use conditions::{FrictionConditions, MeshConditions};
 pub use error::FrictionError;
 pub use film_friction::{
-    FilmContact, FilmFrictionSolution, FilmHeat, FilmRheology, FilmSettings, LoadedFilm, OilFamily,
-    PressureLaw, ShearLaw, TractionConstants,
+    FilmFrictionSolution, FilmHeat, FilmLineContact, FilmRheology, FilmSettings, LoadedFilm,
+    OilFamily, PressureLaw, ShearLaw, TractionConstants,
 };
+pub use film_friction_law::{FilmContact, FilmFriction, FilmTraction, NamedFriction};
 pub use flash::{FlashConditions, flash_temperature};
 pub use friction_law::{FrictionLaw, FrictionSettings};
 pub use mixed::{MixedFriction, mixed_friction};

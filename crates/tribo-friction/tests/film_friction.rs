@@ -14,7 +14,7 @@ use asperity_core::quantity::{
 use asperity_tribo_friction::boundary::{SharedFriction, boundary_share};
 use asperity_tribo_friction::film_friction::{CarreauConstants, LoadedFilm, solve};
 use asperity_tribo_friction::{
-    FilmContact, FilmFrictionSolution, FilmHeat, FilmRheology, FilmSettings, OilFamily,
+    FilmFrictionSolution, FilmHeat, FilmLineContact, FilmRheology, FilmSettings, OilFamily,
     PressureLaw, ShearLaw, TractionConstants,
 };
 use proptest::prelude::*;
@@ -68,13 +68,13 @@ fn settings(nodes: usize, heat: FilmHeat) -> FilmSettings {
     }
 }
 
-fn friction(oil: &FilmRheology, contact: &FilmContact, nodes: usize) -> FilmFrictionSolution {
+fn friction(oil: &FilmRheology, contact: &FilmLineContact, nodes: usize) -> FilmFrictionSolution {
     solve(oil, contact, settings(nodes, FilmHeat::FilmAndSurfaces))
         .unwrap()
         .value
 }
 
-fn isothermal(oil: &FilmRheology, contact: &FilmContact, nodes: usize) -> f64 {
+fn isothermal(oil: &FilmRheology, contact: &FilmLineContact, nodes: usize) -> f64 {
     solve(oil, contact, settings(nodes, FilmHeat::Isothermal))
         .unwrap()
         .value
@@ -82,8 +82,8 @@ fn isothermal(oil: &FilmRheology, contact: &FilmContact, nodes: usize) -> f64 {
 }
 
 /// 144 N/mm on 4.5 mm radius at 6.5 m/s and 0.15 um film.
-fn e_drive(slide_to_roll: f64) -> FilmContact {
-    FilmContact {
+fn e_drive(slide_to_roll: f64) -> FilmLineContact {
+    FilmLineContact {
         load: LineLoad::from_si(144e3),
         radius: Length::from_si(4.5e-3),
         modulus: Pressure::from_si(MODULUS),
@@ -128,8 +128,8 @@ fn golden() -> Vec<Condition> {
     file.conditions
 }
 
-fn contact_of(c: &Condition) -> FilmContact {
-    FilmContact {
+fn contact_of(c: &Condition) -> FilmLineContact {
+    FilmLineContact {
         load: LineLoad::from_si(c.w_N_per_m),
         radius: Length::from_si(c.R_m),
         modulus: Pressure::from_si(MODULUS),
@@ -363,7 +363,7 @@ fn cold_oil_leaves_the_range_with_a_note_and_impossible_input_is_refused() {
             .iter()
             .all(|note| note.correlation == "film friction")
     );
-    let refused = |change: fn(&mut FilmContact)| {
+    let refused = |change: fn(&mut FilmLineContact)| {
         let mut contact = e_drive(0.3);
         change(&mut contact);
         solve(&rheology, &contact, FilmSettings::default()).is_err()
@@ -432,7 +432,7 @@ proptest! {
         which in 0..3_usize,
     ) {
         let rheology = oil(["e-fluid", "M100", "PAO100"][which]);
-        let contact = FilmContact {
+        let contact = FilmLineContact {
             load: LineLoad::from_si(load),
             radius: Length::from_si(radius),
             speeds: speeds(entrainment, slide_to_roll),
@@ -445,7 +445,7 @@ proptest! {
         prop_assert!(mu > 0.0);
         // Even in the sliding speed: the bodies change places.
         let [u1, u2] = contact.speeds;
-        let mirrored = friction(&rheology, &FilmContact { speeds: [u2, u1], ..contact }, 16);
+        let mirrored = friction(&rheology, &FilmLineContact { speeds: [u2, u1], ..contact }, 16);
         prop_assert!((mirrored.coefficient / mu - 1.0).abs() < 1e-13);
         // Heat only lowers it.
         let cold = isothermal(&rheology, &contact, 16);
@@ -456,7 +456,7 @@ proptest! {
         let limit = constants.limiting_shear + 2.0 * a * constants.ambient_limit.si() / load;
         prop_assert!(cold <= limit * (1.0 + 1e-6), "{cold} {limit}");
         // Falls with temperature at a given film.
-        let warmer = FilmContact { temperature: celsius(temperature + 5.0), ..contact };
+        let warmer = FilmLineContact { temperature: celsius(temperature + 5.0), ..contact };
         prop_assert!(friction(&rheology, &warmer, 16).coefficient < mu);
         prop_assert!(heated.limited_share >= 0.0 && heated.limited_share <= 1.0 + 1e-12);
     }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use asperity::report::wrapped;
+use asperity_report::wrapped;
 
 use super::details::Details;
 use super::plan::Plan;

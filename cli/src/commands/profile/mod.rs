@@ -13,11 +13,12 @@ use std::path::Path;
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
+use asperity_profile_io::Warning as ReadWarning;
+use asperity_profile_io::read::{Format, Metadata, ReadOptions, Reading, read};
+use asperity_profile_io::write::{WrittenFormat, write};
 use asperity_roughness::ambiguity::Sections;
 use asperity_roughness::height_parameters::{HeightParameters, Mode, in_sections};
 use asperity_roughness::preparation::{Profiles, profiles};
-use asperity_roughness::read::{Format, Metadata, ReadOptions, Reading, read};
-use asperity_roughness::write::{WrittenFormat, write};
 use asperity_roughness::{Parameters, RoughnessError, Warning};
 
 use self::plan::Plan;
@@ -88,21 +89,46 @@ impl Evaluated {
     }
 
     /// All warnings, each once.
-    fn warnings(&self) -> Vec<&Warning> {
-        let mut all: Vec<&Warning> = Vec::new();
-        let lists = [
-            &self.reading.warnings,
-            &self.parts.roughness.warnings,
-            &self.iso4287.warnings,
-        ];
-        for warning in lists.into_iter().flatten() {
-            let is_about_filtering = *warning == Warning::AlreadyFiltered;
-            let is_idle = is_about_filtering && self.plan.recipe.lambda_c.is_none();
-            if !is_idle && !all.contains(&warning) {
-                all.push(warning);
+    fn warnings(&self) -> Vec<Note<'_>> {
+        let is_idle = |warning: &ReadWarning| {
+            *warning == ReadWarning::AlreadyFiltered && self.plan.recipe.lambda_c.is_none()
+        };
+        let read = self.reading.warnings.iter().filter(|w| !is_idle(w));
+        let evaluated = [&self.parts.roughness.warnings, &self.iso4287.warnings];
+        let evaluated = evaluated.into_iter().flatten();
+        let mut all = Vec::new();
+        for note in read.map(Note::Read).chain(evaluated.map(Note::Evaluated)) {
+            if !all.contains(&note) {
+                all.push(note);
             }
         }
         all
+    }
+}
+
+/// A warning of the reader or of the evaluation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Note<'a> {
+    Read(&'a ReadWarning),
+    Evaluated(&'a Warning),
+}
+
+impl Note<'_> {
+    /// The code under which the message is explained.
+    fn code(self) -> &'static str {
+        match self {
+            Self::Read(warning) => warning.code(),
+            Self::Evaluated(warning) => warning.code(),
+        }
+    }
+}
+
+impl std::fmt::Display for Note<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Read(warning) => warning.fmt(f),
+            Self::Evaluated(warning) => warning.fmt(f),
+        }
     }
 }
 
@@ -159,7 +185,7 @@ fn save(output: &Path, profile: &Profile, metadata: &Metadata) -> Result<(), Fai
 
 /// Writes `bytes`, all or nothing.
 fn save_bytes(output: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    asperity::report::save(output, bytes).map_err(|error| {
+    asperity_report::save(output, bytes).map_err(|error| {
         let text = format!("{}: cannot be written: {error}", output.display());
         Failure::new("E401", text)
     })

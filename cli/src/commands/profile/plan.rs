@@ -2,12 +2,12 @@
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
+use asperity_profile_io::read::{FilterState, Reading};
 use asperity_roughness::RoughnessError;
 use asperity_roughness::ambiguity::Sections;
 use asperity_roughness::form::Form;
 use asperity_roughness::involute::{Involute, remove};
 use asperity_roughness::preparation::{Preparation, PreparationRecord, RoughnessFilter};
-use asperity_roughness::read::{FilterState, Reading};
 use serde_json::{Value, json};
 
 use crate::args::{FormArg, PreparingArgs, name_of};

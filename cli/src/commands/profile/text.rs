@@ -1,10 +1,10 @@
 //! One profile as text of 80 columns that fits on a screen.
 
-use asperity::report::wrapped;
 use asperity_core::quantity::Length;
+use asperity_profile_io::read::FilterState;
+use asperity_report::wrapped;
 use asperity_roughness::height_parameters::HeightParameters;
 use asperity_roughness::material_ratio::RkParameters;
-use asperity_roughness::read::FilterState;
 
 use super::details::Details;
 use super::plan::as_is;

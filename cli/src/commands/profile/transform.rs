@@ -1,11 +1,11 @@
 //! `asperity profile convert`, `filter` and `generate`: a profile into a file.
 
-use asperity::report::wrapped;
+use asperity_profile_io::read::Metadata;
+use asperity_report::wrapped;
 use asperity_roughness::composite::resampled;
 use asperity_roughness::generate::{Recipe, SelfAffine, Surface};
 use asperity_roughness::outliers::{Outliers, replace};
 use asperity_roughness::preparation::profiles;
-use asperity_roughness::read::Metadata;
 use serde_json::json;
 
 use super::plan::Plan;

@@ -3,7 +3,7 @@
 use crate::error::PositionError;
 use crate::station::Station;
 
-use super::Carried;
+use super::carried::Carried;
 
 /// The film's pressure at the points `x` [m]: that of the smooth dry contact, which a full film
 /// takes over all but its inlet and its outlet.

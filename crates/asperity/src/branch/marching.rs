@@ -4,8 +4,8 @@
 use asperity_contact::{Boundary, ContactProblem, ContactSolution, Control, Solver};
 use asperity_core::quantity::Length;
 
-use super::Carried;
-use super::mixed::{settings, softer};
+use super::carried::Carried;
+use super::rough_contact::{settings, softer};
 use crate::case::Case;
 use crate::encounter::Encounter;
 use crate::error::PositionError;

@@ -1,19 +1,21 @@
 //! Film and asperities together: the film takes its share of the load at once, the solids the rest.
 
-use asperity_contact::{
-    Boundary, ContactProblem, ContactSolution, Control, Solver, SolverSettings,
-};
-use asperity_core::quantity::{LineLoad, Pressure};
+use asperity_contact::{Boundary, ContactProblem, ContactSolution, Control, Solver};
+use asperity_core::quantity::LineLoad;
 
+use super::carried::Carried;
 use super::full_film::hertz_pressure;
-use super::{Carried, LOAD_PATH_POINTS};
+use super::rough_contact::{settings, softer};
 use crate::case::Case;
 use crate::encounter::Encounter;
 use crate::error::PositionError;
 use crate::result::HistoryRow;
 use crate::station::Station;
 
-/// What the mixed contact of one encounter is made of.
+/// Points at which the load path is recorded, besides the full load.
+const LOAD_PATH_POINTS: usize = 8;
+
+/// Parts of the mixed contact of one encounter.
 pub(crate) struct Mixed<'a> {
     pub case: &'a Case,
     pub station: &'a Station,
@@ -51,20 +53,6 @@ impl Mixed<'_> {
             start,
         };
         Ok(solver.solve(&problem, &settings(self.case))?)
-    }
-}
-
-/// Flow pressure of the softer flank.
-pub(super) fn softer(case: &Case) -> Pressure {
-    let [pinion, wheel] = case.flow_pressure;
-    Pressure::from_si(pinion.si().min(wheel.si()))
-}
-
-/// Settings of the contact solver.
-pub(super) fn settings(case: &Case) -> SolverSettings {
-    SolverSettings {
-        tolerance: case.model.tolerance,
-        ..SolverSettings::default()
     }
 }
 

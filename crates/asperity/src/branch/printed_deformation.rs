@@ -3,7 +3,8 @@
 use asperity_core::quantity::{Length, Pressure, Time};
 use asperity_efficiency::deformation::printed_deformation_power;
 
-use super::{Bodies, Carried};
+use super::bodies::Bodies;
+use super::carried::Carried;
 use crate::case::Case;
 use crate::encounter::Encounter;
 use crate::error::PositionError;

@@ -1,7 +1,7 @@
 //! What can be wrong with a case file, each with a code, a place and a remedy.
 
 use asperity_core::DomainError;
-use asperity_roughness::read::ReadError;
+use asperity_profile_io::read::ReadError;
 
 use super::source::Place;
 

@@ -4,12 +4,14 @@ use std::path::Path;
 
 use asperity_core::DomainError;
 use asperity_core::Profile;
+use asperity_core::provenance::Provenance;
 use asperity_core::quantity::Length;
+use asperity_profile_io::Warning as ReadWarning;
+use asperity_profile_io::read::{Format, ReadOptions, Reading, read_bytes};
+use asperity_roughness::Parameters;
 use asperity_roughness::composite::resampled;
 use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::preparation::prepare;
-use asperity_roughness::read::{Format, ReadOptions, Reading, read_bytes};
-use asperity_roughness::{Parameters, Warning as ProfileWarning};
 use asperity_tribo_friction::XuCalibration;
 use sha2::{Digest, Sha256};
 
@@ -36,6 +38,8 @@ pub struct LoadedCase {
     pub flanks: [FlankReport; 2],
     /// What about the files calls for attention.
     pub warnings: Vec<Warning>,
+    /// Equations that the preparation of oil, gears and traces used.
+    pub provenance: Provenance,
 }
 
 /// Reads the case file `path` and the traces it names; `formulation` wins over the file's.
@@ -64,7 +68,13 @@ pub fn load_with(
 ) -> Result<LoadedCase, (Box<CaseError>, Option<Box<Source>>)> {
     let source = open(path).map_err(|error| (Box::new(error), None))?;
     let folder = path.parent().unwrap_or(Path::new("."));
-    from_source(&source, folder, change)
+    let provenance = Provenance::new();
+    provenance
+        .collect(|| from_source(&source, folder, change))
+        .map(|loaded| LoadedCase {
+            provenance,
+            ..loaded
+        })
         .map_err(|error| (Box::new(error), Some(Box::new(source.clone()))))
 }
 
@@ -166,6 +176,7 @@ fn load_flanks(case: Case, source: &Source, folder: &Path) -> Result<LoadedCase,
         surfaces,
         flanks: [pinion, wheel],
         warnings,
+        provenance: Provenance::new(),
     })
 }
 
@@ -261,11 +272,13 @@ fn trace(
     let lambda_c = case.preparation.lambda_c;
     let section = lambda_c.unwrap_or_else(|| prepared.profile.length() / 5.0);
     let parameters = Parameters::of(&prepared.profile, Mode::Iso4287, section).map_err(refused)?;
-    let lists = [&reading.warnings, &prepared.warnings, &parameters.warnings];
-    for warning in lists.into_iter().flatten() {
-        if lambda_c.is_some() || *warning != ProfileWarning::AlreadyFiltered {
+    for warning in &reading.warnings {
+        if lambda_c.is_some() || *warning != ReadWarning::AlreadyFiltered {
             warnings.push(Warning::new(warning.code(), format!("{name}: {warning}")));
         }
+    }
+    for warning in prepared.warnings.iter().chain(&parameters.warnings) {
+        warnings.push(Warning::new(warning.code(), format!("{name}: {warning}")));
     }
     let report = FlankReport {
         file: Some(name),

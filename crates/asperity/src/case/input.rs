@@ -13,9 +13,9 @@ use asperity_core::quantity::{
 use asperity_ehl_regime::{FilmLaw, LoadShareLaw, ThermalLaw};
 use asperity_gear::{LoadSharing, PathOfContact, Plane};
 use asperity_ns_film::FluidModel;
+use asperity_profile_io::read::{Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator};
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
-use asperity_roughness::read::{Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator};
 use asperity_tribo_friction::FrictionLaw;
 use schemars::JsonSchema;
 use serde::de::value::{SeqAccessDeserializer, StrDeserializer};

@@ -10,6 +10,7 @@ mod input;
 mod key_names;
 mod known_keys;
 mod model;
+mod own_laws;
 mod plain_words;
 mod resolve;
 mod source;

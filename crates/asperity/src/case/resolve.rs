@@ -18,6 +18,7 @@ use super::key_names::key_of;
 use super::model::{Model, model};
 use super::source::Source;
 use super::steel::materials;
+use crate::laws::Laws;
 
 /// Basic rack of ISO 53.
 const PRESSURE_ANGLE: f64 = 20.0 * std::f64::consts::PI / 180.0;
@@ -56,6 +57,8 @@ pub struct Case {
     pub preparation: Preparation,
     /// Choices of the model.
     pub model: Model,
+    /// Laws of a user's own.
+    pub laws: Laws,
     /// The case as read.
     pub input: CaseInput,
     /// Every default that was used.
@@ -106,6 +109,7 @@ pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
         oil_notes: oil.outside,
         preparation,
         model,
+        laws: Laws::default(),
         input,
         defaults: defaults.into_list(),
     })

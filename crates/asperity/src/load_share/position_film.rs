@@ -4,13 +4,13 @@ use asperity_contact::hertz_line::HertzLine;
 use asperity_core::material::Material;
 use asperity_core::numerics::{Solved, secant_root};
 use asperity_core::quantity::{Length, LineEnergy, LineLoad, Pressure, Speed, Temperature};
-use asperity_core::{Checked, DomainError, FittedRange, OutOfRange};
+use asperity_core::{Checked, DomainError, FittedRange, OutOfRange, cite};
 use asperity_ehl_regime::inlet_flow::{
     CentralFilm, LARGEST_SHARE, Lay, inlet_factor, supplied_gap,
 };
 use asperity_ehl_regime::{FilmConditions, FilmLaw, MoesNumbers, ThermalLaw, thermal_loading};
 use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION, BOUNDARY_LAYER, SharedFriction};
-use asperity_tribo_friction::{FilmContact, FilmHeat, FilmRheology, FilmSettings, LoadedFilm};
+use asperity_tribo_friction::{FilmHeat, FilmLineContact, FilmRheology, FilmSettings, LoadedFilm};
 
 use super::contact_table::{ContactTable, end_share};
 use super::error::LoadShareError;
@@ -23,6 +23,8 @@ const TOLERANCE: f64 = 1e-9;
 /// Relative step in φ^¼ at which the direct solves end: 4e-8 of the share.
 const DIRECT_TOLERANCE: f64 = 1e-8;
 
+/// Friction coefficient that no lubricated contact reaches: the upper end of its bracket.
+const MOST_FRICTION: f64 = 1.0;
 /// Least share that is solved for directly: below it the spots are single cells.
 const LEAST_DIRECT_SHARE: f64 = 1e-6;
 
@@ -203,7 +205,7 @@ impl<'a> PositionFilm<'a> {
         let numbers = MoesNumbers::of(&conditions.line_groups()?)?;
         let film = LoadedFilm::new(
             rheology,
-            &FilmContact {
+            &FilmLineContact {
                 load: contact.load,
                 radius: contact.radius,
                 modulus: contact.modulus,
@@ -426,7 +428,8 @@ impl<'a> PositionFilm<'a> {
                     f64::NAN
                 }
             },
-            [0.0, cold],
+            // Warmer spots have thinner films and more boundary friction: μ may exceed its cold value.
+            [0.0, MOST_FRICTION.max(2.0 * cold)],
             cold / steepness,
             steepness,
             TOLERANCE,
@@ -507,6 +510,7 @@ fn direct_share(
     contact: &mut RoughContact,
     supply: &impl Fn(f64) -> f64,
 ) -> Result<Solved, LoadShareError> {
+    cite!("Load-share");
     let first_touch = contact.first_touch_gap().si();
     let mut failed = None;
     let mut gap = |phi: f64| match contact.at(phi) {

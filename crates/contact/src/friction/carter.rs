@@ -10,8 +10,8 @@
 //! | W, Q | normal and tangential load per metre of face width | N/m |
 //! | μ, ξ | friction coefficient, creepage | - |
 
-use asperity_core::DomainError;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
+use asperity_core::{DomainError, cite};
 
 use super::mindlin::{held, stick_half_width, stick_pressure};
 use crate::error::ContactError;
@@ -41,6 +41,7 @@ pub fn carter_traction(
     tangential: LineLoad,
     position: Length,
 ) -> Result<Pressure, ContactError> {
+    cite!("Carter-1");
     let c = stick_half_width(contact, friction, tangential)?;
     let slip = contact.pressure(position)?;
     let from_middle = position - (contact.half_width - c);
@@ -67,6 +68,7 @@ pub fn carter_creepage(
     tangential: LineLoad,
     radius: Length,
 ) -> Result<f64, ContactError> {
+    cite!("Carter-2");
     let r = DomainError::positive("relative radius", radius)?;
     let b = DomainError::positive("half width", contact.half_width)?;
     let held = held(contact, friction, tangential)?;

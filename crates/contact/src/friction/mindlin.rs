@@ -10,8 +10,8 @@
 //! | W, Q | normal and tangential load per metre of face width | N/m |
 //! | μ | friction coefficient | - |
 
-use asperity_core::DomainError;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
+use asperity_core::{DomainError, cite};
 
 use crate::error::ContactError;
 use crate::hertz_line::HertzLine;
@@ -35,6 +35,7 @@ pub fn stick_half_width(
     friction: f64,
     tangential: LineLoad,
 ) -> Result<Length, ContactError> {
+    cite!("Mindlin-1");
     let b = DomainError::positive("half width", contact.half_width)?;
     let held = held(contact, friction, tangential)?;
     Ok(Length::from_si(b * (1.0 - held).sqrt()))
@@ -61,6 +62,7 @@ pub fn mindlin_traction(
     tangential: LineLoad,
     position: Length,
 ) -> Result<Pressure, ContactError> {
+    cite!("Mindlin-2");
     let c = stick_half_width(contact, friction, tangential)?;
     let slip = contact.pressure(position)?;
     let stick = stick_pressure(contact, c, position)?;

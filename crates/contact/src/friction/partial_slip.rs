@@ -9,8 +9,8 @@
 //! | W, Q | normal and tangential load per metre of face width | N/m |
 //! | μ | friction coefficient | - |
 
-use asperity_core::DomainError;
 use asperity_core::quantity::LineLoad;
+use asperity_core::{DomainError, cite};
 use serde::Serialize;
 
 use crate::error::ContactError;
@@ -19,6 +19,7 @@ use crate::solver::Solver;
 
 /// A contact under normal and tangential load.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct PartialSlip {
     /// The contact under the normal load.
     pub normal: ContactSolution,
@@ -55,6 +56,7 @@ pub fn partial_slip(
     tangential: LineLoad,
     settings: &SolverSettings,
 ) -> Result<PartialSlip, ContactError> {
+    cite!("Slip-1");
     let mu = super::sliding::check_friction(friction)?;
     let Control::Load(load) = problem.control else {
         return Err(ContactError::LoadControlNeeded {

@@ -12,13 +12,14 @@
 
 use std::f64::consts::PI;
 
-use asperity_core::DomainError;
 use asperity_core::material::Material;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
+use asperity_core::{DomainError, cite};
 use serde::Serialize;
 
+use crate::boundary::Boundary;
 use crate::error::ContactError;
-use crate::problem::{Boundary, ContactProblem, ContactSolution, SolverSettings};
+use crate::problem::{ContactProblem, ContactSolution, SolverSettings};
 use crate::solver::Solver;
 
 /// β = ½·[(1 − 2ν₁)/G₁ − (1 − 2ν₂)/G₂]/[(1 − ν₁)/G₁ + (1 − ν₂)/G₂]                [Dundurs-1]
@@ -29,6 +30,7 @@ use crate::solver::Solver;
 /// # Errors
 /// When a modulus is not positive or a Poisson's ratio is outside −1 < ν ≤ 0.5.
 pub fn dundurs(below: &Material, above: &Material) -> Result<f64, ContactError> {
+    cite!("Dundurs-1");
     // (1 − ν)/G = 2·(1 − ν²)/E and (1 − 2ν)/G = 2·(1 + ν)(1 − 2ν)/E
     let volume = |m: &Material| -> Result<[f64; 2], ContactError> {
         let compliance = m.compliance()?;
@@ -67,6 +69,7 @@ pub fn sliding_pressure(
     beta_mu: f64,
     position: Length,
 ) -> Result<Pressure, ContactError> {
+    cite!("Sliding-2");
     let w = DomainError::positive("load", load)?;
     let r = DomainError::positive("relative radius", radius)?;
     let e = DomainError::positive("reduced modulus", modulus)?;
@@ -99,6 +102,7 @@ pub struct SlidingSettings {
 
 /// A sliding contact of dissimilar bodies.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Sliding {
     /// The contact; its displacement is that of the pressure alone.
     pub contact: ContactSolution,
@@ -120,6 +124,7 @@ pub fn solve_sliding(
     sliding: &SlidingSettings,
     settings: &SolverSettings,
 ) -> Result<Sliding, ContactError> {
+    cite!("Sliding-1");
     if problem.boundary != Boundary::FreeEnds {
         return Err(ContactError::FreeEndsNeeded {
             purpose: "sliding of dissimilar bodies",

@@ -5,8 +5,8 @@
 
 use std::f64::consts::PI;
 
-use asperity_core::DomainError;
 use asperity_core::quantity::{Length, Pressure};
+use asperity_core::{DomainError, cite};
 
 use crate::ContactError;
 use crate::hertz_line::HertzLine;
@@ -30,6 +30,7 @@ pub const HERTZ_SHEAR_DEPTH: f64 = 0.786_151_377_757_423_3;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn hertz_axis_shear(contact: &HertzLine, depth: Length) -> Result<Pressure, ContactError> {
+    cite!("P5");
     let b = DomainError::positive("half width", contact.half_width)?;
     let p0 = DomainError::non_negative("largest pressure", contact.max_pressure)?;
     let z = DomainError::non_negative("depth", depth)?;
@@ -57,6 +58,7 @@ pub fn strip_axis_shear(
     half_width: Length,
     depth: Length,
 ) -> Result<Pressure, ContactError> {
+    cite!("P5");
     let p = DomainError::non_negative("pressure", pressure)?;
     let a = DomainError::positive("half width", half_width)?;
     let z = DomainError::non_negative("depth", depth)?;

@@ -8,9 +8,9 @@
 
 use std::sync::Arc;
 
-use asperity_core::DomainError;
 use asperity_core::numerics::good_fft_length;
 use asperity_core::quantity::{Length, Pressure};
+use asperity_core::{DomainError, cite};
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use serde::Serialize;
@@ -27,6 +27,7 @@ const REACH: f64 = 3.0;
 /// The arrays hold one row per depth, the value at depth i and position j at i·points + j.
 /// Position j is the middle of cell j: j·spacing from the first.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct StressField {
     /// Depths of the rows \[m\].
     pub depths: Vec<f64>,
@@ -44,6 +45,7 @@ pub struct StressField {
 
 /// The largest value of a field and where it is.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Peak {
     /// The value.
     pub value: Pressure,
@@ -55,6 +57,7 @@ pub struct Peak {
 
 /// Where the equivalent stress passes the elastic limit, between grid points of the field.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct YieldZone {
     /// Number of grid points above the limit.
     pub points: usize,
@@ -95,6 +98,8 @@ pub fn subsurface_stress(
     spacing: Length,
     depths: &[f64],
 ) -> Result<StressField, ContactError> {
+    cite!("Subsurface-3");
+    cite!("Subsurface-1");
     let dx = DomainError::positive("spacing", spacing)?;
     check(pressure, traction, depths)?;
     let points = pressure.len();
@@ -174,6 +179,7 @@ impl StressField {
     /// τ₁ \[Pa\] at every point, in the order of the stresses; see
     /// [`PlaneStress::max_shear`](super::PlaneStress::max_shear).
     pub fn max_shear(&self) -> Vec<f64> {
+        cite!("Shear-1");
         self.every(max_shear)
     }
 
@@ -182,6 +188,7 @@ impl StressField {
     /// # Errors
     /// When ν is outside −1 < ν ≤ 0.5.
     pub fn von_mises(&self, poisson: f64) -> Result<Vec<f64>, ContactError> {
+        cite!("Mises-1");
         let nu = check_poisson(poisson)?;
         Ok(self.every(|stress| von_mises(stress, nu)))
     }
@@ -191,6 +198,7 @@ impl StressField {
     /// # Errors
     /// When ν is outside −1 < ν ≤ 0.5.
     pub fn tresca(&self, poisson: f64) -> Result<Vec<f64>, ContactError> {
+        cite!("Tresca-1");
         let nu = check_poisson(poisson)?;
         Ok(self.every(|stress| tresca(stress, nu)))
     }

@@ -3,8 +3,8 @@
 //! McEwen's form after Johnson 1985, eq. 4.49, with full-sliding traction q = μ·p (Johnson 1985,
 //! section 7.1). Valid anywhere in the half-plane.
 
-use asperity_core::DomainError;
 use asperity_core::quantity::{Length, Pressure};
+use asperity_core::{DomainError, cite};
 
 use super::point::PlaneStress;
 use crate::ContactError;
@@ -37,6 +37,7 @@ pub fn hertz_stress(
     position: Length,
     depth: Length,
 ) -> Result<PlaneStress, ContactError> {
+    cite!("Subsurface-2");
     let b = DomainError::positive("half width", contact.half_width)?;
     let p0 = DomainError::non_negative("largest pressure", contact.max_pressure)?;
     let x = DomainError::finite("position", position)? / b;

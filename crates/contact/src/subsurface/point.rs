@@ -1,7 +1,7 @@
 //! The stress at one point and its equivalents.
 
-use asperity_core::DomainError;
 use asperity_core::quantity::Pressure;
+use asperity_core::{DomainError, cite};
 use serde::Serialize;
 
 use crate::ContactError;
@@ -27,6 +27,7 @@ impl PlaneStress {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn max_shear(&self) -> Pressure {
+        cite!("Shear-1");
         Pressure::from_si(max_shear(self.components()))
     }
 
@@ -45,6 +46,7 @@ impl PlaneStress {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn von_mises(&self, poisson: f64) -> Result<Pressure, ContactError> {
+        cite!("Mises-1");
         let nu = check_poisson(poisson)?;
         Ok(Pressure::from_si(von_mises(self.components(), nu)))
     }
@@ -63,6 +65,7 @@ impl PlaneStress {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn tresca(&self, poisson: f64) -> Result<Pressure, ContactError> {
+        cite!("Tresca-1");
         let nu = check_poisson(poisson)?;
         Ok(Pressure::from_si(tresca(self.components(), nu)))
     }

@@ -5,8 +5,8 @@
 
 use std::f64::consts::PI;
 
-use asperity_core::DomainError;
 use asperity_core::quantity::Length;
+use asperity_core::{DomainError, cite};
 use serde::Serialize;
 
 use crate::ContactError;
@@ -15,6 +15,7 @@ use crate::ContactError;
 ///
 /// Traction's σ_zz equals pressure's τ_xz, and traction's τ_xz equals pressure's σ_xx.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct StripStress {
     /// A = σ_xx/p = τ_xz/q.
     pub xx_of_pressure: f64,
@@ -47,6 +48,7 @@ pub fn strip_unit(
     depth: Length,
     half_width: Length,
 ) -> Result<StripStress, ContactError> {
+    cite!("Subsurface-1");
     let x = DomainError::finite("position", position)?;
     let z = DomainError::non_negative("depth", depth)?;
     let a = DomainError::positive("half width", half_width)?;

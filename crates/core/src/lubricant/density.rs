@@ -45,6 +45,7 @@ impl DensityLine {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn at(&self, temperature: Temperature) -> Result<Density, DomainError> {
+        crate::cite!("Density-1");
         let rho = DomainError::positive("density", self.density)?;
         Ok(Density::from_si(rho * self.remainder(temperature)?))
     }
@@ -92,6 +93,7 @@ pub fn dowson_higginson_density(
     density: Density,
     pressure: Pressure,
 ) -> Result<Density, DomainError> {
+    crate::cite!("Density-2");
     let rho0 = DomainError::positive("density", density)?;
     let p = DomainError::non_negative("pressure", pressure)?;
     let rise = DOWSON_HIGGINSON_RISE * p / (1.0 + DOWSON_HIGGINSON_BEND * p);

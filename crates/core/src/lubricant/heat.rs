@@ -40,6 +40,7 @@ pub fn cragoe_conductivity(
     density_15: Density,
     temperature: Temperature,
 ) -> Result<Checked<ThermalConductivity>, DomainError> {
+    crate::cite!("Cragoe-1");
     /// Cragoe's 0.813 BTU in/(h ft² °F) \[W/(m K)\].
     const SCALE: f64 = 0.1172;
     /// Cragoe's 0.0003 1/°F \[1/K\].
@@ -66,6 +67,7 @@ pub fn cragoe_heat_capacity(
     density_15: Density,
     temperature: Temperature,
 ) -> Result<Checked<SpecificHeat>, DomainError> {
+    crate::cite!("Cragoe-2");
     /// Cragoe's 0.388 + 0.00045·32 BTU/(lb °F) \[J/(kg K)\].
     const SCALE: f64 = 1685.0;
     /// Cragoe's 0.00045 BTU/(lb °F²) [J/(kg K²)].

@@ -98,6 +98,7 @@ pub fn gold_pressure_viscosity(
     base_oil: BaseOil,
     viscosity: KinematicViscosity,
 ) -> Result<Checked<PressureViscosity>, DomainError> {
+    crate::cite!("Gold-1");
     let nu = DomainError::positive("kinematic viscosity", viscosity)? * MM2_PER_M2;
     let (s, t) = base_oil.gold();
     let mut outside = Vec::new();

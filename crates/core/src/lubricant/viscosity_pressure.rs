@@ -46,6 +46,7 @@ pub fn barus(
     pressure_viscosity: PressureViscosity,
     pressure: Pressure,
 ) -> Result<Checked<DynamicViscosity>, DomainError> {
+    crate::cite!("Barus-1");
     let eta0 = DomainError::positive("viscosity", viscosity)?;
     let alpha = DomainError::positive("pressure-viscosity coefficient", pressure_viscosity)?;
     let p = DomainError::non_negative("pressure", pressure)?;
@@ -72,6 +73,7 @@ pub fn roelands_exponent(
     viscosity: DynamicViscosity,
     pressure_viscosity: PressureViscosity,
 ) -> Result<f64, DomainError> {
+    crate::cite!("Roelands-1");
     let alpha = DomainError::positive("pressure-viscosity coefficient", pressure_viscosity)?;
     Ok(alpha / (ROELANDS_PER_PASCAL * roelands_log(viscosity)?))
 }
@@ -93,6 +95,7 @@ pub fn roelands(
     pressure_viscosity: PressureViscosity,
     pressure: Pressure,
 ) -> Result<DynamicViscosity, DomainError> {
+    crate::cite!("Roelands-2");
     let p = DomainError::non_negative("pressure", pressure)?;
     let z = roelands_exponent(viscosity, pressure_viscosity)?;
     // (1 + x)^Z − 1 through ln_1p and exp_m1: no digit is lost at small pressures.

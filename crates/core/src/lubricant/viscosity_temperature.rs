@@ -74,6 +74,7 @@ impl AstmD341 {
         at_40: KinematicViscosity,
         at_100: KinematicViscosity,
     ) -> Result<Self, DomainError> {
+        crate::cite!("ASTM-1");
         let y1 = ordinate("viscosity at 40 °C", at_40)?;
         let y2 = ordinate("viscosity at 100 °C", at_100)?;
         DomainError::require(
@@ -106,6 +107,7 @@ impl AstmD341 {
         &self,
         temperature: Temperature,
     ) -> Result<Checked<KinematicViscosity>, DomainError> {
+        crate::cite!("ASTM-2");
         let t = DomainError::positive("temperature", temperature)?;
         let nu = 10f64.powf(10f64.powf(self.a - self.b * t.log10())) - ASTM_C;
         DomainError::require(
@@ -138,6 +140,7 @@ impl AstmD341 {
         &self,
         temperature: Temperature,
     ) -> Result<PerKelvin, DomainError> {
+        crate::cite!("ASTM-3");
         let nu = self.kinematic_viscosity(temperature)?.value.si() * MM2_PER_M2;
         let log = LN_10 * 10f64.powf(self.a - self.b * temperature.si().log10());
         Ok(PerKelvin::from_si(
@@ -188,6 +191,7 @@ impl Vogel {
         &self,
         temperature: Temperature,
     ) -> Result<DynamicViscosity, DomainError> {
+        crate::cite!("Vogel-1");
         let k = DomainError::positive("limit viscosity", self.limit_viscosity)?;
         let distance = self.distance(temperature)?;
         let eta = k * (self.slope_kelvin / distance).exp();
@@ -216,6 +220,7 @@ impl Vogel {
         &self,
         temperature: Temperature,
     ) -> Result<PerKelvin, DomainError> {
+        crate::cite!("Vogel-2");
         let distance = self.distance(temperature)?;
         Ok(PerKelvin::from_si(
             self.slope_kelvin / (distance * distance),
@@ -281,6 +286,7 @@ impl GivenViscosity {
         &self,
         temperature: Temperature,
     ) -> Result<Checked<DynamicViscosity>, DomainError> {
+        crate::cite!("Reynolds-eta");
         let eta = DomainError::positive("viscosity", self.viscosity)?;
         let t = DomainError::positive("temperature", temperature)?;
         let reference =

@@ -89,6 +89,7 @@ fn search(
 ) -> Result<Solved, RootError> {
     let mut x = start.clamp(low.min(high), high.max(low));
     let mut last = None;
+    let (mut is_low_seen, mut is_high_seen) = (false, false);
     for iterations in 1..=MAX_EVALUATIONS {
         let (residual, slope) = function(x, last);
         let failed = RootError::NotConverged {
@@ -107,19 +108,25 @@ fn search(
             });
         }
         if residual < 0.0 {
-            low = x;
+            (low, is_low_seen) = (x, true);
         } else {
-            high = x;
+            (high, is_high_seen) = (x, true);
         }
         last = Some((x, residual));
         let newton = x - residual / slope;
-        let next = if newton >= low && newton <= high {
+        let is_inside = newton >= low && newton <= high;
+        let next = if is_inside {
             newton
         } else {
             0.5 * (low + high)
         };
         let small = tolerance.max(2.0 * f64::EPSILON) * next.abs();
         if (next - x).abs() <= small || high - low <= small {
+            // Bisection into an end that was never evaluated: the root lies beyond it, by more than rounding.
+            let is_beyond = newton < low - small || newton > high + small;
+            if is_beyond && !(is_low_seen && is_high_seen) {
+                return Err(failed);
+            }
             return Ok(Solved {
                 value: next,
                 residual,
@@ -165,6 +172,12 @@ mod tests {
             1e-12,
         );
         assert!((kink.unwrap().value - 0.3).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_root_beyond_the_bracket_is_an_error() {
+        assert!(newton_root(|x| (x - 2.0, 1.0), [0.0, 1.0], 0.5, 1e-9).is_err());
+        assert!(secant_root(|x| x + 0.1, [0.0, 1.0], 0.5, 1.0, 1e-9).is_err());
     }
 
     #[test]

@@ -4,11 +4,13 @@ mod convolution;
 mod fft_length;
 mod increasing_root;
 mod root;
+mod sums;
 
 pub use convolution::SymmetricToeplitz;
 pub use fft_length::good_fft_length;
 pub use increasing_root::{Solved, newton_root, secant_root};
 pub use root::{Root, RootError, find_root};
+pub use sums::{extremes, sum};
 
 /// ∫ y dx by the trapezoidal rule over points `x`, `y` of equal number (fewer than two give 0).
 pub fn trapezoid(x: &[f64], y: &[f64]) -> f64 {

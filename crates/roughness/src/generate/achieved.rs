@@ -2,12 +2,13 @@
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::spectral;
 
 /// A profile with what it achieved.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Generated {
     /// The profile.
     #[serde(skip)]
@@ -25,7 +26,8 @@ impl Generated {
 }
 
 /// Parameters of a generated profile over its whole length, about its mean.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct Achieved {
     /// Arithmetic mean height.
     pub ra: Length,
@@ -64,7 +66,7 @@ impl Achieved {
         let moment = |power: i32| z.iter().map(|z| (z - mean).powi(power)).sum::<f64>() / n;
         let rq = moment(2).sqrt();
         let shape = |power: i32| Some(moment(power) / rq.powi(power)).filter(|v| v.is_finite());
-        let (low, high) = crate::height_parameters::extremes(z);
+        let (low, high) = asperity_core::numerics::extremes(z);
         let slope = spectral::moments(profile)
             .ok()
             .map(|moments| moments.m2.sqrt());

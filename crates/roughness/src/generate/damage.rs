@@ -5,6 +5,7 @@
 //! | x_c | middle of a pit or scratch | m |
 //! | w, d | its width and depth | m |
 
+use asperity_core::cite;
 use std::f64::consts::PI;
 
 use asperity_core::quantity::Length;
@@ -48,6 +49,7 @@ impl Pits {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn add_to(&self, profile: &Profile) -> Result<Profile, DomainError> {
+        cite!("Pit-1");
         add(
             profile,
             self.count,
@@ -91,6 +93,7 @@ impl Scratches {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn add_to(&self, profile: &Profile) -> Result<Profile, DomainError> {
+        cite!("Scratch-1");
         const SHOULDER: f64 = 0.4;
         add(
             profile,

@@ -8,13 +8,14 @@
 //! | x_j, d_j | position along the trace and height of the tip of grit j | m |
 //! | ρ | radius of the grits | m |
 
+use asperity_core::cite;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::random::Random;
-use super::{check_points, scaled};
+use super::scaling::{check_points, scaled};
 
 /// Recipe of a ground profile.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -57,6 +58,7 @@ impl Ground {
     /// # Ok::<(), asperity_core::DomainError>(())
     /// ```
     pub fn generate(&self) -> Result<Profile, DomainError> {
+        cite!("Ground-1");
         const MOST_PER_POINT: f64 = 10.0;
         let n = check_points(self.points)?;
         let dx = DomainError::positive("spacing", self.spacing)?;

@@ -11,6 +11,7 @@ mod non_gaussian;
 mod plateau;
 mod random;
 mod recipe;
+mod scaling;
 mod self_affine;
 
 pub use achieved::{Achieved, Generated};
@@ -20,38 +21,3 @@ pub use non_gaussian::{HeightDistribution, NonGaussian};
 pub use plateau::{PlateauHoned, lower_envelope, truncated};
 pub use recipe::{Recipe, Surface};
 pub use self_affine::{Amplitudes, SelfAffine};
-
-use asperity_core::quantity::Length;
-use asperity_core::{DomainError, Profile};
-
-/// Most points of a generated profile: 10⁸ heights fill a gigabyte.
-const MOST_POINTS: usize = 100_000_000;
-
-fn check_points(points: usize) -> Result<usize, DomainError> {
-    const RULE: &str = "must lie between 4 and 100000000";
-    DomainError::require(
-        (4..=MOST_POINTS).contains(&points),
-        "points",
-        points as f64,
-        "-",
-        RULE,
-    )?;
-    Ok(points)
-}
-
-/// `heights` about zero and with a root mean square of `rq`.
-fn scaled(spacing: Length, mut heights: Vec<f64>, rq: Length) -> Result<Profile, DomainError> {
-    let n = heights.len() as f64;
-    let mean = heights.iter().sum::<f64>() / n;
-    let square = heights.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / n;
-    let factor = DomainError::non_negative("rq", rq)? / square.sqrt();
-    DomainError::require(
-        factor.is_finite(),
-        "mean square height",
-        square,
-        "m2",
-        "must be positive: the recipe gives a flat profile",
-    )?;
-    heights.iter_mut().for_each(|z| *z = (*z - mean) * factor);
-    Profile::new(spacing, heights)
-}

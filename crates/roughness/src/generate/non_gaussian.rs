@@ -10,18 +10,21 @@
 //! The heights are met exactly, the spectrum as well as the heights allow; what was achieved goes with
 //! the result.
 
+use asperity_core::cite;
 use asperity_core::{DomainError, Profile};
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::achieved::{Achieved, Generated};
+use super::scaling::scaled;
 use super::self_affine::SelfAffine;
-use super::{Achieved, Generated, scaled};
 
 /// Distribution of heights about their mean.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[non_exhaustive]
 pub enum HeightDistribution {
     /// Normal heights, Rsk 0 and Rku 3.
     Gaussian,
@@ -85,6 +88,7 @@ impl NonGaussian {
     /// # Ok::<(), asperity_core::DomainError>(())
     /// ```
     pub fn generate(&self) -> Result<Generated, DomainError> {
+        cite!("NonGaussian-1");
         const MOST: usize = 100;
         // Change of the spectrum error at which further turns move single points only.
         const SETTLED: f64 = 1e-4;

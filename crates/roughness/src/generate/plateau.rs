@@ -1,12 +1,13 @@
 //! Plateaus: peaks taken off a profile, as running-in and superfinishing do.
 
+use asperity_core::cite;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::SelfAffine;
-use crate::RoughnessError;
+use super::self_affine::SelfAffine;
+use crate::error::RoughnessError;
 use crate::material_ratio::abbott_curve;
 
 /// Recipe of a plateau-honed profile.
@@ -41,6 +42,7 @@ impl PlateauHoned {
     /// # Ok::<(), asperity_roughness::RoughnessError>(())
     /// ```
     pub fn generate(&self) -> Result<Profile, RoughnessError> {
+        cite!("Plateau-3");
         let depth = DomainError::finite("depth", self.depth)?;
         let (coarse, fine) = (self.coarse.generate()?, self.fine.generate()?);
         let lowered = fine.heights().iter().map(|z| z - depth).collect();
@@ -68,6 +70,7 @@ impl PlateauHoned {
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn lower_envelope(first: &Profile, second: &Profile) -> Result<Profile, RoughnessError> {
+    cite!("Plateau-1");
     if first.spacing() != second.spacing() {
         return Err(RoughnessError::SpacingDiffers {
             first: first.spacing(),
@@ -107,6 +110,7 @@ pub fn lower_envelope(first: &Profile, second: &Profile) -> Result<Profile, Roug
 /// # Ok::<(), asperity_core::DomainError>(())
 /// ```
 pub fn truncated(profile: &Profile, share: f64) -> Result<(Profile, Length), DomainError> {
+    cite!("Plateau-2");
     let rule = "must lie between 0 and 1";
     DomainError::require(
         (0.0..=1.0).contains(&share),

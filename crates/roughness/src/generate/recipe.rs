@@ -3,10 +3,13 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{
-    Amplitudes, Generated, Ground, NonGaussian, Pits, PlateauHoned, Scratches, SelfAffine,
-};
-use crate::RoughnessError;
+use super::achieved::{Achieved, Generated};
+use super::damage::{Pits, Scratches};
+use super::ground::Ground;
+use super::non_gaussian::NonGaussian;
+use super::plateau::PlateauHoned;
+use super::self_affine::{Amplitudes, SelfAffine};
+use crate::error::RoughnessError;
 
 /// A surface to generate.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -87,10 +90,10 @@ impl Recipe {
         if self.mirrored {
             profile = profile.mirrored();
         }
-        let achieved = super::Achieved {
+        let achieved = Achieved {
             spectrum_error: made.achieved.spectrum_error,
             iterations: made.achieved.iterations,
-            ..super::Achieved::of(&profile)
+            ..Achieved::of(&profile)
         };
         Ok(Generated { profile, achieved })
     }

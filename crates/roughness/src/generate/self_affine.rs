@@ -9,6 +9,7 @@
 //! | H | Hurst exponent, 0 < H < 1 | - |
 //! | λ_r, λ_s | wavelengths of roll-off and short cut-off | m |
 
+use asperity_core::cite;
 use std::f64::consts::TAU;
 
 use asperity_core::quantity::Length;
@@ -19,11 +20,12 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::random::Random;
-use super::{check_points, scaled};
+use super::scaling::{check_points, scaled};
 
 /// How the waves of a recipe get their amplitudes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[non_exhaustive]
 pub enum Amplitudes {
     /// Exactly √C: the spectrum is the recipe's, line by line.
     #[default]
@@ -75,6 +77,7 @@ impl SelfAffine {
     /// # Ok::<(), asperity_core::DomainError>(())
     /// ```
     pub fn generate(&self) -> Result<Profile, DomainError> {
+        cite!("Affine-1");
         self.generate_with(Amplitudes::Fixed)
     }
 
@@ -83,6 +86,7 @@ impl SelfAffine {
     /// # Errors
     /// As [`generate`](Self::generate).
     pub fn generate_with(&self, amplitudes: Amplitudes) -> Result<Profile, DomainError> {
+        cite!("Affine-1");
         let n = check_points(self.points)?;
         let dx = DomainError::positive("spacing", self.spacing)?;
         let h = DomainError::require(

@@ -59,7 +59,7 @@ const RANGES: [FittedRange; 4] = [
 
 /// A smooth film in a line contact.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct FilmContact {
+pub struct FilmLineContact {
     /// Load per length of contact line w.
     pub load: LineLoad,
     /// Relative radius of curvature R.
@@ -162,7 +162,7 @@ impl<'a> LoadedFilm<'a> {
     /// the oil has no viscosity at the bulk temperature.
     pub fn new(
         rheology: &'a FilmRheology,
-        contact: &FilmContact,
+        contact: &FilmLineContact,
         settings: FilmSettings,
     ) -> Result<Self, FrictionError> {
         let w = DomainError::positive("line load", contact.load)?;
@@ -398,7 +398,7 @@ fn surface_rise_per_friction(
 /// ```
 /// use asperity_core::lubricant::{BaseOil, LubricantInput};
 /// use asperity_core::material::Material;
-/// use asperity_tribo_friction::{FilmContact, FilmRheology, FilmSettings, OilFamily, film_friction::solve};
+/// use asperity_tribo_friction::{FilmLineContact, FilmRheology, FilmSettings, OilFamily, film_friction::solve};
 /// let steel = Material {
 ///     young: "210 GPa".parse()?, poisson: 0.3, elastic_limit: "1500 MPa".parse()?,
 ///     density: "7830 kg/m3".parse()?, conductivity: "45 W/(m K)".parse()?, heat_capacity: "465 J/(kg K)".parse()?,
@@ -407,7 +407,7 @@ fn surface_rise_per_friction(
 ///     oil: Some("m100".into()), base_oil: Some(BaseOil::Mineral), ..LubricantInput::default()
 /// }.resolve("90 °C".parse()?)?;
 /// let rheology = FilmRheology::new(&oil, OilFamily::Mineral)?;
-/// let friction = solve(&rheology, &FilmContact {
+/// let friction = solve(&rheology, &FilmLineContact {
 ///     load: "300 N/mm".parse()?, radius: "9 mm".parse()?, modulus: "115.385 GPa".parse()?,
 ///     speeds: ["4.6 m/s".parse()?, "3.4 m/s".parse()?], film: "0.26004 um".parse()?,
 ///     temperature: "90 °C".parse()?, bodies: [steel, steel],
@@ -418,7 +418,7 @@ fn surface_rise_per_friction(
 /// ```
 pub fn solve(
     rheology: &FilmRheology,
-    contact: &FilmContact,
+    contact: &FilmLineContact,
     settings: FilmSettings,
 ) -> Result<Checked<FilmFrictionSolution>, FrictionError> {
     LoadedFilm::new(rheology, contact, settings)?.solve()

@@ -16,7 +16,7 @@ mod rheology;
 mod viscosity_table;
 
 pub use line_contact::{
-    FilmContact, FilmFrictionSolution, FilmHeat, FilmSettings, LoadedFilm, solve,
+    FilmFrictionSolution, FilmHeat, FilmLineContact, FilmSettings, LoadedFilm, solve,
 };
 pub use oil_family::{Mark, MarkedValue, OilFamily, OilFamilyData, family_source};
 pub use rheology::{

@@ -226,6 +226,7 @@ impl FilmRheology {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn new(lubricant: &Lubricant, family: OilFamily) -> Result<Self, FrictionError> {
+        cite!("Gold-1");
         let data = family.data()?;
         let state = lubricant.at(GOLD_TEMPERATURE)?.value;
         let nu = state.kinematic_viscosity.si() * 1e6;
@@ -480,6 +481,8 @@ impl FilmRheology {
         sliding: Speed,
         film: Length,
     ) -> Result<Solved, FrictionError> {
+        cite!("Limiting-shear");
+        cite!("Larsson-Andersson");
         let p = DomainError::positive("pressure", pressure)?;
         let t = DomainError::positive("temperature of the walls", wall_temperature)?;
         let v = DomainError::finite(Speed::NAME, sliding)?.abs();
@@ -497,7 +500,6 @@ impl FilmRheology {
         wall_temperature: f64,
         start: Option<f64>,
     ) -> Result<(Solved, f64), FrictionError> {
-        cite!("Film-heat");
         if place.log_rate == f64::NEG_INFINITY {
             let rest = Solved {
                 value: 0.0,
@@ -516,6 +518,7 @@ impl FilmRheology {
             };
             return Ok((isothermal, slope));
         }
+        cite!("Film-heat");
         let start = start.filter(|tau| *tau < cold[0]).unwrap_or_else(|| {
             // One Newton step from the unheated stress.
             cold[0] / (1.0 - place.heating * cold[1])

@@ -1,0 +1,73 @@
+//! Laws of a user's own in a case.
+
+use std::sync::Arc;
+
+use asperity_ehl_regime::FilmThicknessLaw;
+use asperity_gear::LoadDistribution;
+use asperity_tribo_friction::{FilmFriction, NamedFriction};
+
+use super::resolve::Case;
+use crate::load_share_law::LoadShare;
+
+impl Case {
+    /// The case with a film thickness law of one's own.
+    #[must_use]
+    pub fn with_film_law(mut self, law: Arc<dyn FilmThicknessLaw>) -> Self {
+        self.laws.film = Some(law);
+        self
+    }
+
+    /// The case with a friction law of one's own in the film.
+    #[must_use]
+    pub fn with_film_friction(mut self, law: Arc<dyn FilmFriction>) -> Self {
+        self.laws.friction = Some(law);
+        self
+    }
+
+    /// The case with a distribution of the load over the teeth of one's own.
+    #[must_use]
+    pub fn with_load_distribution(mut self, law: Arc<dyn LoadDistribution>) -> Self {
+        self.laws.load_distribution = Some(law);
+        self
+    }
+
+    /// The case with a load sharing between film and asperities of one's own.
+    #[must_use]
+    pub fn with_load_share(mut self, law: Arc<dyn LoadShare>) -> Self {
+        self.laws.load_share = Some(law);
+        self
+    }
+
+    /// The film thickness law in use: one's own, or that which the case names.
+    #[must_use]
+    pub fn film_law(&self) -> Arc<dyn FilmThicknessLaw> {
+        let own = self.laws.film.clone();
+        own.unwrap_or_else(|| self.model.film.into())
+    }
+
+    /// The friction law of the film in use.
+    #[must_use]
+    pub fn film_friction(&self) -> Arc<dyn FilmFriction> {
+        let own = self.laws.friction.clone();
+        own.unwrap_or_else(|| {
+            Arc::new(NamedFriction {
+                law: self.model.friction,
+                settings: self.model.friction_settings,
+            })
+        })
+    }
+
+    /// The distribution of the load over the teeth in use.
+    #[must_use]
+    pub fn load_distribution(&self) -> Arc<dyn LoadDistribution> {
+        let own = self.laws.load_distribution.clone();
+        own.unwrap_or_else(|| self.model.load_sharing.clone().into())
+    }
+
+    /// The load sharing between film and asperities in use.
+    #[must_use]
+    pub fn load_share(&self) -> Arc<dyn LoadShare> {
+        let own = self.laws.load_share.clone();
+        own.unwrap_or_else(|| Arc::new(self.model.load_share))
+    }
+}

@@ -1,0 +1,75 @@
+//! Regime and load share at one mesh position and one offset.
+
+use asperity_core::quantity::Length;
+use asperity_ehl_regime::{AsperityShape, Orientation, Regime, film_ratio, lambda_star};
+
+use crate::case::Case;
+use crate::chosen_laws::ChosenLaws;
+use crate::encounter::Encounter;
+use crate::error::PositionError;
+use crate::friction;
+use crate::load_share_law::{ShareConditions, SharedLoad};
+use crate::local_roughness::Roughness;
+use crate::station::Station;
+
+/// The regime, what decides it, and how film and asperities share the load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Decision {
+    pub lambda_star: Option<f64>,
+    pub film_ratio: f64,
+    pub regime: Regime,
+    pub shared: SharedLoad,
+}
+
+/// The regime at one offset from Λ*, or from the classical film ratio where Λ* is not known; the load
+/// share by the law in use.
+pub(crate) fn decide(
+    case: &Case,
+    laws: &ChosenLaws,
+    station: &Station,
+    roughness: &Roughness,
+    encounter: Option<&Encounter>,
+) -> Result<Decision, PositionError> {
+    let combined = roughness.combined_rq()?;
+    let ratio = if combined.si() > 0.0 {
+        film_ratio(station.film.minimum, 1.0, combined)?
+    } else {
+        f64::INFINITY
+    };
+    let lambda_star = lambda_star_of(laws, station, roughness)?;
+    let contact = friction::film_contact(case, station, roughness, &case.oil)?;
+    let conditions = ShareConditions {
+        station,
+        roughness,
+        encounter,
+        lambda_star,
+        film_ratio: ratio,
+        contact: &contact,
+        flow_pressure: case.flow_pressure,
+    };
+    Ok(Decision {
+        lambda_star,
+        film_ratio: ratio,
+        regime: Regime::of(conditions.deciding_ratio())?,
+        shared: laws.load_share.share(&conditions)?,
+    })
+}
+
+fn lambda_star_of(
+    laws: &ChosenLaws,
+    station: &Station,
+    roughness: &Roughness,
+) -> Result<Option<f64>, PositionError> {
+    let Some(peak) = roughness.reduced_peak.filter(|peak| *peak > 0.0) else {
+        return Ok(None);
+    };
+    // Without a summit to measure, the asperities lift no film of their own.
+    let factor = match roughness.asperity_radius {
+        None => 0.0,
+        Some(radius) => AsperityShape::ridges(radius, station.motion.radius)
+            .film_factor(Orientation::Transverse, laws.film.speed_exponent())?,
+    };
+    Ok(Some(
+        lambda_star(&station.film, factor, Length::from_si(peak))?.value,
+    ))
+}

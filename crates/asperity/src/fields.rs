@@ -1,0 +1,104 @@
+//! Fields along one rough contact, and the stress below it.
+
+use asperity_contact::subsurface::{graded_depths, subsurface_stress};
+use asperity_core::quantity::{Length, Pressure};
+
+use crate::branch::{Bodies, Carried};
+use crate::error::PositionError;
+use crate::formulation::Scene;
+use crate::result::{PositionFields, SubsurfaceFields};
+
+/// Fields of one contact with the largest von Mises stress below it and its depth.
+pub(crate) struct Fields {
+    pub fields: PositionFields,
+    pub von_mises: Option<(Pressure, Length)>,
+}
+
+/// Stress below a surface with its largest von Mises stress and the depth of that.
+type Below = (SubsurfaceFields, Option<(Pressure, Length)>);
+
+/// The fields of `carried`, with the friction coefficient `mu_film` in the film.
+pub(crate) fn fields(
+    scene: &Scene<'_>,
+    carried: Carried,
+    mu_film: f64,
+) -> Result<Fields, PositionError> {
+    let (case, station, encounter) = (scene.case, scene.station, scene.encounter);
+    let n = encounter.x.len();
+    let bodies = match &carried.solids {
+        Some(solids) => Bodies::new(case, solids)?,
+        None => Bodies::none(n),
+    };
+    let solid = match &carried.solids {
+        Some(solids) => solids.pressure.clone(),
+        None => vec![0.0; n],
+    };
+    let gap = match &carried.solids {
+        Some(solids) => solids.gap.clone(),
+        None => vec![station.film.central.si(); n],
+    };
+    // Friction drags the pinion's flank against its sliding.
+    let sign = -station.motion.sliding.si().signum();
+    let mu_solid = scene
+        .decision
+        .shared
+        .asperity_coefficient(case.model.boundary_friction);
+    let shear: Vec<f64> = solid
+        .iter()
+        .zip(&carried.fluid)
+        .map(|(s, f)| sign * (mu_solid * s + mu_film * f))
+        .collect();
+    let total: Vec<f64> = solid
+        .iter()
+        .zip(&carried.fluid)
+        .map(|(s, f)| s + f)
+        .collect();
+    let (subsurface, von_mises) = stress_below(scene, &total, &shear)?.unzip();
+    let displacement = |body: usize| {
+        let pairs = bodies.elastic[body].iter().zip(&bodies.plastic[body]);
+        pairs.map(|(e, p)| e + p).collect()
+    };
+    Ok(Fields {
+        fields: PositionFields {
+            position: station.number,
+            x: encounter.x.clone(),
+            height_pinion: encounter.heights[0].clone(),
+            height_wheel: encounter.heights[1].clone(),
+            displacement_pinion: displacement(0),
+            displacement_wheel: displacement(1),
+            plastic_pinion: bodies.plastic[0].clone(),
+            plastic_wheel: bodies.plastic[1].clone(),
+            gap,
+            pressure_solid: solid,
+            pressure_fluid: carried.fluid,
+            shear,
+            subsurface,
+            history: carried.history,
+        },
+        von_mises: von_mises.flatten(),
+    })
+}
+
+fn stress_below(
+    scene: &Scene<'_>,
+    pressure: &[f64],
+    shear: &[f64],
+) -> Result<Option<Below>, PositionError> {
+    let (case, spacing) = (scene.case, scene.encounter.spacing);
+    if case.model.depths < 2 {
+        return Ok(None);
+    }
+    let half_width = scene.station.hertz.half_width;
+    let depths = graded_depths(spacing, half_width, case.model.depths)?;
+    let field = subsurface_stress(pressure, Some(shear), spacing, &depths)?;
+    let von_mises = field.von_mises(case.materials[0].poisson)?;
+    let largest = field.peak(&von_mises).map(|peak| (peak.value, peak.depth));
+    let fields = SubsurfaceFields {
+        depths,
+        sigma_xx: field.sigma_xx,
+        sigma_zz: field.sigma_zz,
+        tau_xz: field.tau_xz,
+        von_mises,
+    };
+    Ok(Some((fields, largest)))
+}

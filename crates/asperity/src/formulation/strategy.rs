@@ -1,0 +1,76 @@
+//! Choices that a formulation makes.
+
+use std::fmt::Debug;
+
+use asperity_contact::Solver;
+use asperity_core::quantity::Power;
+use asperity_efficiency::{LossKind, RollingSurfaces};
+use asperity_gear::MeshPosition;
+
+use crate::branch::Carried;
+use crate::case::Case;
+use crate::decision::Decision;
+use crate::encounter::Encounter;
+use crate::error::PositionError;
+use crate::friction::Rubbing;
+use crate::position::Position;
+use crate::result::HistoryRow;
+use crate::station::Station;
+
+/// Measured flanks at one mesh position and one offset, with their regime.
+pub(crate) struct Scene<'a> {
+    pub case: &'a Case,
+    pub station: &'a Station,
+    pub encounter: &'a Encounter,
+    pub decision: &'a Decision,
+}
+
+/// A reading of the model.
+pub(crate) trait Strategy: Debug + Send + Sync {
+    /// Mesh positions along the path of contact.
+    fn places(&self, case: &Case) -> Result<Vec<MeshPosition>, PositionError>;
+
+    /// Whether a single position stands for the whole mesh.
+    fn takes_one_position(&self) -> bool;
+
+    /// Whether both flanks must be measured.
+    fn needs_traces(&self) -> bool;
+
+    /// Whether the losses of `case` cannot be had without solving the rough contacts.
+    fn losses_need_contacts(&self, case: &Case) -> bool;
+
+    /// Surfaces on which rolling friction is counted.
+    fn rolling_surfaces(&self) -> RollingSurfaces;
+
+    /// Pressures of film and solids; `solver` is made at first need and kept for all offsets.
+    fn carry(
+        &self,
+        scene: &Scene<'_>,
+        solver: &mut Option<Solver>,
+    ) -> Result<Carried, PositionError>;
+
+    /// Way to the solution `carried`, for its report.
+    fn load_path(
+        &self,
+        scene: &Scene<'_>,
+        carried: &Carried,
+        solver: &mut Option<Solver>,
+    ) -> Result<Vec<HistoryRow>, PositionError>;
+
+    /// Friction of asperities and load on the film, where the contact was solved.
+    fn rubbing(&self, scene: &Scene<'_>, carried: &Carried) -> Result<Rubbing, PositionError>;
+
+    /// Share of the load that the film carries, where the contact was solved.
+    fn film_share(&self, scene: &Scene<'_>, carried: &Carried, rubbing: &Rubbing) -> f64;
+
+    /// Deformation loss of pinion and wheel at one offset \[W\].
+    fn deformation(&self, scene: &Scene<'_>, carried: &Carried) -> Result<[f64; 2], PositionError>;
+
+    /// Losses by deformation of the mesh at one offset.
+    fn deformation_losses(
+        &self,
+        case: &Case,
+        positions: &[Position],
+        offset: usize,
+    ) -> Result<Vec<(LossKind, Power)>, PositionError>;
+}

@@ -1,0 +1,39 @@
+//! Ends of the window of a contact.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Ends of the window.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[non_exhaustive]
+pub enum Boundary {
+    /// Nothing outside the window is loaded: a single line contact.
+    #[default]
+    FreeEnds,
+    /// Window and pressure repeat for ever; the mean displacement is taken as zero.
+    Periodic(PeriodicKernel),
+}
+
+impl std::fmt::Display for Boundary {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::FreeEnds => "free ends",
+            Self::Periodic(PeriodicKernel::Strip) => "periodic ends (strip kernel)",
+            Self::Periodic(PeriodicKernel::Spectral) => "periodic ends (spectral kernel)",
+        })
+    }
+}
+
+/// Load of a cell of a periodic contact; the difference is of the order of the
+/// discretisation error.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[non_exhaustive]
+pub enum PeriodicKernel {
+    /// Constant pressure over each cell, summed over all periods.
+    #[default]
+    Strip,
+    /// The band-limited pressure through the points, 2/(E*·|q|) per wave.
+    Spectral,
+}

@@ -1,0 +1,12 @@
+//! Circular convolution of grid functions with even kernels, and passes over ranges of a grid.
+
+mod column_kernel;
+mod even_filter;
+mod index_ranges;
+#[cfg(test)]
+mod tests;
+mod vector_lanes;
+
+pub(crate) use even_filter::{Buffers, EvenFilter, fast_length};
+pub(crate) use index_ranges::{Run, extend, listed, parts};
+pub(crate) use vector_lanes::{Lanes, vectorised};

@@ -1,0 +1,75 @@
+//! Sums over arrays in vector lanes, compiled for the widest vectors of the machine.
+
+/// Sums taken side by side, so that they fill a vector.
+const LANES: usize = 8;
+
+/// `K` sums (or least values) of what a pass makes of its points, in an order that does not depend
+/// on the machine.
+pub(crate) struct Lanes<const K: usize>([[f64; K]; LANES]);
+
+impl<const K: usize> Lanes<K> {
+    pub(crate) fn new(initial: [f64; K]) -> Self {
+        Self([initial; LANES])
+    }
+
+    /// Takes in the values of `N` arrays of the same length, point by point.
+    #[inline(always)]
+    pub(crate) fn fold<const N: usize>(
+        &mut self,
+        arrays: [&[f64]; N],
+        step: impl Fn([f64; K], [f64; N]) -> [f64; K],
+    ) {
+        let blocks = arrays.map(|array| array.as_chunks::<LANES>());
+        let count = blocks
+            .iter()
+            .map(|(chunks, _)| chunks.len())
+            .min()
+            .unwrap_or(0);
+        for block in 0..count {
+            let values = blocks.map(|(chunks, _)| &chunks[block]);
+            for (lane, sums) in self.0.iter_mut().enumerate() {
+                *sums = step(*sums, values.map(|value| value[lane]));
+            }
+        }
+        let rest = blocks.map(|(_, rest)| rest);
+        let least = rest.iter().map(|values| values.len()).min().unwrap_or(0);
+        for (lane, sums) in self.0.iter_mut().enumerate().take(least) {
+            *sums = step(*sums, rest.map(|values| values[lane]));
+        }
+    }
+
+    /// All lanes in one.
+    pub(crate) fn reduce(self, join: impl Fn([f64; K], [f64; K]) -> [f64; K]) -> [f64; K] {
+        let [first, others @ ..] = self.0;
+        others.into_iter().fold(first, join)
+    }
+
+    /// All lanes in one, added up.
+    pub(crate) fn total(self) -> [f64; K] {
+        self.reduce(|a, b| std::array::from_fn(|k| a[k] + b[k]))
+    }
+}
+
+/// Runs a pass compiled for the widest vectors that this machine has. Every machine gives the same
+/// result: the order of the operations does not change.
+#[inline(always)]
+pub(crate) fn vectorised<R>(pass: impl FnOnce() -> R) -> R {
+    pulp::Arch::new().dispatch(pass)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lanes_sum_every_point_once() {
+        for points in [0, 1, 7, 8, 9, 40, 43] {
+            let values: Vec<f64> = (0..points).map(f64::from).collect();
+            let mut lanes = Lanes::new([0.0; 2]);
+            lanes.fold([&values, &values], |[a, b], [x, y]| [a + x, b + x * y]);
+            let n = f64::from(points);
+            let squares = (n - 1.0) * n * (2.0 * n - 1.0) / 6.0;
+            assert_eq!(lanes.total(), [n * (n - 1.0) / 2.0, squares]);
+        }
+    }
+}

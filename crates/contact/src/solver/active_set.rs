@@ -1,0 +1,245 @@
+//! Primal-dual active set: Newton's method on the set of touching points, with a few conjugate
+//! gradients per set.
+//!
+//! On a given free set F the pressure is the solution of a linear problem, whatever its sign. A
+//! point whose pressure leaves the bounds leaves F, and one outside that overlaps joins it. Each
+//! linear problem is solved to a twentieth of its first residual before the set is looked at
+//! again. From a coarser solution a handful of sets is enough; and since no step is spoilt by
+//! clipping, the coarse space of the contact patches does its full work: iterations depend neither
+//! on the grid nor on the number of patches. Far from the solution the sets may cycle; projected
+//! conjugate gradients then take over.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | p, v | pressure, displacement with the undeformed gap | Pa, m |
+//! | F, α, g | free set, mean of v over F, gap v − α | -, m, m |
+
+use super::line_search::settle;
+use super::search_direction::{Search, choose_direction, remove_patch_means};
+use super::workspace::{Level, Task, Workspace};
+use crate::convolution::{Lanes, Run, listed, parts, vectorised};
+use asperity_core::cite;
+
+/// Updates of the set after which projected gradients take over.
+const MAX_SET_UPDATES: usize = 30;
+/// Sets one after the other that may be worse than the last: the first often is, for the pressure
+/// that it clips.
+const MAX_WORSE_SETS: usize = 2;
+/// Iterations on one set.
+const MAX_ITERATIONS_PER_SET: usize = 60;
+/// Residual over the first one of a set at which the set is looked at again.
+const SET_TOLERANCE: f64 = 0.05;
+/// Residual and overlap that the tolerance forgives, in units of the tolerated penetration.
+const FORGIVEN_SHARE: f64 = 0.25;
+
+/// Improves `work.pressure`, whose opening is known, until its certificate is within the tolerance
+/// or the sets do not settle; returns the iterations. The opening is that of the result.
+pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize {
+    let forgiven = FORGIVEN_SHARE * task.tolerance * task.reference_gap;
+    let (mut iterations, mut worse, mut last) = (0, 0, f64::INFINITY);
+    for set in 0..MAX_SET_UPDATES {
+        let assessment = work.assess(task);
+        worse = if assessment.duality_gap < last {
+            0
+        } else {
+            worse + 1
+        };
+        last = assessment.duality_gap;
+        if assessment.within(task.tolerance)
+            || worse > MAX_WORSE_SETS
+            || iterations >= task.max_iterations
+        {
+            break;
+        }
+        if set == 0 {
+            work.keep_free();
+        } else {
+            std::mem::swap(&mut work.runs, &mut work.held);
+        }
+        if !work
+            .coarse
+            .prepare(work.pressure.len(), level.boundary, &work.runs)
+        {
+            work.list_all();
+            break;
+        }
+        let most = task.max_iterations - iterations;
+        iterations += solve_on_set(
+            level,
+            work,
+            task,
+            forgiven,
+            most.min(MAX_ITERATIONS_PER_SET),
+        );
+        work.update_set(task, forgiven);
+        std::mem::swap(&mut work.runs, &mut work.held);
+        settle(level, work, task);
+    }
+    work.coarse.dismiss();
+    for array in [&mut work.direction, &mut work.previous] {
+        array.fill(0.0);
+    }
+    iterations
+}
+
+/// Conjugate gradients on the runs, all of whose points are free, until the set has to change or
+/// the residual is forgiven. Returns the iterations.
+fn solve_on_set(
+    level: Level,
+    work: &mut Workspace,
+    task: &Task,
+    forgiven: f64,
+    most: usize,
+) -> usize {
+    let mut residual = work.measure_set();
+    remove_patch_means(work, task, residual.mean);
+    step(level, work, task);
+    residual = work.measure_set();
+    let mut search = Search::default();
+    let mut goal = (SET_TOLERANCE * residual.largest).max(forgiven);
+    for iteration in 0..most {
+        if residual.largest <= goal {
+            if goal <= forgiven || work.has_to_change(task, residual.mean, forgiven) {
+                return iteration;
+            }
+            goal = forgiven;
+        }
+        let points = work.residual.len();
+        choose_direction(level, work, task, points, residual.mean, &mut search);
+        if !step(level, work, task) {
+            return iteration;
+        }
+        residual = work.measure_set();
+    }
+    most
+}
+
+/// Goes along the direction to the least energy, whatever the bounds; false when there is none.
+fn step(level: Level, work: &mut Workspace, task: &Task) -> bool {
+    let (runs, direction, residual) = (&work.runs, &work.direction, &work.residual);
+    let mut lanes = Lanes::new([0.0]);
+    for (run, _) in parts(runs) {
+        lanes.fold([&direction[run]], |[most], [d]| [most.max(d.abs())]);
+    }
+    let [largest] = lanes.reduce(|a, b| [a[0].max(b[0])]);
+    if !(largest > 0.0 && largest.is_finite()) {
+        return false;
+    }
+    let steps = work.single_buffers.signal(residual.len());
+    for (run, place) in parts(runs) {
+        for (step, d) in steps[place].iter_mut().zip(&direction[run]) {
+            *step = (d / largest) as f32;
+        }
+    }
+    let buffers = &mut work.single_buffers;
+    level.single.filter_runs(buffers, 1.0, runs);
+    let change = &*buffers.signal(direction.len());
+    let scale = largest * task.compliance;
+    let (mut slope, mut curvature) = (0.0, 0.0);
+    for (run, place) in parts(runs) {
+        let values = direction[run.clone()].iter().zip(&residual[place]);
+        for ((d, r), change) in values.zip(&change[run]) {
+            slope += r * d;
+            curvature += d * (scale * f64::from(*change));
+        }
+    }
+    let length = -slope / curvature;
+    if !(length.is_finite() && length > 0.0) {
+        return false;
+    }
+    for (run, _) in parts(runs) {
+        let pairs = work.pressure[run.clone()].iter_mut().zip(&direction[run]);
+        pairs.for_each(|(p, d)| *p += length * d);
+    }
+    work.open(length, scale, 0.0);
+    true
+}
+
+/// Mean and size of the residual on a set.
+struct SetResidual {
+    /// α
+    mean: f64,
+    /// Largest |v − α|.
+    largest: f64,
+}
+
+impl Workspace {
+    /// Keeps of the runs the points of F only.
+    fn keep_free(&mut self) {
+        self.next.clear();
+        for (run, place) in parts(&self.runs) {
+            let points = run.zip(&self.free[place]);
+            for (point, _) in points.filter(|(_, free)| **free) {
+                Run::push(&mut self.next, point);
+            }
+        }
+        std::mem::swap(&mut self.runs, &mut self.next);
+    }
+
+    /// Takes v on the runs, all of whose points are free, as the residual, which has a mean.
+    fn measure_set(&mut self) -> SetResidual {
+        let points = listed(&self.runs);
+        self.free.clear();
+        self.free.resize(points, true);
+        self.residual.resize(points, 0.0);
+        let (opening, residual, runs) = (&self.opening, &mut self.residual, &self.runs);
+        let mut sum = Lanes::new([0.0]);
+        for (run, place) in parts(runs) {
+            let v = &opening[run];
+            residual[place].copy_from_slice(v);
+            sum.fold([v], |[sum], [v]| [sum + v]);
+        }
+        let mean = sum.total()[0] / points as f64;
+        let mut largest = Lanes::new([0.0]);
+        vectorised(
+            #[inline(always)]
+            || {
+                largest.fold([&*residual], |[most], [v]| {
+                    let size = (v - mean).abs();
+                    [if size > most { size } else { most }]
+                });
+            },
+        );
+        let [largest] = largest.reduce(|a, b| [a[0].max(b[0])]);
+        SetResidual { mean, largest }
+    }
+
+    /// Whether a point has to leave the set or to join it.
+    fn has_to_change(&self, task: &Task, approach: f64, forgiven: f64) -> bool {
+        let (limit, mut any) = (task.limit, false);
+        let points = self.pressure.iter().zip(&self.opening);
+        vectorised(
+            #[inline(always)]
+            || {
+                for (&p, &v) in points {
+                    any |= (p < 0.0) | (p > limit) | joins(p, v - approach, limit, forgiven);
+                }
+            },
+        );
+        any
+    }
+
+    /// F' = {0 < p < p_max} ∪ {p = 0, g < 0} ∪ {p = p_max, g > 0}, p and g solving on F    `[Active-1]`
+    ///
+    /// Takes F' as the runs, and clips the pressure to its bounds.
+    fn update_set(&mut self, task: &Task, forgiven: f64) {
+        cite!("Active-1");
+        let (approach, limit) = (self.measure_set().mean, task.limit);
+        self.next.clear();
+        let points = self.pressure.iter_mut().zip(&self.opening);
+        for (point, (p, v)) in points.enumerate() {
+            let stays = *p > 0.0 && *p < limit;
+            if stays || joins(*p, v - approach, limit, forgiven) {
+                Run::push(&mut self.next, point);
+            }
+            *p = p.clamp(0.0, limit);
+        }
+        std::mem::swap(&mut self.runs, &mut self.next);
+    }
+}
+
+/// Whether a point at a bound is on its wrong side.
+#[inline(always)]
+fn joins(pressure: f64, gap: f64, limit: f64, forgiven: f64) -> bool {
+    ((pressure == 0.0) & (gap < -forgiven)) | ((pressure == limit) & (gap > forgiven))
+}

@@ -1,0 +1,207 @@
+//! Directions of search: preconditioned residuals, each conjugate to the one before.
+//!
+//! The preconditioner is the symbol |q| of the half-plane's inverse, masked to the free points.
+//! With the coarse space of contact patches it leaves, in addition, no mean residual on a patch.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | F, r | free set, residual: g on F without its mean | -, m |
+//! | z = M r | preconditioned residual | Pa |
+//! | d, β | direction, share of the last one | Pa, - |
+
+use super::workspace::{Level, Task, Workspace};
+use crate::convolution::{Lanes, parts, vectorised};
+use asperity_core::cite;
+
+/// Memory of the search from one iteration to the next.
+#[derive(Default)]
+pub(crate) struct Search {
+    /// τ, not known before the first direction.
+    pub(crate) length: Option<f64>,
+    /// r·z of the last direction, or zero to begin anew along z.
+    pub(crate) descent: f64,
+    /// Error in m of the displacement by what single precision lost.
+    pub(crate) drift: f64,
+}
+
+/// d = −z + β·d on F without its mean, with Polak and Ribière's β ≥ 0; −z when that is no descent.
+pub(crate) fn choose_direction(
+    level: Level,
+    work: &mut Workspace,
+    task: &Task,
+    free: usize,
+    residual_mean: f64,
+    search: &mut Search,
+) {
+    // Steps of constant load have no mean, nor has what matters of the residual.
+    let count = free as f64;
+    let mean = |sum: f64| if task.sum.is_some() { sum / count } else { 0.0 };
+    precondition(level, work, task, residual_mean);
+    let sums = ascent_sums(work);
+    let z_mean = mean(sums.z);
+    let old_z = sums.old_z - z_mean * sums.old;
+    let beta = if search.descent > 0.0 {
+        ((sums.r_z - old_z) / search.descent).max(0.0)
+    } else {
+        0.0
+    };
+    let (runs, free, ascent, residual) = (&work.runs, &work.free, &work.ascent, &work.residual);
+    let (direction, previous) = (&mut work.direction, &mut work.previous);
+    let mut lanes = Lanes::new([0.0; 2]);
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let (z, r) = (&ascent[place.clone()], &residual[place.clone()]);
+                let d = &mut direction[run];
+                for ((d, z), free) in d.iter_mut().zip(z).zip(&free[place]) {
+                    *d = if *free { z_mean - z + beta * *d } else { 0.0 };
+                }
+                lanes.fold([&*d, r], |[sum, r_d], [d, r]| [sum + d, r_d + r * d]);
+            }
+        },
+    );
+    let [d_sum, r_d] = lanes.total();
+    let d_mean = mean(d_sum);
+    let descends = r_d < 0.0;
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let values = ascent[place.clone()].iter().zip(&free[place.clone()]);
+                for (d, (z, free)) in direction[run.clone()].iter_mut().zip(values) {
+                    let anew = if descends { *d - d_mean } else { z_mean - z };
+                    *d = if *free { anew } else { 0.0 };
+                }
+                previous[run].copy_from_slice(&residual[place]);
+            }
+        },
+    );
+    search.descent = sums.r_z;
+}
+
+/// Sums over F: of z, r·z, the residual of the last iteration, and that times z.
+struct AscentSums {
+    z: f64,
+    r_z: f64,
+    old: f64,
+    old_z: f64,
+}
+
+fn ascent_sums(work: &mut Workspace) -> AscentSums {
+    let (runs, free, ascent, residual) = (&work.runs, &work.free, &work.ascent, &work.residual);
+    let previous = &mut work.previous;
+    let mut lanes = Lanes::new([0.0; 4]);
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let (z, r) = (&ascent[place.clone()], &residual[place.clone()]);
+                let previous = &mut previous[run];
+                for (old, free) in previous.iter_mut().zip(&free[place]) {
+                    *old = if *free { *old } else { 0.0 };
+                }
+                lanes.fold([z, r, previous], |sums, [z, r, old]| {
+                    [
+                        sums[0] + z,
+                        sums[1] + r * z,
+                        sums[2] + old,
+                        sums[3] + old * z,
+                    ]
+                });
+            }
+        },
+    );
+    let [z, r_z, old, old_z] = lanes.total();
+    AscentSums { z, r_z, old, old_z }
+}
+
+/// Takes the mean from r, and z = M r.
+fn precondition(level: Level, work: &mut Workspace, task: &Task, residual_mean: f64) {
+    let (residual, free) = (&mut work.residual, &work.free);
+    let mut lanes = Lanes::new([0.0]);
+    vectorised(
+        #[inline(always)]
+        || {
+            for (r, &free) in residual.iter_mut().zip(free) {
+                *r = if free { *r - residual_mean } else { 0.0 };
+            }
+            let larger =
+                |[most]: [f64; 1], [r]: [f64; 1]| [if r.abs() > most { r.abs() } else { most }];
+            lanes.fold([&*residual], larger);
+        },
+    );
+    // Scaled so that single precision neither overflows nor vanishes, whatever the units.
+    let [largest] = lanes.reduce(|a, b| [a[0].max(b[0])]);
+    let scale = if largest > 0.0 { largest } else { 1.0 };
+    let buffers = &mut work.single_buffers;
+    let scaled = buffers.signal(residual.len());
+    vectorised(
+        #[inline(always)]
+        || {
+            for (to, r) in scaled.iter_mut().zip(residual) {
+                *to = (*r * (1.0 / scale)) as f32;
+            }
+        },
+    );
+    level.inverse.filter_runs(buffers, 1.0, &work.runs);
+    let z = &*buffers.signal(work.pressure.len());
+    let (ascent, runs) = (&mut work.ascent, &work.runs);
+    ascent.resize(free.len(), 0.0);
+    vectorised(
+        #[inline(always)]
+        || {
+            for (run, place) in parts(runs) {
+                let values = z[run].iter().zip(&free[place.clone()]);
+                for (to, (z, &free)) in ascent[place].iter_mut().zip(values) {
+                    *to = if free { 0.5 * f64::from(*z) } else { 0.0 };
+                }
+            }
+        },
+    );
+    if work.coarse.is_active() {
+        deflate(level, work, scale);
+    }
+    let stiffness = scale / task.compliance;
+    vectorised(|| work.ascent.iter_mut().for_each(|z| *z *= stiffness));
+}
+
+/// z = B r + Z·K⁻¹·Zᵀ(r − A·B r), B r being z before, Z even pressures on the patches   `[Deflation-1]`
+///
+/// z then leaves no mean residual on any contact patch. All are in units of the residual's scale.
+fn deflate(level: Level, work: &mut Workspace, scale: f64) {
+    cite!("Deflation-1");
+    let (ascent, residual, runs) = (&mut work.ascent, &work.residual, &work.runs);
+    let mean = ascent.iter().sum::<f64>() / ascent.len() as f64;
+    let buffers = &mut work.single_buffers;
+    let signal = buffers.signal(ascent.len());
+    for (to, z) in signal.iter_mut().zip(&mut *ascent) {
+        *z -= mean;
+        *to = *z as f32;
+    }
+    level.single.filter_runs(buffers, 1.0, runs);
+    let change = &*buffers.signal(work.pressure.len());
+    let left = &mut work.trial;
+    left.resize(ascent.len(), 0.0);
+    for (run, place) in parts(runs) {
+        let values = residual[place.clone()].iter().zip(&change[run]);
+        for (to, (r, u)) in left[place].iter_mut().zip(values) {
+            *to = r / scale - f64::from(*u);
+        }
+    }
+    work.coarse.correct(left, ascent);
+}
+
+/// d = even pressures on the patches that remove the means of the residual over them. Takes the
+/// mean of all from the residual.
+pub(crate) fn remove_patch_means(work: &mut Workspace, task: &Task, residual_mean: f64) {
+    let (ascent, residual) = (&mut work.ascent, &mut work.residual);
+    residual.iter_mut().for_each(|r| *r -= residual_mean);
+    ascent.clear();
+    ascent.resize(residual.len(), 0.0);
+    work.coarse.correct(residual, ascent);
+    for (run, place) in parts(&work.runs) {
+        let pairs = work.direction[run].iter_mut().zip(&ascent[place]);
+        pairs.for_each(|(d, z)| *d = -z / task.compliance);
+    }
+}

@@ -1,0 +1,35 @@
+//! Minimisation on one grid: active set first, projected gradients for the rest.
+
+use super::line_search::settle;
+use super::workspace::{Level, Task, Workspace};
+use super::{active_set, projected_gradient};
+
+/// Certificate of a coarser grid over that of its start: the next grid halves the cells, and its
+/// start is about as much better.
+const GAIN: f64 = 0.1;
+
+/// Improves `work.pressure` until its certificate is within the tolerance or no progress is left;
+/// returns the iterations.
+pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize {
+    work.resize();
+    settle(level, work, task);
+    // Of the start: near the solution but for the coarsest grid, whose result only is a start.
+    let task = &Task {
+        reference_gap: work.reference_gap(task),
+        ..*task
+    };
+    let tolerance = if task.least_tolerance < task.tolerance {
+        let start = work.assess(task);
+        let goal = GAIN * start.duality_gap.max(start.penetration);
+        goal.clamp(task.least_tolerance, task.tolerance)
+    } else {
+        task.tolerance
+    };
+    let task = &Task { tolerance, ..*task };
+    let on_sets = match task.sum {
+        Some(_) => active_set::minimise(level, work, task),
+        None => 0,
+    };
+    let left = task.max_iterations.saturating_sub(on_sets);
+    on_sets + projected_gradient::minimise(level, work, task, left)
+}

@@ -1,0 +1,383 @@
+//! Arrays and operators of an iteration on one grid, and the assessment of a pressure.
+//!
+//! Everything but the transforms and one pass over v happens on the runs of points that touch or
+//! overlap: a rough contact covers a small part of its grid.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | p, u, h | pressure, displacement, undeformed gap | Pa, m, m |
+//! | v, α, g | u + h, approach, gap v − α | m |
+//! | F | free set: points between the bounds, and those at one with the gap on its wrong side | - |
+
+use asperity_core::cite;
+
+use super::coarse_space::CoarseSpace;
+use crate::boundary::Boundary;
+use crate::convolution::{Buffers, EvenFilter};
+use crate::convolution::{Lanes, Run, extend, listed, parts, vectorised};
+
+/// Points looked at together for one that overlaps: as many as an integer has bits.
+const BLOCK: usize = u64::BITS as usize;
+
+/// Operators of one grid.
+#[derive(Clone, Copy)]
+pub(crate) struct Level<'a> {
+    pub(crate) displacement: &'a EvenFilter,
+    /// The displacement in single precision, for what a step changes.
+    pub(crate) single: &'a EvenFilter<f32>,
+    pub(crate) inverse: &'a EvenFilter<f32>,
+    pub(crate) boundary: Boundary,
+}
+
+/// Bounded quadratic problem on one grid.
+pub(crate) struct Task<'a> {
+    /// h in m, with the displacement by prescribed pressures; minus the approach when it is controlled.
+    pub(crate) gap: &'a [f64],
+    /// Σp in Pa, unless the approach is controlled.
+    pub(crate) sum: Option<f64>,
+    /// Limit of the pressure in Pa, infinite for none.
+    pub(crate) limit: f64,
+    /// a/(π·E*) in m/Pa.
+    pub(crate) compliance: f64,
+    /// Displacement per Σp by the datum in m/Pa; only matters when the approach is controlled.
+    pub(crate) datum: f64,
+    pub(crate) reference_gap: f64,
+    pub(crate) reference_bounds: ReferenceBounds,
+    pub(crate) tolerance: f64,
+    /// On a coarser grid the tolerance is tightened to what its start is worth, but to no less.
+    pub(crate) least_tolerance: f64,
+    pub(crate) max_iterations: usize,
+}
+
+/// Bounds of the reference gap in m that are known before a solution.
+#[derive(Clone, Copy)]
+pub(crate) struct ReferenceBounds {
+    pub(crate) least: f64,
+    /// Range of the gap.
+    pub(crate) most: f64,
+}
+
+impl Task<'_> {
+    /// Contribution of the datum to the displacement by pressures of this sum.
+    pub(crate) fn datum_displacement(&self, sum: impl FnOnce() -> f64) -> f64 {
+        if self.sum.is_some() || self.datum == 0.0 {
+            0.0
+        } else {
+            self.datum * sum()
+        }
+    }
+}
+
+/// The arrays of an iteration; `pressure` is both start and result.
+#[derive(Default)]
+pub(crate) struct Workspace {
+    pub(crate) buffers: Buffers,
+    pub(crate) single_buffers: Buffers<f32>,
+    pub(crate) coarse: CoarseSpace,
+    pub(crate) pressure: Vec<f64>,
+    /// v
+    pub(crate) opening: Vec<f64>,
+    /// Direction and residual of the last iteration; zero at points off the runs.
+    pub(crate) direction: Vec<f64>,
+    pub(crate) previous: Vec<f64>,
+    /// Runs of points with pressure or overlap, in order: the listed points.
+    pub(crate) runs: Vec<Run>,
+    pub(crate) next: Vec<Run>,
+    /// The free set that the next iterations are to be on.
+    pub(crate) held: Vec<Run>,
+    /// Residual, zero off F; preconditioned residual; trial pressure: one value per listed point.
+    pub(crate) residual: Vec<f64>,
+    pub(crate) ascent: Vec<f64>,
+    pub(crate) trial: Vec<f64>,
+    /// Whether a listed point is in F.
+    pub(crate) free: Vec<bool>,
+}
+
+/// Approach, error bounds and free set of a pressure.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Assessment {
+    /// α in m; zero when the approach is controlled.
+    pub(crate) approach: f64,
+    pub(crate) duality_gap: f64,
+    pub(crate) penetration: f64,
+    /// Points in F.
+    pub(crate) free: usize,
+    /// Σ g over F.
+    pub(crate) residual_sum: f64,
+}
+
+impl Assessment {
+    pub(crate) fn within(&self, tolerance: f64) -> bool {
+        self.duality_gap <= tolerance && self.penetration <= tolerance
+    }
+}
+
+impl Workspace {
+    /// Sets the size of all arrays by that of the pressure; the iteration then needs no memory.
+    pub(crate) fn resize(&mut self) {
+        let points = self.pressure.len();
+        for array in [&mut self.direction, &mut self.previous] {
+            array.clear();
+            array.resize(points, 0.0);
+        }
+        for array in [&mut self.residual, &mut self.ascent, &mut self.trial] {
+            array.clear();
+            array.reserve(points);
+        }
+        self.free.clear();
+        self.free.reserve(points);
+        // Every other point at most begins a run.
+        for runs in [&mut self.runs, &mut self.next, &mut self.held] {
+            runs.clear();
+            runs.reserve(points.div_ceil(2));
+        }
+    }
+
+    /// Gives back the memory that only an iteration needs.
+    pub(crate) fn release(&mut self) {
+        self.single_buffers = Buffers::default();
+        self.coarse = CoarseSpace::default();
+        for array in [
+            &mut self.direction,
+            &mut self.previous,
+            &mut self.ascent,
+            &mut self.trial,
+        ] {
+            *array = Vec::new();
+        }
+    }
+
+    /// v = A p + h, with all points listed; A as in `P3`.
+    pub(crate) fn refresh(&mut self, displacement: &EvenFilter, task: &Task) {
+        cite!("P3");
+        let points = self.pressure.len();
+        let (buffers, pressure) = (&mut self.buffers, &self.pressure);
+        displacement.filter(buffers, task.compliance, pressure);
+        let datum = task.datum_displacement(|| pressure.iter().sum());
+        let pairs = buffers.signal(points).iter().zip(task.gap);
+        self.opening.clear();
+        self.opening.extend(pairs.map(|(u, h)| u + datum + h));
+        self.list_all();
+    }
+
+    /// Range in m of the deformation from half a contact width before the first point under pressure
+    /// to as much behind the last; zero without such points.
+    pub(crate) fn deformation(&self, task: &Task) -> f64 {
+        let loaded = |p: &f64| *p > 0.0;
+        let (Some(first), Some(last)) = (
+            self.pressure.iter().position(loaded),
+            self.pressure.iter().rposition(loaded),
+        ) else {
+            return 0.0;
+        };
+        let half_width = (last - first + 1).div_ceil(2);
+        let points = self.pressure.len();
+        let about = first.saturating_sub(half_width)..(last + half_width + 1).min(points);
+        let deformed = self.opening[about.clone()].iter().zip(&task.gap[about]);
+        let (least, most) = deformed
+            .map(|(v, h)| v - h)
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), u| {
+                (f64::min(least, u), f64::max(most, u))
+            });
+        most - least
+    }
+
+    /// The smaller of the ranges of gap and deformation, but not below the least.
+    pub(crate) fn reference_gap(&self, task: &Task) -> f64 {
+        let ReferenceBounds { least, most } = task.reference_bounds;
+        let deformation = self.deformation(task);
+        if deformation > 0.0 {
+            most.min(deformation).max(least)
+        } else {
+            most.max(least)
+        }
+    }
+
+    pub(crate) fn list_all(&mut self) {
+        self.runs.clear();
+        self.runs.push(Run::new(0, self.pressure.len()));
+    }
+
+    /// v + s·(A Δ + `datum`) with A Δ the signal of the single-precision buffers times `scale`; p
+    /// has taken that step already. Returns the largest change.
+    pub(crate) fn open(&mut self, length: f64, scale: f64, datum: f64) -> f64 {
+        let change = &*self.single_buffers.signal(self.opening.len());
+        let (opening, slope, rise) = (&mut self.opening, length * scale, length * datum);
+        let (mut least, mut most) = ([0_f32; 8], [0_f32; 8]);
+        vectorised(
+            #[inline(always)]
+            || {
+                for (v, &change) in opening.iter_mut().zip(change) {
+                    *v += slope * f64::from(change) + rise;
+                }
+                for block in change.as_chunks::<8>().0 {
+                    for lane in 0..8 {
+                        least[lane] = if block[lane] < least[lane] {
+                            block[lane]
+                        } else {
+                            least[lane]
+                        };
+                        most[lane] = if block[lane] > most[lane] {
+                            block[lane]
+                        } else {
+                            most[lane]
+                        };
+                    }
+                }
+            },
+        );
+        let largest = most
+            .iter()
+            .zip(&least)
+            .fold(0.0, |m, (a, b)| f32::max(m, a.max(-b)));
+        slope * f64::from(largest)
+    }
+
+    /// α: mean of v between the bounds; with no such point the largest v under pressure.
+    fn approach(&self, task: &Task) -> f64 {
+        if task.sum.is_none() {
+            return 0.0;
+        }
+        let limit = task.limit;
+        let mut lanes = Lanes::new([0.0, 0.0, f64::NEG_INFINITY]);
+        vectorised(
+            #[inline(always)]
+            || {
+                for (run, _) in parts(&self.runs) {
+                    let arrays = [&self.pressure[run.clone()], &self.opening[run]];
+                    lanes.fold(arrays, |[sum, count, most], [p, v]| {
+                        let between = (p > 0.0) & (p < limit);
+                        [
+                            sum + if between { v } else { 0.0 },
+                            count + if between { 1.0 } else { 0.0 },
+                            if (p > 0.0) & (v > most) { v } else { most },
+                        ]
+                    });
+                }
+            },
+        );
+        let [sum, count, most] = lanes.reduce(|a, b| [a[0] + b[0], a[1] + b[1], a[2].max(b[2])]);
+        if count > 0.0 { sum / count } else { most }
+    }
+
+    /// Lists anew the points with pressure, all of which are listed, or with overlap.
+    fn relist(&mut self, approach: f64) {
+        let Self {
+            pressure,
+            opening,
+            direction,
+            previous,
+            runs,
+            next,
+            ..
+        } = self;
+        next.clear();
+        vectorised(
+            #[inline(always)]
+            || {
+                let mut known = runs.iter().map(|run| run.range()).peekable();
+                for (block, opening) in opening.chunks(BLOCK).enumerate() {
+                    let first = block * BLOCK;
+                    let range = first..first + opening.len();
+                    while known.next_if(|run| run.end <= first).is_some() {}
+                    let was_listed = known.peek().is_some_and(|run| run.start < range.end);
+                    let overlaps = |any, &v: &f64| any | (v < approach);
+                    if !was_listed && !opening.iter().fold(false, overlaps) {
+                        continue;
+                    }
+                    let touches = |(p, v): (&f64, &f64)| (*v < approach) | (*p > 0.0);
+                    let points = pressure[range.clone()].iter().zip(opening);
+                    let mut bits = 0;
+                    for (k, point) in points.clone().enumerate() {
+                        bits |= u64::from(touches(point)) << k;
+                    }
+                    extend(next, first, bits);
+                    if was_listed && bits != u64::MAX {
+                        for array in [&mut *direction, &mut *previous] {
+                            // Without iterations there are no directions.
+                            let values = array.get_mut(range.clone()).unwrap_or_default();
+                            for (value, point) in values.iter_mut().zip(points.clone()) {
+                                *value = if touches(point) { *value } else { 0.0 };
+                            }
+                        }
+                    }
+                }
+            },
+        );
+        std::mem::swap(runs, next);
+    }
+
+    /// List, free set, residual and certificate of the present pressure and v.
+    pub(crate) fn assess(&mut self, task: &Task) -> Assessment {
+        let approach = self.approach(task);
+        self.relist(approach);
+        let count = listed(&self.runs);
+        self.residual.resize(count, 0.0);
+        self.free.resize(count, false);
+        let Self {
+            pressure,
+            opening,
+            residual,
+            free,
+            runs,
+            ..
+        } = self;
+        let limit = task.limit;
+        let limited = limit.is_finite();
+        let mut lanes = Lanes::new([0.0; 5]);
+        vectorised(
+            #[inline(always)]
+            || {
+                for (run, place) in parts(runs) {
+                    let (p, v) = (&pressure[run.clone()], &opening[run]);
+                    let to = residual[place.clone()]
+                        .iter_mut()
+                        .zip(&mut free[place.clone()]);
+                    for ((residual, free), (&p, &v)) in to.zip(p.iter().zip(v)) {
+                        let g = v - approach;
+                        *free = if p <= 0.0 {
+                            g < 0.0
+                        } else {
+                            (p < limit) | (g > 0.0)
+                        };
+                        *residual = if *free { g } else { 0.0 };
+                    }
+                    let arrays = [p, v, &residual[place]];
+                    lanes.fold(
+                        arrays,
+                        |[sum, energy, excess, least, residuals], [p, v, r]| {
+                            let g = v - approach;
+                            let overlap = if g < 0.0 { -g } else { 0.0 };
+                            let room = if limited { limit - p } else { 0.0 };
+                            [
+                                sum + p,
+                                energy + p * if limited { g + overlap } else { g },
+                                excess + room * overlap,
+                                if (p < limit) & (g < least) { g } else { least },
+                                residuals + r,
+                            ]
+                        },
+                    );
+                }
+            },
+        );
+        let [sum, energy, excess, least, residual_sum] = lanes.reduce(|a, b| {
+            let least = a[3].min(b[3]);
+            [a[0] + b[0], a[1] + b[1], a[2] + b[2], least, a[4] + b[4]]
+        });
+        // As in `certificate::duality_gap`; with a controlled approach the load is free to change.
+        let bound = match (limited, task.sum) {
+            (true, None) => energy + excess,
+            (true, Some(_)) => energy + excess.min(-least * sum),
+            (false, _) => energy - least * sum,
+        };
+        let over = |value: f64, size: f64| if value == 0.0 { 0.0 } else { value / size };
+        Assessment {
+            approach,
+            duality_gap: over(bound, sum * task.reference_gap),
+            penetration: over(-least, task.reference_gap),
+            free: free.iter().filter(|&&free| free).count(),
+            residual_sum,
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! Sums and extremes of long slices, in parts that the processor works at once.
+
+/// Independent running sums and extremes: an addition takes four cycles, but four can run at once.
+const LANES: usize = 8;
+
+/// Lowest and highest value; (∞, −∞) for none.
+///
+/// ```
+/// use asperity_core::numerics::extremes;
+/// assert_eq!(extremes(&[2.0, -1.0, 0.5]), (-1.0, 2.0));
+/// ```
+pub fn extremes(z: &[f64]) -> (f64, f64) {
+    let (groups, rest) = z.as_chunks::<LANES>();
+    let mut lanes = [(f64::INFINITY, f64::NEG_INFINITY); LANES];
+    // Plain comparisons, which the processor has as one instruction.
+    let widened = |(low, high): (f64, f64), z: f64| {
+        (
+            if z < low { z } else { low },
+            if z > high { z } else { high },
+        )
+    };
+    for group in groups {
+        for (lane, z) in lanes.iter_mut().zip(group) {
+            *lane = widened(*lane, *z);
+        }
+    }
+    let all = lanes
+        .into_iter()
+        .reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
+    let all = all.unwrap_or((f64::INFINITY, f64::NEG_INFINITY));
+    rest.iter().fold(all, |all, z| widened(all, *z))
+}
+
+/// Σ f(z) in eight running parts, which do not wait for each other.
+///
+/// ```
+/// use asperity_core::numerics::sum;
+/// assert_eq!(sum(&[3.0, -4.0], |z| z * z), 25.0);
+/// ```
+pub fn sum(z: &[f64], f: impl Fn(f64) -> f64) -> f64 {
+    let (groups, rest) = z.as_chunks::<LANES>();
+    let mut parts = [0.0; LANES];
+    for group in groups {
+        for (part, z) in parts.iter_mut().zip(group) {
+            *part += f(*z);
+        }
+    }
+    parts.iter().sum::<f64>() + rest.iter().map(|z| f(*z)).sum::<f64>()
+}

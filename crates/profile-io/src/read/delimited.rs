@@ -1,0 +1,369 @@
+//! Delimited text in any dialect: from lines to a [`Reading`].
+
+use asperity_core::numerics::extremes;
+use asperity_core::quantity::Length;
+
+use super::dialect::Sniffed;
+use super::error::{FirstLine, ReadError, SpacingHint};
+use super::format::{Format, extension};
+use super::grid::{Spacing, SpacingSource};
+use super::header::{FilterState, Label};
+use super::layout::{Dialect, TableLayout};
+use super::metadata::{self, Metadata};
+use super::options::{Axis, Encoding, LengthUnit, ReadOptions};
+use super::reading::Reading;
+use super::rows::{self, Rows};
+use super::single_column::Special;
+use super::table::Chosen;
+use super::text::{Head, Line, Text};
+use super::units::Extent;
+use super::{dialect, grid, header, single_column, table, trace, units};
+use crate::warning::Warning;
+
+/// Reads the profile of a table.
+pub(super) fn read(
+    head: &Head,
+    text: &mut Text<'_>,
+    options: &ReadOptions,
+) -> Result<Reading, ReadError> {
+    let name = text.file;
+    let lines: Vec<Line<'_>> = head.lines().filter(|line| !line.is_blank()).collect();
+    let Some(sniffed) = sniff(name, &lines, options)? else {
+        return Err(no_data(text)?);
+    };
+    table::check_line_above(name, &lines, &sniffed)?;
+    let (header, table) = lines.split_at(sniffed.first);
+    if options.separator.is_none() && options.columns.is_none() {
+        table::check_commas(name, table, &sniffed)?;
+    }
+    let labels = header::labels(header, sniffed.dialect, sniffed.columns);
+    let chosen = table::choose(name, sniffed.columns, &labels, options)?;
+    let first = table.first().map_or(1, |line| line.number);
+    let rows = rows::read(text, first, &lines, &sniffed, chosen)?;
+    let found = Found {
+        name,
+        header,
+        first,
+        sniffed,
+        labels,
+        chosen,
+        encoding: text.encoding,
+        options,
+    };
+    found.assemble(text, rows)
+}
+
+/// The error for a file without a row of numbers.
+fn no_data(text: &mut Text<'_>) -> Result<ReadError, ReadError> {
+    let (mut count, mut first) = (0, None);
+    let mut lines = text.lines()?;
+    while let Some(line) = lines.next()? {
+        if !line.is_blank() {
+            count += 1;
+            first.get_or_insert_with(|| table::shortened(line.text));
+        }
+    }
+    Ok(ReadError::NoData {
+        file: text.file.to_owned(),
+        lines: count,
+        first: FirstLine(first),
+    })
+}
+
+/// The dialect, none where no line is a row of numbers in any.
+fn sniff(
+    name: &str,
+    lines: &[Line<'_>],
+    options: &ReadOptions,
+) -> Result<Option<Sniffed>, ReadError> {
+    let stated = dialect::Stated {
+        separator: options.separator,
+        decimal: options.decimal,
+        columns: options.columns,
+    };
+    if let Some(sniffed) = dialect::sniff(lines, stated) {
+        return Ok(Some(sniffed));
+    }
+    let free = dialect::sniff(
+        lines,
+        dialect::Stated {
+            columns: options.columns,
+            ..Default::default()
+        },
+    );
+    let Some(free) = free else {
+        return Ok(None);
+    };
+    // The file is a table, but not in the stated dialect: show the first cell that fails.
+    let used = Dialect {
+        separator: options.separator.unwrap_or(free.dialect.separator),
+        decimal: options.decimal.unwrap_or(free.dialect.decimal),
+    };
+    let line = &lines[free.first];
+    let mut cells = used.cells(line.text);
+    match cells.find(|cell| used.cell(cell) == dialect::Cell::Other) {
+        Some(cell) => Err(table::unreadable(name, lines, line, cell, used)),
+        None => Err(ReadError::SeparatorDoesNotFit {
+            file: name.to_owned(),
+            separator: used.separator,
+        }),
+    }
+}
+
+/// A file on its way to a [`Reading`].
+struct Found<'a> {
+    name: &'a str,
+    header: &'a [Line<'a>],
+    /// Number of the first line of the table.
+    first: usize,
+    sniffed: Sniffed,
+    labels: Vec<Label>,
+    chosen: Chosen,
+    encoding: Encoding,
+    options: &'a ReadOptions,
+}
+
+/// Spacing `[m]` with its origin, and the units.
+struct Measured {
+    spacing: f64,
+    source: SpacingSource,
+    x_unit: Option<LengthUnit>,
+    z_unit: LengthUnit,
+}
+
+impl Found<'_> {
+    fn assemble(self, text: &mut Text<'_>, rows: Rows) -> Result<Reading, ReadError> {
+        let name = self.name;
+        let mut warnings = Vec::new();
+        let Rows { mut x, mut z } = rows;
+        let count = z.len();
+        let special = match x {
+            None => {
+                single_column::interpret(text, self.first, &mut z, self.options, &mut warnings)?
+            }
+            Some(_) => Special::delimited(),
+        };
+        let header_numbers = count - z.len();
+        let mut place = |row: usize| rows::place(text, self.first, row + header_numbers);
+        grid::enough(name, z.len())?;
+        let mut column = None;
+        // A stated spacing makes x unnecessary, even an x that would be refused.
+        if let (Some(x), None) = (&mut x, self.options.dx) {
+            let spacing = grid::spacing(name, x, &mut place)?;
+            if spacing.falls {
+                z.reverse();
+                warnings.push(Warning::Reversed);
+            }
+            column = Some(spacing);
+        }
+        let falls = column.as_ref().is_some_and(|spacing| spacing.falls);
+        let mut place = |row: usize| place(if falls { count - 1 - row } else { row });
+        let gaps = self.options.gaps;
+        let (heights, gaps_filled) = grid::heights(name, z, gaps, &mut place, &mut warnings)?;
+        let measured = self.measure(x.as_deref(), &heights, column, &special, &mut warnings)?;
+        let spacing = Length::from_si(measured.spacing);
+        drop(x);
+        let profile = trace::profile(name, heights, spacing, measured.z_unit)?;
+        let filter_state = header::filter_state(name, self.header);
+        if filter_state == FilterState::Roughness {
+            warnings.push(Warning::AlreadyFiltered);
+        }
+        Ok(Reading {
+            name: name.to_owned(),
+            format: self.format(special.format),
+            encoding: Some(self.encoding),
+            table: Some(TableLayout {
+                separator: self.sniffed.dialect.separator,
+                decimal: self.sniffed.dialect.decimal,
+                columns: self.chosen.columns(),
+            }),
+            metadata: self.metadata(),
+            x_unit: measured.x_unit,
+            z_unit: measured.z_unit,
+            spacing: profile.spacing(),
+            spacing_source: measured.source,
+            length: profile.length(),
+            filter_state,
+            points: profile.len(),
+            gaps_filled,
+            warnings,
+            profile,
+        })
+    }
+
+    /// The unit a column has by statement or header.
+    fn unit(&self, axis: Axis, column: usize) -> Result<Option<LengthUnit>, ReadError> {
+        let stated = match axis {
+            Axis::Trace => self.options.x_unit,
+            Axis::Height => self.options.z_unit,
+        };
+        match (
+            stated,
+            self.labels
+                .get(column)
+                .and_then(|label| label.unit.as_ref()),
+        ) {
+            (Some(unit), _) | (None, Some(&header::Stated::Length(unit))) => Ok(Some(unit)),
+            (None, Some(header::Stated::Other(unit))) => Err(ReadError::UnknownUnit {
+                file: self.name.to_owned(),
+                axis,
+                unit: table::shortened(unit),
+            }),
+            (None, None) => Ok(None),
+        }
+    }
+
+    fn no_spacing(&self, hint: SpacingHint) -> ReadError {
+        ReadError::NoSpacing {
+            file: self.name.to_owned(),
+            hint,
+        }
+    }
+
+    fn no_unit(&self, axis: Axis, span: f64) -> ReadError {
+        ReadError::NoUnit {
+            file: self.name.to_owned(),
+            axis,
+            span,
+        }
+    }
+
+    /// Spacing and units: stated, from the header, or the only possible ones.
+    fn measure(
+        &self,
+        x: Option<&[f64]>,
+        heights: &[f64],
+        column: Option<Spacing>,
+        special: &Special,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<Measured, ReadError> {
+        let (low, high) = extremes(heights);
+        let span = high - low;
+        let z_stated = self.unit(Axis::Height, self.chosen.z)?.or(special.unit);
+        if let Some(dx) = self.options.dx {
+            warnings.extend(x.and_then(|x| self.overridden(x, dx)));
+            let length = dx.si() * (heights.len() - 1) as f64;
+            return self.with_stated_spacing(dx, z_stated, Extent { length, span }, warnings);
+        }
+        if let (Some(spacing), Some(z_unit)) = (special.spacing, z_stated) {
+            return Ok(Measured {
+                spacing,
+                source: SpacingSource::FirstLine,
+                x_unit: Some(LengthUnit::Micrometre),
+                z_unit,
+            });
+        }
+        let (Some(x), Some(x_column), Some(column)) = (x, self.chosen.x, column) else {
+            return Err(self.no_spacing(SpacingHint::None));
+        };
+        let x_stated = self.unit(Axis::Trace, x_column)?;
+        if x_stated.is_none() && grid::counts_points(x) {
+            return Err(self.no_spacing(SpacingHint::XCounts));
+        }
+        let length = column.mean * (x.len() - 1) as f64;
+        let extent = Extent { length, span };
+        let found = units::pair(extent, x_stated, z_stated);
+        let (x_unit, z_unit) = found.ok_or_else(|| match z_stated {
+            None => self.no_unit(Axis::Height, span),
+            Some(_) => self.no_unit(Axis::Trace, length),
+        })?;
+        for (axis, stated, unit) in [
+            (Axis::Trace, x_stated, x_unit),
+            (Axis::Height, z_stated, z_unit),
+        ] {
+            if stated.is_none() {
+                warnings.push(Warning::UnitAssumed { axis, unit });
+            }
+        }
+        // x carries rounding; the header of a written file carries the spacing itself.
+        const SAME: f64 = 1e-6;
+        let from_column = x_unit.metres(column.mean);
+        let agrees = |dx: &f64| (dx / from_column - 1.0).abs() < SAME;
+        let (spacing, source) = match self.header_spacing().filter(agrees) {
+            Some(dx) => (dx, SpacingSource::Header),
+            None => (from_column, SpacingSource::XColumn),
+        };
+        Ok(Measured {
+            spacing,
+            source,
+            x_unit: Some(x_unit),
+            z_unit,
+        })
+    }
+
+    fn with_stated_spacing(
+        &self,
+        dx: Length,
+        z_stated: Option<LengthUnit>,
+        extent: Extent,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<Measured, ReadError> {
+        let z_unit = z_stated.or_else(|| units::heights_only(extent.span, extent.length));
+        let z_unit = z_unit.ok_or_else(|| self.no_unit(Axis::Height, extent.span))?;
+        if z_stated.is_none() {
+            warnings.push(Warning::UnitAssumed {
+                axis: Axis::Height,
+                unit: z_unit,
+            });
+        }
+        let (spacing, source) = (dx.si(), SpacingSource::Stated);
+        Ok(Measured {
+            spacing,
+            source,
+            x_unit: None,
+            z_unit,
+        })
+    }
+
+    /// The warning that a stated spacing differs from what the x column says, where it says anything.
+    fn overridden(&self, x: &[f64], stated: Length) -> Option<Warning> {
+        let unit = self.unit(Axis::Trace, self.chosen.x?).ok().flatten()?;
+        let (first, last) = (x.first()?, x.last()?);
+        let column = Length::from_si(unit.metres((last - first).abs() / (x.len() - 1) as f64));
+        trace::overridden(stated, column)
+    }
+
+    /// Formats that are tables, told by their name or header.
+    fn format(&self, found: Format) -> Format {
+        let starts = |text: &str| self.header.iter().any(|line| line.text.starts_with(text));
+        match () {
+            () if found != Format::DelimitedText => found,
+            () if extension(self.name) == "hfm" => Format::HommelHfm,
+            () if starts("Meta Data") && starts("Lateral") => Format::DektakCsv,
+            () => found,
+        }
+    }
+
+    /// What header lines of the form "name, value" or "name = value" say.
+    fn metadata(&self) -> Metadata {
+        let mut metadata = Metadata::default();
+        for line in self.header {
+            let text = line.text.trim_start_matches(['#', '%', ' ']);
+            let Some((key, value)) = text.split_once(['=', ',', ';', '\t']) else {
+                continue;
+            };
+            let value = value.trim_matches([',', ';', ' ', '\t', '"']);
+            match key.trim().trim_matches('"').to_lowercase().as_str() {
+                "date" | "datetime" | "datum" | "fecha" => metadata.date = metadata::short(value),
+                "instrument" | "scanner type" | "instrument model" => {
+                    metadata.instrument = metadata::short(value);
+                }
+                "title" | "name" | "sample" => metadata.title = metadata::short(value),
+                _ => {}
+            }
+        }
+        metadata
+    }
+
+    /// The spacing of a header line "dx = 5e-7 m", to all its digits.
+    fn header_spacing(&self) -> Option<f64> {
+        let text = |line: &Line<'_>| {
+            let rest = line
+                .text
+                .trim_start_matches(['#', ' '])
+                .strip_prefix("dx = ")?;
+            metadata::length(rest).map(Length::si)
+        };
+        self.header.iter().find_map(text)
+    }
+}

@@ -1,0 +1,310 @@
+//! Which signs separate columns and decimals, and where the table starts.
+//!
+//! Every dialect is tried on a sample of the lines; the one that reads most of them as rows of
+//! numbers wins. Two dialects can only tie where a comma may be either sign; that case is decided
+//! by asking whether the first column rises. Only the head of the file is looked at.
+
+use super::decimal;
+use super::layout::Dialect;
+use super::options::{Columns, DecimalSign, Separator};
+use super::text::Line;
+
+/// A dialect with what it makes of the file.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Sniffed {
+    pub dialect: Dialect,
+    /// Columns of most rows.
+    pub columns: usize,
+    /// Index of the first line of the table; those before are the header.
+    pub first: usize,
+    /// Rows of the sample that are rows of numbers.
+    score: usize,
+}
+
+/// The dialects tried. Where two read the same rows the earlier one wins: a tab before blanks,
+/// a point before a comma for rows of whole numbers.
+const CANDIDATES: [(Separator, DecimalSign); 9] = [
+    (Separator::Semicolon, DecimalSign::Point),
+    (Separator::Semicolon, DecimalSign::Comma),
+    (Separator::Tab, DecimalSign::Point),
+    (Separator::Tab, DecimalSign::Comma),
+    (Separator::Comma, DecimalSign::Point),
+    (Separator::Blank, DecimalSign::Point),
+    (Separator::Blank, DecimalSign::Comma),
+    (Separator::None, DecimalSign::Point),
+    (Separator::None, DecimalSign::Comma),
+];
+
+/// Words that instruments write for a missing height.
+const MISSING: &[&str] = &[
+    "nan",
+    "-nan",
+    "nan(ind)",
+    "-nan(ind)",
+    "1.#qnan",
+    "-1.#ind",
+    "inf",
+    "-inf",
+    "+inf",
+    "infinity",
+    "-infinity",
+    "bad",
+    "na",
+    "n/a",
+    "n.a.",
+    "null",
+    "none",
+    "-",
+    "--",
+    "---",
+    "*",
+    "**",
+    "***",
+    "*****",
+    "#n/a",
+    "void",
+    "",
+];
+
+/// Characters of the longest number: what is longer is no measured value.
+pub(super) const LONGEST_NUMBER: usize = 64;
+/// Columns looked at; profiles have two to some dozens.
+const MOST_COLUMNS: usize = 1 << 16;
+
+/// What a cell holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Cell {
+    Number(f64),
+    Missing,
+    Other,
+}
+
+impl Dialect {
+    /// The cells of a line, trimmed. Empty cells at the end are kept: they may be missing heights.
+    pub(super) fn cells(self, line: &str) -> impl Iterator<Item = &str> {
+        let blank = self.separator == Separator::Blank;
+        let sign = match self.separator {
+            Separator::Semicolon => Some(';'),
+            Separator::Tab => Some('\t'),
+            Separator::Comma => Some(','),
+            Separator::Blank | Separator::None => None,
+        };
+        let parts = line.split(move |c: char| Some(c) == sign || blank && c.is_whitespace());
+        parts
+            .filter(move |part| !(blank && part.is_empty()))
+            .map(trim_cell)
+    }
+
+    /// What `cell` holds; a number must be written in digits with this dialect's decimal sign.
+    pub(super) fn cell(self, cell: &str) -> Cell {
+        match self.number(cell) {
+            Some(value) if value.is_finite() => Cell::Number(value),
+            Some(_) => Cell::Missing,
+            None if MISSING.contains(&cell.to_ascii_lowercase().as_str()) => Cell::Missing,
+            None => Cell::Other,
+        }
+    }
+
+    fn number(self, cell: &str) -> Option<f64> {
+        if cell.len() > LONGEST_NUMBER {
+            return None;
+        }
+        match (self.decimal, cell.strip_prefix('−')) {
+            (DecimalSign::Point, None) => decimal::whole(cell, b'.'),
+            (DecimalSign::Point, Some(rest)) => decimal::whole(rest, b'.').map(|value| -value),
+            (DecimalSign::Comma, _) => decimal::whole(cell, b','),
+        }
+    }
+
+    /// Number of columns if the line is a row of numbers, of which `columns` must be when stated.
+    fn row(self, line: &str, columns: Option<Columns>) -> Option<usize> {
+        let cells: Vec<&str> = self.cells(line).take(MOST_COLUMNS).collect();
+        let filled = cells.iter().rposition(|cell| !cell.is_empty())? + 1;
+        if let Some(Columns { x, z }) = columns {
+            let is_number = |column: usize| {
+                let cell = cells.get(column.checked_sub(1)?)?;
+                (self.cell(cell) != Cell::Other).then_some(())
+            };
+            is_number(z)?;
+            if let Some(x) = x {
+                is_number(x)?;
+            }
+            return Some(filled);
+        }
+        let mut numbers = 0;
+        for cell in &cells[..filled] {
+            match self.cell(cell) {
+                Cell::Number(_) => numbers += 1,
+                Cell::Missing => {}
+                Cell::Other => return None,
+            }
+        }
+        (numbers > 0).then_some(filled)
+    }
+}
+
+fn trim_cell(cell: &str) -> &str {
+    let cell = cell.trim();
+    let quoted = cell
+        .strip_prefix('"')
+        .and_then(|rest| rest.strip_suffix('"'));
+    quoted.map_or(cell, str::trim)
+}
+
+/// What is known about the dialect beforehand.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Stated {
+    pub separator: Option<Separator>,
+    pub decimal: Option<DecimalSign>,
+    pub columns: Option<Columns>,
+}
+
+/// The dialect that reads most lines, or `None` when none reads any.
+pub(super) fn sniff(lines: &[Line<'_>], stated: Stated) -> Option<Sniffed> {
+    let fits = |(separator, decimal): &(Separator, DecimalSign)| {
+        stated.separator.is_none_or(|s| s == *separator)
+            && stated.decimal.is_none_or(|d| d == *decimal)
+    };
+    let mut best: Option<Sniffed> = None;
+    for (separator, decimal) in CANDIDATES.into_iter().filter(fits) {
+        let dialect = Dialect { separator, decimal };
+        let Some(found) = try_dialect(lines, dialect, stated) else {
+            continue;
+        };
+        let better = match &best {
+            None => true,
+            Some(kept) if found.score == kept.score => comma_is_decimal(lines, kept, dialect),
+            Some(kept) => found.score > kept.score,
+        };
+        if better {
+            best = Some(found);
+        }
+    }
+    best
+}
+
+/// Whether rows like "0,27" are one number and not two columns: as columns, x does not rise.
+fn comma_is_decimal(lines: &[Line<'_>], as_columns: &Sniffed, other: Dialect) -> bool {
+    if as_columns.dialect.separator != Separator::Comma || other.decimal != DecimalSign::Comma {
+        return false;
+    }
+    let mut last = f64::NEG_INFINITY;
+    lines[as_columns.first..].iter().any(|line| {
+        let dialect = as_columns.dialect;
+        let first = dialect.cells(line.text).next();
+        let Some(Cell::Number(x)) = first.map(|cell| dialect.cell(cell)) else {
+            return false;
+        };
+        let falls = x <= last;
+        last = x;
+        falls
+    })
+}
+
+fn try_dialect(lines: &[Line<'_>], dialect: Dialect, stated: Stated) -> Option<Sniffed> {
+    const SAMPLE: usize = 400;
+    let step = lines.len().div_ceil(SAMPLE).max(1);
+    let widths: Vec<usize> = lines
+        .iter()
+        .step_by(step)
+        .filter_map(|line| dialect.row(line.text, stated.columns))
+        .collect();
+    let mut counts = std::collections::BTreeMap::new();
+    for &width in &widths {
+        *counts.entry(width).or_insert(0_usize) += 1;
+    }
+    let (&columns, &score) = counts
+        .iter()
+        .max_by_key(|&(width, count)| (*count, *width))?;
+    if columns < 2
+        && dialect.separator != Separator::None
+        && stated.separator != Some(dialect.separator)
+    {
+        return None;
+    }
+    let first = first_row(lines, dialect, columns, stated.columns)?;
+    Some(Sniffed {
+        dialect,
+        columns,
+        first,
+        score,
+    })
+}
+
+/// The first row of the usual width that is followed by another one, or is the last line.
+fn first_row(
+    lines: &[Line<'_>],
+    dialect: Dialect,
+    columns: usize,
+    stated: Option<Columns>,
+) -> Option<usize> {
+    let is_row = |line: &Line<'_>| dialect.row(line.text, stated) == Some(columns);
+    let mut previous = false;
+    for (at, line) in lines.iter().enumerate() {
+        let row = is_row(line);
+        if row && previous {
+            return Some(at - 1);
+        }
+        previous = row;
+    }
+    previous.then(|| lines.len() - 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::text::Head;
+    use super::*;
+
+    fn sniff_text(text: &str) -> Option<(Dialect, usize, usize)> {
+        let head = Head::of(text);
+        let lines: Vec<_> = head.lines().collect();
+        sniff(&lines, Stated::default()).map(|s| (s.dialect, s.columns, s.first))
+    }
+
+    #[test]
+    fn each_dialect_is_told_from_the_others() {
+        use DecimalSign::{Comma as C, Point as P};
+        for (text, separator, decimal, columns) in [
+            ("0;1\n1;2", Separator::Semicolon, P, 2),
+            ("0,5;1,2\n0,6;1,3", Separator::Semicolon, C, 2),
+            ("0.5\t1.2\n0.6\t1.3", Separator::Tab, P, 2),
+            ("0,5\t1,2\n0,6\t1,3", Separator::Tab, C, 2),
+            ("0.5,1.2\n0.6,1.3", Separator::Comma, P, 2),
+            ("0.5, 1.2,\n0.6, 1.3,", Separator::Comma, P, 2),
+            ("0.5  1.2   \n0.6  1.3  ", Separator::Blank, P, 2),
+            ("0,5 1,2\n0,6 1,3", Separator::Blank, C, 2),
+            ("0.5\n0.6", Separator::None, P, 1),
+            ("0,5\n0,6", Separator::None, C, 1),
+            ("1,5\n2,6\n3,1", Separator::Comma, P, 2),
+        ] {
+            let dialect = Dialect { separator, decimal };
+            assert_eq!(sniff_text(text), Some((dialect, columns, 0)), "{text:?}");
+        }
+        assert_eq!(
+            sniff_text("x in um;z\n0,5;1,2\n0,6;NaN").map(|s| s.2),
+            Some(1)
+        );
+        assert_eq!(sniff_text("no numbers\nat all"), None);
+    }
+
+    #[test]
+    fn numbers_are_digits_and_missing_heights_are_words() {
+        let point = Dialect {
+            separator: Separator::Tab,
+            decimal: DecimalSign::Point,
+        };
+        let comma = Dialect {
+            decimal: DecimalSign::Comma,
+            ..point
+        };
+        assert_eq!(point.cell("-1.5e-3"), Cell::Number(-1.5e-3));
+        assert_eq!(point.cell("−1.5"), Cell::Number(-1.5));
+        assert_eq!(comma.cell("-0,5"), Cell::Number(-0.5));
+        assert_eq!(comma.cell("1.234,5"), Cell::Other);
+        assert_eq!(comma.cell("1,234,5"), Cell::Other);
+        assert_eq!(point.cell("0,5"), Cell::Other);
+        for missing in ["NaN", "Bad", "", "***", "inf", "1e999"] {
+            assert_eq!(point.cell(missing), Cell::Missing, "{missing}");
+        }
+    }
+}

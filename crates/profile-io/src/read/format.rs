@@ -1,0 +1,121 @@
+//! The file formats that are known, read or not.
+//!
+//! Formats that are not read are named, so that the user learns what to export instead.
+
+use serde::{Deserialize, Serialize};
+
+/// A file format.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Format {
+    /// Rows of numbers as text, in any dialect.
+    DelimitedText,
+    /// One column of heights under the spacing in um (NPL softgauge text).
+    NplText,
+    /// One column of heights in um under nominal length and number of points (Surfcom tx1, tx2).
+    SurfcomText,
+    /// Measuring conditions of a Surfcom trace (tx3).
+    SurfcomConditions,
+    /// ISO 25178-72.
+    X3p,
+    /// A workbook, old or new.
+    Excel,
+    /// Mitutoyo SurfTest workbook.
+    MitutoyoXlsx,
+    /// Bruker Dektak, binary.
+    Opdx,
+    /// Wyko and Veeco, binary.
+    Opd,
+    /// MATLAB data.
+    Matlab,
+    /// HDF5.
+    Hdf5,
+    /// Hommel, binary.
+    HommelHwp,
+    /// Mahr, binary.
+    MahrPcd,
+    /// Mahr `[PROFILE_VALUES]` text.
+    MahrText,
+    /// Digital Surf and MountainsMap (mnt, sur, pro).
+    DigitalSurf,
+    /// Sensofar.
+    Sensofar,
+    /// ISO 25178-71 as text.
+    SdfAscii,
+    /// ISO 25178-71, binary.
+    SdfBinary,
+    /// SigmaSurf text.
+    SigmaSurf,
+    /// ISO 5436-2 SMD.
+    Smd,
+    /// Taylor Hobson text profile (prf), as NPL writes it too.
+    TaylorHobsonPrf,
+    /// Hommel text profile (hfm).
+    HommelHfm,
+    /// Dektak profile with its meta data as text.
+    DektakCsv,
+    /// PTB reference software text.
+    PtbPr,
+    /// A compressed archive.
+    Archive,
+    /// A picture or a printed report.
+    Document,
+    /// Binary data of an unknown kind.
+    UnknownBinary,
+}
+
+impl std::fmt::Display for Format {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::DelimitedText => "delimited text",
+            Self::NplText => "NPL text profile",
+            Self::SurfcomText => "Surfcom text profile",
+            Self::SurfcomConditions => "Surfcom measuring conditions (tx3)",
+            Self::X3p => "X3P (ISO 25178-72)",
+            Self::Excel => "Excel workbook",
+            Self::MitutoyoXlsx => "Mitutoyo SurfTest workbook",
+            Self::Opdx => "Bruker OPDx",
+            Self::Opd => "Wyko OPD",
+            Self::Matlab => "MATLAB data (mat)",
+            Self::Hdf5 => "HDF5",
+            Self::HommelHwp => "Hommel hwp",
+            Self::MahrPcd => "Mahr pcd",
+            Self::MahrText => "Mahr [PROFILE_VALUES] text",
+            Self::DigitalSurf => "Digital Surf (mnt, sur, pro)",
+            Self::Sensofar => "Sensofar plu",
+            Self::SdfAscii => "SDF text (ISO 25178-71)",
+            Self::SdfBinary => "binary SDF (ISO 25178-71)",
+            Self::SigmaSurf => "SigmaSurf sig",
+            Self::Smd => "SMD (ISO 5436-2)",
+            Self::TaylorHobsonPrf => "Taylor Hobson text profile (prf)",
+            Self::HommelHfm => "Hommel text profile (hfm)",
+            Self::DektakCsv => "Dektak csv",
+            Self::PtbPr => "PTB pr",
+            Self::Archive => "a compressed archive",
+            Self::Document => "a picture or document",
+            Self::UnknownBinary => "binary data of an unknown format",
+        })
+    }
+}
+
+impl Format {
+    /// What the user can do about a format that is not read.
+    pub fn remedy(self) -> &'static str {
+        match self {
+            Self::SurfcomConditions => {
+                "It holds no heights; read the .tx1 (primary) or .tx2 (roughness) file beside it"
+            }
+            Self::Archive => "Unpack it first",
+            Self::Document => "Export the heights, not the report",
+            _ => "Export the profile as text with an x and a height column",
+        }
+    }
+}
+
+/// Lower-case extension, empty when there is none.
+pub(super) fn extension(name: &str) -> String {
+    let after_folder = name.rsplit(['/', '\\']).next().unwrap_or_default();
+    let found = after_folder.rsplit_once('.');
+    found.map_or_else(String::new, |(_, extension)| extension.to_lowercase())
+}

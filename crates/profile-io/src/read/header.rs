@@ -1,0 +1,258 @@
+//! What the lines above a table say: which column is what, in which unit, filtered or not.
+
+use serde::{Deserialize, Serialize};
+
+use super::format::extension;
+use super::layout::Dialect;
+use super::options::LengthUnit;
+use super::text::Line;
+
+/// Whether the heights have been through a roughness filter, as far as the file says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum FilterState {
+    /// The file does not say.
+    #[default]
+    Unknown,
+    /// Primary or unfiltered profile.
+    Primary,
+    /// Roughness profile: the long waves are already gone.
+    Roughness,
+}
+
+/// What a column holds, by its label.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Role {
+    X,
+    /// Named y: the height unless another column is named z.
+    Y,
+    Z,
+    /// 1 where the height is valid.
+    Valid,
+    /// A running number.
+    Index,
+}
+
+/// A unit as a header states it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Stated {
+    Length(LengthUnit),
+    /// In brackets, but no length known here.
+    Other(String),
+}
+
+/// What the header says about one column.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Label {
+    pub role: Option<Role>,
+    pub unit: Option<Stated>,
+}
+
+/// The labels of `columns` columns, from up to the last four header lines.
+pub(super) fn labels(header: &[Line<'_>], dialect: Dialect, columns: usize) -> Vec<Label> {
+    const LINES_LOOKED_AT: usize = 4;
+    let mut labels = vec![Label::default(); columns];
+    for line in header.iter().rev().take(LINES_LOOKED_AT) {
+        let text = line.text.trim_start_matches(['#', '%', '/', '*', '!', ' ']);
+        let mut cells: Vec<&str> = dialect.cells(text).collect();
+        while cells.len() > columns && cells.last().is_some_and(|cell| cell.is_empty()) {
+            cells.pop();
+        }
+        if cells.len() == columns {
+            for (label, cell) in labels.iter_mut().zip(&cells) {
+                label.role = label.role.or_else(|| role_of(cell));
+                label.unit = label.unit.take().or_else(|| unit_of(cell));
+            }
+        } else {
+            // "x [mm]  z [um]" over blank-separated columns has more cells than columns.
+            let units = units_in_order(text);
+            if units.len() == columns {
+                for (label, unit) in labels.iter_mut().zip(units) {
+                    label.unit = label.unit.take().or(Some(unit));
+                }
+            }
+        }
+    }
+    labels
+}
+
+fn role_of(cell: &str) -> Option<Role> {
+    const X: &[&str] = &[
+        "x", "weg", "distance", "position", "pos", "lateral", "strecke", "length", "abscissa",
+        "scan",
+    ];
+    const Z: &[&str] = &[
+        "z",
+        "height",
+        "heights",
+        "höhe",
+        "hoehe",
+        "profil",
+        "profile",
+        "altura",
+        "hauteur",
+        "amplitude",
+    ];
+    const VALID: &[&str] = &["valid", "lock", "flag", "mask", "gültig", "quality"];
+    const INDEX: &[&str] = &["index", "idx", "nr", "no", "n", "i", "point", "punkt", "#"];
+    let lower = cell.to_lowercase();
+    let name: String = lower
+        .chars()
+        .take_while(|c| c.is_alphabetic() || *c == '#')
+        .collect();
+    let is = |names: &[&str]| names.contains(&name.as_str());
+    match () {
+        () if is(X) => Some(Role::X),
+        () if is(Z) => Some(Role::Z),
+        () if name == "y" => Some(Role::Y),
+        () if is(VALID) || lower.contains("[1/0]") => Some(Role::Valid),
+        () if is(INDEX) => Some(Role::Index),
+        () => None,
+    }
+}
+
+/// The unit in a label: "[mm]", "(um)", "x in um", "x_mm", "z / nm", "z µm", "mm".
+fn unit_of(cell: &str) -> Option<Stated> {
+    let opening = cell.rfind(['[', '(']);
+    if let Some(at) = opening {
+        let inside = cell[at + 1..].trim_end_matches([']', ')', ' ']);
+        let is_unit =
+            inside.chars().next().is_some_and(char::is_alphabetic) || inside.starts_with('"');
+        return match unit(inside) {
+            Some(unit) => Some(Stated::Length(unit)),
+            None if is_unit => Some(Stated::Other(inside.to_owned())),
+            None => None,
+        };
+    }
+    let (before, last) = match cell.rfind([' ', '_', '/', ':', '=']) {
+        Some(at) => (cell[..at].trim_end(), &cell[at + 1..]),
+        None => ("", cell),
+    };
+    let found = unit(last)?;
+    // A lone "m" after a blank may be any word's initial; after "in", "_" or "/" it is metre.
+    let certain = found != LengthUnit::Metre
+        || before.is_empty()
+        || before.to_lowercase().ends_with(" in")
+        || cell.contains(['_', '/']);
+    certain.then_some(Stated::Length(found))
+}
+
+/// All units of a line, in order: in brackets, or after the word "in".
+fn units_in_order(line: &str) -> Vec<Stated> {
+    let mut found = Vec::new();
+    let mut after_in = false;
+    for word in line
+        .split([' ', '\t', ';', ','])
+        .filter(|word| !word.is_empty())
+    {
+        let bracketed = word.contains(['[', '(']);
+        if bracketed {
+            found.extend(unit_of(word));
+        } else if after_in {
+            found.extend(unit(word).map(Stated::Length));
+        }
+        after_in = word.eq_ignore_ascii_case("in");
+    }
+    found
+}
+
+fn unit(text: &str) -> Option<LengthUnit> {
+    let text = text.trim().to_lowercase().replace(['µ', 'μ'], "u");
+    match text.as_str() {
+        "micron" | "microns" | "micrometer" | "micrometers" | "micrometre" | "micrometres"
+        | "mikrometer" => Some(LengthUnit::Micrometre),
+        "millimeter" | "millimeters" | "millimetre" | "millimetres" => Some(LengthUnit::Millimetre),
+        "nanometer" | "nanometers" | "nanometre" | "nanometres" => Some(LengthUnit::Nanometre),
+        "meter" | "meters" | "metre" | "metres" => Some(LengthUnit::Metre),
+        "å" | "a\u{30a}" => Some(LengthUnit::Angstrom),
+        other => other.parse().ok(),
+    }
+}
+
+/// The filter state by telling words in the header, or by a Surfcom file name.
+pub(super) fn filter_state(name: &str, header: &[Line<'_>]) -> FilterState {
+    const ROUGHNESS: &[&str] = &[
+        "roughness profile",
+        "r-profil",
+        "r profil",
+        "rauheitsprofil",
+        "rauheit",
+        "r_profile",
+    ];
+    const PRIMARY: &[&str] = &[
+        "primary",
+        "p-profil",
+        "p profil",
+        "primärprofil",
+        "unfiltered",
+        "ungefiltert",
+        "raw profile",
+    ];
+    match extension(name).as_str() {
+        "tx1" => return FilterState::Primary,
+        "tx2" => return FilterState::Roughness,
+        _ => {}
+    }
+    let says = |words: &[&str]| {
+        header.iter().any(|line| {
+            let line = line.text.to_lowercase();
+            words.iter().any(|word| line.contains(word))
+        })
+    };
+    match (says(ROUGHNESS), says(PRIMARY)) {
+        (true, false) => FilterState::Roughness,
+        (false, true) => FilterState::Primary,
+        _ => FilterState::Unknown,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::options::{DecimalSign, Separator};
+    use super::super::text::Head;
+    use super::*;
+
+    #[test]
+    fn units_are_found_in_every_spelling() {
+        use LengthUnit::{Metre, Micrometre, Millimetre, Nanometre};
+        for (label, expected) in [
+            ("x in um", Micrometre),
+            ("x_mm", Millimetre),
+            ("z [µm]", Micrometre),
+            ("z (μm)", Micrometre),
+            ("[mm]", Millimetre),
+            ("height / nm", Nanometre),
+            ("Höhe [m]", Metre),
+            ("z in m", Metre),
+            ("m", Metre),
+            ("Z µm", Micrometre),
+        ] {
+            assert_eq!(unit_of(label), Some(Stated::Length(expected)), "{label}");
+        }
+        assert_eq!(unit_of("z [inch]"), Some(Stated::Other("inch".into())));
+        assert_eq!(unit_of("[1/0]"), None);
+        assert_eq!(unit_of("column m"), None);
+    }
+
+    #[test]
+    fn a_header_with_more_words_than_columns_still_gives_its_units() {
+        let head = Head::of("# x (mm)  z in um");
+        let header: Vec<_> = head.lines().collect();
+        let dialect = Dialect {
+            separator: Separator::Blank,
+            decimal: DecimalSign::Point,
+        };
+        let units: Vec<_> = labels(&header, dialect, 2)
+            .into_iter()
+            .map(|label| label.unit)
+            .collect();
+        assert_eq!(
+            units,
+            [
+                Some(Stated::Length(LengthUnit::Millimetre)),
+                Some(Stated::Length(LengthUnit::Micrometre))
+            ]
+        );
+    }
+}

@@ -1,0 +1,39 @@
+//! Layout of a table of text: its signs and its columns.
+
+use serde::{Deserialize, Serialize};
+
+use super::options::{Columns, DecimalSign, Separator};
+
+/// A way to write a table of numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Dialect {
+    /// Between columns.
+    pub separator: Separator,
+    /// Between whole and fraction.
+    pub decimal: DecimalSign,
+}
+
+impl std::fmt::Display for Dialect {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self.separator {
+            Separator::Semicolon => "';'",
+            Separator::Tab => "tabs",
+            Separator::Comma => "','",
+            Separator::Blank => "blanks",
+            Separator::None => "one column",
+        })?;
+        write!(f, " with decimal {}", self.decimal)
+    }
+}
+
+/// How a table of text is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct TableLayout {
+    /// What separates the columns.
+    pub separator: Separator,
+    /// The decimal sign.
+    pub decimal: DecimalSign,
+    /// Columns read.
+    pub columns: Columns,
+}

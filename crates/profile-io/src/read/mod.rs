@@ -1,0 +1,261 @@
+//! Reading measured profiles from files, with everything that was found or assumed.
+//!
+//! A file is recognised ([`Format`]), decoded ([`Encoding`]), its dialect is sniffed ([`Dialect`]),
+//! its table read, put on an even grid and given units. What the user states in [`ReadOptions`]
+//! wins over what the file looks like. Nothing is repaired in silence: a file is read as it stands,
+//! with [`Warning`](crate::Warning)s for what was assumed, or refused with the line and a remedy.
+//!
+//! | quantity | rule |
+//! |---|---|
+//! | spacing dx | (x_last − x_first)/(n − 1), or as stated |
+//! | units | as stated, else from the header, else the only possible ones, else refused |
+//! | missing heights | refused, or interpolated on request |
+//!
+//! Reading is linear in the length of the file. This is the only module of the crate that opens files.
+
+mod archive;
+mod decimal;
+mod delimited;
+mod dialect;
+mod encoding;
+mod error;
+mod format;
+mod grid;
+mod header;
+mod layout;
+mod mahr;
+pub(crate) mod metadata;
+mod mitutoyo;
+pub(crate) mod options;
+mod plain_row;
+mod ptb;
+mod reading;
+mod recognise;
+mod rows;
+mod sdf;
+mod sigmasurf;
+mod single_column;
+mod smd;
+mod surfcom;
+mod table;
+mod taylor_hobson;
+mod text;
+mod trace;
+mod units;
+mod x3p;
+mod xml;
+
+use std::io::{Cursor, Read, Seek};
+use std::path::Path;
+
+pub use error::{FirstLine, ReadError, SpacingHint};
+pub use format::Format;
+pub use grid::SpacingSource;
+pub use header::FilterState;
+pub use layout::{Dialect, TableLayout};
+pub use metadata::{Metadata, PrintedParameter};
+pub use options::{
+    Axis, Columns, DecimalSign, Encoding, Gaps, LengthUnit, ReadOptions, Separator, UnknownChoice,
+};
+pub use reading::Reading;
+
+use text::{Head, Start, Stream, Text};
+use trace::Trace;
+
+/// Bytes of the largest file read: two hundred million points of text.
+const MOST_BYTES: u64 = 4 << 30;
+/// Bytes of what comes through a pipe and is held.
+const MOST_HELD: u64 = 1 << 30;
+
+/// Reads the profile in the file at `path`.
+///
+/// # Errors
+/// When the file cannot be opened, is in a format that is not read, or holds no usable profile;
+/// [`ReadError`] lists the reasons.
+///
+/// ```
+/// use asperity_profile_io::read::{ReadOptions, read};
+/// let missing = read("no such file.csv".as_ref(), &ReadOptions::default());
+/// assert_eq!(missing.map_err(|error| error.code()), Err("E103"));
+/// ```
+pub fn read(path: &Path, options: &ReadOptions) -> Result<Reading, ReadError> {
+    let name = path.display().to_string();
+    let mut stream = open(path, &name)?;
+    let conditions = surfcom::conditions_beside(path);
+    read_streams(&name, &mut *stream, conditions.as_deref(), options)
+}
+
+/// A file as it is read again and again; what cannot be (a pipe) is held.
+fn open(path: &Path, name: &str) -> Result<Box<dyn Stream>, ReadError> {
+    let unreadable = |source| ReadError::NotReadable {
+        file: name.to_owned(),
+        source,
+    };
+    let file = std::fs::File::open(path).map_err(unreadable)?;
+    if file.metadata().map_err(unreadable)?.is_file() {
+        return Ok(Box::new(file));
+    }
+    let mut bytes = Vec::new();
+    let taken = file.take(MOST_HELD + 1).read_to_end(&mut bytes);
+    taken.map_err(unreadable)?;
+    not_larger(name, bytes.len() as u64, MOST_HELD)?;
+    Ok(Box::new(Cursor::new(bytes)))
+}
+
+fn not_larger(name: &str, bytes: u64, most: u64) -> Result<(), ReadError> {
+    if bytes <= most {
+        return Ok(());
+    }
+    Err(ReadError::TooLarge {
+        file: name.to_owned(),
+        what: "the file",
+        bytes,
+        most,
+    })
+}
+
+/// Reads the profile in `bytes`, the content of a file called `name`.
+///
+/// # Errors
+/// As [`read`], except that nothing is opened.
+///
+/// ```
+/// use asperity_profile_io::read::{LengthUnit, ReadOptions, read_bytes};
+/// let mut text = String::from("Weg [mm];Höhe [µm]\r\n");
+/// for i in 0..200 {
+///     text += &format!("{},{:04};0,{}\r\n", i / 2000, 5 * i % 10000, i % 7);
+/// }
+/// let reading = read_bytes("flank.csv", text.as_bytes(), &ReadOptions::default())?;
+/// assert_eq!(reading.points, 200);
+/// assert_eq!(reading.spacing, "0.5 um".parse()?);
+/// assert_eq!(reading.z_unit, LengthUnit::Micrometre);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn read_bytes(name: &str, bytes: &[u8], options: &ReadOptions) -> Result<Reading, ReadError> {
+    read_stream(name, Cursor::new(bytes), options)
+}
+
+/// Reads the profile in `stream`, from its start, as a file called `name`. The stream is read in chunks
+/// and, where a second look is needed, again; a text is never held as a whole.
+///
+/// # Errors
+/// As [`read`], except that nothing is opened.
+///
+/// ```
+/// use asperity_profile_io::read::{ReadOptions, read_bytes, read_stream};
+/// let text: String = (0..200).map(|i| format!("{};{}.25\n", i, i % 7)).collect();
+/// let file = format!("x [um];z [um]\n{text}");
+/// let stream = std::io::Cursor::new(&file);
+/// let options = ReadOptions::default();
+/// let reading = read_stream("flank.csv", stream, &options)?;
+/// assert_eq!(reading, read_bytes("flank.csv", file.as_bytes(), &options)?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn read_stream(
+    name: &str,
+    mut stream: impl Read + Seek,
+    options: &ReadOptions,
+) -> Result<Reading, ReadError> {
+    read_streams(name, &mut stream, None, options)
+}
+
+/// As [`read_bytes`], with the content of the file of measuring conditions (Surfcom `.tx3`) beside it.
+///
+/// # Errors
+/// As [`read_bytes`].
+///
+/// ```
+/// use asperity_profile_io::read::{ReadOptions, read_with_conditions};
+/// let heights: String = (0..200).map(|i| format!("{}.5\n", i % 7)).collect();
+/// let profile = format!("10.00000\n200\n{heights}");
+/// let conditions = "Evaluation length\t0.1000000mm\n";
+/// let options = ReadOptions::default();
+/// let reading = read_with_conditions("a.tx1", profile.as_bytes(), Some(conditions.as_bytes()), &options)?;
+/// assert_eq!(reading.spacing, "0.5 um".parse()?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn read_with_conditions(
+    name: &str,
+    bytes: &[u8],
+    conditions: Option<&[u8]>,
+    options: &ReadOptions,
+) -> Result<Reading, ReadError> {
+    read_streams(name, &mut Cursor::new(bytes), conditions, options)
+}
+
+/// Reads the profile in `stream`, in whichever format it is.
+fn read_streams(
+    name: &str,
+    stream: &mut dyn Stream,
+    conditions: Option<&[u8]>,
+    options: &ReadOptions,
+) -> Result<Reading, ReadError> {
+    let start = Start::of(name, stream)?;
+    not_larger(name, start.size, MOST_BYTES)?;
+    let zipped = start.bytes.starts_with(recognise::ZIP);
+    let format = match recognise::by_magic(name, &start.bytes) {
+        Some(Format::Archive) if zipped => Some(archive::content(name, stream, start.size)),
+        format => format,
+    };
+    match format {
+        Some(Format::X3p) => {
+            return x3p::read(name, stream, start.size, options)?.finish(name, options);
+        }
+        Some(Format::Excel) if zipped => {
+            return mitutoyo::read(name, stream, start.size)?.finish(name, options);
+        }
+        None | Some(Format::SdfAscii | Format::SigmaSurf) => {}
+        Some(format) => return Err(refused(name, format)),
+    }
+    let (head, mut text) = Text::new(name, stream, &start, options.encoding);
+    let found = read_text(&start, &head, &mut text, conditions, options);
+    if !text.is_malformed() {
+        return found;
+    }
+    // What looked like UTF-8 at its head is not: then it is in the code page of western Windows.
+    let (head, mut text) = Text::new(name, stream, &start, Some(Encoding::Windows1252));
+    read_text(&start, &head, &mut text, conditions, options)
+}
+
+fn read_text(
+    start: &Start,
+    head: &Head,
+    text: &mut Text<'_>,
+    conditions: Option<&[u8]>,
+    options: &ReadOptions,
+) -> Result<Reading, ReadError> {
+    let name = text.file;
+    let smd = smd::recognised(&start.bytes);
+    if !smd && !encoding::is_text(&head.text) {
+        let format = recognise::by_extension(name).unwrap_or(Format::UnknownBinary);
+        return Err(refused(name, format));
+    }
+    let format = if smd {
+        Some(Format::Smd)
+    } else {
+        recognise::of_text(name, head)
+    };
+    let found: Trace = match format {
+        Some(Format::Smd) => smd::read(head, text)?,
+        Some(Format::SdfAscii) => sdf::read(text, options)?,
+        Some(Format::SigmaSurf) => sigmasurf::read(text)?,
+        Some(Format::MahrText) => mahr::read(text)?,
+        Some(Format::TaylorHobsonPrf) => taylor_hobson::read(text)?,
+        Some(Format::PtbPr) => ptb::read(text)?,
+        Some(format) => return Err(refused(name, format)),
+        None if surfcom::recognised(head, text)? => surfcom::read(text, conditions, options)?,
+        None => return delimited::read(head, text, options),
+    };
+    let found = Trace {
+        encoding: Some(text.encoding),
+        ..found
+    };
+    found.finish(name, options)
+}
+
+fn refused(name: &str, format: Format) -> ReadError {
+    ReadError::FormatNotRead {
+        file: name.to_owned(),
+        format,
+    }
+}

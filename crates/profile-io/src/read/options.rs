@@ -1,0 +1,255 @@
+//! What a user may state about a file; every statement wins over what the file looks like.
+
+use std::fmt;
+use std::str::FromStr;
+
+use asperity_core::quantity::Length;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Explicit statements about a file. The default states nothing and refuses gaps.
+///
+/// ```
+/// use asperity_profile_io::read::{LengthUnit, ReadOptions};
+/// let options = ReadOptions { z_unit: Some(LengthUnit::Nanometre), ..ReadOptions::default() };
+/// assert_eq!(options.z_unit.map(|unit| unit.to_string()).as_deref(), Some("nm"));
+/// ```
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
+pub struct ReadOptions {
+    /// Unit of the x column.
+    pub x_unit: Option<LengthUnit>,
+    /// Unit of the heights.
+    pub z_unit: Option<LengthUnit>,
+    /// Spacing of the points; an x column is then not needed.
+    pub dx: Option<Length>,
+    /// Which columns hold x and the heights.
+    pub columns: Option<Columns>,
+    /// The decimal sign.
+    pub decimal: Option<DecimalSign>,
+    /// What separates the columns.
+    pub separator: Option<Separator>,
+    /// The character encoding.
+    pub encoding: Option<Encoding>,
+    /// What to do about missing points.
+    pub gaps: Gaps,
+    /// Which profile of a file that holds several, counted from 1.
+    pub row: Option<usize>,
+}
+
+/// Text that names none of the choices.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("\"{text}\" is not one of: {accepted}")]
+pub struct UnknownChoice {
+    /// The text seen.
+    pub text: String,
+    /// The choices.
+    pub accepted: &'static str,
+}
+
+/// Implements the text form of a choice, the same for the command line and the case file.
+macro_rules! choice {
+    ($type:ident, $accepted:literal: $($variant:ident $text:literal),+ $(,)?) => {
+        impl fmt::Display for $type {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(match self { $(Self::$variant => $text),+ })
+            }
+        }
+
+        impl FromStr for $type {
+            type Err = UnknownChoice;
+
+            fn from_str(text: &str) -> Result<Self, UnknownChoice> {
+                match text.trim().to_lowercase().replace(['µ', 'μ'], "u").as_str() {
+                    $($text => Ok(Self::$variant),)+
+                    _ => Err(UnknownChoice { text: text.to_owned(), accepted: $accepted }),
+                }
+            }
+        }
+    };
+}
+
+/// A unit of length that profilometer files use.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[non_exhaustive]
+pub enum LengthUnit {
+    /// 1 m.
+    #[serde(rename = "m")]
+    Metre,
+    /// 10⁻³ m.
+    #[serde(rename = "mm")]
+    Millimetre,
+    /// 10⁻⁶ m.
+    #[serde(rename = "um")]
+    Micrometre,
+    /// 10⁻⁹ m.
+    #[serde(rename = "nm")]
+    Nanometre,
+    /// 10⁻¹⁰ m.
+    #[serde(rename = "angstrom")]
+    Angstrom,
+}
+
+choice!(LengthUnit, "m, mm, um, nm, angstrom": Metre "m", Millimetre "mm", Micrometre "um", Nanometre "nm", Angstrom "angstrom");
+
+impl LengthUnit {
+    /// This many of the unit make one metre: the exact way to convert is to divide by it.
+    pub fn per_metre(self) -> f64 {
+        match self {
+            Self::Metre => 1.0,
+            Self::Millimetre => 1e3,
+            Self::Micrometre => 1e6,
+            Self::Nanometre => 1e9,
+            Self::Angstrom => 1e10,
+        }
+    }
+
+    /// `value` of this unit in metres.
+    pub fn metres(self, value: f64) -> f64 {
+        value / self.per_metre()
+    }
+}
+
+/// One of the two coordinates of a profile.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Axis {
+    /// x, along the trace.
+    Trace,
+    /// z, out of the material.
+    Height,
+}
+
+impl Axis {
+    /// The command line option that states the unit.
+    pub fn option(self) -> &'static str {
+        match self {
+            Self::Trace => "--x-unit",
+            Self::Height => "--z-unit",
+        }
+    }
+}
+
+impl fmt::Display for Axis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Trace => "x values",
+            Self::Height => "heights",
+        })
+    }
+}
+
+/// The columns of a table, counted from 1. Reads "1,2" (x, heights) and "2" (heights only).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Columns {
+    /// Column of x, when there is one.
+    pub x: Option<usize>,
+    /// Column of the heights.
+    pub z: usize,
+}
+
+impl FromStr for Columns {
+    type Err = UnknownChoice;
+
+    fn from_str(text: &str) -> Result<Self, UnknownChoice> {
+        let number = |part: &str| part.trim().parse().ok().filter(|&n: &usize| n > 0);
+        let parsed = match text.split_once(',') {
+            None => number(text).map(|z| Self { x: None, z }),
+            Some((x, z)) => number(x)
+                .zip(number(z))
+                .map(|(x, z)| Self { x: Some(x), z }),
+        };
+        parsed.ok_or_else(|| UnknownChoice {
+            text: text.to_owned(),
+            accepted: "the numbers of the x and height columns as \"1,2\", or of the height column as \"2\"",
+        })
+    }
+}
+
+/// The sign between whole and fraction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum DecimalSign {
+    /// 0.5
+    Point,
+    /// 0,5
+    Comma,
+}
+
+choice!(DecimalSign, "point, comma": Point "point", Comma "comma");
+
+/// What stands between two columns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[non_exhaustive]
+pub enum Separator {
+    /// A semicolon.
+    Semicolon,
+    /// A tab.
+    Tab,
+    /// A comma.
+    Comma,
+    /// Any run of blanks or tabs.
+    Blank,
+    /// Nothing: one column.
+    None,
+}
+
+choice!(Separator, "semicolon, tab, comma, blank, none": Semicolon "semicolon", Tab "tab", Comma "comma", Blank "blank", None "none");
+
+/// How the bytes of a text file stand for characters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[non_exhaustive]
+pub enum Encoding {
+    /// UTF-8, ASCII included.
+    #[serde(rename = "utf-8")]
+    Utf8,
+    /// UTF-16, low byte first.
+    #[serde(rename = "utf-16le")]
+    Utf16Le,
+    /// UTF-16, high byte first.
+    #[serde(rename = "utf-16be")]
+    Utf16Be,
+    /// Windows code page 1252, of which Latin-1 is a part.
+    #[serde(rename = "windows-1252")]
+    Windows1252,
+}
+
+choice!(Encoding, "utf-8, utf-16le, utf-16be, windows-1252": Utf8 "utf-8", Utf16Le "utf-16le", Utf16Be "utf-16be", Windows1252 "windows-1252");
+
+/// What to do about missing points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Gaps {
+    /// Refuse the file.
+    #[default]
+    Refuse,
+    /// Fill inner gaps linearly, cut outer ones off, and say so.
+    Interpolate,
+}
+
+choice!(Gaps, "refuse, interpolate": Refuse "refuse", Interpolate "interpolate");
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn choices_read_what_they_print() {
+        for separator in [
+            Separator::Semicolon,
+            Separator::Tab,
+            Separator::Comma,
+            Separator::Blank,
+            Separator::None,
+        ] {
+            assert_eq!(separator.to_string().parse(), Ok(separator));
+        }
+        assert_eq!("µm".parse(), Ok(LengthUnit::Micrometre));
+        assert_eq!("1, 3".parse(), Ok(Columns { x: Some(1), z: 3 }));
+        assert!("0".parse::<Columns>().is_err());
+    }
+}

@@ -1,0 +1,117 @@
+//! The format of a file: by its first bytes, then by telling lines, last by its name.
+
+use super::format::{Format, extension};
+use super::text::Head;
+
+/// First bytes that settle the format.
+const MAGIC: &[(&[u8], Format)] = &[
+    (b"MATLAB ", Format::Matlab),
+    (b"VCA DATA", Format::Opdx),
+    (b"\x89HDF\r\n\x1a\n", Format::Hdf5),
+    (b"\x01\x00Directory", Format::Opd),
+    (b"DIGITAL SURF", Format::DigitalSurf),
+    (b"DSCOMPRESSED", Format::DigitalSurf),
+    (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", Format::Excel),
+    (b"aISO-", Format::SdfAscii),
+    (b"aBCR-", Format::SdfAscii),
+    (b"aBCR ", Format::SdfAscii),
+    (b"aBC-", Format::SdfAscii),
+    (b"aNPL-", Format::SdfAscii),
+    (b"bISO-", Format::SdfBinary),
+    (b"bBCR-", Format::SdfBinary),
+    (b"SigmaSurf_Data", Format::SigmaSurf),
+    (b"\x1f\x8b", Format::Archive),
+    (b"7z\xbc\xaf\x27\x1c", Format::Archive),
+    (b"Rar!", Format::Archive),
+    (b"%PDF", Format::Document),
+    (b"\x89PNG", Format::Document),
+    (b"\xff\xd8\xff", Format::Document),
+    (b"BM6", Format::Document),
+];
+
+/// Names that tell a binary file's maker, and two text formats without telling lines.
+const EXTENSIONS: &[(&str, Format)] = &[
+    ("x3p", Format::X3p),
+    ("xlsx", Format::Excel),
+    ("xlsm", Format::Excel),
+    ("xls", Format::Excel),
+    ("opdx", Format::Opdx),
+    ("opd", Format::Opd),
+    ("mat", Format::Matlab),
+    ("hwp", Format::HommelHwp),
+    ("pcd", Format::MahrPcd),
+    ("mnt", Format::DigitalSurf),
+    ("sur", Format::DigitalSurf),
+    ("pro", Format::DigitalSurf),
+    ("plu", Format::Sensofar),
+    ("sdf", Format::SdfBinary),
+];
+
+/// First bytes of a zip.
+pub(super) const ZIP: &[u8] = b"PK\x03\x04";
+
+/// The format that the first bytes settle, if they do; a zip is told by its name or its members.
+pub(super) fn by_magic(name: &str, head: &[u8]) -> Option<Format> {
+    if head.starts_with(ZIP) {
+        return Some(by_extension(name).unwrap_or(Format::Archive));
+    }
+    let found = MAGIC.iter().find(|(magic, _)| head.starts_with(magic));
+    found.map(|&(_, format)| format)
+}
+
+/// The format that the file's name suggests, for content that is not text.
+pub(super) fn by_extension(name: &str) -> Option<Format> {
+    let extension = extension(name);
+    let found = EXTENSIONS.iter().find(|(known, _)| *known == extension);
+    found.map(|&(_, format)| format)
+}
+
+/// The text format that telling lines near the top settle, or the name; none for a table.
+pub(super) fn of_text(name: &str, head: &Head) -> Option<Format> {
+    const LINES_LOOKED_AT: usize = 60;
+    let magic = MAGIC
+        .iter()
+        .find(|(magic, _)| head.text.as_bytes().starts_with(magic));
+    if let Some(&(_, format @ (Format::SdfAscii | Format::SigmaSurf))) = magic {
+        return Some(format);
+    }
+    let (mut cx, mut cz) = (false, false);
+    for line in head.lines().take(LINES_LOOKED_AT) {
+        let line = line.text.trim();
+        if line == "[PROFILE_VALUES]" || line == "[PROFILE_HEADER]" {
+            return Some(Format::MahrText);
+        }
+        // Record 1 describes the two axes in lines that start CX and CZ.
+        cx |= line.starts_with("CX ");
+        cz |= line.starts_with("CZ ");
+        if cx && cz {
+            return Some(Format::TaylorHobsonPrf);
+        }
+    }
+    let second = head.lines().nth(1);
+    if second.is_some_and(|line| super::ptb::recognised(line.text)) {
+        return Some(Format::PtbPr);
+    }
+    (extension(name) == "tx3").then_some(Format::SurfcomConditions)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_zip_is_told_by_its_name() {
+        assert_eq!(by_magic("a.zip", b"PK\x03\x04"), Some(Format::Archive));
+        assert_eq!(by_magic("a.X3P", b"PK\x03\x04"), Some(Format::X3p));
+    }
+
+    #[test]
+    fn telling_lines_win_over_the_name() {
+        let of_text = |name, text: &str| of_text(name, &Head::of(text));
+        let mahr = "[PROFILE_HEADER]\nNAME=a";
+        assert_eq!(of_text("a.csv", mahr), Some(Format::MahrText));
+        assert_eq!(of_text("a.csv", "0.5\n1"), None);
+        let prf = "1 2\na PRF\nCX M 3.0\nCZ M 3.0";
+        assert_eq!(of_text("a.txt", prf), Some(Format::TaylorHobsonPrf));
+    }
+}

@@ -1,0 +1,128 @@
+//! The rows of a table as columns of numbers, every cell checked.
+//!
+//! Plain rows are taken from the bytes of whole blocks of lines. The first line of a block and every row
+//! that is not plain is read cell by cell, which gives the same numbers for plain rows too.
+
+use super::dialect::{Cell, Sniffed};
+use super::error::ReadError;
+use super::layout::Dialect;
+use super::plain_row::Plain;
+use super::table::{self, Chosen};
+use super::text::{Line, Text};
+
+/// The columns that are read, in the units of the file.
+pub(super) struct Rows {
+    /// When the table has such a column.
+    pub x: Option<Vec<f64>>,
+    /// NaN where there is no height.
+    pub z: Vec<f64>,
+}
+
+/// All rows from the line `first` on, or the error for the first cell that does not read.
+/// `head` is what an error is explained with.
+pub(super) fn read(
+    text: &mut Text<'_>,
+    first: usize,
+    head: &[Line<'_>],
+    sniffed: &Sniffed,
+    chosen: Chosen,
+) -> Result<Rows, ReadError> {
+    let file = text.file;
+    let plain = Plain::new(sniffed.dialect, chosen, text.line_end());
+    let mut rows = Rows {
+        x: chosen.x.map(|_| Vec::new()),
+        z: Vec::new(),
+    };
+    let mut lines = text.lines()?;
+    while let Some(line) = lines.next()? {
+        if line.number < first || line.is_blank() {
+            continue;
+        }
+        let (x, z) = row(file, head, &line, sniffed.dialect, chosen)?;
+        rows.push(x, z);
+        let (mut passed, at_hand) = (0, lines.at_hand());
+        let mut rest = at_hand;
+        while let Some((x, z, after)) = plain.row(rest) {
+            rows.push(x, z);
+            passed += 1;
+            rest = after;
+        }
+        lines.pass(passed, at_hand.len() - rest.len());
+    }
+    Ok(rows)
+}
+
+/// Line number and text of a row of the table that starts at line `first`, by another look at the file.
+pub(super) fn place(
+    text: &mut Text<'_>,
+    first: usize,
+    row: usize,
+) -> Result<(usize, String), ReadError> {
+    let mut before = row;
+    let mut lines = text.lines()?;
+    while let Some(line) = lines.next()? {
+        if line.number < first || line.is_blank() {
+            continue;
+        }
+        if before == 0 {
+            return Ok((line.number, table::shortened(line.text)));
+        }
+        before -= 1;
+    }
+    // The file has changed since: its first line is as good as any.
+    Ok((first, String::new()))
+}
+
+impl Rows {
+    fn push(&mut self, x: f64, z: f64) {
+        if let Some(column) = &mut self.x {
+            column.push(x);
+        }
+        self.z.push(z);
+    }
+}
+
+/// x and height of any row; x is NaN when there is no column, the height when it is missing.
+pub(super) fn row(
+    file: &str,
+    head: &[Line<'_>],
+    line: &Line<'_>,
+    dialect: Dialect,
+    chosen: Chosen,
+) -> Result<(f64, f64), ReadError> {
+    let (mut x_cell, mut z_cell, mut valid_cell) = ("", "", "");
+    let (mut count, mut filled) = (0, 0);
+    for cell in dialect.cells(line.text) {
+        match Some(count) {
+            at if at == chosen.x => x_cell = cell,
+            at if at == chosen.valid => valid_cell = cell,
+            Some(at) if at == chosen.z => z_cell = cell,
+            _ => {}
+        }
+        count += 1;
+        if !cell.is_empty() {
+            filled = count;
+        }
+    }
+    let unreadable = |cell| table::unreadable(file, head, line, cell, dialect);
+    let number = |cell| match dialect.cell(cell) {
+        Cell::Number(value) => Ok(value),
+        Cell::Missing => Ok(f64::NAN),
+        Cell::Other => Err(unreadable(cell)),
+    };
+    // The cells are read before they are counted: a text line is reported by its text.
+    let x = match chosen.x {
+        Some(_) => Some(number(x_cell)?),
+        None => None,
+    };
+    let z = number(z_cell)?;
+    if count < chosen.count || filled > chosen.count {
+        return Err(table::ragged(file, line, count.max(filled), chosen.count));
+    }
+    // A row without x cannot be placed, so it cannot be a gap to fill either.
+    if x.is_some_and(f64::is_nan) {
+        return Err(unreadable(x_cell));
+    }
+    let valid = chosen.valid.is_none() || dialect.cell(valid_cell) != Cell::Number(0.0);
+    Ok((x.unwrap_or(f64::NAN), if valid { z } else { f64::NAN }))
+}

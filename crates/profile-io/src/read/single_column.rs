@@ -1,0 +1,106 @@
+//! One column of heights under a header number: NPL text profiles.
+//!
+//! NPL text gives the spacing in um on line 1. A first line that is such a number is told by its decimals:
+//! instruments write all heights with the same number of them.
+
+use super::error::{ReadError, SpacingHint};
+use super::format::Format;
+use super::grid;
+use super::options::{LengthUnit, ReadOptions};
+use super::text::Text;
+use crate::warning::Warning;
+
+/// What a file turned out to be, and the unit its format prescribes for heights.
+pub(super) struct Special {
+    pub format: Format,
+    pub unit: Option<LengthUnit>,
+    /// Spacing [m] that the file gives in its own way.
+    pub spacing: Option<f64>,
+}
+
+impl Special {
+    /// Plain delimited text, which prescribes nothing.
+    pub(super) fn delimited() -> Self {
+        Self {
+            format: Format::DelimitedText,
+            unit: None,
+            spacing: None,
+        }
+    }
+}
+
+/// Takes header numbers off `heights` without x, which start at line `first`, or refuses when there is no
+/// spacing.
+pub(super) fn interpret(
+    text: &mut Text<'_>,
+    first: usize,
+    heights: &mut Vec<f64>,
+    options: &ReadOptions,
+    warnings: &mut Vec<Warning>,
+) -> Result<Special, ReadError> {
+    let file = text.file;
+    let no_spacing = |hint| ReadError::NoSpacing {
+        file: file.to_owned(),
+        hint,
+    };
+    if heights.len() < grid::FEWEST_POINTS {
+        return Ok(Special::delimited());
+    }
+    let header_number = match first_is_written_unlike_the_rest(text, first)? {
+        true => heights.first().copied().filter(|value| value.is_finite()),
+        false => None,
+    };
+    match (options.dx, header_number) {
+        (Some(_), None) => Ok(Special::delimited()),
+        (None, None) => Err(no_spacing(SpacingHint::None)),
+        (Some(dx), Some(value)) if agrees(LengthUnit::Micrometre.metres(value), dx.si()) => {
+            heights.remove(0);
+            Ok(Special {
+                format: Format::NplText,
+                unit: Some(LengthUnit::Micrometre),
+                spacing: None,
+            })
+        }
+        (None, Some(value)) if plausible(value, heights.len()) => {
+            heights.remove(0);
+            warnings.push(Warning::SpacingFromFirstLine { value });
+            Ok(Special {
+                format: Format::NplText,
+                unit: Some(LengthUnit::Micrometre),
+                spacing: Some(LengthUnit::Micrometre.metres(value)),
+            })
+        }
+        (_, Some(value)) => Err(no_spacing(SpacingHint::FirstLine(value))),
+    }
+}
+
+/// Whether a number is the spacing of a trace in um, as styluses and NPL's softgauges have them.
+fn plausible(value: f64, points: usize) -> bool {
+    const SPACINGS: std::ops::RangeInclusive<f64> = 0.005..=20.0;
+    const LENGTHS: std::ops::RangeInclusive<f64> = 25.0..=200_000.0;
+    SPACINGS.contains(&value) && LENGTHS.contains(&(value * points as f64))
+}
+
+/// Equal to the four digits a header may have.
+fn agrees(value: f64, expected: f64) -> bool {
+    const DIGITS: f64 = 1e-4;
+    (value - expected).abs() <= DIGITS * expected.abs()
+}
+
+fn first_is_written_unlike_the_rest(text: &mut Text<'_>, first: usize) -> Result<bool, ReadError> {
+    let (mut header, mut usual) = (None, None);
+    let mut lines = text.lines()?;
+    while let Some(line) = lines.next()? {
+        if line.number < first || line.is_blank() {
+            continue;
+        }
+        let text = line.text.trim();
+        let decimals = text.rfind(['.', ',']).map_or(0, |at| text.len() - at - 1);
+        let header = *header.get_or_insert(decimals);
+        if line.number > first && (decimals != *usual.get_or_insert(decimals) || decimals == header)
+        {
+            return Ok(false);
+        }
+    }
+    Ok(usual.is_some())
+}

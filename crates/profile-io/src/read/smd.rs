@@ -1,0 +1,193 @@
+//! SMD, the softgauge format of ISO 5436-2.
+//!
+//! Record 1 names the axes, record 2 may describe the measurement, record 3 holds the heights, record 4
+//! the sum of all bytes before it, modulo 65 536. Fields end with NUL, records with ETX and the file with
+//! SUB; NPL's own examples write blanks and blank lines instead, and both are read.
+//!
+//! | line | fields |
+//! |---|---|
+//! | `CX I 22401 mm 1.0e0 D 2.5e-4` | axis, incremental, points, unit, factor, type, spacing |
+//! | `CZ A 22401 um 1.0e0 D` | axis, absolute, points, unit, factor, type |
+
+use super::archive::damaged;
+use super::error::ReadError;
+use super::format::Format;
+use super::grid::SpacingSource;
+use super::header::FilterState;
+use super::metadata::{self, Metadata, PrintedParameter, number, short};
+use super::options::LengthUnit;
+use super::text::{Head, Text};
+use super::trace::Trace;
+use crate::warning::Warning;
+
+const FORMAT: Format = Format::Smd;
+/// Fields looked at in a line; an axis has seven.
+const MOST_FIELDS: usize = 64;
+const END_OF_RECORD: char = '\u{3}';
+const END_OF_FILE: char = '\u{1a}';
+
+/// An axis line.
+struct Axis {
+    points: usize,
+    unit: LengthUnit,
+    factor: f64,
+    increment: Option<f64>,
+}
+
+/// Whether the file starts as an SMD does.
+pub(super) fn recognised(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"ISO 5436")
+}
+
+/// Reads an SMD file.
+pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Trace, ReadError> {
+    let file = text.file;
+    let marked = head.text.contains(END_OF_RECORD);
+    let mut record = 1;
+    let (mut x, mut z) = (None, None);
+    let mut heights: Vec<f64> = Vec::new();
+    let mut metadata = Metadata::default();
+    let (mut sum, mut first_line, mut checksum) = (0, 1, None);
+    let mut lines = text.lines()?;
+    while let Some(line) = lines.next()? {
+        let sum_before = sum;
+        sum = line.whole.chars().fold(sum, add);
+        let ends = line.text.contains(END_OF_RECORD) || (!marked && line.text.trim().is_empty());
+        let content = line.text.split([END_OF_RECORD, END_OF_FILE]).next();
+        let fields: Vec<&str> = content
+            .unwrap_or_default()
+            .split(|c: char| c == '\0' || c.is_whitespace())
+            .filter(|field| !field.is_empty())
+            .take(MOST_FIELDS)
+            .collect();
+        match (record, fields.first()) {
+            (_, None) => {}
+            (1, Some(&"CX")) => x = Some(axis(file, &fields)?),
+            (1, Some(&"CZ")) => z = Some(axis(file, &fields)?),
+            (1, Some(&"CY")) => {
+                return Err(damaged(file, FORMAT, "it holds an areal topography", "CY"));
+            }
+            (1, Some(&"ISO")) => metadata.title = fields.get(4..).and_then(|f| short(&f.join(" "))),
+            (1, Some(_)) => {}
+            (2, Some(_)) => describe(&mut metadata, &fields),
+            (3, Some(first)) => {
+                if heights.is_empty() {
+                    first_line = line.number;
+                }
+                let stated = z.as_ref().map_or(0, |z: &Axis| z.points);
+                // More heights than stated would otherwise grow without a bound of their own.
+                if heights.len() > stated {
+                    break;
+                }
+                heights.push(value(file, first)?);
+            }
+            (_, Some(first)) => checksum = checksum.or_else(|| Some(check(first, sum_before))),
+        }
+        if ends && !(record == 1 && x.is_none()) {
+            record += 1;
+        }
+    }
+    let axes = x.zip(z);
+    let (x, z) = axes.ok_or_else(|| damaged(file, FORMAT, "an axis CX or CZ is missing", ""))?;
+    if heights.len() != z.points || x.points != z.points {
+        let seen = format!("{} of {}", heights.len(), z.points);
+        let what = "the number of heights is not that of the header";
+        return Err(damaged(file, FORMAT, what, &seen));
+    }
+    heights.iter_mut().for_each(|h| *h *= z.factor);
+    Ok(Trace {
+        z_unit: z.unit,
+        x_unit: x.unit,
+        spacing: x.increment.map(|dx| (dx * x.factor, SpacingSource::Header)),
+        filter_state: filter_state(&metadata),
+        metadata,
+        warnings: checksum.flatten().into_iter().collect(),
+        first_line,
+        ..Trace::new(FORMAT, heights)
+    })
+}
+
+fn value(file: &str, text: &str) -> Result<f64, ReadError> {
+    if let Some(value) = number(text) {
+        return Ok(value);
+    }
+    match text.to_ascii_lowercase().as_str() {
+        "nan" | "bad" => Ok(f64::NAN),
+        _ => Err(damaged(file, FORMAT, "a height is no number", text)),
+    }
+}
+
+fn axis(file: &str, fields: &[&str]) -> Result<Axis, ReadError> {
+    let line = || fields.join(" ");
+    let broken = || damaged(file, FORMAT, "an axis line cannot be read", &line());
+    let field = |at: usize| fields.get(at).copied().unwrap_or_default();
+    let points = number(field(2)).filter(|n| *n >= 1.0 && *n < 1e9);
+    let increment = number(field(6)).filter(|dx| *dx > 0.0);
+    if field(0) == "CX" && field(1) != "I" {
+        let what = "the points carry their own x, and only even spacing is read";
+        return Err(damaged(file, FORMAT, what, &line()));
+    }
+    Ok(Axis {
+        points: points.ok_or_else(broken)? as usize,
+        unit: field(3).parse().map_err(|_| broken())?,
+        factor: number(field(4)).ok_or_else(broken)?,
+        increment,
+    })
+}
+
+/// One line of record 2.
+fn describe(metadata: &mut Metadata, fields: &[&str]) {
+    let rest = fields[1..].join(" ");
+    match fields[0].trim_end_matches(':') {
+        "DATE" | "TIME" => {
+            let before = metadata.date.take().unwrap_or_default();
+            metadata.date = short(&format!("{before} {rest}"));
+        }
+        "CREATED_BY" | "INSTRUMENT_ID" => metadata.instrument = short(&rest),
+        "COMMENT" => metadata.title = short(&rest).or(metadata.title.take()),
+        "PARAMETER_VALUE" => {
+            let field = |at: usize| fields.get(at).copied().unwrap_or_default();
+            // NPL's converter lists every parameter with a value of zero, to be computed.
+            let printed = PrintedParameter::parse(field(1), field(2), field(3));
+            let computed = printed.filter(|printed| printed.value != 0.0);
+            if metadata.printed.len() < 200 {
+                metadata.printed.extend(computed);
+            }
+        }
+        "PROFILE_FILTER" => {
+            let after = |name: &str| {
+                let at = fields.iter().position(|field| *field == name)?;
+                let value = number(fields.get(at + 1)?)?;
+                metadata::length(&format!("{value} mm")).filter(|length| length.si() > 0.0)
+            };
+            (metadata.lambda_s, metadata.lambda_c) = (after("LS"), after("LC"));
+        }
+        _ => {}
+    }
+}
+
+/// Record 2 lists the filter to be applied, not one that was: the heights are a primary profile.
+fn filter_state(metadata: &Metadata) -> FilterState {
+    match metadata.lambda_c {
+        Some(_) => FilterState::Primary,
+        None => FilterState::Unknown,
+    }
+}
+
+/// Adds a character to the sum of the bytes, modulo 65 536. Characters above 127 count as one byte, as in
+/// the code pages these files are written in.
+fn add(sum: u32, c: char) -> u32 {
+    (sum + c as u32 % 256) % 65_536
+}
+
+/// The warning that record 4 is not the sum of the bytes before it.
+fn check(stated: &str, sum: u32) -> Option<Warning> {
+    let agrees = stated
+        .parse::<u64>()
+        .is_ok_and(|stated| stated % 65_536 == u64::from(sum));
+    (!agrees).then(|| Warning::ChecksumDiffers {
+        what: "file".into(),
+        stated: super::table::shortened(stated),
+        found: sum.to_string(),
+    })
+}

@@ -1,0 +1,212 @@
+//! Surfcom text profiles: `.tx1` (primary), `.tx2` (roughness), with the conditions in `.tx3`.
+//!
+//! Line 1 of a profile is the nominal length in millimetres, line 2 the number of points, then heights in
+//! micrometres. The nominal length also stands there when the trace was aborted, and is then wrong by up
+//! to 80 %; the conditions give the evaluation length, from which the spacing follows:
+//! evaluation length / number of points where that length is printed in full. Labels of the conditions are in the language of the
+//! instrument; Spanish is known from files, English and German labels are those of the manuals.
+
+use std::fs::File;
+use std::io::{Cursor, Read};
+use std::path::Path;
+
+use asperity_core::quantity::Length;
+
+use super::archive::damaged;
+use super::error::{ReadError, SpacingHint};
+use super::format::{Format, extension};
+use super::grid::SpacingSource;
+use super::header::FilterState;
+use super::metadata::{self, Metadata, PrintedParameter, number, short};
+use super::options::{LengthUnit, ReadOptions};
+use super::text::{Head, Start, Text};
+use super::trace::Trace;
+use crate::warning::Warning;
+
+const FORMAT: Format = Format::SurfcomText;
+const HEADER_LINES: usize = 2;
+/// Bytes of the largest file of measuring conditions.
+const MOST_CONDITIONS: u64 = 1 << 20;
+
+/// The measuring conditions that lie beside a profile, when they can be read.
+pub(super) fn conditions_beside(path: &Path) -> Option<Vec<u8>> {
+    let conditions = match path.extension()?.to_str()? {
+        "tx1" | "tx2" => "tx3",
+        "TX1" | "TX2" => "TX3",
+        _ => return None,
+    };
+    let file = File::open(path.with_extension(conditions)).ok()?;
+    let mut bytes = Vec::new();
+    let taken = file.take(MOST_CONDITIONS + 1).read_to_end(&mut bytes);
+    let count = taken.ok()? as u64;
+    (count <= MOST_CONDITIONS).then_some(bytes)
+}
+
+/// Whether the first two lines are a length and the number of the lines that follow.
+pub(super) fn recognised(head: &Head, text: &mut Text<'_>) -> Result<bool, ReadError> {
+    let mut lines = head.lines().map(|line| line.text.trim());
+    let length = lines.next().and_then(number);
+    let points = lines.next().and_then(|line| line.parse::<usize>().ok());
+    let points = points.filter(|points| *points > 0);
+    let Some(points) = points.filter(|_| length.is_some_and(|length| length > 0.0)) else {
+        return Ok(false);
+    };
+    let mut count = 0;
+    let mut lines = text.lines()?;
+    while let Some(line) = lines.next()? {
+        count += usize::from(line.number > HEADER_LINES && !line.is_blank());
+    }
+    Ok(points == count)
+}
+
+/// Reads a `.tx1` or `.tx2` with its conditions, when there are any.
+pub(super) fn read(
+    text: &mut Text<'_>,
+    conditions: Option<&[u8]>,
+    options: &ReadOptions,
+) -> Result<Trace, ReadError> {
+    let file = text.file;
+    let mut lines = text.lines()?;
+    let nominal = lines.next()?.and_then(|line| number(line.text));
+    let nominal = Length::from_si(LengthUnit::Millimetre.metres(nominal.unwrap_or(0.0)));
+    lines.next()?;
+    let mut heights = Vec::new();
+    while let Some(line) = lines.next()? {
+        if !line.is_blank() {
+            let broken = || damaged(file, FORMAT, "a height is no number", line.text);
+            heights.push(number(line.text).ok_or_else(broken)?);
+        }
+    }
+    let points = heights.len();
+    let conditions = conditions.map(|bytes| Conditions::of(file, bytes, options));
+    let conditions = conditions.transpose()?;
+    let mut warnings = Vec::new();
+    let traced = conditions
+        .as_ref()
+        .and_then(|conditions| conditions.evaluation);
+    let spacing = traced.map(|(traced, uncertainty)| {
+        let (dx, warning) = spacing_of(nominal, traced, uncertainty, points);
+        warnings.extend(warning);
+        (dx, SpacingSource::EvaluationLength)
+    });
+    if spacing.is_none() && options.dx.is_none() {
+        return Err(ReadError::NoSpacing {
+            file: file.to_owned(),
+            hint: SpacingHint::NominalLength {
+                length: nominal,
+                points,
+            },
+        });
+    }
+    let mut metadata = conditions.map_or_else(Metadata::default, |conditions| conditions.metadata);
+    metadata.nominal_length = Some(nominal);
+    Ok(Trace {
+        z_unit: LengthUnit::Micrometre,
+        spacing,
+        filter_state: match extension(file).as_str() {
+            "tx1" => FilterState::Primary,
+            "tx2" => FilterState::Roughness,
+            _ => FilterState::Unknown,
+        },
+        metadata,
+        warnings,
+        first_line: HEADER_LINES + 1,
+        ..Trace::new(FORMAT, heights)
+    })
+}
+
+/// Spacing `[m]` of `points` over an evaluation length, and what is to be said about it.
+///
+/// A completed trace ends with the first point at or beyond its nominal length, which fixes the
+/// spacing to one part in the number of points; of an aborted one the traced length is printed to 0.1 nm.
+fn spacing_of(
+    nominal: Length,
+    traced: Length,
+    uncertainty: f64,
+    points: usize,
+) -> (f64, Option<Warning>) {
+    // Lengths printed to a tenth of a millimetre differ by rounding.
+    const ABORTED: f64 = 0.01;
+    // Below it the spacing is good to the seven digits in which instruments print.
+    const EXACT: f64 = 1e-6;
+    let steps = points.saturating_sub(1).max(1) as f64;
+    if (traced / nominal - 1.0).abs() > ABORTED {
+        let dx = traced.si() / points.max(1) as f64;
+        return (dx, Some(Warning::TraceAborted { nominal, traced }));
+    }
+    if uncertainty <= EXACT {
+        return (traced.si() / points.max(1) as f64, None);
+    }
+    let warning = Warning::LengthRounded {
+        length: traced,
+        uncertainty: 1.0 / steps,
+    };
+    (traced.si() / steps, Some(warning))
+}
+
+/// The measuring conditions.
+struct Conditions {
+    metadata: Metadata,
+    /// Evaluation length and half a unit of its last digit, relative.
+    evaluation: Option<(Length, f64)>,
+}
+
+impl Conditions {
+    fn of(file: &str, bytes: &[u8], options: &ReadOptions) -> Result<Self, ReadError> {
+        let mut stream = Cursor::new(bytes);
+        let start = Start::of(file, &mut stream)?;
+        let (_, mut text) = Text::new(file, &mut stream, &start, options.encoding);
+        let mut metadata = Metadata {
+            instrument: Some("Surfcom".to_owned()),
+            ..Metadata::default()
+        };
+        let mut evaluation = None;
+        let mut lines = text.lines()?;
+        while let Some(line) = lines.next()? {
+            let mut fields = line.text.split('\t').map(str::trim);
+            let (Some(label), Some(value)) = (fields.next(), fields.next()) else {
+                continue;
+            };
+            let is = |labels: &[&str]| labels.contains(&label.to_lowercase().as_str());
+            if is(&["longitud evaluación", "evaluation length", "auswertelänge"]) {
+                evaluation = metadata::length(value).map(|length| (length, uncertainty(value)));
+            } else if is(&["onda de corte", "cutoff", "cut-off", "grenzwellenlänge"]) {
+                metadata.lambda_c = metadata::length(value);
+            } else if is(&["longitud onda corte ls", "ls cutoff", "cutoff ls"]) {
+                metadata.lambda_s = metadata::length(value);
+            } else if is(&["fecha", "date", "datum"]) {
+                metadata.date = short(value);
+            } else if is(&["hora", "time", "zeit"]) {
+                let date = metadata.date.take().unwrap_or_default();
+                metadata.date = short(&format!("{date} {value}"));
+            } else if is_parameter(label) && metadata.printed.len() < 200 {
+                metadata
+                    .printed
+                    .extend(PrintedParameter::parse(label, value, ""));
+            }
+        }
+        Ok(Self {
+            metadata,
+            evaluation: evaluation.filter(|(length, _)| length.si() > 0.0),
+        })
+    }
+}
+
+/// Labels of results start with the letter of their profile.
+fn is_parameter(label: &str) -> bool {
+    let known = ["Mr1", "Mr2", "VO", "K", "AVH", "Hmax", "Hmin"];
+    let mut letters = label.chars();
+    known.contains(&label)
+        || (matches!(letters.next(), Some('P' | 'R' | 'W'))
+            && letters.next().is_some_and(|c| c.is_ascii_alphabetic())
+            && label.len() <= 6)
+}
+
+/// Half a unit of the last digit over the value.
+fn uncertainty(printed: &str) -> f64 {
+    let digits = printed.trim_end_matches(|c: char| !c.is_ascii_digit());
+    let decimals = digits
+        .split_once(['.', ','])
+        .map_or(0, |(_, after)| after.len());
+    number(digits).map_or(1.0, |value| 0.5 * 10f64.powi(-(decimals as i32)) / value)
+}

@@ -1,0 +1,181 @@
+//! Which columns of a sniffed table are read, and what is wrong with a cell or row that does not read.
+
+use super::dialect::{Cell, Sniffed, Stated, sniff};
+use super::error::ReadError;
+use super::header::{Label, Role};
+use super::layout::Dialect;
+use super::options::{Columns, DecimalSign, ReadOptions, Separator};
+use super::text::Line;
+
+/// Columns counted from 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Chosen {
+    pub x: Option<usize>,
+    pub z: usize,
+    /// Where 0 says that the height is none.
+    pub valid: Option<usize>,
+    /// Columns of the table.
+    pub count: usize,
+}
+
+impl Chosen {
+    pub(super) fn columns(self) -> Columns {
+        Columns {
+            x: self.x.map(|x| x + 1),
+            z: self.z + 1,
+        }
+    }
+}
+
+/// Which columns hold x, height and validity: as stated, as labelled, else the first two of two.
+pub(super) fn choose(
+    file: &str,
+    count: usize,
+    labels: &[Label],
+    options: &ReadOptions,
+) -> Result<Chosen, ReadError> {
+    let unclear = || ReadError::ColumnsUnclear {
+        file: file.to_owned(),
+        columns: count,
+    };
+    let with = |role: Role| labels.iter().position(|label| label.role == Some(role));
+    let valid = with(Role::Valid);
+    if let Some(Columns { x, z }) = options.columns {
+        let inside = |column: usize| {
+            column
+                .checked_sub(1)
+                .filter(|at| *at < count)
+                .ok_or_else(unclear)
+        };
+        let (x, z) = (x.map(inside).transpose()?, inside(z)?);
+        let valid = valid.filter(|at| *at != z && Some(*at) != x);
+        return if x == Some(z) {
+            Err(unclear())
+        } else {
+            Ok(Chosen { x, z, valid, count })
+        };
+    }
+    let free = |at: &usize| !matches!(labels[*at].role, Some(Role::Valid | Role::Index));
+    let z = with(Role::Z)
+        .or_else(|| with(Role::Y))
+        .or_else(|| match (count, with(Role::X)) {
+            (1, _) => Some(0),
+            (2, Some(x)) => Some(1 - x).filter(free),
+            (2, None) => Some(1).filter(free),
+            _ => None,
+        });
+    let z = z.ok_or_else(unclear)?;
+    let x = with(Role::X).or_else(|| (count == 2).then(|| 1 - z).filter(free));
+    if x.is_none() && count > 2 && options.dx.is_none() {
+        return Err(unclear());
+    }
+    Ok(Chosen { x, z, valid, count })
+}
+
+/// Refuses a table whose first row is damaged: it would pass for a header and be lost in silence.
+///
+/// A row is told from a header by cells that all start as numbers do; a single number over several
+/// columns is a count.
+pub(super) fn check_line_above(
+    file: &str,
+    lines: &[Line<'_>],
+    sniffed: &Sniffed,
+) -> Result<(), ReadError> {
+    let Some(line) = sniffed.first.checked_sub(1).map(|above| &lines[above]) else {
+        return Ok(());
+    };
+    let cells: Vec<&str> = sniffed.dialect.cells(line.text).collect();
+    let filled = cells.iter().rposition(|cell| !cell.is_empty());
+    let filled = filled.map_or(0, |last| last + 1);
+    let cells = &cells[..filled];
+    let starts = |cell: &&str| cell.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
+    if (filled == 1 && sniffed.columns > 1) || !cells.iter().all(starts) {
+        return Ok(());
+    }
+    let damaged = cells
+        .iter()
+        .find(|cell| sniffed.dialect.cell(cell) == Cell::Other);
+    match damaged {
+        Some(cell) => Err(unreadable(file, lines, line, cell, sniffed.dialect)),
+        None => Err(ragged(file, line, filled, sniffed.columns)),
+    }
+}
+
+/// The error for a row of more or fewer columns than the table has.
+pub(super) fn ragged(file: &str, line: &Line<'_>, found: usize, expected: usize) -> ReadError {
+    ReadError::RaggedRow {
+        file: file.to_owned(),
+        line: line.number,
+        text: shortened(line.text),
+        found,
+        expected,
+    }
+}
+
+/// The error for a cell, with what the file looks like when nothing is stated about it.
+pub(super) fn unreadable(
+    file: &str,
+    lines: &[Line<'_>],
+    line: &Line<'_>,
+    cell: &str,
+    used: Dialect,
+) -> ReadError {
+    let free = sniff(lines, Stated::default()).map_or(used, |found| found.dialect);
+    let other = Dialect {
+        decimal: match used.decimal {
+            DecimalSign::Point => DecimalSign::Comma,
+            DecimalSign::Comma => DecimalSign::Point,
+        },
+        ..used
+    };
+    let other_decimal = matches!(other.cell(cell), Cell::Number(_));
+    let (dialect, remedy) = match (other_decimal, other.decimal) {
+        (true, DecimalSign::Comma) if free.decimal == DecimalSign::Comma => {
+            (free, "Try --decimal comma")
+        }
+        (true, DecimalSign::Point) if free.decimal == DecimalSign::Point => {
+            (free, "Try --decimal point")
+        }
+        _ if free.separator != used.separator => {
+            (free, "Leave --separator away, or correct this line")
+        }
+        _ => (free, "Correct or remove this line"),
+    };
+    ReadError::UnreadableNumber {
+        file: file.to_owned(),
+        line: line.number,
+        text: shortened(cell),
+        dialect,
+        remedy,
+    }
+}
+
+/// Refuses tables like "0,0005,0,2796", where commas do both jobs and columns come in pairs, unless stated.
+pub(super) fn check_commas(
+    file: &str,
+    table: &[Line<'_>],
+    sniffed: &Sniffed,
+) -> Result<(), ReadError> {
+    let suspicious = sniffed.dialect.separator == Separator::Comma
+        && sniffed.columns >= 4
+        && sniffed.columns.is_multiple_of(2)
+        && !table.iter().any(|line| line.text.contains('.'));
+    match table.first() {
+        Some(line) if suspicious => Err(ReadError::AmbiguousComma {
+            file: file.to_owned(),
+            line: line.number,
+            text: shortened(line.text),
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// At most forty characters of `text`, for a message.
+pub(super) fn shortened(text: &str) -> String {
+    const MOST: usize = 40;
+    let text = text.trim();
+    match text.char_indices().nth(MOST) {
+        Some((at, _)) => format!("{}…", &text[..at]),
+        None => text.to_owned(),
+    }
+}

@@ -1,0 +1,421 @@
+//! X3P, the zip and XML format of ISO 25178-72 (formerly ISO 5436-2).
+//!
+//! `main.xml` describes the axes (record 1), the measurement (record 2) and the matrix (record 3); the
+//! heights stand there as text or in a binary member. A height is value · increment + offset in metres.
+//! Profiles (`PRF`) and single rows of surfaces (`SUR`) are read. Files lie in an extra folder or
+//! leave the namespace away; neither matters here. A checksum that differs is a warning, because
+//! writers disagree on what it covers.
+
+use std::io::Read;
+
+use md5::{Digest, Md5};
+
+use super::archive::{Archive, damaged};
+use super::error::ReadError;
+use super::format::Format;
+use super::grid::SpacingSource;
+use super::metadata::{self, Metadata};
+use super::options::ReadOptions;
+use super::text::Stream;
+use super::trace::Trace;
+use super::xml::{Leaf, walk};
+use crate::warning::Warning;
+
+const FORMAT: Format = Format::X3p;
+
+/// How numbers of an axis are stored.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+enum DataType {
+    Int16,
+    Int32,
+    Float32,
+    #[default]
+    Float64,
+}
+
+impl DataType {
+    fn width(self) -> usize {
+        match self {
+            Self::Int16 => 2,
+            Self::Int32 | Self::Float32 => 4,
+            Self::Float64 => 8,
+        }
+    }
+
+    fn value(self, bytes: &[u8]) -> Option<f64> {
+        Some(match self {
+            Self::Int16 => i16::from_le_bytes(bytes.try_into().ok()?).into(),
+            Self::Int32 => i32::from_le_bytes(bytes.try_into().ok()?).into(),
+            Self::Float32 => f32::from_le_bytes(bytes.try_into().ok()?).into(),
+            Self::Float64 => f64::from_le_bytes(bytes.try_into().ok()?),
+        })
+    }
+}
+
+/// One axis of record 1.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+struct Axis {
+    absolute: bool,
+    data: DataType,
+    increment: Option<f64>,
+    offset: f64,
+}
+
+/// What `main.xml` says.
+#[derive(Debug, Default)]
+struct Main {
+    feature: String,
+    axes: [Axis; 3],
+    size: [Option<u64>; 3],
+    list: Option<u64>,
+    point_data: Option<String>,
+    point_checksum: Option<String>,
+    mask: Option<String>,
+    /// Text data, of the row asked for only.
+    text: Vec<f64>,
+    text_count: u64,
+    broken_text: Option<String>,
+    metadata: Metadata,
+}
+
+impl Main {
+    fn points(&self) -> Option<u64> {
+        self.size[0].or(self.list)
+    }
+
+    fn rows(&self) -> Option<u64> {
+        let size = |axis: usize| self.size[axis].unwrap_or(1);
+        size(1).checked_mul(size(2))
+    }
+}
+
+/// Reads the profile of an X3P file.
+pub(super) fn read(
+    file: &str,
+    stream: &mut dyn Stream,
+    size: u64,
+    options: &ReadOptions,
+) -> Result<Trace, ReadError> {
+    let mut archive = Archive::open(file, FORMAT, stream, size)?;
+    let name = archive.find("main.xml");
+    let name = name.ok_or_else(|| damaged(file, FORMAT, "it holds no main.xml", ""))?;
+    let row = options.row;
+    let (mut main, found) = archive.read(&name, |stream| {
+        let mut hashed = Hashed::new(stream);
+        let mut main = Main::default();
+        if !walk(&mut hashed, |leaf| take(&mut main, &leaf, row)) {
+            return Err(damaged(file, FORMAT, "main.xml is not sound XML", ""));
+        }
+        Ok((main, hashed.finish()))
+    })?;
+    let folder = name[..name.len() - "main.xml".len()].to_owned();
+    let mut warnings = Vec::new();
+    main_checksum(&mut archive, &folder, &found, &mut warnings)?;
+    let chosen = chosen_row(file, &main, row)?;
+    let heights = match main.point_data.clone() {
+        Some(link) => binary(
+            file,
+            &mut archive,
+            &folder,
+            &link,
+            &main,
+            chosen,
+            &mut warnings,
+        )?,
+        None => text(file, &mut main)?,
+    };
+    let increment = main.axes[0]
+        .increment
+        .filter(|dx| *dx > 0.0 && dx.is_finite());
+    Ok(Trace {
+        spacing: increment.map(|dx| (dx, SpacingSource::Header)),
+        metadata: main.metadata,
+        warnings,
+        ..Trace::new(FORMAT, heights)
+    })
+}
+
+/// Takes what a leaf of `main.xml` says.
+fn take(main: &mut Main, leaf: &Leaf<'_>, row: Option<usize>) -> bool {
+    let text = leaf.text;
+    let axis = match leaf.parent() {
+        "CX" => Some(0),
+        "CY" => Some(1),
+        "CZ" => Some(2),
+        _ => None,
+    };
+    if let Some(axis) = axis.map(|at| &mut main.axes[at]) {
+        match leaf.name() {
+            "AxisType" => axis.absolute = text == "A",
+            "DataType" => {
+                axis.data = match text {
+                    "I" => DataType::Int16,
+                    "L" => DataType::Int32,
+                    "F" => DataType::Float32,
+                    _ => DataType::Float64,
+                }
+            }
+            "Increment" => axis.increment = metadata::number(text),
+            "Offset" => axis.offset = metadata::number(text).unwrap_or(0.0),
+            _ => {}
+        }
+        return true;
+    }
+    match leaf.name() {
+        "FeatureType" => main.feature = text.to_owned(),
+        "SizeX" => main.size[0] = text.parse().ok(),
+        "SizeY" => main.size[1] = text.parse().ok(),
+        "SizeZ" => main.size[2] = text.parse().ok(),
+        "ListDimension" => main.list = text.parse().ok(),
+        "PointDataLink" => main.point_data = Some(text.to_owned()),
+        "MD5ChecksumPointData" => main.point_checksum = Some(text.to_lowercase()),
+        "ValidPointsLink" => main.mask = Some(text.to_owned()),
+        "Datum" => datum(main, text, row),
+        "Date" => main.metadata.date = metadata::short(text),
+        "Comment" => main.metadata.title = metadata::short(text),
+        "Manufacturer" => main.metadata.instrument = metadata::short(text),
+        "Model" => {
+            let before = main.metadata.instrument.take().unwrap_or_default();
+            main.metadata.instrument = metadata::short(&format!("{before} {text}"));
+        }
+        _ => {}
+    }
+    true
+}
+
+/// One point of text data; an empty one has no height. Only points of the row asked for are kept.
+fn datum(main: &mut Main, text: &str, row: Option<usize>) {
+    let at = main.text_count;
+    main.text_count += 1;
+    let points = main.points().unwrap_or(u64::MAX).max(1);
+    let wanted = row.unwrap_or(1).max(1) as u64 - 1;
+    if at / points != wanted {
+        return;
+    }
+    let last = text.rsplit(';').next().unwrap_or_default().trim();
+    let value = match last {
+        "" => f64::NAN,
+        _ => match last.parse::<f64>() {
+            Ok(value) => value,
+            Err(_) => {
+                main.broken_text.get_or_insert_with(|| last.to_owned());
+                f64::NAN
+            }
+        },
+    };
+    let z = main.axes[2];
+    main.text
+        .push(value * z.increment.unwrap_or(1.0) + z.offset);
+}
+
+/// The row to read, counted from 0.
+fn chosen_row(file: &str, main: &Main, row: Option<usize>) -> Result<u64, ReadError> {
+    if main.axes[0].absolute {
+        let what = "the points carry their own x, and only even spacing is read";
+        return Err(damaged(file, FORMAT, what, &main.feature));
+    }
+    let points = main.points();
+    let size = points
+        .zip(main.rows())
+        .filter(|(points, rows)| *points > 0 && *rows > 0);
+    let (points, rows) = size.ok_or_else(|| damaged(file, FORMAT, "the matrix has no size", ""))?;
+    let asked = row.unwrap_or(if rows == 1 { 1 } else { 0 }) as u64;
+    if asked == 0 || asked > rows {
+        return Err(ReadError::SeveralProfiles {
+            file: file.to_owned(),
+            rows: rows as usize,
+            points: points as usize,
+            asked: asked as usize,
+        });
+    }
+    Ok(asked - 1)
+}
+
+fn text(file: &str, main: &mut Main) -> Result<Vec<f64>, ReadError> {
+    if let Some(seen) = &main.broken_text {
+        return Err(damaged(file, FORMAT, "a height is no number", seen));
+    }
+    let heights = std::mem::take(&mut main.text);
+    let stated = main.points().unwrap_or(0);
+    if heights.len() as u64 != stated {
+        let seen = format!("{} of {stated}", heights.len());
+        let what = "the number of heights is not that of the header";
+        return Err(damaged(file, FORMAT, what, &seen));
+    }
+    Ok(heights)
+}
+
+/// Heights of row `row` from the binary member, with its mask and its checksum.
+fn binary(
+    file: &str,
+    archive: &mut Archive<'_>,
+    folder: &str,
+    link: &str,
+    main: &Main,
+    row: u64,
+    warnings: &mut Vec<Warning>,
+) -> Result<Vec<f64>, ReadError> {
+    let z = main.axes[2];
+    let points = main.points().unwrap_or(0);
+    // An absolute y stands before its z; an absolute x was refused.
+    let y = main.axes[1];
+    let skipped = if y.absolute { y.data.width() } else { 0 };
+    let stride = skipped + z.data.width();
+    let start = row
+        .checked_mul(points)
+        .and_then(|n| n.checked_mul(stride as u64));
+    let length = points.checked_mul(stride as u64);
+    let too_large = || ReadError::TooLarge {
+        file: file.to_owned(),
+        what: "the matrix",
+        bytes: u64::MAX,
+        most: i64::MAX as u64,
+    };
+    let (start, length) = start.zip(length).ok_or_else(too_large)?;
+    let name = archive_name(archive, folder, link);
+    let (window, found) = archive.read(&name, |stream| {
+        let mut hashed = Hashed::new(stream);
+        let skipped = std::io::copy(&mut (&mut hashed).take(start), &mut std::io::sink());
+        let mut window = Vec::new();
+        let read = (&mut hashed).take(length).read_to_end(&mut window);
+        let rest = std::io::copy(&mut hashed, &mut std::io::sink());
+        let whole = skipped.is_ok() && read.is_ok() && rest.is_ok();
+        if !whole || window.len() as u64 != length {
+            let what = "the binary data is shorter than the matrix";
+            return Err(damaged(file, FORMAT, what, link));
+        }
+        Ok((window, hashed.finish()))
+    })?;
+    if let Some(stated) = main
+        .point_checksum
+        .as_ref()
+        .filter(|stated| **stated != found)
+    {
+        warnings.push(Warning::ChecksumDiffers {
+            what: "point data".into(),
+            stated: super::table::shortened(stated),
+            found,
+        });
+    }
+    let mask = mask(file, archive, folder, main, row, points)?;
+    let increment = z.increment.unwrap_or(1.0);
+    let heights = window.chunks_exact(stride).enumerate().map(|(i, point)| {
+        let valid = mask
+            .as_ref()
+            .is_none_or(|mask| mask.get(i).copied().unwrap_or(false));
+        let value = z.data.value(&point[skipped..]).filter(|_| valid);
+        value.map_or(f64::NAN, |value| value * increment + z.offset)
+    });
+    Ok(heights.collect())
+}
+
+/// Full name of a linked member: links are relative to `main.xml`, and some start with "./".
+fn archive_name(archive: &Archive<'_>, folder: &str, link: &str) -> String {
+    let link = link.replace('\\', "/");
+    let link = link.trim_start_matches("./").trim_start_matches('/');
+    let relative = format!("{folder}{link}");
+    if archive.holds(&relative) {
+        return relative;
+    }
+    let last = link.rsplit('/').next().unwrap_or_default();
+    archive.find(last).unwrap_or(relative)
+}
+
+/// Which points of the row are valid: one bit a point, lowest first, or one byte a point.
+fn mask(
+    file: &str,
+    archive: &mut Archive<'_>,
+    folder: &str,
+    main: &Main,
+    row: u64,
+    points: u64,
+) -> Result<Option<Vec<bool>>, ReadError> {
+    let Some(link) = main.mask.as_ref().filter(|link| !link.is_empty()) else {
+        return Ok(None);
+    };
+    let name = archive_name(archive, folder, link);
+    let all = points.saturating_mul(main.rows().unwrap_or(1));
+    let packed = archive.read(&name, |stream| {
+        let mut packed = Vec::new();
+        let read = stream.take(all).read_to_end(&mut packed);
+        read.map(|_| packed)
+            .map_err(|_| damaged(file, FORMAT, "the mask cannot be unpacked", link))
+    })?;
+    let first = row * points;
+    let bytewise = packed.len() as u64 == all;
+    if !bytewise && (packed.len() as u64) < all.div_ceil(8) {
+        return Err(damaged(
+            file,
+            FORMAT,
+            "the mask is shorter than the matrix",
+            link,
+        ));
+    }
+    let valid = |at: u64| {
+        if bytewise {
+            packed[at as usize] != 0
+        } else {
+            packed[(at / 8) as usize] >> (at % 8) & 1 == 1
+        }
+    };
+    Ok(Some((first..first + points).map(valid).collect()))
+}
+
+/// Warns when `md5checksum.hex` is there and is not that of `main.xml`, or cannot be unpacked.
+fn main_checksum(
+    archive: &mut Archive<'_>,
+    folder: &str,
+    found: &str,
+    warnings: &mut Vec<Warning>,
+) -> Result<(), ReadError> {
+    const DIGITS: u64 = 64;
+    let name = format!("{folder}md5checksum.hex");
+    if !archive.holds(&name) {
+        return Ok(());
+    }
+    let stated = archive.read(&name, |stream| {
+        let mut text = Vec::new();
+        // What of a damaged member comes before its damage shows depends on how it is read.
+        if stream.take(DIGITS).read_to_end(&mut text).is_err() {
+            text.clear();
+        }
+        Ok(String::from_utf8_lossy(&text).to_lowercase())
+    })?;
+    let stated = stated.split_whitespace().next().unwrap_or_default();
+    if stated != found {
+        warnings.push(Warning::ChecksumDiffers {
+            what: "main.xml".into(),
+            stated: super::table::shortened(stated),
+            found: found.to_owned(),
+        });
+    }
+    Ok(())
+}
+
+/// A reader that takes the MD5 of what passes through.
+struct Hashed<R> {
+    inner: R,
+    hash: Md5,
+}
+
+impl<R: Read> Hashed<R> {
+    fn new(inner: R) -> Self {
+        Self {
+            inner,
+            hash: Md5::new(),
+        }
+    }
+
+    fn finish(self) -> String {
+        let digest = self.hash.finalize();
+        digest.iter().map(|byte| format!("{byte:02x}")).collect()
+    }
+}
+
+impl<R: Read> Read for Hashed<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        let count = self.inner.read(buffer)?;
+        self.hash.update(&buffer[..count]);
+        Ok(count)
+    }
+}

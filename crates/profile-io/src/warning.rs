@@ -1,0 +1,113 @@
+//! Warnings about a file that was read all the same.
+
+use std::borrow::Cow;
+
+use asperity_core::quantity::Length;
+use serde::{Deserialize, Serialize};
+
+use crate::read::options::{Axis, LengthUnit};
+
+/// A note that goes with a reading, under a stable code.
+///
+/// ```
+/// use asperity_profile_io::{Warning, read::{Axis, LengthUnit}};
+/// let note = Warning::UnitAssumed { axis: Axis::Height, unit: LengthUnit::Micrometre };
+/// assert_eq!(note.code(), "W111");
+/// assert_eq!(note.to_string(), "no unit found for the heights; taken as um because no other unit gives a possible trace. Say --z-unit um to confirm");
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, thiserror::Error)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Warning {
+    /// A unit was found by elimination.
+    #[error("no unit found for the {axis}; taken as {unit} because no other unit gives a possible trace. Say {} {unit} to confirm", axis.option())]
+    UnitAssumed {
+        /// Which column.
+        axis: Axis,
+        /// The unit taken.
+        unit: LengthUnit,
+    },
+    /// Missing points were interpolated on request.
+    #[error(
+        "{filled} missing points interpolated (longest run {longest}), {cut} cut off at the ends"
+    )]
+    GapsFilled {
+        /// Points interpolated.
+        filled: usize,
+        /// Longest run of them.
+        longest: usize,
+        /// Missing points dropped at the ends.
+        cut: usize,
+    },
+    /// The trace was stored backwards.
+    #[error("x falls along the file; the trace was turned round")]
+    Reversed,
+    /// The stated spacing overrides another one.
+    #[error("spacing {stated} was stated, the x column says {column:.4}; the stated one is used")]
+    SpacingOverridden {
+        /// As stated.
+        stated: Length,
+        /// From the x column.
+        column: Length,
+    },
+    /// The file holds the output of a roughness filter.
+    #[error(
+        "the file says it holds an already filtered roughness profile; filtering it again changes it. Use --lambda-c none"
+    )]
+    AlreadyFiltered,
+    /// A checksum in the file is not that of its content.
+    #[error(
+        "the {what} checksum {stated} is not that of the content, {found}: the file was changed, or its writer counts differently"
+    )]
+    ChecksumDiffers {
+        /// Which checksum.
+        what: Cow<'static, str>,
+        /// As the file says.
+        stated: String,
+        /// Of the content.
+        found: String,
+    },
+    /// The trace is shorter than the header says.
+    #[error(
+        "the header says {nominal:.4} but {traced:.4} were traced: the trace was aborted; the spacing follows from what was traced"
+    )]
+    TraceAborted {
+        /// As the header says.
+        nominal: Length,
+        /// Evaluation length.
+        traced: Length,
+    },
+    /// The spacing comes from a number that looks like one.
+    #[error(
+        "line 1 reads {value} and is taken as the spacing in um, as in NPL text profiles. Say --dx to be sure"
+    )]
+    SpacingFromFirstLine {
+        /// The number.
+        value: f64,
+    },
+    /// The spacing comes from a length printed with few digits.
+    #[error("the spacing follows from an evaluation length printed as {length}: it is known to {:.4} % only. Say --dx to be exact", 100.0 * uncertainty)]
+    LengthRounded {
+        /// The length.
+        length: Length,
+        /// Relative uncertainty of the spacing.
+        uncertainty: f64,
+    },
+}
+
+impl Warning {
+    /// The code under which the message is explained.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::UnitAssumed { .. } => "W111",
+            Self::GapsFilled { .. } => "W115",
+            Self::Reversed => "W116",
+            Self::SpacingOverridden { .. } => "W117",
+            Self::AlreadyFiltered => "W118",
+            Self::ChecksumDiffers { .. } => "W120",
+            Self::TraceAborted { .. } => "W121",
+            Self::SpacingFromFirstLine { .. } => "W122",
+            Self::LengthRounded { .. } => "W123",
+        }
+    }
+}

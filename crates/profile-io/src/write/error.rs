@@ -1,0 +1,13 @@
+//! Why a profile cannot be written.
+
+/// Why a profile cannot be written.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum WriteError {
+    /// The archive could not be made.
+    #[error("the X3P archive cannot be made: {step} failed")]
+    Archive {
+        /// What failed.
+        step: &'static str,
+    },
+}

@@ -1,0 +1,79 @@
+//! Profiles as X3P (ISO 25178-72): XML description, binary heights, checksums.
+
+use std::io::{Cursor, Write};
+
+use asperity_core::Profile;
+use md5::{Digest, Md5};
+use zip::ZipWriter;
+use zip::write::SimpleFileOptions;
+
+use super::error::WriteError;
+use super::field::field;
+use crate::read::metadata::Metadata;
+
+const DATA: &str = "bindata/data.bin";
+
+/// An archive with `main.xml`, its checksum and the heights as binary64 metres.
+pub(super) fn write(profile: &Profile, metadata: &Metadata) -> Result<Vec<u8>, WriteError> {
+    let data: Vec<u8> = profile
+        .heights()
+        .iter()
+        .flat_map(|z| z.to_le_bytes())
+        .collect();
+    let xml = main_xml(profile, metadata, &checksum(&data));
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    // The oldest date of the format: the same profile gives the same bytes.
+    let options = SimpleFileOptions::default();
+    let checksum_file = format!("{} *main.xml\n", checksum(xml.as_bytes()));
+    let members = [
+        ("main.xml", xml.as_bytes()),
+        ("md5checksum.hex", checksum_file.as_bytes()),
+        (DATA, &data),
+    ];
+    for (name, bytes) in members {
+        let failed = |step| move |_| WriteError::Archive { step };
+        zip.start_file(name, options).map_err(failed(name))?;
+        zip.write_all(bytes)
+            .map_err(|_| WriteError::Archive { step: name })?;
+    }
+    let done = zip.finish().map_err(|_| WriteError::Archive {
+        step: "the directory",
+    })?;
+    Ok(done.into_inner())
+}
+
+fn checksum(bytes: &[u8]) -> String {
+    let digest = Md5::digest(bytes);
+    digest.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn main_xml(profile: &Profile, metadata: &Metadata, data_checksum: &str) -> String {
+    let text =
+        |value: &Option<String>, otherwise: &str| field(value.as_deref().unwrap_or(otherwise));
+    let axis = |name: &str, kind: &str, increment: f64| {
+        format!(
+            "<{name}><AxisType>{kind}</AxisType><DataType>D</DataType>\
+             <Increment>{increment:e}</Increment><Offset>0</Offset></{name}>"
+        )
+    };
+    let dx = profile.spacing().si();
+    format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
+         <p:ISO5436_2 xmlns:p=\"http://www.opengps.eu/2008/ISO5436_2\">\
+         <Record1><Revision>ISO5436 - 2000</Revision><FeatureType>PRF</FeatureType><Axes>{}{}{}</Axes></Record1>\
+         <Record2><Date>{}</Date><Instrument><Manufacturer>{}</Manufacturer><Model/><Serial/><Version/></Instrument>\
+         <CalibrationDate/><ProbingSystem><Type>Contacting</Type><Identification/></ProbingSystem>\
+         <Comment>{}</Comment></Record2>\
+         <Record3><MatrixDimension><SizeX>{}</SizeX><SizeY>1</SizeY><SizeZ>1</SizeZ></MatrixDimension>\
+         <DataLink><PointDataLink>{DATA}</PointDataLink>\
+         <MD5ChecksumPointData>{data_checksum}</MD5ChecksumPointData></DataLink></Record3>\
+         <Record4><ChecksumFile>md5checksum.hex</ChecksumFile></Record4></p:ISO5436_2>\n",
+        axis("CX", "I", dx),
+        axis("CY", "I", dx),
+        axis("CZ", "A", 1.0),
+        text(&metadata.date, ""),
+        text(&metadata.instrument, ""),
+        text(&metadata.title, ""),
+        profile.len(),
+    )
+}

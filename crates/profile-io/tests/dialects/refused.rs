@@ -1,0 +1,85 @@
+//! Files that are refused, and what is said about them.
+
+use asperity_profile_io::read::{DecimalSign, Format, ReadError, ReadOptions, read_bytes};
+
+use crate::table::*;
+
+#[test]
+fn missing_heights_are_refused_by_line_whatever_they_are_called() {
+    for word in ["NaN", "Bad", "", "***", "inf"] {
+        let text = PLAIN.text();
+        let third = text.lines().nth(3).unwrap();
+        let broken = text.replace(third, &format!("1.000000000,{word}"));
+        let refused = read_text(&broken).unwrap_err();
+        assert_eq!(refused.code(), "E107");
+        assert!(
+            refused
+                .to_string()
+                .starts_with("flank.csv:4: 1 of 240 points"),
+            "{refused}"
+        );
+    }
+}
+
+#[test]
+fn an_unreadable_cell_is_shown_with_what_the_file_looks_like() {
+    let german = Dialect {
+        header: "x [um];z [um]",
+        between: ";",
+        decimal: ',',
+        ..PLAIN
+    };
+    let options = ReadOptions {
+        decimal: Some(DecimalSign::Point),
+        ..ReadOptions::default()
+    };
+    let refused = read_bytes("flank.csv", german.text().as_bytes(), &options).unwrap_err();
+    assert_eq!(
+        refused.to_string(),
+        "flank.csv:2: cannot read \"0,000000000\" as a number; the file looks like ';' with decimal comma. Try --decimal comma"
+    );
+    assert_eq!(refused.code(), "E101");
+    let text = PLAIN.text();
+    let broken = text.replacen("4.500000000,", "4.5O,", 1);
+    assert_ne!(broken, text);
+    let refused = read_text(&broken).unwrap_err();
+    assert_eq!(
+        refused.to_string(),
+        "flank.csv:11: cannot read \"4.5O\" as a number; the file looks like ',' with decimal point. Correct or remove this line"
+    );
+    let pairs: String = (0..POINTS)
+        .map(|i| format!("0,{:04},1,{:04}\n", 5 * i, 7 * i))
+        .collect();
+    assert_eq!(read_text(&pairs).unwrap_err().code(), "E113");
+}
+
+#[test]
+fn formats_that_are_not_read_are_named() {
+    for (name, bytes, format) in [
+        ("a.mat", b"MATLAB 5.0 MAT-file".as_slice(), Format::Matlab),
+        ("a.xls", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", Format::Excel),
+        ("a.opdx", b"VCA DATA\x01\x00", Format::Opdx),
+        ("a.hwp", b"\x00\x01\x02\x03", Format::HommelHwp),
+        ("a.pcd", b"\x00\x01\x02\x03", Format::MahrPcd),
+        ("a.mnt", b"\x00\x01\x02\x03", Format::DigitalSurf),
+        ("a.bin", b"\x00\x01\x02\x03", Format::UnknownBinary),
+        ("a.tx3", b"Fecha\t08.04.2025\n", Format::SurfcomConditions),
+    ] {
+        let refused = read_bytes(name, bytes, &ReadOptions::default()).unwrap_err();
+        assert_eq!(refused.code(), "E108");
+        assert!(
+            matches!(refused, ReadError::FormatNotRead { format: found, .. } if found == format),
+            "{refused}"
+        );
+        assert!(
+            refused.to_string().contains("is not read by this version"),
+            "{refused}"
+        );
+    }
+    let empty = read_text("").unwrap_err();
+    assert_eq!(empty.code(), "E102");
+    assert_eq!(
+        read_text("no numbers\nat all\n").unwrap_err().code(),
+        "E102"
+    );
+}

@@ -1,0 +1,115 @@
+//! Friction law of the film as an extension point: the laws of this crate and any law of a user's own.
+//!
+//! A law sees the whole local contact ([`FilmContact`]): a regression reads `position`, a law that
+//! integrates shear stress over the contact reads speeds, moduli, temperatures, steels and the oil at
+//! any temperature as well.
+
+use std::fmt::Debug;
+
+use asperity_core::Checked;
+use asperity_core::lubricant::{Lubricant, LubricantState};
+use asperity_core::material::Material;
+use asperity_core::quantity::{Length, Pressure, Speed, Temperature};
+
+use crate::conditions::FrictionConditions;
+use crate::error::FrictionError;
+use crate::friction_law::{FrictionLaw, FrictionSettings};
+
+/// Local contact at one mesh position, as a friction law of the film sees it.
+#[derive(Debug, Clone, Copy)]
+pub struct FilmContact<'a> {
+    /// Load, radius, speeds, film thickness with thermal reduction, and roughness of the pair.
+    pub position: FrictionConditions,
+    /// Surface speeds u₁ and u₂.
+    pub surface_speeds: [Speed; 2],
+    /// Reduced modulus E*.
+    pub modulus: Pressure,
+    /// Hertz half-width a.
+    pub half_width: Length,
+    /// Steel of both bodies, with conductivity, density and specific heat.
+    pub materials: [Material; 2],
+    /// Bulk temperature of the flanks, which is that of the inlet.
+    pub bulk_temperature: Temperature,
+    /// Oil at the temperature that `position` was made for: bulk, or bulk and flash with feedback.
+    pub oil: LubricantState,
+    /// Oil at any temperature.
+    pub lubricant: &'a Lubricant,
+}
+
+/// Friction in the film.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct FilmTraction {
+    /// Friction coefficient of the film.
+    pub coefficient: f64,
+    /// Mean temperature rise of the surfaces \[K\], of laws that compute it.
+    pub surface_rise: Option<f64>,
+    /// Largest mean temperature rise across the film above the surfaces \[K\], of laws that compute it.
+    pub film_rise: Option<f64>,
+}
+
+impl FilmTraction {
+    /// A coefficient of a law that computes no temperatures.
+    #[must_use]
+    pub const fn of(coefficient: f64) -> Self {
+        Self {
+            coefficient,
+            surface_rise: None,
+            film_rise: None,
+        }
+    }
+}
+
+/// Law of the friction coefficient in the film.
+///
+/// ```
+/// use asperity_core::Checked;
+/// use asperity_tribo_friction::{FilmContact, FilmFriction, FilmTraction, FrictionError};
+///
+/// /// A limiting shear stress of 4 % of the pressure everywhere.
+/// #[derive(Debug)]
+/// struct Limit;
+///
+/// impl FilmFriction for Limit {
+///     fn name(&self) -> &str {
+///         "limit"
+///     }
+///
+///     fn traction(&self, _: &FilmContact<'_>) -> Result<Checked<FilmTraction>, FrictionError> {
+///         Ok(Checked::inside(FilmTraction::of(0.04)))
+///     }
+/// }
+///
+/// let law: &dyn FilmFriction = &Limit;
+/// assert_eq!(law.name(), "limit");
+/// ```
+pub trait FilmFriction: Debug + Send + Sync {
+    /// Name, as results print it.
+    fn name(&self) -> &str;
+
+    /// Friction at one contact, with every input that left the fitted range.
+    ///
+    /// # Errors
+    /// When an input is outside the domain of the law.
+    fn traction(&self, contact: &FilmContact<'_>) -> Result<Checked<FilmTraction>, FrictionError>;
+}
+
+/// Law of a case file with what it leaves to choose.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NamedFriction {
+    /// The law.
+    pub law: FrictionLaw,
+    /// What it leaves to choose.
+    pub settings: FrictionSettings,
+}
+
+impl FilmFriction for NamedFriction {
+    fn name(&self) -> &str {
+        self.law.name()
+    }
+
+    fn traction(&self, contact: &FilmContact<'_>) -> Result<Checked<FilmTraction>, FrictionError> {
+        let found = self.law.coefficient(&self.settings, &contact.position)?;
+        Ok(found.map(FilmTraction::of))
+    }
+}
