@@ -1,6 +1,8 @@
 //! Arrows between the crates point down only, and the files of a crate import each other without circles.
 
 mod file_imports;
+mod size;
+mod words;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;

@@ -8,7 +8,7 @@ use crate::case::LoadedCase;
 use crate::chosen_laws::ChosenLaws;
 use crate::decision::decide;
 use crate::encounter::Encounter;
-use crate::error::{PositionError, RunError};
+use crate::error::{Error, PositionError};
 use crate::fluid::film_at;
 use crate::result::Regime;
 use crate::stations::{station_at, stations_with};
@@ -46,8 +46,8 @@ pub struct RegimeRow {
 ///
 /// # Errors
 /// When an equation refuses the numbers at a position.
-pub fn survey(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, RunError> {
-    rows(loaded).map_err(|error| RunError::Whole(Box::new(error)))
+pub fn survey(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, Error> {
+    rows(loaded).map_err(|error| Error::Whole(Box::new(error)))
 }
 
 fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
@@ -124,8 +124,8 @@ pub struct FilmSurvey {
 ///
 /// # Errors
 /// When an equation refuses the numbers there.
-pub fn film(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, RunError> {
-    film_rows(loaded, place).map_err(|error| RunError::Whole(Box::new(error)))
+pub fn film(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, Error> {
+    film_rows(loaded, place).map_err(|error| Error::Whole(Box::new(error)))
 }
 
 fn film_rows(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, PositionError> {

@@ -22,7 +22,7 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup,
     Ok(html! {
         p {
             "Position " (contact.position) " of " (count)
-            @if count > 1 { ", the one with the highest pressure unless another was asked for (" code { "asperity report --position" } ")" }
+            @if count > 1 { ", the one with the highest pressure unless another was asked for" }
             ", at " (format!("{:.3}", row.path_fraction))
             " of the way from A to E; first offset of the traces."
         }
