@@ -13,6 +13,8 @@ pub struct Failure {
     code: &'static str,
     message: String,
     snippet: Option<Snippet>,
+    /// Advice of its own, in place of that of its code.
+    own_advice: Option<&'static str>,
     is_told: bool,
 }
 
@@ -29,8 +31,15 @@ impl Failure {
             code,
             message: message.into(),
             snippet: None,
+            own_advice: None,
             is_told: false,
         }
+    }
+
+    /// The same error with advice that fits its command better than that of its code.
+    pub fn advising(mut self, advice: &'static str) -> Self {
+        self.own_advice = Some(advice);
+        self
     }
 
     /// The same error, of which only the exit status is still to be told.
@@ -92,7 +101,8 @@ impl Failure {
 
     /// What to do about it.
     fn remedy(&self) -> Option<&'static str> {
-        asperity::message::explain(self.code).map(|entry| entry.remedy)
+        let of_code = || asperity::message::explain(self.code).map(|entry| entry.remedy);
+        self.own_advice.or_else(of_code)
     }
 
     /// With the line of the case file on a terminal, plain otherwise.

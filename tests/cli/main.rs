@@ -11,6 +11,7 @@ mod bench;
 
 mod case_messages;
 mod codes;
+mod contact;
 mod file_messages;
 mod fuzz;
 mod instrument_files;

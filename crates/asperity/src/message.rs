@@ -98,6 +98,7 @@ explanations! {
     "E208" "the oil is incomplete": "The oil's data do not suffice, or contradict each other." => "Give nu at 40 and 100 °C, density and base_oil, or the name of an oil of the library.";
     "E209" "a number outside its domain": "A number in the case or on the command line cannot be, such as a negative module." => "Correct the value named.";
     "E210" "nothing of that name": "No equation has that tag, or no message that code." => "asperity equations and asperity explain list all there are.";
+    "E211" "the tolerance is too large": "A contact solved to a tolerance above 1e-4 can have pressures far off, and takes hardly less time." => "Give a tolerance of at most 1e-4; 1e-8 is the default.";
     "E301" "a position did not converge": "The contact at a mesh position did not reach its tolerance. No efficiency is reported." => "Loosen model.tolerance, or look for spikes in the profile with asperity profile info; the gap that was not closed is saved in the folder failed beside the results.";
     "E302" "the surface is too soft for the load": "The flow pressure is below what the load needs, so no distribution of pressure can carry it." => "Check material.pinion.flow_pressure and elastic_limit; case-hardened steel has 6 to 8 GPa and 1.5 to 2 GPa.";
     "E303" "a measured profile is needed": "The rough contact presses two profiles together, but a flank is given by roughness values only." => "Give surface.pinion.file and surface.wheel.file, or use asperity run with the corrected formulation.";
@@ -131,6 +132,8 @@ explanations! {
     "W410" "stress below asperities passes the elastic limit": "The von Mises stress under the rough contact passes the elastic limit; flow below the surface is not modelled." => "Look at the subsurface fields of the positions named.";
     "W411" "no peaks under the contact": "The windows that meet have no peaks above the core of the profile, so Lambda* is not defined; the classical film ratio decided between full film and mixed." => "Look at the trace: a regular pattern (feed marks) has no peaks in the sense of ISO 13565-2.";
     "W412" "no sliding at the paper's position": "The paper's reading takes one position for the whole mesh; at the pitch point nothing slides, so there is no sliding loss." => "Set model.position between 0 (A) and 1 (E), or use the corrected formulation.";
+    "W413" "the contact runs into the end of the window": "The pressure is not zero at a free end, so the contact would go on beyond it; the pressures are those of a strip that ends there." => "Widen the gap on that side, or lower the load.";
+    "W414" "the gap spans far more than the deformation": "The undeformed gap spans more than 1000 times what the bodies deform: an outlier, a sentinel for missing points, or a wrong unit." => "Look at the gap; the contact itself is solved to its tolerance.";
 }
 
 #[cfg(test)]

@@ -17,6 +17,7 @@ pub const SCHEMA_VERSION: u32 = 1;
 
 /// The result of a run, without the fields of single positions.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct RunResult {
     /// Version of this structure.
     pub schema_version: u32,
@@ -54,6 +55,7 @@ pub struct RunResult {
 
 /// Efficiency and losses of the mesh, mean over the offsets of the traces.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct Summary {
     /// η = 1 − ΣP/(M₁ω₁).
     pub efficiency: f64,
@@ -96,6 +98,7 @@ pub struct Summary {
 
 /// Efficiency with another friction law in the film, everything else equal.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct FrictionComparison {
     /// Name as in the case file.
     pub law: String,
@@ -116,6 +119,7 @@ pub enum ComparisonOutcome {
 
 /// One mesh position; values that vary with the offset are means over the offsets.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct PositionRow {
     /// Number of the position from A.
     pub position: usize,
@@ -189,6 +193,7 @@ pub struct PositionRow {
 
 /// Plastic work of the first engagement, which decays as the flanks run in.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct RunningIn {
     /// Plastic work per tooth engagement \[J\].
     pub energy_per_engagement_j: f64,
@@ -200,6 +205,7 @@ pub struct RunningIn {
 
 /// An equation the result rests on.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct EquationUse {
     /// Tag as in the sources.
     pub tag: Cow<'static, str>,
@@ -229,6 +235,7 @@ impl From<Reference> for CitedSource {
 
 /// Fields along the contact at one position, of its first offset.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct PositionFields {
     /// Number of the position from A.
     pub position: usize,
@@ -262,6 +269,7 @@ pub struct PositionFields {
 
 /// Stress below the surface, row by row from the surface down.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct SubsurfaceFields {
     /// Depths \[m\].
     pub depths: Vec<f64>,
@@ -277,6 +285,7 @@ pub struct SubsurfaceFields {
 
 /// A step on the way to the solution.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct HistoryRow {
     /// Number of the step.
     pub step: usize,
@@ -292,6 +301,7 @@ pub struct HistoryRow {
 
 /// The mesh with all flanks at one offset of the traces.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct OffsetRow {
     /// Number of the offset.
     pub offset: usize,
