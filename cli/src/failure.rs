@@ -29,7 +29,7 @@ impl Failure {
     pub fn new(code: &'static str, message: impl Into<String>) -> Self {
         Self {
             code,
-            message: message.into(),
+            message: asperity_storage::printable(&message.into()).into_owned(),
             snippet: None,
             own_advice: None,
             is_told: false,

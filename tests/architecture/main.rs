@@ -8,6 +8,7 @@ use std::path::Path;
 /// What each crate may use of the workspace. The physics crates stand apart from each other.
 const ALLOWED: &[(&str, &[&str])] = &[
     ("crates/core", &[]),
+    ("crates/storage", &[]),
     ("crates/profile-io", &["asperity-core"]),
     ("crates/roughness", &["asperity-core"]),
     ("crates/gear", &["asperity-core"]),
@@ -32,11 +33,13 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ),
     (
         "crates/report",
-        &["asperity", "asperity-core", "asperity-roughness"],
+        &[
+            "asperity-storage","asperity", "asperity-core", "asperity-roughness"],
     ),
     (
         "crates/studies",
         &[
+            "asperity-storage",
             "asperity-report",
             "asperity",
             "asperity-core",
@@ -48,6 +51,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     (
         "cli",
         &[
+            "asperity-storage",
             "asperity-studies",
             "asperity-report",
             "asperity",
