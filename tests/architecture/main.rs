@@ -34,7 +34,11 @@ const ALLOWED: &[(&str, &[&str])] = &[
     (
         "crates/report",
         &[
-            "asperity-storage","asperity", "asperity-core", "asperity-roughness"],
+            "asperity-storage",
+            "asperity",
+            "asperity-core",
+            "asperity-roughness",
+        ],
     ),
     (
         "crates/studies",

@@ -239,8 +239,11 @@ fn two_profiles_run_in_until_they_stay_elastic() {
     assert!(number(&last["rq_m"][0]) < number(&first["rq_m"][0]));
     assert!(work(&ran_in) <= 1e-5 * work(first));
     assert!(number(&ran_in["contact_fraction"]) > number(&once["contact_fraction"]));
-    run(&[&limit[..], &["--running-in", "4", "--first-share", "2"]].concat())
-        .refused(2, "E209", "share");
+    run(&[&limit[..], &["--running-in", "4", "--first-share", "2"]].concat()).refused(
+        2,
+        "E209",
+        &["share"],
+    );
     let said = run(&["--running-in", "4"]);
     assert!(
         said.status == 2 && said.err.contains("--pressure-limit"),
@@ -248,7 +251,7 @@ fn two_profiles_run_in_until_they_stay_elastic() {
         said.err
     );
     bench.write("other.csv", columns("x_m,z_m", 500, 1e-6, |_| 0.0));
-    run(&[]).refused(2, "E209", "second flank has 500 values");
+    run(&[]).refused(2, "E209", &["second flank has 500 values"]);
 }
 
 #[test]

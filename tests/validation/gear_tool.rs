@@ -296,10 +296,7 @@ fn fzg_gears_press_as_hard_as_reported_where_one_pair_carries_all() {
     // the lowest point of single contact.
     let case =
         std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases/fzg-c.toml");
-    let case = asperity::case::load(&case, None)
-        .map_err(|(error, _)| error)
-        .unwrap()
-        .case;
+    let case = asperity::case::load(&case, None).unwrap().case;
     let b = case.gears.path().b;
     // Just inside, where the share has reached one.
     let inside = b + (case.gears.path().c - b) * 1e-3;

@@ -59,8 +59,7 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
         }
     });
     bar.finish_and_clear();
-    let found = found
-        .map_err(|error| Failure::new(error.code(), format!("{}: {error}", args.case.display())))?;
+    let found = found.map_err(|error| Failure::about(&args.case, &error))?;
     compare::write(&found, &folder).map_err(|error| Failure::new("E401", error.to_string()))?;
     if common.json {
         return print_json(&found);
@@ -105,5 +104,5 @@ fn load(args: &CompareArgs, finish: &FinishArg) -> Result<LoadedCase, Failure> {
         input.model.offsets = Some(args.offsets);
     };
     case::load_with(&args.case, &change)
-        .map_err(|(error, _)| Failure::new(error.code(), format!("{error} (--finish {name})")))
+        .map_err(|error| Failure::of(&error).adding(&format!(" (--finish {name})")))
 }

@@ -57,10 +57,7 @@ impl Solved<'_> {
             result,
             offsets: offset_rows(&self.meshes),
             fields: fields.collect(),
-            traces: [0, 1].map(|body| {
-                let reading = self.loaded.flanks[body].reading.as_ref();
-                reading.map(|reading| reading.profile.clone())
-            }),
+            traces: [0, 1].map(|body| self.loaded.flanks[body].trace.clone()),
         })
     }
 

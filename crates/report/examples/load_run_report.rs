@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .next()
         .unwrap_or_else(|| std::env::temp_dir().join("asperity-load-run-report"));
 
-    let loaded = asperity::case::load(&case, None).map_err(|(error, _)| error)?;
+    let loaded = asperity::case::load(&case, None)?;
     let outcome = asperity::run(&loaded, &|_, _| {})?;
     print!("{}", asperity_report::summary(&outcome.result));
 

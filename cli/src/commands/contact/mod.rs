@@ -78,8 +78,7 @@ fn of_case(path: &Path, args: &ContactArgs) -> Result<Found, Failure> {
         undeformed,
         solution,
         ..
-    } = dry_contact(&loaded, place)
-        .map_err(|error| Failure::new(error.code(), format!("{}: {error}", path.display())))?;
+    } = dry_contact(&loaded, place).map_err(|error| Failure::about(path, &error))?;
     Ok(Found {
         spacing: Length::from_si(x[1] - x[0]),
         title: format!("{} at {path_fraction:.4} of the path, dry", path.display()),

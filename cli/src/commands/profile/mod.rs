@@ -25,6 +25,7 @@ use self::plan::Plan;
 use crate::args::{Common, PreparingArgs, ProfileCommand, ReadingArgs};
 use crate::failure::Failure;
 use crate::output;
+use crate::words;
 
 /// Runs one of the subcommands.
 pub fn run(command: &ProfileCommand, common: &Common) -> Result<(), Failure> {
@@ -124,12 +125,14 @@ impl Note<'_> {
     }
 }
 
+/// With what to do about it.
 impl std::fmt::Display for Note<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Read(warning) => warning.fmt(f),
-            Self::Evaluated(warning) => warning.fmt(f),
-        }
+        let (text, remedy) = match self {
+            Self::Read(warning) => (warning.to_string(), warning.remedy()),
+            Self::Evaluated(warning) => (warning.to_string(), warning.remedy()),
+        };
+        f.write_str(&words::with_options(&text, &remedy))
     }
 }
 
@@ -146,8 +149,10 @@ fn opened(file: &Path, args: &ReadingArgs) -> Result<Reading, Failure> {
         gaps: args.gaps.unwrap_or_default(),
         row: args.row,
     };
-    let reading =
-        read(file, &options).map_err(|error| Failure::new(error.code(), error.to_string()))?;
+    let reading = read(file, &options).map_err(|error| {
+        let message = words::with_options(&error.to_string(), &error.remedy());
+        Failure::new(error.code(), message)
+    })?;
     let row = args.row.unwrap_or(1);
     if row > 1 && !matches!(reading.format, Format::X3p | Format::SdfAscii) {
         let name = &reading.name;
@@ -163,7 +168,7 @@ fn refusal(reading: &Reading, plan: &Plan, error: &RoughnessError) -> Failure {
     let advice = match error {
         RoughnessError::TooShort { .. } => plan.advice_for(reading),
         RoughnessError::TooFewPoints { .. } if matches!(plan.sections, Sections::Number(_)) => {
-            ". Say fewer --sections".to_owned()
+            ". Pass fewer --sections".to_owned()
         }
         _ => String::new(),
     };

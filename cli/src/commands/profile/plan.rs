@@ -51,7 +51,7 @@ impl Plan {
             ends: args.ends.unwrap_or(usual.ends),
         };
         if args.robust && recipe.lambda_c.is_none() {
-            let text = "--robust is the filter at lambda_c, and there is none; say --lambda-c, as --lambda-c 0.8mm";
+            let text = "--robust is the filter at lambda_c, and there is none; pass --lambda-c, as --lambda-c 0.8mm";
             return Err(Failure::new("E205", text));
         }
         Ok(Self {
@@ -75,12 +75,12 @@ impl Plan {
         flank.map(|flank| remove(profile, flank)).transpose()
     }
 
-    /// What to say for a trace that is too short for the filters: what it is, and what it is long enough
+    /// Options for a trace that is too short for the filters: what it is, and what it is long enough
     /// for.
     pub fn advice_for(&self, reading: &Reading) -> String {
         if reading.filter_state == FilterState::Roughness {
-            let say = as_is(reading);
-            return format!(". It was filtered before: say {say}");
+            let options = as_is(reading);
+            return format!(". It was filtered before: pass {options}");
         }
         /// Cut-offs of ISO 3274, in mm.
         const USUAL: [f64; 5] = [8.0, 2.5, 0.8, 0.25, 0.08];
@@ -88,12 +88,12 @@ impl Plan {
         // With its ends cut a trace is to hold two cut-offs; five points to a cut-off are the least.
         let fits = |cutoff: &&f64| 2.0 * **cutoff <= length && **cutoff >= 5.0 * dx;
         let unfiltered = "--level for no filter";
-        let say = USUAL.iter().find(fits).map_or_else(
+        let options = USUAL.iter().find(fits).map_or_else(
             || unfiltered.to_owned(),
             |cutoff| format!("--lambda-c {cutoff}mm, or {unfiltered}"),
         );
         format!(
-            ". It was read as {}, {} points. Say {say}",
+            ". It was read as {}, {} points. Pass {options}",
             reading.format, reading.points
         )
     }
@@ -126,7 +126,7 @@ impl Plan {
     }
 }
 
-/// What to say for a roughness profile, in sections of the cut-off that its instrument used.
+/// Options for a roughness profile, in sections of the cut-off that its instrument used.
 pub fn as_is(reading: &Reading) -> String {
     let sections = reading
         .metadata

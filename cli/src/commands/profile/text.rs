@@ -25,7 +25,7 @@ pub fn report(found: &Evaluated, details: &Details) -> String {
     choices(&mut page, found);
     printed(&mut page, found);
     for warning in found.warnings() {
-        page.line(&format!("{} {warning}", warning.code()));
+        page.line(&format!("{} {}", warning.code(), warning));
     }
     page.0
 }
@@ -102,14 +102,14 @@ fn recipe(page: &mut Page, found: &Evaluated) {
     ));
 }
 
-/// What to say to have the filtering of the instrument, where there is another here.
+/// Options that keep the filtering of the instrument, where there is another here.
 fn stated_cutoffs(page: &mut Page, found: &Evaluated) {
     let (facts, recipe) = (&found.reading.metadata, &found.plan.recipe);
     let state = found.reading.filter_state;
     if state == FilterState::Roughness && recipe.lambda_c.is_some() {
-        let say = as_is(&found.reading);
+        let options = as_is(&found.reading);
         page.line(&format!(
-            "to take it as the instrument filtered it, say {say}"
+            "to take it as the instrument filtered it, pass {options}"
         ));
     }
     let differs = |stated: Option<Length>, used: Option<Length>| {
@@ -125,7 +125,7 @@ fn stated_cutoffs(page: &mut Page, found: &Evaluated) {
         length.map_or(String::new(), |length| format!(" --{name} \"{length}\""))
     };
     page.line(&format!(
-        "to filter as the instrument did, say{}{}",
+        "to filter as the instrument did, pass{}{}",
         option("lambda-c", facts.lambda_c),
         option("lambda-s", facts.lambda_s)
     ));
@@ -268,7 +268,7 @@ fn hurst(page: &mut Page, details: &Details) {
                 false => ": no self-affine profile",
             }
         ),
-        Err(reason) => format!("none over {over}: {reason}. Say --hurst 200um:8um"),
+        Err(reason) => format!("none over {over}: {reason}. Pass --hurst 200um:8um"),
     };
     page.line(&format!("Hurst exponent {shown}"));
 }

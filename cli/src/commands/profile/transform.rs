@@ -9,7 +9,7 @@ use asperity_roughness::preparation::profiles;
 use serde_json::json;
 
 use super::plan::Plan;
-use super::{opened, refusal, save, um};
+use super::{Note, opened, refusal, save, um};
 use crate::args::{
     Common, ProfileConvertArgs, ProfileFilterArgs, ProfileGenerateArgs, ProfilePart,
 };
@@ -63,7 +63,7 @@ pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure
         text += &format!("  resampled from {} by straight lines\n", reading.spacing);
     }
     for warning in &reading.warnings {
-        let note = format!("  {} {warning}", warning.code());
+        let note = format!("  {} {}", warning.code(), Note::Read(warning));
         text += &format!("{}\n", wrapped(&note, "    "));
     }
     print_text(common, &text)
