@@ -20,7 +20,7 @@ const LETTERS: usize = 6;
 /// The locked file in a draft.
 const LOCK: &str = "lock";
 /// A draft without its lock is being made, or was killed before it was.
-const WITHOUT_LOCK: Duration = Duration::from_secs(60);
+const WITHOUT_LOCK: Duration = Duration::from_secs(5);
 
 /// Drafts of this process. Whoever holds it gives drafts their names or removes them.
 static DRAFTS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
