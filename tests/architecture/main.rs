@@ -10,6 +10,7 @@ use std::path::Path;
 /// What each crate may use of the workspace. The physics crates stand apart from each other.
 const ALLOWED: &[(&str, &[&str])] = &[
     ("crates/core", &[]),
+    ("crates/storage", &[]),
     ("crates/profile-io", &["asperity-core"]),
     ("crates/roughness", &["asperity-core"]),
     ("crates/gear", &["asperity-core"]),
@@ -34,11 +35,17 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ),
     (
         "crates/report",
-        &["asperity", "asperity-core", "asperity-roughness"],
+        &[
+            "asperity-storage",
+            "asperity",
+            "asperity-core",
+            "asperity-roughness",
+        ],
     ),
     (
         "crates/studies",
         &[
+            "asperity-storage",
             "asperity-report",
             "asperity",
             "asperity-core",
@@ -50,6 +57,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     (
         "cli",
         &[
+            "asperity-storage",
             "asperity-studies",
             "asperity-report",
             "asperity",

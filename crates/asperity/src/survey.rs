@@ -34,8 +34,8 @@ pub struct RegimeRow {
     pub thermal_reduction: f64,
     /// Λ*; absent when the peaks of the flanks are not known.
     pub lambda_star: Option<f64>,
-    /// Minimum film over composite Rq.
-    pub film_ratio: f64,
+    /// Minimum film over composite Rq; absent between flat flanks.
+    pub film_ratio: Option<f64>,
     /// Share of the load the film carries.
     pub film_share: f64,
     /// Share of the offsets in the mixed regime.
@@ -79,7 +79,8 @@ fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
             thermal_reduction: station.thermal_reduction,
             lambda_star: (!known.is_empty())
                 .then(|| known.iter().sum::<f64>() / known.len() as f64),
-            film_ratio: decisions.iter().map(|d| d.film_ratio).sum::<f64>() / n,
+            film_ratio: Some(decisions.iter().map(|d| d.film_ratio).sum::<f64>() / n)
+                .filter(|ratio| ratio.is_finite()),
             film_share: decisions.iter().map(|d| d.shared.film_share).sum::<f64>() / n,
             mixed_share: decisions
                 .iter()

@@ -4,6 +4,8 @@
 
 use std::path::{Path, PathBuf};
 
+use asperity_report::Fields;
+
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments = std::env::args_os().skip(1).map(PathBuf::from);
     let shipped =
@@ -21,7 +23,7 @@ pub fn load_run_report(case: &Path, folder: &Path) -> Result<(), Box<dyn std::er
     let outcome = asperity::run(&loaded, &|_, _| {})?;
     print!("{}", asperity_report::summary(&outcome.result));
 
-    asperity_report::write_folder(&outcome, folder)?;
+    asperity_report::write_folder(&outcome, folder, &Fields::Page)?;
     let (_, result) = asperity_report::read_result(folder)?;
     assert_eq!(result, outcome.result);
     let page = asperity_report::redraw(folder, None)?;
