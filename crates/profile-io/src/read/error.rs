@@ -4,7 +4,8 @@ use asperity_core::quantity::Length;
 
 use super::format::Format;
 use super::layout::Dialect;
-use super::options::{Axis, LengthUnit, Separator};
+use super::options::{Abscissa, Axis, LengthUnit, Separator};
+use super::steepness::Steepness;
 
 /// A file that was refused. [`code`](Self::code) is stable; the text names file, line and remedy.
 #[derive(Debug, thiserror::Error)]
@@ -108,7 +109,7 @@ pub enum ReadError {
     },
     /// Points that do not lie on an even grid.
     #[error(
-        "{file}:{line}: uneven spacing, x = {x} is {off:.3} spacings away from an even grid of {spacing} (unit of the file). Resample the trace evenly before exporting"
+        "{file}:{line}: uneven spacing, x = {x} is {off:.3} spacings away from an even grid of {spacing} (unit of the file). Pass --uneven resample to resample it by straight lines"
     )]
     UnevenSpacing {
         /// Name of the file.
@@ -171,7 +172,7 @@ pub enum ReadError {
         text: String,
     },
     /// A unit that is not a known length.
-    #[error("{file}: the header gives the {axis} in \"{unit}\", which is not one of m, mm, um, nm. Convert the file, or say {} if the header is wrong", axis.option())]
+    #[error("{file}: the header gives the {axis} in \"{unit}\", which is not one of m, mm, um, nm, inch, mil, uin. Convert the file, or say {} if the header is wrong", axis.option())]
     UnknownUnit {
         /// Name of the file.
         file: String,
@@ -228,6 +229,24 @@ pub enum ReadError {
         /// The row asked for, 0 for none.
         asked: usize,
     },
+    /// An x column of an involute checker, without the base radius that converts it.
+    #[error(
+        "{file}: x is a {abscissa} of an involute checker and not the distance along the flank. Pass the base radius of the gear, as --base-radius 50mm"
+    )]
+    RollLength {
+        /// Name of the file.
+        file: String,
+        /// What x is.
+        abscissa: Abscissa,
+    },
+    /// Heights that no flank has.
+    #[error("{file}: {steepness}")]
+    ImplausibleHeights {
+        /// Name of the file.
+        file: String,
+        /// Slopes and what they point at.
+        steepness: Steepness,
+    },
     /// Numbers that make no profile: beyond the range of numbers, or no extent.
     #[error(
         "{file}: {what} is {value} {unit}, which no profile has. Check the unit and the columns"
@@ -267,6 +286,8 @@ impl ReadError {
             Self::Damaged { .. } => "E117",
             Self::TooLarge { .. } => "E118",
             Self::SeveralProfiles { .. } => "E119",
+            Self::RollLength { .. } => "E130",
+            Self::ImplausibleHeights { .. } => "E131",
         }
     }
 }
