@@ -102,3 +102,36 @@ fn the_page_of_equations_is_what_the_program_prints() {
         "docs/EQUATIONS.md is stale: run `asperity equations --markdown > docs/EQUATIONS.md`"
     );
 }
+
+/// Tags that a source notes while it runs, its tests left out.
+fn cited(text: &str) -> BTreeSet<String> {
+    let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+    code.lines()
+        .filter(|line| !line.trim_start().starts_with("//"))
+        .filter_map(|line| line.split_once("cite!(\"")?.1.split_once('"'))
+        .map(|(tag, _)| tag.to_owned())
+        .collect()
+}
+
+#[test]
+fn every_tagged_formula_notes_its_tag_when_it_runs_and_no_other() {
+    let mut missing = Vec::new();
+    for (name, text) in sources() {
+        let is_library = name.starts_with("crates/") && name.contains("/src/");
+        // The file that defines the macro shows it on an example.
+        if !is_library || name == "crates/core/src/provenance.rs" {
+            continue;
+        }
+        let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+        let (tagged, cited) = (tags(code), cited(&text));
+        for tag in tagged.symmetric_difference(&cited) {
+            missing.push(format!("{name}: {tag}"));
+        }
+    }
+    missing.sort();
+    assert!(
+        missing.is_empty(),
+        "tags without cite!, or cite! without a tagged formula in the same file:\n{}",
+        missing.join("\n")
+    );
+}

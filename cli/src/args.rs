@@ -85,7 +85,10 @@ pub enum Command {
     Regime(CaseArgs),
     /// The rough contact alone: of a case at one position, or of a bare gap file
     #[command(after_help = "Examples:\n  asperity contact case.toml\n  \
-        asperity contact --gap gap.csv --e-star \"115.4 GPa\" --load \"300000 N/m\" -o out.csv")]
+        asperity contact --gap gap.csv --e-star \"115.4 GPa\" --load \"300000 N/m\" -o out.csv\n  \
+        asperity contact --gap wave.csv --e-star \"115.4 GPa\" --approach \"1 um\" --kernel spectral\n  \
+        asperity contact --flanks one.csv other.csv --radius \"10 mm\" --e-star \"115.4 GPa\" \\\n    \
+        --load \"300 N/mm\" --pressure-limit \"3 GPa\" --running-in 8")]
     Contact(ContactArgs),
     /// Fluid pressure across the film against its thickness (the paper's Fig. 8)
     Film(FilmArgs),
@@ -255,32 +258,109 @@ pub enum FormulationArg {
 #[derive(Debug, Args)]
 pub struct ContactArgs {
     /// Case file, TOML (or JSON with the same keys)
-    #[arg(required_unless_present = "gap", conflicts_with = "gap")]
+    #[arg(
+        required_unless_present_any = ["gap", "flanks"],
+        conflicts_with_all = ["gap", "flanks"]
+    )]
     pub case: Option<PathBuf>,
     /// Position along the path of contact: A, B, C, D, E, or 0 (A) to 1 (E) [default: the case's]
-    #[arg(long, conflicts_with = "gap", allow_hyphen_values = true)]
+    #[arg(long, conflicts_with = "bare", allow_hyphen_values = true)]
     pub position: Option<PathPoint>,
     /// Gap of the undeformed bodies: CSV with columns x and h, units in the header
-    #[arg(long, requires = "e_star", requires = "load")]
+    #[arg(long, group = "bare", requires = "e_star")]
     pub gap: Option<PathBuf>,
+    /// Two profiles face to face: CSV with columns x and z each, heights out of the material
+    #[arg(long, group = "bare", num_args = 2, value_names = ["FIRST", "SECOND"],
+          requires = "e_star", requires = "radius", requires = "load")]
+    pub flanks: Option<Vec<PathBuf>>,
+    /// Relative radius of curvature of the two profiles, as "10 mm"
+    #[arg(long, requires = "flanks", allow_hyphen_values = true)]
+    pub radius: Option<Length>,
     /// Reduced modulus E*, as "115.4 GPa"
-    #[arg(long, value_name = "E*", requires = "gap", allow_hyphen_values = true)]
+    #[arg(long, value_name = "E*", requires = "bare", allow_hyphen_values = true)]
     pub e_star: Option<Pressure>,
     /// Load per length, as "300000 N/m" (per period when periodic)
-    #[arg(long, requires = "gap", allow_hyphen_values = true)]
+    #[arg(long, requires = "bare", allow_hyphen_values = true)]
     pub load: Option<LineLoad>,
-    /// The gap repeats itself; otherwise both ends are free
-    #[arg(long, requires = "gap")]
+    /// Approach of the bodies instead of a load, as "2 um"
+    #[arg(
+        long,
+        requires = "gap",
+        conflicts_with = "load",
+        allow_hyphen_values = true
+    )]
+    pub approach: Option<Length>,
+    /// Distance at which the displacement by a cell is zero [default: twice the window]
+    #[arg(long, requires = "approach", allow_hyphen_values = true)]
+    pub datum: Option<Length>,
+    /// Kernel of the displacement: a strip per cell with free ends, the same repeated for ever, or
+    /// the spectral one of a period
+    #[arg(long, value_enum, requires = "gap")]
+    pub kernel: Option<KernelArg>,
+    /// The gap repeats itself: short for --kernel periodised
+    #[arg(long, requires = "gap", conflicts_with = "kernel")]
     pub periodic: bool,
+    /// Further pressure on both bodies, such as a fluid's, beside the load: CSV with columns x and p
+    #[arg(long, requires = "gap")]
+    pub prescribed: Option<PathBuf>,
     /// Pressure at which the surface flows, as "3 GPa"
-    #[arg(long, requires = "gap", allow_hyphen_values = true)]
+    #[arg(long, requires = "bare", allow_hyphen_values = true)]
     pub pressure_limit: Option<Pressure>,
-    /// Tolerance of the certificate: duality gap, penetration and load error
+    /// Run the two profiles in: this many passes at even shifts in every cycle, until they stay elastic
+    #[arg(
+        long,
+        value_name = "PASSES",
+        requires = "flanks",
+        requires = "pressure_limit"
+    )]
+    pub running_in: Option<usize>,
+    /// Share of the plastic displacement that the first profile takes in running-in
+    #[arg(
+        long,
+        requires = "running_in",
+        default_value_t = 0.5,
+        allow_hyphen_values = true
+    )]
+    pub first_share: f64,
+    /// Write the stress below the surface per point, and print its largest values
+    #[arg(long, value_name = "FILE")]
+    pub stress: Option<PathBuf>,
+    /// Friction coefficient of full sliding, whose traction adds to the stress
+    #[arg(
+        long,
+        requires = "stress",
+        default_value_t = 0.0,
+        allow_hyphen_values = true
+    )]
+    pub friction: f64,
+    /// Poisson's ratio, for the stress
+    #[arg(
+        long,
+        requires = "stress",
+        default_value_t = 0.3,
+        allow_hyphen_values = true
+    )]
+    pub poisson: f64,
+    /// Elastic limit, to tell where the stress passes it
+    #[arg(long, requires = "stress", allow_hyphen_values = true)]
+    pub elastic_limit: Option<Pressure>,
+    /// Tolerance of the certificate: duality gap, penetration and load error; at most 1e-4
     #[arg(long, default_value_t = 1e-8, allow_hyphen_values = true)]
     pub tolerance: f64,
     /// Write pressure, gap and displacement per point
     #[arg(long, short)]
     pub output: Option<PathBuf>,
+}
+
+/// Kernel of the displacement under a pressure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum KernelArg {
+    /// Constant pressure over each cell, free ends
+    Strip,
+    /// Constant pressure over each cell, repeated with the gap
+    Periodised,
+    /// Band-limited pressure through the points, repeated with the gap
+    Spectral,
 }
 
 /// Which equations to print.

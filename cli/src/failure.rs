@@ -1,10 +1,14 @@
 //! Errors as the user sees them: a code, a place, what to do; a picture of the line on a terminal.
 
 use std::io::{IsTerminal, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
-use asperity::case::{Place, Source};
+use asperity::case::Place;
+use asperity::{Error, Remedy};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource};
+
+use crate::words;
 
 /// An error with its stable code.
 #[derive(Debug, thiserror::Error)]
@@ -12,7 +16,11 @@ use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, Na
 pub struct Failure {
     code: &'static str,
     message: String,
-    snippet: Option<Snippet>,
+    place: Option<Place>,
+    remedy: Remedy,
+    snippet: Option<Box<Snippet>>,
+    /// Advice of its own, in place of that of its code.
+    own_advice: Option<&'static str>,
     is_told: bool,
 }
 
@@ -28,9 +36,18 @@ impl Failure {
         Self {
             code,
             message: message.into(),
+            place: None,
+            remedy: Remedy::none(),
             snippet: None,
+            own_advice: None,
             is_told: false,
         }
+    }
+
+    /// The same error with advice that fits its command better than that of its code.
+    pub fn advising(mut self, advice: &'static str) -> Self {
+        self.own_advice = Some(advice);
+        self
     }
 
     /// The same error, of which only the exit status is still to be told.
@@ -39,15 +56,44 @@ impl Failure {
         self
     }
 
-    /// The same error with the place in the case file that it is about.
-    pub fn at(mut self, place: Option<&Place>, source: &Source) -> Self {
-        self.snippet = place.and_then(|place| {
-            let span = place.span.clone()?;
-            Some(Snippet {
-                text: NamedSource::new(source.name(), source.text().to_owned()),
+    /// An error of the orchestrator, in the words of the case file.
+    pub fn of(error: &Error) -> Self {
+        Self::saying(error, &error.to_string())
+    }
+
+    /// An error of the orchestrator about the case in `file`.
+    pub fn about(file: &Path, error: &Error) -> Self {
+        Self::saying(error, &format!("{}: {error}", file.display()))
+    }
+
+    fn saying(error: &Error, message: &str) -> Self {
+        let place = error.place();
+        let flank = place
+            .and_then(|place| place.key.as_deref())
+            .filter(|key| key.starts_with("surface.wheel"))
+            .map_or("surface.pinion", |_| "surface.wheel");
+        let remedy = error.remedy();
+        let snippet = || {
+            let (text, span) = (error.text()?, place?.span.clone()?);
+            Some(Box::new(Snippet {
+                text: NamedSource::new(text.name(), text.text().to_owned()),
                 label: LabeledSpan::at(span, "here"),
-            })
-        });
+            }))
+        };
+        Self {
+            code: error.code(),
+            message: words::with_keys(message, &remedy, flank),
+            place: place.cloned(),
+            remedy,
+            snippet: snippet(),
+            own_advice: None,
+            is_told: false,
+        }
+    }
+
+    /// The same error with more told at its end.
+    pub fn adding(mut self, more: &str) -> Self {
+        self.message.push_str(more);
         self
     }
 
@@ -84,20 +130,23 @@ impl Failure {
             "error": {
                 "code": self.code,
                 "message": self.message,
-                "remedy": self.remedy(),
+                "remedy": self.advice(),
+                "actions": self.remedy,
+                "place": self.place,
                 "exit_status": self.status(),
             }
         })
     }
 
-    /// What to do about it.
-    fn remedy(&self) -> Option<&'static str> {
-        asperity::message::explain(self.code).map(|entry| entry.remedy)
+    /// The advice of its own, or the general advice of its code.
+    fn advice(&self) -> Option<String> {
+        let own = self.own_advice.map(str::to_owned);
+        own.or_else(|| words::advice(self.code))
     }
 
     /// With the line of the case file on a terminal, plain otherwise.
     fn rendered(&self) -> String {
-        let plain = match self.remedy() {
+        let plain = match self.advice() {
             Some(remedy) => format!("{self}\n  help: {remedy}"),
             None => self.to_string(),
         };
@@ -118,7 +167,7 @@ impl Failure {
 
 impl Diagnostic for Failure {
     fn help<'a>(&'a self) -> Option<Box<dyn std::fmt::Display + 'a>> {
-        Some(Box::new(self.remedy()?))
+        Some(Box::new(self.advice()?))
     }
 
     fn source_code(&self) -> Option<&dyn miette::SourceCode> {

@@ -4,6 +4,7 @@ mod args;
 mod commands;
 mod failure;
 mod output;
+mod words;
 
 use std::panic::AssertUnwindSafe;
 use std::process::ExitCode;

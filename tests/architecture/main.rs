@@ -31,8 +31,25 @@ const ALLOWED: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "crates/report",
+        &["asperity", "asperity-core", "asperity-roughness"],
+    ),
+    (
+        "crates/studies",
+        &[
+            "asperity-report",
+            "asperity",
+            "asperity-core",
+            "asperity-roughness",
+            "asperity-contact",
+            "asperity-ns-film",
+        ],
+    ),
+    (
         "cli",
         &[
+            "asperity-studies",
+            "asperity-report",
             "asperity",
             "asperity-core",
             "asperity-contact",

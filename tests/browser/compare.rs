@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use asperity::case::{CaseInput, FlankInput, load_with};
-use asperity::report::compare::{Comparison, Finish, compare, write};
+use asperity_studies::compare::{Comparison, Finish, compare, write};
 
 use crate::chromium;
 

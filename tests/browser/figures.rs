@@ -13,7 +13,7 @@ fn every_figure_has_its_table_and_a_place_in_the_docs() {
     )
     .unwrap();
     let place = tempfile::tempdir().unwrap();
-    let files = asperity::report::figures::write(&case, place.path()).unwrap();
+    let files = asperity_studies::figures::write(&case, place.path()).unwrap();
     let docs = std::fs::read_to_string(root.join("docs/FIGURES.md")).unwrap();
     for number in ["06", "07", "08", "09", "10", "11", "12", "13"] {
         let of = |ending: &str| {

@@ -20,7 +20,7 @@ fn folder(case: &str, formulation: Option<Formulation>) -> (tempfile::TempDir, s
     let outcome = asperity::run(&loaded, &|_, _| {}).unwrap();
     let place = tempfile::tempdir().unwrap();
     let target = place.path().join("result");
-    asperity::report::write_folder(&outcome, &target).unwrap();
+    asperity_report::write_folder(&outcome, &target).unwrap();
     (place, target)
 }
 
@@ -163,15 +163,15 @@ fn a_report_is_drawn_anew_from_its_folder_with_another_position() {
     let (_keep, folder) = folder("e-drive.toml", None);
     let page = folder.join("report.html");
     let first = std::fs::read_to_string(&page).unwrap();
-    asperity::report::html::write(&folder.join("result.json"), None).unwrap();
+    asperity_report::redraw(&folder.join("result.json"), None).unwrap();
     assert_eq!(std::fs::read_to_string(&page).unwrap(), first);
-    asperity::report::html::write(&folder, Some(32)).unwrap();
+    asperity_report::redraw(&folder, Some(32)).unwrap();
     assert!(
         std::fs::read_to_string(&page)
             .unwrap()
             .contains("position_32/surface.csv")
     );
-    assert!(asperity::report::html::write(&folder, Some(33)).is_err());
+    assert!(asperity_report::redraw(&folder, Some(33)).is_err());
 }
 
 #[test]
@@ -184,7 +184,7 @@ fn a_trace_of_a_hundred_thousand_points_makes_a_page_that_still_opens_quickly() 
         rows.push_str(&format!("{},{z},{z},{z}\n", f64::from(i) * 0.5));
     }
     std::fs::write(folder.join("flank_pinion.csv"), rows).unwrap();
-    let page = asperity::report::html::write(&folder, None).unwrap();
+    let page = asperity_report::redraw(&folder, None).unwrap();
     /// The page with the short trace is about 1 MB.
     const LARGEST: u64 = 4_000_000;
     assert!(std::fs::metadata(&page).unwrap().len() < LARGEST);

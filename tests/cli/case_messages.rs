@@ -280,8 +280,8 @@ fn options_that_make_no_sense_are_refused_before_any_work() {
         ),
         (
             &["contact", "case.toml", "--tolerance", "1"],
-            "E209",
-            "at most 0.01",
+            "E211",
+            "at most 1e-4",
         ),
         (
             &["contact", "case.toml", "--tolerance", "nan"],

@@ -53,23 +53,23 @@ fn unreadable() -> Vec<Bad> {
     let far = |z: f64| format!("{:.1}", 1e4 * z);
     vec![
         bad("flank.csv", decimal_comma_from_line_38(), &["--decimal", "point"], "E101",
-            &["flank.csv:38: cannot read \"0,4312\" as a number", "the file looks like ';' with decimal comma", "Try --decimal comma"]),
+            &["flank.csv:38: cannot read \"0,4312\" as a number", "the file looks like ';' with decimal comma", "Pass --decimal comma"]),
         bad("odd.csv", with_row(40, "20.0,O.431"), &[], "E101", &["odd.csv:42: cannot read \"O.431\"", "Correct or remove this line"]),
         bad("empty.csv", "", &[], "E102", &["empty.csv: no rows of numbers found in 0 lines", "Export the profile"]),
         bad("prose.csv", "Dear Sir,\nthe flank is fine.\n", &[], "E102", &["the first reads \"Dear Sir,\""]),
         bad("thin.csv", trace("x_um,z_um", 1000), &["--columns", "7"], "E102", &["no rows of numbers"]),
         bad("nounit.csv", format!("x,z\n{}", rows(1000, |i, z| format!("{:.1},{}", 0.5 * i as f64, far(z)))), &[], "E104",
-            &["nounit.csv: no unit found and heights span", "Say --z-unit um | nm | mm"]),
+            &["nounit.csv: no unit found and heights span", "Pass --z-unit um | nm | mm"]),
         bad("back.csv", with_row(500, "1.0,0.1"), &[], "E105", &["back.csv:502: x goes from 249.5 to 1", "--columns"]),
         bad("few.csv", trace("x_um,z_um", 50), &[], "E106", &["few.csv: 50 points", "at least 100"]),
         bad("gap.csv", with_row(77, "38.5,NaN"), &[], "E107", &["gap.csv:79: 1 of 1000 points", "\"38.5,NaN\"", "--gaps interpolate"]),
         bad("noise.dat", vec![0, 159, 3, 200, 0, 1, 7, 255, 0, 12, 0, 0, 9, 130, 4], &[], "E108", &["noise.dat: binary data", "Export the profile"]),
         bad("sheet.xlsx", b"PK\x03\x04\x14\0\x06\0\x08\0".to_vec(), &[], "E108", &["sheet.xlsx", "is not read by this version"]),
         bad("uneven.csv", with_row(500, "250.3,0.1"), &[], "E109", &["uneven.csv:502: uneven spacing, x = 250.3", "Resample"]),
-        bad("one.csv", rows(1000, |_, z| format!("{z:.5}")), &["--z-unit", "um"], "E110", &["one.csv: the heights come without an x column", "Say --dx"]),
+        bad("one.csv", rows(1000, |_, z| format!("{z:.5}")), &["--z-unit", "um"], "E110", &["one.csv: the heights come without an x column", "Pass --dx"]),
         bad("ragged.csv", with_row(50, "25.0,0.1,9"), &[], "E111", &["ragged.csv:52: 3 columns where other rows have 2", "\"25.0,0.1,9\""]),
-        bad("three.csv", format!("a,b,c\n{}", rows(500, |i, z| format!("{i},{z:.4},{z:.4}"))), &[], "E112", &["three.csv: 3 columns", "Say --columns 1,2"]),
-        bad("commas.csv", rows(500, |i, z| format!("{i},5,0,{}", (100.0 * z.abs()) as u32)), &[], "E113", &["commas.csv:1: \"0,5,0,", "Say --separator and --decimal"]),
+        bad("three.csv", format!("a,b,c\n{}", rows(500, |i, z| format!("{i},{z:.4},{z:.4}"))), &[], "E112", &["three.csv: 3 columns", "Pass --columns 1,2"]),
+        bad("commas.csv", rows(500, |i, z| format!("{i},5,0,{}", (100.0 * z.abs()) as u32)), &[], "E113", &["commas.csv:1: \"0,5,0,", "Pass --separator and --decimal"]),
         bad("inch.csv", trace("x [inch],z [inch]", 500), &[], "E114", &["inch.csv: the header gives the heights in \"inch\"", "m, mm, um, nm"]),
         bad("turned.csv", trace("x_um,z_um", 500), &["--dx", "-1um"], "E116", &["turned.csv: spacing is", "which no profile has"]),
         bad("short.csv", trace("x_um,z_um", 200), &[], "E120", &["short.csv: the profile is", "needs at least 800 um"]),
@@ -157,8 +157,8 @@ fn options_of_the_reader_are_keys_of_a_case() {
         with_line("pinion", "pinion = { file = \"nounit.csv\" }"),
     );
     let says = [
-        "Say --z-unit um | nm | mm",
-        "--z-unit um is z_unit = \"um\"",
+        "Write z_unit = \"um\", or \"nm\", or \"mm\" in surface.pinion",
+        "(named at case.toml:",
     ];
     bench.run(&["run", "case.toml"]).refused(2, "E104", &says);
     let line = "pinion = { file = \"nounit.csv\", x_unit = \"um\", z_unit = \"nm\" }";
@@ -179,9 +179,9 @@ fn noted() -> Vec<Noted> {
     let long = 8000;
     let arc = |i: usize| 38.0 * (i as f64 / 1500.0 - 1.0).powi(2);
     vec![
-        (trace("x,z", long), &[], "W111", &["no unit found for the x values", "taken as um", "Say --x-unit um to confirm"]),
+        (trace("x,z", long), &[], "W111", &["no unit found for the x values", "taken as um", "Pass --x-unit um to confirm"]),
         (format!("x_um,z_um\n{}", rows(3001, |i, z| format!("{:.1},{:.5}", 0.5 * i as f64, z + arc(i)))), &["--lambda-c", "0.25 mm"],
-            "W112", &["form not removed (parabola of 38", "over 1.5 mm", "is not roughness. Try --form poly2"]),
+            "W112", &["form not removed (parabola of 38", "over 1.5 mm", "is not roughness. Pass --form poly2"]),
         (trace("x_um,z_um", long), &["--dx", "1um"], "W113", &["spacing 1 um is more than a fifth of lambda_s 2.5 um"]),
         (trace("x_um,z_um", 4000), &[], "W114", &["sampling lengths of 800 um", "five are normal"]),
         (with_row(77, "38.5,NaN"), &["--gaps", "interpolate", "--lambda-c", "0.08 mm"], "W115", &["1 missing points interpolated"]),

@@ -1,6 +1,7 @@
 //! Damaged case files: whatever stands in one, it is read, or refused with a code.
 
-use asperity::case::{CaseError, CaseInput, LoadedCase, Source, load, resolve};
+use asperity::Error;
+use asperity::case::{CaseInput, LoadedCase, Source, load, resolve};
 use asperity::message;
 use proptest::prelude::*;
 
@@ -145,13 +146,14 @@ fn values(text: &str) -> Vec<(usize, usize)> {
 }
 
 /// Reads a case as far as it goes without opening the files it names.
-fn read(name: &str, text: &str) -> Result<(), CaseError> {
+fn read(name: &str, text: &str) -> Result<(), Error> {
     let source = Source::new(name, text)?;
     let input: CaseInput = source.read()?;
-    resolve(input, &source).map(|_| ())
+    resolve(input, &source)?;
+    Ok(())
 }
 
-fn is_read_or_refused_with_a_code(read: Result<(), CaseError>) {
+fn is_read_or_refused_with_a_code(read: Result<(), Error>) {
     if let Err(error) = read {
         let entry = message::explain(error.code());
         assert!(entry.is_some(), "{}: {error}", error.code());
@@ -250,8 +252,8 @@ fn loaded(text: &str) -> Option<LoadedCase> {
     std::fs::write(&file, text).unwrap();
     match load(&file, None) {
         Ok(case) => Some(case),
-        Err((error, _)) => {
-            is_read_or_refused_with_a_code(Err(*error));
+        Err(error) => {
+            is_read_or_refused_with_a_code(Err(error));
             None
         }
     }

@@ -11,9 +11,11 @@ mod bench;
 
 mod case_messages;
 mod codes;
+mod contact;
 mod file_messages;
 mod fuzz;
 mod instrument_files;
+mod outside;
 mod profile_reports;
 mod result_messages;
 mod results;

@@ -184,7 +184,7 @@ fn a_filter_asked_for_is_applied_whatever_the_preset() {
     let bench = Bench::new();
     bench.write("flank.csv", trace("x_um,z_um", 6000));
     let said = bench.run(&["profile", "info", "flank.csv", "--level", "--robust"]);
-    said.refused(2, "E205", &["--robust", "say --lambda-c"]);
+    said.refused(2, "E205", &["--robust", "pass --lambda-c"]);
     let said = bench.run(&["profile", "info", "flank.csv", "--lambda-c", "-1mm"]);
     said.refused(2, "E120", &["flank.csv: cut-off", "must be"]);
 }
@@ -318,18 +318,18 @@ fn a_trace_too_short_is_told_what_it_is_long_enough_for() {
         "1mm.csv",
         &[
             "read as delimited text, 2000 points",
-            "Say --lambda-c 0.25mm, or --level",
+            "Pass --lambda-c 0.25mm, or --level",
         ],
     );
     let said = bench.run(&["profile", "info", "1mm.csv", "--lambda-c", "0.25mm"]);
     said.well();
     bench.write("short.csv", trace("x_um,z_um", 120));
-    refused("short.csv", &["120 points. Say --level for no filter"]);
+    refused("short.csv", &["120 points. Pass --level for no filter"]);
     let heights = rows(2000, |_, z| format!("{z:.4}"));
     bench.write("r.tx2", format!("1.00000\n2000\n{heights}"));
     let conditions = "Evaluation length\t1.0mm\nCutoff value\t0.25mm\n";
     bench.write("r.tx3", conditions);
-    refused("r.tx2", &["It was filtered before: say --as-is"]);
+    refused("r.tx2", &["It was filtered before: pass --as-is"]);
     let many = ["profile", "info", "1mm.csv", "--as-is", "--sections", "900"];
     bench
         .run(&many)
@@ -347,7 +347,7 @@ fn a_roughness_profile_taken_as_it_is_is_not_warned_of() {
     assert!(codes(&["--lambda-c", "0.25mm"]).contains("W118"));
     assert!(!codes(&["--as-is"]).contains("W118"));
     let said = bench.run(&["profile", "info", "r.csv", "--lambda-c", "0.25mm"]);
-    let hint = "to take it as the instrument filtered it, say --as-is";
+    let hint = "to take it as the instrument filtered it, pass --as-is";
     assert!(said.well().unwrapped().contains(hint));
 }
 

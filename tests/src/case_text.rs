@@ -51,7 +51,7 @@ impl CaseText {
     pub fn load_in(&self, folder: &Path) -> LoadedCase {
         let file = folder.join("case.toml");
         std::fs::write(&file, self.0.to_string()).unwrap();
-        load(&file, None).map_err(|(error, _)| error).unwrap()
+        load(&file, None).unwrap()
     }
 
     /// The case, which names no files.

@@ -1,6 +1,7 @@
 //! Report files of GEARpie (C. Fernandes, FEUP; MIT licence), an independent open gear tool: calculated,
 //! not measured. Its steel has 206 GPa.
 
+use asperity::pipeline::station_at;
 use asperity::station::Station;
 use asperity_gear::LoadSharing;
 use asperity_tests::{CaseText, table_2};
@@ -171,7 +172,7 @@ impl Printed {
 
     fn at_pitch_point(&self) -> Station {
         let case = self.case().load().case;
-        Station::new(&case, 1, case.gears.path().c, 0.0).unwrap()
+        station_at(&case, case.gears.path().c).unwrap()
     }
 }
 
@@ -295,16 +296,10 @@ fn fzg_gears_press_as_hard_as_reported_where_one_pair_carries_all() {
     // the lowest point of single contact.
     let case =
         std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases/fzg-c.toml");
-    let case = asperity::case::load(&case, None)
-        .map_err(|(error, _)| error)
-        .unwrap()
-        .case;
+    let case = asperity::case::load(&case, None).unwrap().case;
     let b = case.gears.path().b;
     // Just inside, where the share has reached one.
     let inside = b + (case.gears.path().c - b) * 1e-3;
-    let pressure = Station::new(&case, 1, inside, 0.0)
-        .unwrap()
-        .hertz
-        .max_pressure;
+    let pressure = station_at(&case, inside).unwrap().hertz.max_pressure;
     asperity_tests::assert_close("p0", pressure.si(), 1400e6, 0.03);
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::case::{self, CaseInput, FlankInput, LoadedCase};
-use asperity::report::compare::{self, Finish};
+use asperity_studies::compare::{self, Finish};
 
 use crate::args::{Common, CompareArgs, FinishArg};
 use crate::failure::Failure;
@@ -49,8 +49,7 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
         }
     });
     bar.finish_and_clear();
-    let found = found
-        .map_err(|error| Failure::new(error.code(), format!("{}: {error}", args.case.display())))?;
+    let found = found.map_err(|error| Failure::about(&args.case, &error))?;
     let folder = args.output.clone().unwrap_or_else(|| {
         let stem = args.case.file_stem().unwrap_or_default().to_string_lossy();
         Path::new("results").join(format!("{stem}-compare"))
@@ -99,5 +98,5 @@ fn load(args: &CompareArgs, finish: &FinishArg) -> Result<LoadedCase, Failure> {
         input.model.offsets = Some(args.offsets);
     };
     case::load_with(&args.case, &change)
-        .map_err(|(error, _)| Failure::new(error.code(), format!("{error} (--finish {name})")))
+        .map_err(|error| Failure::of(&error).adding(&format!(" (--finish {name})")))
 }

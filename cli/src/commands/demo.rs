@@ -42,7 +42,7 @@ fn write(files: &[TextFile], folder: &Path) -> std::io::Result<()> {
         _ => Path::new("."),
     };
     std::fs::create_dir_all(parent)?;
-    let draft = asperity::report::draft_folder(parent)?;
+    let draft = asperity_report::draft_folder(parent)?;
     let made = draft.path().join("demo");
     std::fs::create_dir(&made)?;
     for file in files {

@@ -1,6 +1,6 @@
 //! `asperity figures`: the figures of the 2022 paper.
 
-use asperity::report::figures::{self, FigureError};
+use asperity_studies::figures::{self, FigureError};
 
 use super::load_case;
 use crate::args::{Common, FiguresArgs, FormulationArg};
@@ -22,9 +22,8 @@ pub fn figures(args: &FiguresArgs, common: &Common) -> Result<(), Failure> {
 }
 
 fn refused(error: &FigureError) -> Failure {
-    let code = match error {
-        FigureError::Run(error) => error.code(),
-        _ => "E401",
-    };
-    Failure::new(code, error.to_string())
+    match error {
+        FigureError::Run(error) => Failure::of(error),
+        _ => Failure::new("E401", error.to_string()),
+    }
 }

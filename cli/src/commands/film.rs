@@ -11,8 +11,7 @@ use crate::output::{print_json, print_text};
 pub fn film(args: &FilmArgs, common: &Common) -> Result<(), Failure> {
     let loaded = load_case(&args.case, None)?;
     let place = on_the_path(&loaded, args.position)?;
-    let found = survey(&loaded, place)
-        .map_err(|error| Failure::new(error.code(), format!("{}: {error}", args.case.display())))?;
+    let found = survey(&loaded, place).map_err(|error| Failure::about(&args.case, &error))?;
     if common.json {
         return print_json(&found);
     }

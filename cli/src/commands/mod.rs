@@ -25,13 +25,7 @@ fn load_case(path: &Path, formulation: Option<FormulationArg>) -> Result<LoadedC
         FormulationArg::Corrected => Formulation::Corrected,
         FormulationArg::Paper => Formulation::Paper,
     });
-    case::load(path, formulation).map_err(|(error, source)| {
-        let failure = Failure::new(error.code(), error.to_string());
-        match &source {
-            Some(source) => failure.at(error.place(), source),
-            None => failure,
-        }
-    })
+    case::load(path, formulation).map_err(|error| Failure::of(&error))
 }
 
 /// A place on the path of contact as the user gave it, 0 at A and 1 at E, checked.

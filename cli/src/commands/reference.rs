@@ -2,10 +2,12 @@
 
 use asperity::{equations, message};
 use asperity_core::Equation;
+use serde_json::{Value, json};
 
 use crate::args::{Common, EquationsArgs};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
+use crate::words;
 
 /// `asperity equations`
 pub fn equations(args: &EquationsArgs, common: &Common) -> Result<(), Failure> {
@@ -51,7 +53,8 @@ fn unknown_tag(tag: &str) -> Failure {
 pub fn explain(code: Option<&str>, common: &Common) -> Result<(), Failure> {
     let Some(code) = code else {
         if common.json {
-            return print_json(&message::EXPLANATIONS);
+            let all: Vec<_> = message::EXPLANATIONS.iter().map(as_json).collect();
+            return print_json(&all);
         }
         let lines = message::EXPLANATIONS
             .iter()
@@ -65,15 +68,28 @@ pub fn explain(code: Option<&str>, common: &Common) -> Result<(), Failure> {
         )
     })?;
     if common.json {
-        return print_json(entry);
+        return print_json(&as_json(entry));
     }
     print_text(
         common,
         &format!(
             "{}  {}\n  why         {}\n  what to do  {}\n",
-            entry.code, entry.title, entry.meaning, entry.remedy
+            entry.code,
+            entry.title,
+            entry.meaning,
+            words::advice(entry.code).unwrap_or_default()
         ),
     )
+}
+
+fn as_json(entry: &message::Explanation) -> Value {
+    json!({
+        "code": entry.code,
+        "title": entry.title,
+        "meaning": entry.meaning,
+        "remedy": words::advice(entry.code),
+        "settings": entry.settings,
+    })
 }
 
 /// `asperity schema`

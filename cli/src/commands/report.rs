@@ -1,6 +1,6 @@
 //! `asperity report`: the page of a result, drawn anew.
 
-use asperity::report::{ReportError, html};
+use asperity_report::{ReportError, redraw};
 
 use crate::args::{Common, ReportArgs};
 use crate::failure::Failure;
@@ -8,7 +8,7 @@ use crate::output::{print_json, print_text};
 
 /// `asperity report`
 pub fn report(args: &ReportArgs, common: &Common) -> Result<(), Failure> {
-    let page = html::write(&args.result, args.position).map_err(|error| refused(&error))?;
+    let page = redraw(&args.result, args.position).map_err(|error| refused(&error))?;
     if common.json {
         return print_json(&serde_json::json!({ "report": page }));
     }
@@ -17,7 +17,11 @@ pub fn report(args: &ReportArgs, common: &Common) -> Result<(), Failure> {
 
 fn refused(error: &ReportError) -> Failure {
     let code = match error {
-        ReportError::NotAResult { .. } | ReportError::NoSuchPosition { .. } => "E402",
+        ReportError::NotAResult { .. }
+        | ReportError::Damaged { .. }
+        | ReportError::BadTable { .. }
+        | ReportError::NoValue { .. }
+        | ReportError::NoSuchPosition { .. } => "E402",
         _ => "E401",
     };
     Failure::new(code, error.to_string())

@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use asperity::report::{self, ReportError};
 use asperity::result::RunResult;
-use asperity::{RunError, pipeline};
+use asperity::{Error, pipeline};
+use asperity_report::{self as report, ReportError};
 
 use super::load_case;
 use crate::args::{Common, RunArgs};
@@ -50,6 +50,7 @@ fn text(result: &RunResult, args: &RunArgs, folder: Option<&Path>, begin: Instan
         for default in &result.defaults {
             let source = default
                 .source
+                .as_deref()
                 .map(|s| format!("  ({s})"))
                 .unwrap_or_default();
             text.push_str(&format!("  {} = {}{source}\n", default.key, default.value));
@@ -75,23 +76,23 @@ fn not_written(error: &ReportError) -> Failure {
 }
 
 /// The error of a run; a contact without solution is saved beside the result folders.
-fn failed(error: &RunError, args: &RunArgs, folder: Option<&Path>) -> Failure {
-    let mut message = format!("{}: {error}", args.case.display());
+fn failed(error: &Error, args: &RunArgs, folder: Option<&Path>) -> Failure {
+    let failure = Failure::about(&args.case, error);
     if let (Some(contact), Some(folder)) = (error.unsolved(), folder) {
         let name = folder.file_name().unwrap_or_default();
         let file = folder
             .with_file_name("failed")
             .join(name)
             .with_extension("csv");
-        match report::write_unsolved(contact, &file) {
-            Ok(()) => message.push_str(&format!(
+        return match report::write_unsolved(contact, &file) {
+            Ok(()) => failure.adding(&format!(
                 ". Fields saved in {}: asperity contact --gap solves it alone",
                 file.display()
             )),
-            Err(error) => message.push_str(&format!(". Its fields could not be saved: {error}")),
-        }
+            Err(error) => failure.adding(&format!(". Its fields could not be saved: {error}")),
+        };
     }
-    Failure::new(error.code(), message)
+    failure
 }
 
 fn result_folder(args: &RunArgs) -> PathBuf {

@@ -15,7 +15,7 @@ fn case(name: &str, formulation: Formulation) -> LoadedCase {
         .join(name);
     match load(&path, Some(formulation)) {
         Ok(loaded) => loaded,
-        Err((error, _)) => panic!("{error}"),
+        Err(error) => panic!("{error}"),
     }
 }
 

@@ -6,6 +6,7 @@ use asperity_gear::LossFactors;
 use crate::case::Case;
 use crate::comparison::friction_laws;
 use crate::error::PositionError;
+use crate::flank_record::FlankRecord;
 use crate::position::Position;
 use crate::result::{
     Losses, OffsetRow, Outcome, PositionRow, Regime, RunResult, RunningIn, SCHEMA_VERSION, Summary,
@@ -40,7 +41,7 @@ impl Solved<'_> {
             running_in: running_in(case, &self.meshes),
             summary,
             warnings,
-            flanks: self.loaded.flanks.clone(),
+            flanks: [0, 1].map(|body| FlankRecord::from(&self.loaded.flanks[body])),
             gears: case.gears.clone(),
             lubricant: case.oil,
             inputs: case.input.clone(),
@@ -56,6 +57,7 @@ impl Solved<'_> {
             result,
             offsets: offset_rows(&self.meshes),
             fields: fields.collect(),
+            traces: [0, 1].map(|body| self.loaded.flanks[body].trace.clone()),
         })
     }
 
@@ -177,7 +179,8 @@ fn row(case: &Case, position: &Position, rolling: f64, per_width: f64) -> Positi
         film_central_um: station.film.central.si() * 1e6,
         film_minimum_um: station.film.minimum.si() * 1e6,
         lambda_star: (!known.is_empty()).then(|| mean(known.iter().copied())),
-        film_ratio: over(|offset| offset.film_ratio),
+        // Between flat flanks it has no limit.
+        film_ratio: Some(over(|offset| offset.film_ratio)).filter(|ratio| ratio.is_finite()),
         mixed_share: share,
         regime: if share >= 0.5 {
             Regime::Mixed

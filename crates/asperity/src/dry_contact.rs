@@ -6,10 +6,9 @@ use asperity_core::quantity::Length;
 
 use crate::branch::{Mixed, mixed};
 use crate::case::LoadedCase;
-use crate::chosen_laws::ChosenLaws;
 use crate::encounter::Encounter;
 use crate::error::{PositionError, RunError};
-use crate::stations::station;
+use crate::stations::station_at;
 
 /// A dry rough contact.
 #[derive(Debug, Clone)]
@@ -39,7 +38,7 @@ fn solve(loaded: &LoadedCase, path_fraction: f64) -> Result<DryContact, Position
     let case = &loaded.case;
     let path = case.gears.path();
     let s: Length = path.a + (path.e - path.a) * path_fraction;
-    let station = station(case, &ChosenLaws::of(case), 1, s, 0.0)?;
+    let station = station_at(case, s)?;
     let encounter = Encounter::new(&loaded.surfaces, &station, case.model.window, 0, 1)?
         .ok_or(PositionError::NoProfile)?;
     let problem = Mixed {

@@ -1,7 +1,11 @@
-//! Why a run has no result.
+//! The error of the orchestrator: why a case cannot be run, or a run has no result.
 
 use asperity_contact::ContactError;
 use asperity_core::DomainError;
+use asperity_core::remedy::{Remedy, Setting, Value};
+
+use crate::case::{CaseError, Place, Source};
+use crate::message::explain;
 
 /// Why a mesh position has no solution.
 #[derive(Debug, Clone, thiserror::Error)]
@@ -29,9 +33,7 @@ pub enum PositionError {
     #[error(transparent)]
     Lubricant(#[from] asperity_core::lubricant::LubricantError),
     /// The flash temperature fed back into the oil does not settle.
-    #[error(
-        "the flash temperature did not settle in {passes} passes (last {flash_kelvin:.1} K); leave model.flash_feedback out"
-    )]
+    #[error("the flash temperature did not settle in {passes} passes (last {flash_kelvin:.1} K)")]
     FlashNotSettled {
         /// Last flash temperature \[K\].
         flash_kelvin: f64,
@@ -58,8 +60,7 @@ pub enum PositionError {
     },
     /// The prepared trace does not cover the window.
     #[error(
-        "the prepared trace of {available_um:.0} um is shorter than the contact window of {needed_um:.0} um; \
-         measure longer, choose a shorter cut-off, or reduce model.window"
+        "the prepared trace of {available_um:.0} um is shorter than the contact window of {needed_um:.0} um"
     )]
     TraceTooShort {
         /// Prepared length \[µm\].
@@ -68,9 +69,7 @@ pub enum PositionError {
         needed_um: f64,
     },
     /// The rough contact presses measured profiles together and a flank has none.
-    #[error(
-        "the rough contact presses two measured profiles together; give surface.pinion.file (and surface.wheel.file)"
-    )]
+    #[error("the rough contact presses two measured profiles together, and a flank has none")]
     NoProfile,
     /// Marching did not meet the load.
     #[error(
@@ -126,10 +125,32 @@ impl PositionError {
     }
 }
 
-/// Why a run has no result.
+/// Why a case cannot be run, or a run has no result.
+///
+/// [`code`](Self::code) is stable; [`place`](Self::place) and [`remedy`](Self::remedy) are data, so that a
+/// command line, a page or another language can put them in words of its own.
+///
+/// ```
+/// use asperity::case::from_text;
+/// let error = from_text("case.toml", "gears = 3", &|_| Ok(Vec::new())).unwrap_err();
+/// assert_eq!(error.code(), "E204");
+/// assert_eq!(error.place().and_then(|place| place.line), Some(1));
+/// assert!(error.to_string().starts_with("case.toml:1: gears: "));
+/// ```
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
-pub enum RunError {
+pub enum Error {
+    /// The case cannot be run.
+    #[error(transparent)]
+    Case(#[from] Box<CaseError>),
+    /// The case cannot be run, and its text is at hand to show the place.
+    #[error("{error}")]
+    CaseText {
+        /// Why.
+        error: Box<CaseError>,
+        /// The text of the case.
+        text: Box<Source>,
+    },
     /// A mesh position failed; nothing is reported.
     #[error("position {number} of {count}: {source}{}", advice(source))]
     Position {
@@ -143,6 +164,15 @@ pub enum RunError {
     /// The sums over the path failed.
     #[error(transparent)]
     Whole(#[from] Box<PositionError>),
+}
+
+/// The error of a run.
+pub type RunError = Error;
+
+impl From<CaseError> for Error {
+    fn from(error: CaseError) -> Self {
+        Self::Case(Box::new(error))
+    }
 }
 
 /// Digits that mean something, however small the value.
@@ -163,16 +193,34 @@ fn advice(source: &PositionError) -> &'static str {
     }
 }
 
-impl RunError {
-    fn source(&self) -> &PositionError {
+impl Error {
+    /// A case error with the text that it is about.
+    pub(crate) fn in_text(error: CaseError, text: Source) -> Self {
+        Self::CaseText {
+            error: Box::new(error),
+            text: Box::new(text),
+        }
+    }
+
+    /// The error of the case, where the case is to blame.
+    pub fn case(&self) -> Option<&CaseError> {
         match self {
-            Self::Position { source, .. } | Self::Whole(source) => source,
+            Self::Case(error) | Self::CaseText { error, .. } => Some(error),
+            Self::Position { .. } | Self::Whole(_) => None,
+        }
+    }
+
+    /// The error of a mesh position, where one is to blame.
+    pub fn position(&self) -> Option<&PositionError> {
+        match self {
+            Self::Position { source, .. } | Self::Whole(source) => Some(source),
+            Self::Case(_) | Self::CaseText { .. } => None,
         }
     }
 
     /// The rough contact that was not solved, where that is the reason.
     pub fn unsolved(&self) -> Option<&UnsolvedContact> {
-        match self.source() {
+        match self.position()? {
             PositionError::Unsolved(kept) => Some(kept),
             _ => None,
         }
@@ -180,15 +228,72 @@ impl RunError {
 
     /// Stable code of the message.
     pub fn code(&self) -> &'static str {
-        match self.source().reason() {
-            PositionError::TooCoarse { .. } => "E121",
-            PositionError::TraceTooShort { .. } => "E122",
-            PositionError::NoProfile => "E303",
-            PositionError::Marching { .. } => "E304",
-            PositionError::FlashNotSettled { .. } => "E301",
-            PositionError::Contact(ContactError::NotConverged { .. }) => "E301",
-            PositionError::Contact(ContactError::LimitBelowMeanPressure { .. }) => "E302",
+        match (self.case(), self.position()) {
+            (Some(error), _) => error.code(),
+            (None, Some(error)) => error.code(),
+            (None, None) => "E501",
+        }
+    }
+
+    /// Where in the case, when the error is about a place in it.
+    pub fn place(&self) -> Option<&Place> {
+        self.case()?.place()
+    }
+
+    /// The text of the case, where it came from a text; [`place`](Self::place) gives the span in it.
+    pub fn text(&self) -> Option<&Source> {
+        match self {
+            Self::CaseText { text, .. } => Some(text),
+            _ => None,
+        }
+    }
+
+    /// What can be done about this error; empty where no more is known than its code says.
+    pub fn remedy(&self) -> Remedy {
+        match (self.case(), self.position()) {
+            (Some(error), _) => error.remedy(),
+            (None, Some(error)) => error.remedy(),
+            (None, None) => Remedy::none(),
+        }
+    }
+
+    /// The general advice of the code.
+    pub fn advice(&self) -> &'static str {
+        explain(self.code()).map_or("", |entry| entry.remedy)
+    }
+}
+
+impl PositionError {
+    /// Stable code of the message.
+    pub fn code(&self) -> &'static str {
+        match self.reason() {
+            Self::TooCoarse { .. } => "E121",
+            Self::TraceTooShort { .. } => "E122",
+            Self::NoProfile => "E303",
+            Self::Marching { .. } => "E304",
+            Self::FlashNotSettled { .. } => "E301",
+            Self::Contact(ContactError::NotConverged { .. }) => "E301",
+            Self::Contact(ContactError::LimitBelowMeanPressure { .. }) => "E302",
             _ => "E305",
+        }
+    }
+
+    /// What can be done about this error; empty where no more is known than its code says.
+    pub fn remedy(&self) -> Remedy {
+        let key = Setting::Key;
+        match self.reason() {
+            Self::TraceTooShort { .. } => Remedy::act("measure a longer trace")
+                .or_set(Setting::Cutoff, Value::Any)
+                .because("to a shorter one")
+                .or_set(key("model.window"), Value::Any)
+                .because("to fewer half-widths"),
+            Self::FlashNotSettled { .. } => Remedy::omit(key("model.flash_feedback")),
+            Self::NoProfile => Remedy::act("give surface.pinion.file and surface.wheel.file"),
+            Self::Marching { .. } => Remedy::state(key("model.delta_step"))
+                .because("to a smaller one")
+                .or_set(key("model.numerical_error"), Value::Any)
+                .because("to a larger one"),
+            _ => Remedy::none(),
         }
     }
 }

@@ -27,7 +27,7 @@ pub(crate) fn pressure_at_gap(
 }
 
 /// The film between the two flanks at a station, `thickness` apart on the line of centres.
-pub(crate) fn film_at(case: &Case, station: &Station, thickness: Length) -> FilmConditions {
+pub fn film_at(case: &Case, station: &Station, thickness: Length) -> FilmConditions {
     FilmConditions {
         wall_1: station.motion.u1,
         wall_2: station.motion.u2,

@@ -1,4 +1,36 @@
 //! Laws of a user's own in place of those that the case file names.
+//!
+//! ```
+//! use std::{path::Path, sync::Arc};
+//!
+//! use asperity_core::Checked;
+//! use asperity_tribo_friction::{FilmContact, FilmFriction, FilmTraction, FrictionError};
+//!
+//! /// Limiting shear stress: 3 % of the pressure, and 1 MPa over the whole contact.
+//! #[derive(Debug)]
+//! struct Limit;
+//!
+//! impl FilmFriction for Limit {
+//!     fn name(&self) -> &str {
+//!         "limit"
+//!     }
+//!
+//!     fn traction(&self, at: &FilmContact<'_>) -> Result<Checked<FilmTraction>, FrictionError> {
+//!         let width = 2.0 * at.half_width.si();
+//!         let coefficient = 0.03 + 1e6 * width / at.position.load.si();
+//!         Ok(Checked::inside(FilmTraction::of(coefficient)))
+//!     }
+//! }
+//!
+//! let file = Path::new("../../fixtures/cases/e-drive.toml");
+//! let Ok(mut loaded) = asperity::case::load(file, None) else {
+//!     panic!("the shipped case is refused")
+//! };
+//! loaded.case = loaded.case.with_film_friction(Arc::new(Limit));
+//! let losses = asperity::losses(&loaded, &|_, _| {})?;
+//! assert!(losses.path.iter().all(|row| row.mu_film > 0.03));
+//! # Ok::<(), asperity::RunError>(())
+//! ```
 
 use std::sync::Arc;
 

@@ -1,8 +1,28 @@
 //! From two measured tooth flanks to the efficiency of a gear mesh.
 //!
-//! [`case::load`] reads a case file and the traces it names; [`pipeline::run`] computes it, pure data in
-//! and pure data out; [`report`] writes the result. The physics lives in the crates below this one; the
-//! order in which it is used lives in [`pipeline`] alone.
+//! A case comes from a file ([`case::load`]), from a text ([`case::from_text`]) or from quantities and heights
+//! ([`Case::builder`]); [`run`] computes it, pure data in and pure data out. The physics lives in the crates
+//! below this one, which are re-exported; the order in which it is used lives in [`pipeline`] alone.
+//!
+//! ```
+//! use asperity::prelude::*;
+//! let heights: Vec<f64> = (0..8000).map(|i| 2e-7 * (f64::from(i) * 0.7).sin()).collect();
+//! let case = Case::builder(
+//!     GearsInput::new([23, 68], "1.8 mm".parse()?, "32 mm".parse()?),
+//!     OperationInput::new("145 N m".parse()?, "9000 1/min".parse()?, "90 °C".parse()?),
+//!     LubricantInput { oil: Some("m100".to_owned()), ..LubricantInput::default() },
+//! )
+//! .pinion(Trace::from_heights(&heights, Length::from_si(0.5e-6))?)
+//! .change(|input| input.surface.cutoff = Some(Length::from_si(0.25e-3)))
+//! .change(|input| (input.model.positions, input.model.offsets) = (Some(8), Some(1)))
+//! .build()?;
+//! let summary = asperity::run(&case, &|_, _| ())?.result.summary;
+//! assert!((0.95..1.0).contains(&summary.efficiency));
+//! // A change reads nothing anew that it does not concern.
+//! let cooler = case.with_key("operation.temperature", "70 °C")?;
+//! assert!(asperity::run(&cooler, &|_, _| ())?.result.summary.loss_w != summary.loss_w);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod assembly;
 mod attention;
@@ -18,7 +38,8 @@ pub mod encounter;
 pub mod equations;
 pub mod error;
 mod fields;
-mod fluid;
+pub mod flank_record;
+pub mod fluid;
 mod formulation;
 mod friction;
 pub mod laws;
@@ -28,8 +49,8 @@ mod losses;
 pub mod message;
 pub mod pipeline;
 mod position;
+pub mod prelude;
 mod provenance;
-pub mod report;
 pub mod result;
 mod solve;
 mod solved;
@@ -38,5 +59,20 @@ mod stations;
 pub mod surfaces;
 pub mod survey;
 
-pub use error::{PositionError, RunError, UnsolvedContact};
+pub use case::{Case, CaseInput, LoadedCase};
+pub use error::{Error, PositionError, RunError, UnsolvedContact};
 pub use pipeline::{contacts, losses, run};
+pub use result::{Outcome, RunResult};
+
+// The crates that the orchestrator stands on, each of use alone.
+pub use asperity_contact as contact;
+pub use asperity_core as core;
+pub use asperity_core::quantity;
+pub use asperity_core::remedy::{self, Remedy};
+pub use asperity_efficiency as efficiency;
+pub use asperity_ehl_regime as ehl_regime;
+pub use asperity_gear as gear;
+pub use asperity_ns_film as ns_film;
+pub use asperity_profile_io as profile_io;
+pub use asperity_roughness as roughness;
+pub use asperity_tribo_friction as tribo_friction;

@@ -1,14 +1,19 @@
 //! Codes of errors and warnings, and what each means.
 //!
 //! Codes are stable: E1xx files, E2xx cases, E3xx solutions, W1xx about a file, W4xx about a result.
+//! No option of a command is named here: an explanation carries the settings it is about, and whoever shows it
+//! names them.
 
-use serde::Serialize;
+use std::borrow::Cow;
+
+use asperity_core::remedy::Setting;
+use serde::{Deserialize, Serialize};
 
 /// A warning that goes with a result.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Warning {
     /// Stable code, `W402`.
-    pub code: &'static str,
+    pub code: Cow<'static, str>,
     /// What was seen, what was expected.
     pub text: String,
 }
@@ -17,7 +22,7 @@ impl Warning {
     /// A warning of this code.
     pub fn new(code: &'static str, text: impl Into<String>) -> Self {
         Self {
-            code,
+            code: code.into(),
             text: text.into(),
         }
     }
@@ -40,6 +45,8 @@ pub struct Explanation {
     pub meaning: &'static str,
     /// What to do.
     pub remedy: &'static str,
+    /// The settings that the remedy is about.
+    pub settings: &'static [Setting],
 }
 
 /// The explanation of `code`, whatever its case.
@@ -55,68 +62,77 @@ pub fn explain(code: &str) -> Option<&'static Explanation> {
 }
 
 macro_rules! explanations {
-    ($($code:literal $title:literal : $meaning:literal => $remedy:literal;)+) => {
+    ($($code:literal $title:literal : $meaning:literal => $remedy:literal $([$($setting:ident),+])?;)+) => {
         /// Every code.
         pub const EXPLANATIONS: &[Explanation] = &[$(Explanation {
             code: $code, title: $title, meaning: $meaning, remedy: $remedy,
+            settings: &[$($(Setting::$setting),+)?],
         }),+];
     };
 }
 
 explanations! {
-    "E101" "a number cannot be read": "A cell of a file holds text where a height or a position was expected. Often the decimal sign is a comma." => "Look at the line named. Say --decimal comma, --separator or --columns when the file was misread (decimal, separator, columns in surface.pinion of a case).";
-    "E102" "no rows of numbers": "No line of the file is a row of numbers, or the columns asked for are not there." => "Check that the export is of the profile and not of the report, or name the columns with --columns.";
+    "E101" "a number cannot be read": "A cell of a file holds text where a height or a position was expected. Often the decimal sign is a comma." => "Look at the line named. If the file was misread, state its decimal sign, its separator or its columns." [Decimal, Separator, Columns];
+    "E102" "no rows of numbers": "No line of the file is a row of numbers, or the columns asked for are not there." => "Check that the export is of the profile and not of the report, or state the columns." [Columns];
     "E103" "a file cannot be opened": "The system refused to open a file that is to be read." => "Check the name and the permissions; names in a case are relative to the case file.";
-    "E104" "no unit": "Neither a header nor a unit row names the unit, and the values fit more than one." => "Say --z-unit um, nm or mm for the heights and --x-unit for the positions (z_unit, x_unit in surface.pinion of a case).";
-    "E105" "positions do not increase": "The column of positions goes back or stands still, so the points are not a trace." => "Export one trace per file, or choose the right columns with --columns.";
+    "E104" "no unit": "Neither a header nor a unit row names the unit, and the values fit more than one." => "State the unit of the heights (um, nm or mm) and of the positions." [ZUnit, XUnit];
+    "E105" "positions do not increase": "The column of positions goes back or stands still, so the points are not a trace." => "Export one trace per file, or state the right columns." [Columns];
     "E106" "too few points": "Fewer points than a roughness needs (100), or a contact." => "Export the whole trace.";
-    "E107" "missing points": "Some heights are missing or not numbers. A missing point is never filled in silence." => "Say --gaps interpolate (gaps = \"interpolate\" in a case) to bridge them by straight lines; the result records how many.";
+    "E107" "missing points": "Some heights are missing or not numbers. A missing point is never filled in silence." => "Let the gaps be interpolated, which bridges them by straight lines; the result records how many." [Gaps];
     "E108" "format known but not read": "The file is of a format that this version does not read." => "Export the profile as text or CSV from the instrument's software.";
-    "E109" "uneven spacing": "The positions are not evenly spaced within what rounding explains." => "Resample the trace in the instrument's software, or say --dx to leave the positions out.";
-    "E110" "spacing not known": "The file holds heights alone, so the distance of the points must be stated." => "Say --dx, as --dx 0.5um (dx = \"0.5 um\" in surface.pinion of a case).";
+    "E109" "uneven spacing": "The positions are not evenly spaced within what rounding explains." => "Let the trace be resampled by straight lines, or state the spacing to leave the positions out." [Uneven, Spacing];
+    "E110" "spacing not known": "The file holds heights alone, so the distance of the points must be stated." => "State the spacing of the points, as 0.5 um." [Spacing];
     "E111" "a row of another width": "A line has more or fewer columns than the others." => "Correct or remove the line.";
-    "E112" "columns not clear": "Several columns and no header that tells which are position and height." => "Say --columns 1,2 (columns = { x = 1, z = 2 } in a case).";
-    "E113" "commas not clear": "The commas may separate columns or be decimal signs, and both readings make sense." => "Say --separator and --decimal, or export with semicolons.";
-    "E114" "unit not known": "The header names a unit that is not one of m, mm, um, nm." => "Convert the file, or say --z-unit or --x-unit if the header is wrong.";
-    "E115" "separator does not fit": "The file does not read with the separator that was stated." => "Leave --separator away, or say what separates the columns.";
-    "E116" "impossible trace": "The numbers make no profile: no extent, or beyond all measure." => "Check units, columns and --dx.";
+    "E112" "columns not clear": "Several columns and no header that tells which are position and height." => "State the columns of position and height." [Columns];
+    "E113" "commas not clear": "The commas may separate columns or be decimal signs, and both readings make sense." => "State the separator and the decimal sign, or export with semicolons." [Separator, Decimal];
+    "E114" "unit not known": "The header names a unit that is not one of m, mm, um, nm, inch, mil, uin." => "Convert the file, or state the unit if the header is wrong." [ZUnit, XUnit];
+    "E115" "separator does not fit": "The file does not read with the separator that was stated." => "Leave the separator out, or state what separates the columns." [Separator];
+    "E116" "impossible trace": "The numbers make no profile: no extent, or beyond all measure." => "Check units, columns and spacing." [ZUnit, XUnit, Columns, Spacing];
     "E117" "damaged file": "The file breaks the rules of its own format: a header that cannot be read, or fewer heights than it says." => "Export it again, or as text; a file that was cut off in transfer is the usual cause.";
     "E118" "file too large": "The file, one of its lines, or what it unpacks to, is larger than any profile." => "Export a single profile.";
-    "E119" "several profiles": "The file holds several profiles, and none was chosen." => "Say --row with the number of one of them, from 1 (row in surface.pinion of a case).";
-    "E120" "the trace cannot be prepared": "Form removal or filtering is not possible on this trace, mostly because it is shorter than the cut-off or too coarse for it." => "Choose another cut-off with --lambda-c and --lambda-s (surface.cutoff and surface.noise_cutoff in a case; 0.25 mm is usual on gears).";
+    "E119" "several profiles": "The file holds several profiles, and none was chosen." => "State the number of one of them, from 1." [Row];
+    "E120" "the trace cannot be prepared": "Form removal or filtering is not possible on this trace, mostly because it is shorter than the cut-off or too coarse for it." => "Choose another cut-off; 0.25 mm is usual on gears." [Cutoff, NoiseCutoff];
     "E121" "spacing too coarse for the contact": "Fewer than 20 points fall on one Hertz half-width, so the contact cannot be resolved." => "Measure with a finer spacing; with a stylus 0.5 um is usual.";
     "E122" "trace shorter than the contact window": "The prepared trace does not cover the window of the contact." => "Measure a longer trace, choose a shorter cut-off (the filter drops its ends), or reduce model.window.";
-    "E201" "the case file cannot be opened": "The system refused to open the case file." => "Check the path; asperity demo writes a case to start from.";
-    "E202" "the case file is not TOML": "The text breaks the rules of TOML (or of JSON, for a .json file), or is not text in UTF-8." => "Look at the line named: a line is key = value, text stands in quotation marks, the encoding is UTF-8. asperity demo writes a case to compare with.";
-    "E203" "unknown key": "The case file has a key that means nothing." => "Correct the spelling or remove the key; asperity schema lists every key.";
-    "E204" "a value cannot be read": "A value is missing, of the wrong kind, or lacks its unit. Quantities are text with a unit: \"1.3 mm\"." => "Write the value as the message shows; asperity schema lists every key with its unit.";
-    "E205" "keys exclude or need each other": "Two keys or options say different things about the same, or one needs another that is not there." => "Do as the message says.";
+    "E130" "positions are roll lengths": "The positions are roll lengths or roll angles of an involute checker, which are no distances along the flank." => "State the base radius of the gear, d_b/2, with which they are converted." [BaseRadius, Abscissa];
+    "E131" "heights that no flank has": "The slopes of the trace are above 2 root mean square, or a single step is steeper than 5: a wrong unit, or a mark for missing points." => "State the unit of the heights, or write NaN where the mark stands." [ZUnit, Gaps];
+    "E201" "the case file cannot be opened": "The system refused to open the case file." => "Check the path.";
+    "E202" "the case file is not TOML": "The text breaks the rules of TOML (or of JSON, for a .json file), or is not text in UTF-8." => "Look at the line named: a line is key = value, text stands in quotation marks, the encoding is UTF-8.";
+    "E203" "unknown key": "The case file has a key that means nothing." => "Correct the spelling or remove the key.";
+    "E204" "a value cannot be read": "A value is missing, of the wrong kind, or lacks its unit. Quantities are text with a unit: \"1.3 mm\"." => "Write the value as the message shows.";
+    "E205" "keys exclude or need each other": "Two keys or settings say different things about the same, or one needs another that is not there." => "Do as the message says.";
     "E206" "the gear pair cannot mesh": "Geometry as given leads to interference, pointed teeth or too short a path of contact." => "Check teeth, profile shifts, centre distance and tip diameters.";
     "E207" "pressure-viscosity coefficient is impossible": "The value is orders of magnitude away from that of any oil, mostly because of the unit." => "Mineral oils have 15 to 25 1/GPa, that is 1.5e-8 to 2.5e-8 m2/N.";
     "E208" "the oil is incomplete": "The oil's data do not suffice, or contradict each other." => "Give nu at 40 and 100 °C, density and base_oil, or the name of an oil of the library.";
-    "E209" "a number outside its domain": "A number in the case or on the command line cannot be, such as a negative module." => "Correct the value named.";
-    "E210" "nothing of that name": "No equation has that tag, or no message that code." => "asperity equations and asperity explain list all there are.";
-    "E301" "a position did not converge": "The contact at a mesh position did not reach its tolerance. No efficiency is reported." => "Loosen model.tolerance, or look for spikes in the profile with asperity profile info; the gap that was not closed is saved in the folder failed beside the results.";
+    "E209" "a number outside its domain": "A number in the case or beside it cannot be, such as a negative module." => "Correct the value named.";
+    "E210" "nothing of that name": "No equation has that tag, or no message that code." => "Look the name up in the list.";
+    "E211" "the tolerance is too large": "A contact solved to a tolerance above 1e-4 can have pressures far off, and takes hardly less time." => "Give a tolerance of at most 1e-4; 1e-8 is the default.";
+    "E301" "a position did not converge": "The contact at a mesh position did not reach its tolerance. No efficiency is reported." => "Loosen model.tolerance, or look for spikes in the profile.";
     "E302" "the surface is too soft for the load": "The flow pressure is below what the load needs, so no distribution of pressure can carry it." => "Check material.pinion.flow_pressure and elastic_limit; case-hardened steel has 6 to 8 GPa and 1.5 to 2 GPa.";
-    "E303" "a measured profile is needed": "The rough contact presses two profiles together, but a flank is given by roughness values only." => "Give surface.pinion.file and surface.wheel.file, or use asperity run with the corrected formulation.";
+    "E303" "a measured profile is needed": "The rough contact presses two profiles together, but a flank is given by roughness values only." => "Give surface.pinion.file and surface.wheel.file, or run the case in the corrected formulation.";
     "E304" "the marching did not reach the load": "Lowering the surfaces into each other step by step did not meet the load within the numerical error." => "Reduce model.delta_step or raise model.numerical_error.";
     "E305" "outside the model": "An equation refuses the numbers it is given at a mesh position." => "Check the value named against the ranges in docs/EQUATIONS.md, or choose another law in model.";
-    "E401" "a result cannot be written": "The system refused to write, or the place is taken by something that is not a result." => "Choose another place or name (-o in most commands), make its folder, or free some space.";
-    "E402" "not a result": "What was named is not a result of asperity run, or lacks what was asked of it." => "Name a result folder, as results/e-drive, or its result.json.";
+    "E401" "a result cannot be written": "The system refused to write, or the place is taken by something that is not a result." => "Choose another place or name, make its folder, or free some space.";
+    "E402" "not a result": "What was named is not a result of a run, or lacks what was asked of it." => "Name a result folder, as results/e-drive, or its result.json.";
     "E501" "internal fault": "The program contradicts itself. This is a fault of the program, not of the input." => "Please report it with the case file.";
-    "W111" "a unit was assumed": "The file does not name a unit, and only one is plausible." => "Say --z-unit or --x-unit to be sure (z_unit, x_unit in surface.pinion of a case).";
-    "W112" "form not removed": "The trace still holds the shape of the flank, so its parameters are not of roughness." => "Say --form poly2 (surface.form = \"poly2\" in a case).";
-    "W113" "spacing coarse for the noise filter": "The spacing is above a fifth of the cut-off lambda_s, so the filter is poorly sampled." => "Raise --lambda-s (surface.noise_cutoff in a case) or measure finer.";
+    "W111" "a unit was assumed": "The file does not name a unit, and only one is plausible." => "State the unit to be sure." [ZUnit, XUnit];
+    "W112" "form not removed": "The trace still holds the shape of the flank, so its parameters are not of roughness." => "Remove the form, as poly2." [Form];
+    "W113" "spacing coarse for the noise filter": "The spacing is above a fifth of the cut-off lambda_s, so the filter is poorly sampled." => "Choose a longer noise cut-off lambda_s, or measure finer." [NoiseCutoff];
     "W114" "few sections": "The evaluation length holds fewer than five cut-offs." => "Measure longer or choose a shorter cut-off.";
     "W115" "missing points filled": "Missing heights were bridged by straight lines, as asked for." => "Measure again if they are many or in one place.";
     "W116" "trace turned round": "The positions fall along the file, so the trace was read from its other end." => "Nothing, unless the direction of the flank matters: then say mirrored in the case.";
-    "W117" "stated spacing differs": "The spacing stated with --dx is not that of the column of positions; the stated one was used." => "Leave --dx out unless the column is wrong.";
-    "W118" "filtered already": "The file says that its heights are a roughness profile, and filtering twice changes it." => "Say --lambda-c none (surface.cutoff = \"0 mm\" in a case), or export the unfiltered profile.";
+    "W117" "stated spacing differs": "The spacing that was stated is not that of the column of positions; the stated one was used." => "Leave the spacing out unless the column is wrong." [Spacing];
+    "W118" "filtered already": "The file says that its heights are a roughness profile, and filtering twice changes it." => "Choose no cut-off, or export the unfiltered profile." [Cutoff];
     "W119" "flanks spaced differently": "The traces of pinion and wheel have different spacings; the coarser was resampled by straight lines." => "Measure both flanks with one spacing.";
     "W120" "checksum differs": "A checksum in the file is not that of its content: the file was changed after the measurement, or its writer counts differently." => "Compare with the original; the heights are read as they stand.";
     "W121" "trace aborted": "The header states a nominal length that was not traced. The spacing follows from what was traced." => "Measure again if the whole length is needed.";
-    "W122" "spacing from line 1": "Line 1 is written unlike the rest and is taken as the spacing in um, as in NPL text profiles." => "Say --dx to be sure.";
-    "W123" "length rounded": "The spacing follows from a length that is printed with few digits." => "Say --dx to be exact.";
+    "W122" "spacing from line 1": "Line 1 is written unlike the rest and is taken as the spacing in um, as in NPL text profiles." => "State the spacing to be sure." [Spacing];
+    "W123" "length rounded": "The spacing follows from a length that is printed with few digits." => "State the spacing to be exact." [Spacing];
+    "W124" "heights that no flank has": "The slopes of the trace are above 2 root mean square, or a single step is steeper than 5: a wrong unit, or a mark for missing points. A case refuses such a flank." => "State the unit of the heights, or write NaN where the mark stands." [ZUnit, Gaps];
+    "W125" "uneven spacing": "The positions are off an even grid by 2 to 25 % of a spacing; the points were taken as even, so slopes are off by as much." => "Let the trace be resampled." [Uneven];
+    "W126" "trace resampled": "The positions were not even; the heights were put on an even grid by straight lines, as asked for." => "Nothing, unless the shortest waves matter.";
+    "W127" "roll lengths converted": "The positions were roll lengths or angles and are now distances along the involute." => "Check the base radius.";
+    "W128" "another involute": "A parabola or cubic is left after the involute came off: the flank is crowned, or its base radius or roll length is another." => "Check base radius and roll length; the roll length that fits best is named.";
     "W401" "outside a fitted range": "A correlation was used outside the data it was fitted to; its value may be wrong." => "Compare the other friction laws printed, or choose another law.";
     "W402" "equivalent friction implausible": "The mean friction coefficient that explains the loss is outside 0.01 to 0.12, which lubricated steel does not do." => "Check the roughness (form removed? units?) and the oil. In the paper formulation look at model.position: at the pitch point C nothing slides.";
     "W403" "roughness clamped in Xu's law": "The term exp(exp S) of Xu's law explodes above S = 0.6 um; the roughness was held there." => "Choose another friction law for rough flanks, or model.clamp_roughness = false to see the law as printed.";
@@ -129,6 +145,8 @@ explanations! {
     "W410" "stress below asperities passes the elastic limit": "The von Mises stress under the rough contact passes the elastic limit; flow below the surface is not modelled." => "Look at the subsurface fields of the positions named.";
     "W411" "no peaks under the contact": "The windows that meet have no peaks above the core of the profile, so Lambda* is not defined; the classical film ratio decided between full film and mixed." => "Look at the trace: a regular pattern (feed marks) has no peaks in the sense of ISO 13565-2.";
     "W412" "no sliding at the paper's position": "The paper's reading takes one position for the whole mesh; at the pitch point nothing slides, so there is no sliding loss." => "Set model.position between 0 (A) and 1 (E), or use the corrected formulation.";
+    "W413" "the contact runs into the end of the window": "The pressure is not zero at a free end, so the contact would go on beyond it; the pressures are those of a strip that ends there." => "Widen the gap on that side, or lower the load.";
+    "W414" "the gap spans far more than the deformation": "The undeformed gap spans more than 1000 times what the bodies deform: an outlier, a sentinel for missing points, or a wrong unit." => "Look at the gap; the contact itself is solved to its tolerance.";
 }
 
 #[cfg(test)]

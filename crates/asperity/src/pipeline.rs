@@ -25,7 +25,7 @@ use crate::solve::Run;
 use crate::solved::Solved;
 use crate::stations::stations_with;
 
-pub use crate::stations::stations;
+pub use crate::stations::{station_at, stations};
 
 /// Told after each position: how many are done, of how many.
 pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);

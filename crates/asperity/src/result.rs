@@ -1,20 +1,23 @@
-//! What a run gives: plain data, units in the names, ready to be written as JSON.
+//! Result of a run: plain data, units in the names, written as JSON and read back equal.
 
-use asperity_core::Reference;
+use std::borrow::Cow;
+
 use asperity_core::lubricant::LubricantState;
+use asperity_core::{Profile, Reference};
 pub use asperity_ehl_regime::Regime;
 use asperity_gear::GearPair;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::case::{CaseInput, DefaultUsed, Formulation};
+use crate::flank_record::FlankRecord;
 use crate::message::Warning;
-use crate::surfaces::FlankReport;
 
 /// Version of the structure of `result.json`; raised when a field changes its meaning.
 pub const SCHEMA_VERSION: u32 = 1;
 
 /// The result of a run, without the fields of single positions.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct RunResult {
     /// Version of this structure.
     pub schema_version: u32,
@@ -32,10 +35,10 @@ pub struct RunResult {
     pub path: Vec<PositionRow>,
     /// Plastic work of the first engagement.
     pub running_in: RunningIn,
-    /// Everything that calls for attention.
+    /// Warnings.
     pub warnings: Vec<Warning>,
     /// The flanks as read and prepared.
-    pub flanks: [FlankReport; 2],
+    pub flanks: [FlankRecord; 2],
     /// Derived gear geometry.
     pub gears: GearPair,
     /// The oil at the temperature of the flanks.
@@ -47,11 +50,12 @@ pub struct RunResult {
     /// Tags of the equations used, with their titles and keys of their sources.
     pub equations: Vec<EquationUse>,
     /// The sources.
-    pub references: Vec<Reference>,
+    pub references: Vec<CitedSource>,
 }
 
 /// Efficiency and losses of the mesh, mean over the offsets of the traces.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct Summary {
     /// η = 1 − ΣP/(M₁ω₁).
     pub efficiency: f64,
@@ -93,7 +97,8 @@ pub struct Summary {
 }
 
 /// Efficiency with another friction law in the film, everything else equal.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct FrictionComparison {
     /// Name as in the case file.
     pub law: String,
@@ -103,7 +108,7 @@ pub struct FrictionComparison {
 }
 
 /// What a friction law gave.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ComparisonOutcome {
     /// Mesh efficiency with this law.
@@ -113,7 +118,8 @@ pub enum ComparisonOutcome {
 }
 
 /// One mesh position; values that vary with the offset are means over the offsets.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct PositionRow {
     /// Number of the position from A.
     pub position: usize,
@@ -151,8 +157,8 @@ pub struct PositionRow {
     pub film_minimum_um: f64,
     /// Λ*; absent when the peaks of the flanks are not known.
     pub lambda_star: Option<f64>,
-    /// Minimum film over composite Rq.
-    pub film_ratio: f64,
+    /// Minimum film over composite Rq; absent when both flanks are flat.
+    pub film_ratio: Option<f64>,
     /// Share of the offsets in the mixed regime.
     pub mixed_share: f64,
     /// Regime of most offsets.
@@ -186,7 +192,8 @@ pub struct PositionRow {
 }
 
 /// Plastic work of the first engagement, which decays as the flanks run in.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct RunningIn {
     /// Plastic work per tooth engagement \[J\].
     pub energy_per_engagement_j: f64,
@@ -197,18 +204,38 @@ pub struct RunningIn {
 }
 
 /// An equation the result rests on.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct EquationUse {
     /// Tag as in the sources.
-    pub tag: &'static str,
-    /// What it gives.
-    pub title: &'static str,
+    pub tag: Cow<'static, str>,
+    /// Title.
+    pub title: Cow<'static, str>,
     /// Keys of its sources.
-    pub references: Vec<&'static str>,
+    pub references: Vec<Cow<'static, str>>,
+}
+
+/// Publication that an equation of the result comes from.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CitedSource {
+    /// Short key, `author_year`.
+    pub key: Cow<'static, str>,
+    /// Authors, title, place, year.
+    pub text: Cow<'static, str>,
+}
+
+impl From<Reference> for CitedSource {
+    fn from(reference: Reference) -> Self {
+        Self {
+            key: reference.key.into(),
+            text: reference.text.into(),
+        }
+    }
 }
 
 /// Fields along the contact at one position, of its first offset.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct PositionFields {
     /// Number of the position from A.
     pub position: usize,
@@ -242,6 +269,7 @@ pub struct PositionFields {
 
 /// Stress below the surface, row by row from the surface down.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct SubsurfaceFields {
     /// Depths \[m\].
     pub depths: Vec<f64>,
@@ -256,7 +284,8 @@ pub struct SubsurfaceFields {
 }
 
 /// A step on the way to the solution.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct HistoryRow {
     /// Number of the step.
     pub step: usize,
@@ -271,7 +300,8 @@ pub struct HistoryRow {
 }
 
 /// The mesh with all flanks at one offset of the traces.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct OffsetRow {
     /// Number of the offset.
     pub offset: usize,
@@ -309,4 +339,6 @@ pub struct Outcome {
     pub offsets: Vec<OffsetRow>,
     /// Fields of every position, of its first offset.
     pub fields: Vec<PositionFields>,
+    /// Traces of pinion and wheel as read; absent for a flank known by its roughness values alone.
+    pub traces: [Option<Profile>; 2],
 }

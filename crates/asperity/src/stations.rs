@@ -28,8 +28,16 @@ pub(crate) fn stations_with(case: &Case, laws: &ChosenLaws) -> Result<Vec<Statio
         .collect()
 }
 
+/// The place `s` of the path of contact on its own: number 1, without weight in a mean.
+///
+/// # Errors
+/// When an equation refuses the numbers there.
+pub fn station_at(case: &Case, s: Length) -> Result<Station, PositionError> {
+    station(case, &ChosenLaws::of(case), 1, s, 0.0)
+}
+
 /// The mesh position at `s` with its weight in the cycle mean.
-pub(crate) fn station(
+fn station(
     case: &Case,
     laws: &ChosenLaws,
     number: usize,

@@ -132,6 +132,9 @@ pub struct FlankReport {
     pub sha256: Option<String>,
     /// How the file was read.
     pub reading: Option<Reading>,
+    /// The trace as it was measured, in its own direction.
+    #[serde(skip)]
+    pub trace: Option<Profile>,
     /// Whether the trace was run from its other end.
     pub mirrored: bool,
     /// What was done to the trace.

@@ -11,7 +11,7 @@ use crate::encounter::Encounter;
 use crate::error::{PositionError, RunError};
 use crate::fluid::film_at;
 use crate::result::Regime;
-use crate::stations::{station, stations_with};
+use crate::stations::{station_at, stations_with};
 
 /// Film and regime at one mesh position, mean over the offsets.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -137,7 +137,7 @@ fn film_rows(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, Posi
     let path = case.gears.path();
     let place = place.unwrap_or((path.c - path.a) / (path.e - path.a));
     let s = path.a + (path.e - path.a) * place;
-    let station = station(case, &ChosenLaws::of(case), 1, s, 0.0)?;
+    let station = station_at(case, s)?;
     let hertz = station.hertz.max_pressure.si();
     let mut rows = Vec::new();
     for step in 0..=PER_DECADE * DECADES {

@@ -10,7 +10,11 @@
 //! | v = A p + h | gap before the approach | m |
 //! | α | approach | m |
 //! | g = v − α | gap | m |
-//! | g_ref | reference gap: the range of h | m |
+//! | u = v − h | deformation of both bodies together | m |
+//! | g_ref | reference gap: the smaller of the ranges of h and of u about the contact | m |
+//!
+//! The scale is the deformation wherever the gap spans more: a far point that lies deep would
+//! otherwise make any error small.
 
 use asperity_core::cite;
 use asperity_core::quantity::Length;
@@ -26,8 +30,10 @@ pub struct Certificate {
     pub penetration: f64,
     /// |Σ p·dx − W|/W; zero when the approach is controlled.
     pub load_error: f64,
-    /// g_ref: the range of the gap (with the displacement by a prescribed pressure), or, for
-    /// bodies that are flat beside their deformation, a thousandth of that.
+    /// g_ref: the smaller of the range of the gap (with the displacement by a prescribed pressure)
+    /// and the range of the deformation from half a contact width before the first touching point to
+    /// as much behind the last; for bodies that are flat beside their deformation, a thousandth of
+    /// that.
     pub reference_gap: Length,
 }
 
@@ -40,26 +46,33 @@ impl Certificate {
     }
 }
 
-/// Without limit Σ p·(g − min(g_min, 0)); with one Σ p·g⁺ + (p_max − p)·(−g)⁺       [Duality-1]
+/// Without limit Σ p·(g − λ); with one min(Σ p·g⁺ + (p_max − p)·(−g)⁺, Σ p·(g⁺ − λ))    [Duality-1]
 ///
-/// `pressure` in Pa and `gap` in m belong together; `limit` is p_max in Pa, infinite for none. The
-/// result in Pa m is not below the excess of the energy over its least value.
+/// with λ = min(g, 0) over the points below the limit. `pressure` in Pa and `gap` in m belong
+/// together; `limit` is p_max in Pa, infinite for none. The result in Pa m is not below the excess of
+/// the energy over its least value under the same load. Of the bounds with a limit the first is that
+/// of the Lagrangian at g, the second that at g − λ: it does not grow with the limit.
 ///
 /// ```
 /// use asperity_contact::certificate::duality_gap;
 /// // Complementary: pressure where the gap is closed, and nowhere else.
 /// assert_eq!(duality_gap(&[0.0, 2.0], &[1e-6, 0.0], f64::INFINITY), 0.0);
 /// assert_eq!(duality_gap(&[0.0, 2.0], &[0.0, 1.0], f64::INFINITY), 2.0);
+/// // However high the limit, an overlap of 1e-9 can only save the load times that.
+/// assert_eq!(duality_gap(&[0.0, 2.0], &[-1e-9, 0.0], 1e9), 2e-9);
 /// ```
 pub fn duality_gap(pressure: &[f64], gap: &[f64], limit: f64) -> f64 {
     cite!("Duality-1");
     let pairs = || pressure.iter().zip(gap);
+    let below = pairs().filter(|&(&p, _)| p < limit);
+    let least = below.fold(0.0_f64, |least, (_, &g)| least.min(g));
     if limit.is_finite() {
-        pairs()
+        let fixed: f64 = pairs()
             .map(|(&p, &g)| p * g.max(0.0) + (limit - p) * (-g).max(0.0))
-            .sum()
+            .sum();
+        let shifted: f64 = pairs().map(|(&p, &g)| p * (g.max(0.0) - least)).sum();
+        fixed.min(shifted)
     } else {
-        let least = gap.iter().fold(0.0_f64, |least, &g| least.min(g));
         pairs().map(|(&p, &g)| p * (g - least)).sum()
     }
 }

@@ -117,7 +117,7 @@ pub const EQUATIONS: &[Equation] = &[
     Equation {
         tag: "Duality-1",
         title: "Bound of the energy error",
-        formula: "Σ p·(g − min(g_min, 0)); with a limit Σ p·g⁺ + (p_max − p)·(−g)⁺",
+        formula: "Σ p·(g − λ); with a limit min(Σ p·g⁺ + (p_max − p)·(−g)⁺, Σ p·(g⁺ − λ)); λ = min(g, 0) where p < p_max",
         file: "crates/contact/src/certificate.rs",
         test: "the_duality_gap_bounds_the_energy_error",
         references: &[POLONSKY_1999],

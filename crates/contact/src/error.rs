@@ -108,6 +108,16 @@ pub enum ContactError {
         /// Tolerance asked for.
         tolerance: f64,
     },
+    /// A tolerance at which any answer would pass.
+    #[error(
+        "the tolerance {tolerance:e} is too large: pressures would be wrong beyond use; give at most {most:e}"
+    )]
+    ToleranceTooLarge {
+        /// Tolerance asked for.
+        tolerance: f64,
+        /// Largest tolerance accepted.
+        most: f64,
+    },
     /// Something that is only defined under a given load was asked of a controlled approach.
     #[error("{purpose} needs a load and the problem controls the approach: control the load")]
     LoadControlNeeded {

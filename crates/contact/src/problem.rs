@@ -11,6 +11,11 @@ use crate::error::ContactError;
 
 /// Fewest points of a contact problem.
 pub const LEAST_POINTS: usize = 2;
+/// Largest tolerance accepted: at 1e-2 pressures were found more than half off, and a looser solution
+/// hardly takes less time.
+pub const MAX_TOLERANCE: f64 = 1e-4;
+/// Range of the gap over that of the deformation beyond which the gap is suspected of an outlier.
+pub const SUSPECT_GAP: f64 = 1e3;
 
 /// Load or approach that presses the bodies together.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -55,7 +60,7 @@ pub struct ContactProblem<'a> {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, rename_all = "kebab-case", deny_unknown_fields)]
 pub struct SolverSettings {
-    /// Largest duality gap, penetration and load error accepted.
+    /// Largest duality gap, penetration and load error accepted; at most [`MAX_TOLERANCE`].
     pub tolerance: f64,
     /// Most iterations on the finest grid.
     pub max_iterations: usize,
@@ -104,10 +109,91 @@ pub struct ContactSolution {
     pub dissipated: LineEnergy,
     /// Elastic energy ½ ∫ (p + prescribed)·u dx, of `displacement` and thus of its datum.
     pub elastic_energy: LineEnergy,
+    /// Largest pressure at an end of a window with free ends; zero for periodic ends.
+    pub end_pressure: Pressure,
+    /// Range of the undeformed gap, with the displacement by a prescribed pressure.
+    pub gap_range: Length,
+    /// Range of the deformation about the contact: from half a contact width before the first
+    /// touching point to as much behind the last.
+    pub deformation: Length,
     /// Iterations on the finest grid.
     pub iterations: usize,
     /// Error bounds of the solution.
     pub certificate: Certificate,
+}
+
+/// Doubt about a solution that is correct for the numbers given.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub enum ContactWarning {
+    /// The contact runs into a free end of the window, and would go on beyond it.
+    PressureAtEnd {
+        /// Largest pressure at an end.
+        end_pressure: Pressure,
+        /// Largest pressure.
+        max_pressure: Pressure,
+    },
+    /// The gap spans more than [`SUSPECT_GAP`] times the deformation, as with an outlier or a wrong
+    /// unit.
+    GapBeyondDeformation {
+        /// Range of the gap.
+        gap_range: Length,
+        /// Range of the deformation about the contact.
+        deformation: Length,
+    },
+}
+
+impl std::fmt::Display for ContactWarning {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::PressureAtEnd {
+                end_pressure,
+                max_pressure,
+            } => write!(
+                f,
+                "the contact runs into the end of the window: {end_pressure:.4} there, {max_pressure:.4} at most"
+            ),
+            Self::GapBeyondDeformation {
+                gap_range,
+                deformation,
+            } => write!(
+                f,
+                "the gap spans {gap_range:.4} where the bodies deform by {deformation:.4}: an outlier or a wrong unit?"
+            ),
+        }
+    }
+}
+
+impl ContactSolution {
+    /// Doubts about the solution, none as a rule.
+    ///
+    /// ```
+    /// use asperity_contact::{ContactProblem, ContactWarning, SolverSettings, solve};
+    /// // A window that is narrower than the contact.
+    /// let gap: Vec<f64> = (0..100).map(|i| (1e-6 * (f64::from(i) - 49.5)).powi(2) / 6e-3).collect();
+    /// let problem = ContactProblem::new(&gap, "1 um".parse()?, "115.4 GPa".parse()?, "300 N/mm".parse()?);
+    /// let warnings = solve(&problem, &SolverSettings::default())?.warnings();
+    /// assert!(matches!(warnings[..], [ContactWarning::PressureAtEnd { .. }]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn warnings(&self) -> Vec<ContactWarning> {
+        let mut warnings = vec![];
+        if self.end_pressure.si() > 0.0 {
+            warnings.push(ContactWarning::PressureAtEnd {
+                end_pressure: self.end_pressure,
+                max_pressure: self.max_pressure,
+            });
+        }
+        // Without contact nothing deforms.
+        let deforms = self.deformation.si() > 0.0;
+        if deforms && self.gap_range.si() > SUSPECT_GAP * self.deformation.si() {
+            warnings.push(ContactWarning::GapBeyondDeformation {
+                gap_range: self.gap_range,
+                deformation: self.deformation,
+            });
+        }
+        warnings
+    }
 }
 
 impl<'a> ContactProblem<'a> {

@@ -95,13 +95,16 @@ const GAUSS: [(f64, f64); 3] = [
     (0.906_179_845_938_664, 0.236_926_885_056_189_08),
 ];
 
+/// Points of a period from which on Gauss's rule is exact over a whole cell.
+const EXACT_PERIOD: usize = 16;
+
 /// C(x) = (L/π)·[Cl₂(2π(x+a)/L) − Cl₂(2π(x−a)/L)] at x = k·2a, in units of a       [Periodic-1]
 ///
 /// Cl₂ is Clausen's function; the kernel is that of a strip and all its images with period
 /// L = `points`·2a and has no mean. It equals −2·∫ ln|2 sin(πs/L)| ds over the cell, evaluated as
 /// the single strip plus the smooth rest −2·∫ ln[sin(πs/L)/(πs/L)] ds by Gauss's rule, which
-/// avoids the difference of two nearly equal values of Cl₂ and is exact but for round-off from 16
-/// points on.
+/// avoids the difference of two nearly equal values of Cl₂ and is exact but for round-off: over each
+/// cell from 16 points on, over parts of it for shorter periods.
 ///
 /// ```
 /// use asperity_contact::strip_kernel::periodic_column;
@@ -118,20 +121,33 @@ pub fn periodic_column(points: usize) -> Vec<f64> {
 /// Contribution of the images of a period of `points` cells at a distance of `cells` from a strip.
 pub(crate) fn periodic_rest(cells: f64, points: usize) -> f64 {
     let (n, r) = (points as f64, 2.0 * cells);
-    let rest: f64 = GAUSS
-        .iter()
-        .flat_map(|&(node, weight)| {
-            let sides = if node == 0.0 {
-                &[0.0][..]
-            } else {
-                &[-1.0, 1.0]
-            };
-            sides
-                .iter()
-                .map(move |side| weight * ln_sinc(PI * (r + side * node) / (2.0 * n)))
+    // Short periods see the images near: panels of a 32nd of the period leave no error but round-off.
+    let panels = if points < EXACT_PERIOD {
+        (2 * EXACT_PERIOD).div_ceil(points)
+    } else {
+        1
+    };
+    let width = 1.0 / panels as f64;
+    let rest: f64 = (0..panels)
+        .map(|panel| {
+            let middle = r - 1.0 + width * (2 * panel + 1) as f64;
+            width * gauss(|node| ln_sinc(PI * (middle + width * node) / (2.0 * n)))
         })
         .sum();
     4.0 - 4.0 * (PI / n).ln() - 2.0 * rest
+}
+
+/// ∫ f over −1..1 by five points.
+fn gauss(f: impl Fn(f64) -> f64) -> f64 {
+    let term = |&(node, weight): &(f64, f64)| {
+        weight
+            * if node == 0.0 {
+                f(0.0)
+            } else {
+                f(-node) + f(node)
+            }
+    };
+    GAUSS.iter().map(term).sum()
 }
 
 fn ln_sinc(x: f64) -> f64 {
@@ -216,6 +232,26 @@ mod tests {
                 error.abs() < 1e-14 * (points as f64).ln(),
                 "{points} {k}: {error:e}"
             );
+        }
+    }
+
+    #[test]
+    fn the_shortest_periods_are_exact_too() {
+        // (8/π)·G and (12/π)·Cl₂(π/3), with Catalan's constant G = 0.91596… and Cl₂(π/3) = 1.01494…
+        let two = 8.0 / PI * 0.915_965_594_177_219_015;
+        let three = 12.0 / PI * 1.014_941_606_409_653_6;
+        for (found, expected) in [
+            (periodic_column(2), vec![two, -two]),
+            (periodic_column(3), vec![three, -0.5 * three, -0.5 * three]),
+        ] {
+            for (value, exact) in found.iter().zip(&expected) {
+                assert!((value - exact).abs() < 4e-15, "{found:?} {expected:?}");
+            }
+        }
+        for points in 4..40 {
+            let column = periodic_column(points);
+            // The sum over a period is that of the mean, which is zero.
+            assert!(column.iter().sum::<f64>().abs() < 1e-13, "{points}");
         }
     }
 

@@ -20,7 +20,7 @@ fn more_iterations_make_no_more_allocations() {
         };
         let mut solver = Solver::new(4_096, problem.boundary).unwrap();
         // The first solution plans and makes the buffers.
-        solver.solve(&problem, &settings(1e-3)).unwrap();
+        solver.solve(&problem, &settings(1e-4)).unwrap();
         let mut count = |problem: &ContactProblem, tolerance| {
             let mut iterations = 0;
             let allocations = measure(|| {
@@ -31,8 +31,8 @@ fn more_iterations_make_no_more_allocations() {
             });
             (iterations, allocations.count_total)
         };
-        let (few, allocated) = count(&problem, 1e-3);
-        let (many, again) = count(&problem, 1e-10);
+        let (few, allocated) = count(&problem, 1e-4);
+        let (many, again) = count(&problem, 1e-12);
         assert!(many > few + 20, "{name}: {few} {many}");
         assert_eq!(allocated, again, "{name}");
     }

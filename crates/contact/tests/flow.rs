@@ -3,6 +3,7 @@
 
 mod common;
 
+use asperity_contact::running_in::RunningIn;
 use asperity_contact::two_flanks::TwoFlanks;
 use asperity_contact::{Boundary, ContactProblem, Control, Solver};
 use asperity_core::Profile;
@@ -117,4 +118,61 @@ fn flanks_pressed_again_on_their_residual_profiles_stay_elastic() {
     let flow: f64 = first.plastic_displacement.iter().sum();
     assert!((lost(&pinion, &one) / (0.25 * flow) - 1.0).abs() < 1e-9);
     assert!((lost(&wheel, &other) / (0.75 * flow) - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn each_flank_runs_in_by_its_own_share_where_it_meets_the_other() {
+    let points = 800;
+    let x: Vec<f64> = (0..points).map(|i| i as f64 / points as f64).collect();
+    let heights = common::self_affine(&x, 6..=100, 3);
+    let rough = heights.iter().map(|z| 1e-6 * z).collect();
+    let rough = Profile::new(Length::from_si(0.6e-6), rough).unwrap();
+    let smooth = Profile::new(Length::from_si(0.6e-6), vec![0.0; points]).unwrap();
+    let flanks = TwoFlanks {
+        first: &rough,
+        second: &smooth,
+        radius: CYLINDER.radius,
+        load: CYLINDER.load,
+        modulus: CYLINDER.modulus,
+        pressure_limit: Some(Pressure::from_si(3e9)),
+    };
+    let once = flanks.press(&tight()).unwrap();
+    let plan = RunningIn {
+        shifts: vec![100],
+        shares: [0.2, 0.8],
+        shakedown: 1e-6,
+        max_cycles: 100,
+    };
+    let ran_in = plan.run(&flanks, &tight()).unwrap();
+    let flow = |share: f64| once.plastic_displacement.iter().map(move |w| -share * w);
+    // The smooth flank is the same at any shift, so the first pass is the contact without one, and the
+    // second is elastic.
+    let cycle = &ran_in.cycles[0];
+    assert_eq!(ran_in.cycles.len(), 2);
+    assert!((cycle.dissipated / once.dissipated - 1.0).abs() < 1e-6);
+    assert!((cycle.contact_fraction / once.contact_fraction - 1.0).abs() < 1e-9);
+    let largest = common::largest(&once.plastic_displacement);
+    assert!((cycle.largest_flow.si() / largest - 1.0).abs() < 1e-6);
+    let close = |found: &[f64], expected: &[f64]| {
+        let off = found.iter().zip(expected).map(|(a, b)| (a - b).abs());
+        let off = off.fold(0.0, f64::max);
+        assert!(off < 1e-5 * largest, "{off:e} of {largest:e}");
+    };
+    let worn: Vec<f64> = rough
+        .heights()
+        .iter()
+        .zip(flow(0.2))
+        .map(|(z, w)| z + w)
+        .collect();
+    close(ran_in.flanks[0].heights(), &worn);
+    // Point i of the second flank met point i + 100 of the first.
+    let mut dented: Vec<f64> = flow(0.8).collect();
+    dented.rotate_left(100);
+    close(ran_in.flanks[1].heights(), &dented);
+    let mean = |heights: &[f64]| heights.iter().sum::<f64>() / heights.len() as f64;
+    for (k, flank) in ran_in.flanks.iter().enumerate() {
+        let last = &ran_in.cycles[1];
+        let peak = common::largest(flank.heights()) - mean(flank.heights());
+        assert!((last.peak[k].si() - peak).abs() < 1e-18);
+    }
 }

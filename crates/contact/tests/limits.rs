@@ -4,9 +4,10 @@
 mod common;
 
 use asperity_contact::dense_reference::solve_dense;
+use asperity_contact::hertz_line::HertzLine;
 use asperity_contact::{
-    Boundary, ContactError, ContactProblem, ContactSolution, Control, PeriodicKernel, Solver,
-    SolverSettings, solve,
+    Boundary, ContactError, ContactProblem, ContactSolution, ContactWarning, Control,
+    PeriodicKernel, Solver, SolverSettings, solve,
 };
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 use common::{CYLINDER, hertz_problem, periodic_problem, relative_difference, rough_gap, tight};
@@ -274,5 +275,128 @@ fn a_contact_far_outside_the_start_is_found() {
         };
         let solution = solve(&misled, &tight()).unwrap();
         assert!(relative_difference(&solution.pressure, &expected.pressure) < 1e-8);
+    }
+}
+
+/// Largest difference of the pressures of two solutions over the largest pressure.
+fn pressures_apart(problem: &ContactProblem, other: &ContactProblem) -> f64 {
+    let [one, other] =
+        [problem, other].map(|problem| solve(problem, &SolverSettings::default()).unwrap());
+    relative_difference(&other.pressure, &one.pressure)
+}
+
+#[test]
+fn a_far_point_that_lies_deep_leaves_the_contact_as_it_is() {
+    for points in [1_000, 10_000] {
+        let (gap, spacing) = rough_gap(points);
+        for depth in [1.0, 100.0] {
+            let mut deep = gap.clone();
+            deep[0] += depth;
+            let (problem, with_point) =
+                (hertz_problem(&gap, spacing), hertz_problem(&deep, spacing));
+            let apart = pressures_apart(&problem, &with_point);
+            // Both are right to about 1e-5 of the largest pressure.
+            assert!(apart < 3e-5, "{points} {depth}: {apart:e}");
+            let solution = solve(&with_point, &SolverSettings::default()).unwrap();
+            let found = solution.warnings();
+            assert!(
+                matches!(found[..], [ContactWarning::GapBeyondDeformation { .. }]),
+                "{found:?}"
+            );
+            assert!(solution.certificate.reference_gap.si() < 20e-6);
+        }
+        assert!(
+            solve(&hertz_problem(&gap, spacing), &SolverSettings::default())
+                .unwrap()
+                .warnings()
+                .is_empty()
+        );
+    }
+}
+
+#[test]
+fn a_light_contact_with_a_deep_end_is_as_right_as_a_heavy_one() {
+    for load in [30.0, 300.0, 3e5] {
+        let hertz =
+            HertzLine::new(LineLoad::from_si(load), CYLINDER.radius, CYLINDER.modulus).unwrap();
+        let points = 2_000;
+        let spacing = hertz.half_width * 4.0 / points as f64;
+        let middle = 0.5 * (points - 1) as f64;
+        let mut gap: Vec<f64> = (0..points)
+            .map(|i| ((i as f64 - middle) * spacing.si()).powi(2) / (2.0 * CYLINDER.radius.si()))
+            .collect();
+        gap[points - 1] += 15e-6;
+        let problem = ContactProblem {
+            control: Control::Load(LineLoad::from_si(load)),
+            ..hertz_problem(&gap, spacing)
+        };
+        let solution = solve(&problem, &SolverSettings::default()).unwrap();
+        let largest = solution.max_pressure / hertz.max_pressure;
+        // The discretisation error of 1000 points in contact.
+        assert!((largest - 1.0).abs() < 1e-5, "{load}: {largest}");
+        let exact: Vec<f64> = (0..points)
+            .map(|i| hertz.pressure(spacing * (i as f64 - middle)).unwrap().si())
+            .collect();
+        let sum: f64 = exact.iter().sum();
+        let off = |(p, e): (&f64, &f64)| (p - e).abs();
+        let apart: f64 = solution.pressure.iter().zip(&exact).map(off).sum();
+        assert!(apart / sum < 2e-4, "{load}: {:e}", apart / sum);
+    }
+}
+
+#[test]
+fn a_contact_that_runs_into_a_free_end_says_so() {
+    // A cylinder of 10 mm radius under 3000 N/mm is wider than its window of 1 mm.
+    let points = 1_000;
+    let gap: Vec<f64> = (0..points)
+        .map(|i| (1e-6 * (f64::from(i) - 499.5)).powi(2) / 20e-3)
+        .collect();
+    let load = LineLoad::from_si(3e6);
+    let free = ContactProblem::new(&gap, Length::from_si(1e-6), CYLINDER.modulus, load);
+    let solution = solve(&free, &SolverSettings::default()).unwrap();
+    assert_eq!(
+        solution.warnings(),
+        [ContactWarning::PressureAtEnd {
+            end_pressure: solution.end_pressure,
+            max_pressure: solution.max_pressure,
+        }]
+    );
+    assert!(solution.end_pressure.si() > 0.0);
+    let light = ContactProblem {
+        control: Control::Load(LineLoad::from_si(3e4)),
+        ..free
+    };
+    let solution = solve(&light, &SolverSettings::default()).unwrap();
+    assert_eq!(
+        (solution.end_pressure.si(), solution.warnings()),
+        (0.0, vec![])
+    );
+    // A period may begin anywhere.
+    let mut turned = gap.clone();
+    turned.rotate_left(500);
+    let periodic = ContactProblem {
+        gap: &turned,
+        boundary: Boundary::Periodic(PeriodicKernel::Strip),
+        ..free
+    };
+    let solution = solve(&periodic, &SolverSettings::default()).unwrap();
+    assert!(solution.pressure[0] > 0.0 && solution.warnings().is_empty());
+}
+
+#[test]
+fn a_high_limit_of_the_pressure_changes_no_certificate() {
+    let (gap, spacing) = rough_gap(2_000);
+    let elastic = hertz_problem(&gap, spacing);
+    for limit in [100.0, 1e4, 1e8] {
+        let limited = ContactProblem {
+            // Over the mean pressure of the window.
+            pressure_limit: Some(Pressure::from_si(limit * 3e5 / 600e-6)),
+            ..elastic
+        };
+        let solution = solve(&limited, &tight()).unwrap();
+        assert!(solution.certificate.within(1e-12) && solution.dissipated.si() == 0.0);
+        let free = solve(&elastic, &tight()).unwrap();
+        let apart = relative_difference(&solution.pressure, &free.pressure);
+        assert!(apart < 1e-9, "{limit}: {apart:e}");
     }
 }

@@ -45,6 +45,8 @@ fn too_few_iterations_are_an_error_with_evidence() {
     };
     assert_eq!((*iterations, *tolerance), (3, 1e-8));
     assert!(certificate.duality_gap > 1e-8 && certificate.duality_gap < 1.0);
+    assert!(certificate.penetration > 1e-8 && certificate.penetration < 1.0);
+    assert!(certificate.load_error < 1e-12 && certificate.reference_gap.si() > 1e-7);
     assert!(error.to_string().contains("after 3 iterations"));
 }
 
@@ -57,6 +59,31 @@ fn a_tolerance_below_round_off_is_an_error_and_not_endless() {
     };
     let error = solve(&hertz_problem(&gap, spacing), &settings).unwrap_err();
     assert!(matches!(error, ContactError::NotConverged { iterations, .. } if iterations < 5_000));
+}
+
+#[test]
+fn a_tolerance_at_which_anything_passes_is_refused() {
+    let (gap, spacing) = rough_gap(1_000);
+    for (tolerance, accepted) in [
+        (1e-4, true),
+        (1.001e-4, false),
+        (1e-2, false),
+        (f64::INFINITY, false),
+    ] {
+        let settings = SolverSettings {
+            tolerance,
+            ..SolverSettings::default()
+        };
+        let found = solve(&hertz_problem(&gap, spacing), &settings);
+        let refused = ContactError::ToleranceTooLarge {
+            tolerance,
+            most: 1e-4,
+        };
+        match found {
+            Ok(_) => assert!(accepted),
+            Err(error) => assert!(!accepted && error == refused, "{error}"),
+        }
+    }
 }
 
 #[test]

@@ -363,7 +363,7 @@ fn the_duality_gap_bounds_the_energy_error() {
             ..hertz_problem(&gap, spacing)
         };
         let least = energy(&solve(&problem, &tight()).unwrap());
-        for tolerance in [1e-2, 1e-3, 1e-4] {
+        for tolerance in [1e-4, 1e-5, 1e-6] {
             let settings = SolverSettings {
                 tolerance,
                 ..SolverSettings::default()

@@ -14,6 +14,7 @@ pub mod numerics;
 pub mod profile;
 pub mod provenance;
 pub mod quantity;
+pub mod remedy;
 mod unit_text;
 
 pub use checked::{Checked, FittedRange, OutOfRange};
@@ -21,6 +22,7 @@ pub use citation::{Equation, Reference};
 pub use error::DomainError;
 pub use profile::Profile;
 pub use quantity::Quantity;
+pub use remedy::{Action, Remedy, Setting};
 
 /// Every equation of this crate.
 pub fn equations() -> impl Iterator<Item = &'static Equation> {

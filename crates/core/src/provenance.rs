@@ -124,6 +124,15 @@ impl Provenance {
         work()
     }
 
+    /// Adds the tags of `other`, of work that was done before and is used again.
+    pub fn include(&self, other: &Self) {
+        let found = other.tags();
+        self.tags
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .extend(found);
+    }
+
     /// Tags collected so far, in alphabetical order.
     #[must_use]
     pub fn tags(&self) -> BTreeSet<&'static str> {

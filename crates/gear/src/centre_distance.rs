@@ -3,6 +3,7 @@
 //! Source: ISO 21771:2007. Symbols as in [`crate::pair`].
 
 use asperity_core::DomainError;
+use asperity_core::cite;
 use asperity_core::quantity::{Angle, Length};
 
 use crate::error::GearError;
@@ -39,15 +40,15 @@ impl Centre {
         };
         let tolerance = rack.normal_module * CENTRE_DISTANCE_TOLERANCE;
         let from_distance = Self::from_distance(given, rack)?;
-        if (given - from_shifts.distance).si().abs() > tolerance.si() {
+        if (from_distance.distance - from_shifts.distance).si().abs() > tolerance.si() {
             return Err(GearError::InconsistentCentreDistance {
                 given,
-                from_shifts: from_shifts.distance,
+                from_shifts: Length::from_si(from_shifts.distance.si().abs()),
                 tolerance,
             });
         }
         Ok(Self {
-            distance: given,
+            distance: from_distance.distance,
             working_angle: from_distance.working_angle,
             ..from_shifts
         })
@@ -55,6 +56,7 @@ impl Centre {
 
     /// inv α_wt = inv αₜ + 2 tan αₙ·(x₁ + x₂)/(z₁ + z₂),  a = (r_b1 + r_b2)/cos α_wt  [Pair-2]
     fn from_shifts(profile_shift: [f64; 2], rack: &Rack) -> Result<Self, GearError> {
+        cite!("Pair-2");
         let shift_sum = profile_shift[0] + profile_shift[1];
         let working_angle = if shift_sum == 0.0 {
             rack.alpha_t
@@ -80,14 +82,17 @@ impl Centre {
 
     /// cos α_wt = (r_b1 + r_b2)/a,  x₁ + x₂ = (inv α_wt − inv αₜ)·(z₁ + z₂)/(2 tan αₙ)  [Pair-3]
     fn from_distance(distance: Length, rack: &Rack) -> Result<Self, GearError> {
-        DomainError::positive("centre distance", distance)?;
-        if distance <= rack.base_radius_sum() {
+        cite!("Pair-3");
+        let given = DomainError::positive("centre distance", distance)?;
+        let base_radii = rack.base_radius_sum();
+        if given <= base_radii.si().abs() {
             return Err(GearError::CentreDistanceTooSmall {
                 given: distance,
-                base_radii: rack.base_radius_sum(),
+                base_radii: Length::from_si(base_radii.si().abs()),
             });
         }
-        let working_angle = (rack.base_radius_sum() / distance).acos();
+        let distance = Length::from_si(given.copysign(base_radii.si()));
+        let working_angle = (base_radii / distance).acos();
         let difference =
             involute(Angle::from_si(working_angle))? - involute(Angle::from_si(rack.alpha_t))?;
         Ok(Self {

@@ -12,6 +12,7 @@
 //! path 0 ≤ ξ ≤ ε_α: a strip.
 
 use asperity_core::DomainError;
+use asperity_core::cite;
 use asperity_core::quantity::Length;
 use serde::Serialize;
 
@@ -47,6 +48,7 @@ impl GearPair {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn contact_length(&self, phase: f64) -> Result<Length, GearError> {
+        cite!("Length-1");
         DomainError::require(
             phase.is_finite(),
             "mesh phase",
@@ -68,6 +70,7 @@ impl GearPair {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn mean_contact_length(&self) -> Length {
+        cite!("Length-2");
         self.face_width * (self.path.eps_alpha / self.base_helix.si().cos())
     }
 
@@ -105,13 +108,18 @@ impl GearPair {
 
     /// The strips (from ξ, to ξ) on which the teeth of a helical pair touch at a phase in 0..1.
     pub(crate) fn strips(&self, phase: f64) -> impl Iterator<Item = (f64, f64)> {
+        self.numbered_strips(phase).map(|(_, from, to)| (from, to))
+    }
+
+    /// The same with the number of the tooth, which stands at φ + j at the front face.
+    pub(crate) fn numbered_strips(&self, phase: f64) -> impl Iterator<Item = (i64, f64, f64)> {
         let (eps_alpha, eps_beta) = (self.path.eps_alpha, self.path.eps_beta);
         let first = (-eps_beta - phase).floor() as i64;
         let last = (eps_alpha - phase).ceil() as i64;
         (first..=last).filter_map(move |tooth| {
             let front = phase + tooth as f64;
             let (from, to) = (front.max(0.0), (front + eps_beta).min(eps_alpha));
-            (to > from).then_some((from, to))
+            (to > from).then_some((tooth, from, to))
         })
     }
 

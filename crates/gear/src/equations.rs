@@ -50,6 +50,24 @@ pub const WIMMER_2006: Reference = Reference {
     text: "A. Wimmer, Lastverluste von Stirnradverzahnungen, Dissertation, TU München, 2006",
 };
 
+/// Compliance of teeth, foundations and flanks.
+pub const WEBER_BANASCHEK_1953: Reference = Reference {
+    key: "weber_banaschek_1953",
+    text: "C. Weber and K. Banaschek, Formänderung und Profilrücknahme bei gerad- und schrägverzahnten Rädern, Schriftenreihe Antriebstechnik 11, Vieweg, Braunschweig, 1953",
+};
+
+/// Definitions of flank deviations.
+pub const ISO_1328_1: Reference = Reference {
+    key: "iso_1328_1_2013",
+    text: "ISO 1328-1:2013, Cylindrical gears - ISO system of flank tolerance classification - Part 1: Definitions and allowable values of deviations relevant to flanks of gear teeth",
+};
+
+/// Kinematics of epicyclic gears.
+pub const WILLIS_1870: Reference = Reference {
+    key: "willis_1870",
+    text: "R. Willis, Principles of Mechanism, 2nd edition, Longmans, Green and Co., London, 1870",
+};
+
 /// Equations of this crate.
 pub const EQUATIONS: &[Equation] = &[
     Equation::new(
@@ -111,7 +129,7 @@ pub const EQUATIONS: &[Equation] = &[
     Equation::new(
         "Path-1",
         "Points on the line of action",
-        "A = T₁T₂ − √(r_a2² − r_b2²), E = √(r_a1² − r_b1²), C = r_b1 tan α_wt, B = E − p_et, D = A + p_et",
+        "A = T₁T₂ − sgn(z₂) √(r_a2² − r_b2²), E = √(r_a1² − r_b1²), C = r_b1 tan α_wt, B = E − p_et, D = A + p_et",
         "crates/gear/src/path_of_contact.rs",
         "the_reference_case_has_the_path_of_contact_of_table_2",
         &[ISO_21771],
@@ -258,6 +276,182 @@ pub const EQUATIONS: &[Equation] = &[
         "H_V = π(u + 1)/(z₁ u cos β_b) (ε₁|ε₁| + ε₂|ε₂|)/ε_α",
         "crates/gear/src/loss_factor.rs",
         "the_local_loss_factor_of_a_helical_pair_has_a_closed_form",
+        &[NIEMANN_WINTER],
+    ),
+    Equation::new(
+        "Tooth-1",
+        "Virtual spur gear of the normal section",
+        "z_n = z/(cos² β_b cos β), r_n = mₙ z_n/2, r_bn = r_n cos αₙ",
+        "crates/gear/src/tooth_outline.rs",
+        "tooth_compliances_are_those_of_an_independent_program",
+        &[ISO_6336_1],
+    ),
+    Equation::new(
+        "Tooth-2",
+        "Fillet that the rounded edge of a rack leaves",
+        "P = (h t + ρ t/√(1 + t²), r − h − ρ/√(1 + t²)) turned by −(h t − E)/r, h = (h_fP* − ρ_fP* − x) m, E = π m/4 − h_fP* m tan αₙ − (1 − sin αₙ) ρ/cos αₙ",
+        "crates/gear/src/tooth_outline.rs",
+        "the_fillet_meets_the_involute_with_its_slope",
+        &[],
+    ),
+    Equation::new(
+        "Tooth-3",
+        "Load line of a tooth",
+        "a′ = α − γ (ring: α + γ), y_P = r_b/cos a′, h = r_C sin γ/cos a′",
+        "crates/gear/src/tooth_outline.rs",
+        "the_flattening_is_that_of_an_independent_program",
+        &[WEBER_BANASCHEK_1953],
+    ),
+    Equation::new(
+        "Compliance-1",
+        "Bending, shear and compression of a tooth",
+        "q₁ = cos² a′ [12 (1 − ν²)/E ∫ (L − η)²/(2X)³ dη + (2.4 (1 + ν)/E + tan² a′ (1 − ν²)/E) ∫ dη/(2X)]",
+        "crates/gear/src/tooth_compliance.rs",
+        "tooth_compliances_are_those_of_an_independent_program",
+        &[WEBER_BANASCHEK_1953],
+    ),
+    Equation::new(
+        "Compliance-2",
+        "Yielding of the foundation of a tooth",
+        "q₂ = cos² a′ (1 − ν²)/E [18/π (L/s_f)² + 2 (1 − 2ν)/(1 − ν) L/s_f + 4.8/π (1 + (1 − ν)/2.4 tan² a′)]",
+        "crates/gear/src/tooth_compliance.rs",
+        "the_stiffest_place_has_about_the_stiffness_of_iso_6336",
+        &[WEBER_BANASCHEK_1953],
+    ),
+    Equation::new(
+        "Compliance-3",
+        "Flattening of two flanks",
+        "q_H = Σ (1 − ν²)/(π E) [ln(4 h²/a²) − ν/(1 − ν)], a² = 4 f R/(π E*)",
+        "crates/gear/src/hertz_compliance.rs",
+        "the_flattening_is_that_of_an_independent_program",
+        &[WEBER_BANASCHEK_1953],
+    ),
+    Equation::new(
+        "Stiffness-1",
+        "Theoretical single stiffness",
+        "1/c′_th = 0.04723 + 0.15551/z_n1 + 0.25791/z_n2 − 0.00635 x₁ − 0.11654 x₁/z_n1 − 0.00193 x₂ − 0.24188 x₂/z_n2 + 0.00529 x₁² + 0.00182 x₂²",
+        "crates/gear/src/iso_stiffness.rs",
+        "the_stiffness_polynomial_is_that_of_the_standard",
+        &[ISO_6336_1],
+    ),
+    Equation::new(
+        "Stiffness-2",
+        "Mean mesh stiffness of the standard",
+        "c_γ = C_M c′_th cos β (0.75 ε_α + 0.25)",
+        "crates/gear/src/iso_stiffness.rs",
+        "the_stiffness_polynomial_is_that_of_the_standard",
+        &[ISO_6336_1],
+    ),
+    Equation::new(
+        "Stiffness-3",
+        "Single stiffness along the path",
+        "c(ξ) = C_M c′_th (1 − 0.33 ((ξ − ε_α/2)/(ε_α/2))²)",
+        "crates/gear/src/iso_stiffness.rs",
+        "iso_stiffness_has_the_loss_factors_of_a_second_program",
+        &[],
+    ),
+    Equation::new(
+        "Relief-1",
+        "Separation of modified flanks",
+        "e = Σ C_a ((ξ − ξ₁) p_et/L)ⁿ + C_c (2y/b − 1)² + C_l (y/b − ½) + C_p (ξ/ε_α − ½) + C_Ca (2ξ/ε_α − 1)² + pitch",
+        "crates/gear/src/relief.rs",
+        "relieved_loss_factors_are_those_of_the_reference",
+        &[ISO_21771, ISO_1328_1],
+    ),
+    Equation::new(
+        "Relief-2",
+        "Roll length of a relief",
+        "L = |√(r_end² − r_b²) − √(r_start² − r_b²)|",
+        "crates/gear/src/relief.rs",
+        "a_start_diameter_gives_the_roll_length_it_leaves",
+        &[ISO_21771],
+    ),
+    Equation::new(
+        "Edge-1",
+        "Separation of a tip edge outside the path",
+        "g = r_b1 (θ_P + inv(arccos(r_b1/r_P)) − θ_b)",
+        "crates/gear/src/edge_contact.rs",
+        "the_reference_pairs_have_their_geometry_and_forces",
+        &[],
+    ),
+    Equation::new(
+        "Load-map-1",
+        "Load over the lines of contact of elastic teeth",
+        "u = √q_b w, w − λ² w″ = √q_b f; f > 0: u + f q_H(f) = δ − e; Σ ∫ f dl = F_bn",
+        "crates/gear/src/load_map/coupled.rs",
+        "touching_cells_share_the_approach_and_the_others_stay_clear",
+        &[],
+    ),
+    Equation::new(
+        "Load-map-2",
+        "Load over the lines of contact by weights",
+        "f = F_bn v(ξ)/∫ v dl; v = 1: f = F_bn/l(φ)",
+        "crates/gear/src/load_map/rigid.rs",
+        "laws_without_deflections_have_the_loss_factors_of_the_reference",
+        &[NIEMANN_WINTER, PEDRERO_2010],
+    ),
+    Equation::new(
+        "Loss-5",
+        "Loss factor of a load map",
+        "H_V = (1/cos β_b) ∫∫ f |V_s| dy dξ/(T₁ ω₁)",
+        "crates/gear/src/load_map/mod.rs",
+        "elastic_loss_factors_are_those_of_the_reference",
+        &[WIMMER_2006],
+    ),
+    Equation::new(
+        "Cell-1",
+        "Contact that stands for a cell of the path",
+        "ξ̄ = ∫ ξ dP/∫ dP, ln f̄ = ∫ ln f dP/∫ dP, dP = f |V_s| dl",
+        "crates/gear/src/load_map/cells.rs",
+        "sixteen_cells_stand_for_friction_that_varies",
+        &[],
+    ),
+    Equation::new(
+        "Width-1",
+        "Face load factor",
+        "K_Hβ = largest over mean load per width of the face, in 16 strips",
+        "crates/gear/src/load_map/cells.rs",
+        "width_errors_load_one_end_and_leave_the_loss",
+        &[ISO_6336_1],
+    ),
+    Equation::new(
+        "TE-1",
+        "Transmission error",
+        "TE = δ/cos β_b",
+        "crates/gear/src/load_map/deflection.rs",
+        "transmission_errors_are_those_of_the_reference",
+        &[],
+    ),
+    Equation::new(
+        "TE-2",
+        "Mesh stiffness",
+        "c_γ = mean of F_bt/(b TE)",
+        "crates/gear/src/load_map/deflection.rs",
+        "transmission_errors_are_those_of_the_reference",
+        &[ISO_6336_1],
+    ),
+    Equation::new(
+        "Planet-1",
+        "Speeds of a planetary set",
+        "ω_c = (ω_s z_s + ω_r z_r)/(z_s + z_r), ω_p − ω_c = −(ω_s − ω_c) z_s/z_p",
+        "crates/gear/src/planetary.rs",
+        "a_planetary_set_turns_as_willis_says",
+        &[WILLIS_1870],
+    ),
+    Equation::new(
+        "Planet-2",
+        "Torques of the meshes of a planetary set",
+        "T = T_s/n_p at the sun, T_s z_p/(n_p z_s) at the planet",
+        "crates/gear/src/planetary.rs",
+        "the_meshes_of_a_planetary_set_carry_the_torque_of_the_sun",
+        &[NIEMANN_WINTER],
+    ),
+    Equation::new(
+        "Planet-3",
+        "Loss of a planetary set",
+        "P = n_p (P_sun-planet + P_planet-ring)",
+        "crates/gear/src/planetary.rs",
+        "the_loss_of_a_planetary_set_is_that_of_its_meshes",
         &[NIEMANN_WINTER],
     ),
 ];

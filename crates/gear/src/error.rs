@@ -72,6 +72,14 @@ pub enum GearError {
         /// Distance of the other base tangent point.
         limit: Length,
     },
+    /// The tip of a ring reaches below the involute of the gear inside it.
+    #[error(
+        "the tip of the ring starts contact at {start:.5} from the base tangent point of the pinion, before its involute begins: interference"
+    )]
+    RingInterference {
+        /// Coordinate of A; must be positive.
+        start: Length,
+    },
     /// A tooth comes to a point below its tip.
     #[error("the tooth of the {gear} is pointed: its thickness at the tip would be {thickness:.5}")]
     PointedTip {
@@ -123,6 +131,67 @@ pub enum GearError {
         xi: f64,
         /// Transverse contact ratio, the coordinate of E.
         eps_alpha: f64,
+    },
+    /// A tooth whose root cannot be drawn from the rack.
+    #[error("the root of the {gear} cannot be drawn: {reason}")]
+    RootForm {
+        /// The gear.
+        gear: Gear,
+        /// What is wrong with the outline.
+        reason: &'static str,
+    },
+    /// The tool has cut away the involute where the mating tip touches.
+    #[error(
+        "the {gear} is undercut: its involute begins at the radius {form_radius:.5} of the normal section, above the lowest contact at {contact_radius:.5}"
+    )]
+    UndercutContact {
+        /// The gear.
+        gear: Gear,
+        /// Radius at which the involute begins, in the normal section.
+        form_radius: Length,
+        /// Radius of the lowest contact, in the normal section.
+        contact_radius: Length,
+    },
+    /// A tooth whose compliance is no positive number.
+    #[error("the teeth have no compliance that can be used: {value} m2/N")]
+    ToothCompliance {
+        /// The value found.
+        value: f64,
+    },
+    /// Modified flanks with a law that does not know of deflections.
+    #[error(
+        "the load distribution \"{law}\" knows no deflections and takes no modified flanks; use \"elastic\" or \"iso-stiffness\""
+    )]
+    ModifiedFlanks {
+        /// Name of the law.
+        law: &'static str,
+    },
+    /// A relief that starts beyond the flank.
+    #[error(
+        "the relief of the {gear} starts at the diameter {diameter:.5}, which leaves a roll length of {length:.5}: it must be positive"
+    )]
+    ReliefStart {
+        /// The gear.
+        gear: Gear,
+        /// Start diameter given.
+        diameter: Length,
+        /// Roll length from the end of the active flank.
+        length: Length,
+    },
+    /// Edge contact of a ring gear.
+    #[error("contact of tip edges outside the path of contact is known for external pairs only")]
+    EdgeContactOfRing,
+    /// Planets that run into each other.
+    #[error(
+        "{planets} planets do not fit: neighbouring axes are {distance:.5} apart and the tips need {needed:.5}"
+    )]
+    PlanetsCollide {
+        /// Number of planets.
+        planets: u32,
+        /// Distance of neighbouring planet axes.
+        distance: Length,
+        /// Tip diameter of a planet.
+        needed: Length,
     },
     /// A load sharing law made for spur gears.
     #[error("the load sharing \"{law}\" is for spur pairs")]

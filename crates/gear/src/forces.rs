@@ -10,6 +10,7 @@
 //! | F_t, F_r, F_a | tangential, radial, axial part at the working pitch cylinder | N |
 
 use asperity_core::DomainError;
+use asperity_core::cite;
 use asperity_core::quantity::{Force, Torque};
 use serde::Serialize;
 
@@ -52,6 +53,7 @@ impl GearPair {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn forces(&self, torque: Torque) -> Result<Forces, GearError> {
+        cite!("Force-1");
         let t1 = DomainError::finite("torque", torque)?;
         let driver = if t1 < 0.0 { Gear::Wheel } else { Gear::Pinion };
         let f_bt = t1.abs() / self.base_radius[0].si();

@@ -12,6 +12,7 @@
 //! Limits: 0 ≤ α < π/2. For α below about 10⁻³ the difference tan α − α loses digits.
 
 use asperity_core::DomainError;
+use asperity_core::cite;
 use asperity_core::quantity::{Angle, Length};
 
 use crate::error::GearError;
@@ -31,6 +32,7 @@ const MOST_ITERATIONS: usize = 50;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn involute(angle: Angle) -> Result<f64, DomainError> {
+    cite!("Involute-1");
     let a = angle.si();
     DomainError::require(
         (0.0..std::f64::consts::FRAC_PI_2).contains(&a),
@@ -68,6 +70,7 @@ pub struct InverseInvolute {
 /// # Ok::<(), asperity_gear::GearError>(())
 /// ```
 pub fn inverse_involute(involute: f64) -> Result<InverseInvolute, GearError> {
+    cite!("Involute-2");
     DomainError::require(
         involute.is_finite() && involute >= 0.0,
         "involute function",
@@ -135,6 +138,7 @@ pub struct ToothSection {
 /// # Ok::<(), asperity_core::DomainError>(())
 /// ```
 pub fn tooth_thickness(tooth: &ToothSection, radius: Length) -> Result<Length, DomainError> {
+    cite!("Involute-3");
     let r = DomainError::positive("radius", radius)?;
     let angle = half_angle(tooth, radius)?;
     Ok(Length::from_si(2.0 * r * angle))

@@ -12,6 +12,7 @@
 //! | SRR | slide-to-roll ratio V_s/V_e | - |
 
 use asperity_core::DomainError;
+use asperity_core::cite;
 use asperity_core::quantity::{AngularSpeed, Length, Speed};
 use serde::Serialize;
 
@@ -23,7 +24,7 @@ use crate::pair::GearPair;
 pub struct Kinematics {
     /// Transverse radius of curvature of flank 1, ρ₁ = s.
     pub rho1: Length,
-    /// Transverse radius of curvature of flank 2, ρ₂ = T₁T₂ − s.
+    /// Transverse radius of curvature of flank 2, ρ₂ = T₁T₂ − s; negative where a ring is concave.
     pub rho2: Length,
     /// Relative radius of curvature R, normal to the contact line.
     pub radius: Length,
@@ -62,14 +63,22 @@ impl GearPair {
         s: Length,
         pinion_speed: AngularSpeed,
     ) -> Result<Kinematics, GearError> {
+        cite!("Kinematics-1");
+        cite!("Kinematics-2");
         let omega1 = DomainError::positive("pinion speed", pinion_speed)?;
         let omega2 = omega1 / self.ratio;
         let (s, t1t2) = (s.si(), self.path.t1t2.si());
-        if !(0.0..=t1t2).contains(&s) {
+        // The line of action of a ring has no T₂ ahead; the ring's flank ends soon after E.
+        let end = if self.internal {
+            (self.path.e + self.path.base_pitch).si()
+        } else {
+            t1t2
+        };
+        if !(0.0..=end).contains(&s) {
             return Err(GearError::OffPath {
                 s: Length::from_si(s),
                 from: Length::from_si(0.0),
-                to: self.path.t1t2,
+                to: Length::from_si(end),
             });
         }
         let (rho1, rho2) = (s, t1t2 - s);

@@ -1,10 +1,11 @@
-//! External involute cylindrical gear pairs: geometry, kinematics, load along the path of contact,
+//! Involute cylindrical gear pairs, external and internal: geometry, kinematics, load over the flanks,
 //! and the loss factors that follow from them.
 //!
 //! Everything starts from a [`GearPairInput`], from which [`GearPair::new`] derives the whole
 //! geometry or refuses with a reason. A place on the path of contact is its distance s from T₁,
 //! the foot of the perpendicular from the axis of gear 1 on the line of action; A and E are the
-//! ends of the path, C is the pitch point.
+//! ends of the path, C is the pitch point. [`LoadMap`] solves for the load over the flanks of elastic
+//! teeth; [`planetary::PlanetarySet`] joins two kinds of pairs.
 //!
 //! ```
 //! use asperity_core::quantity::{Angle, Length};
@@ -34,23 +35,34 @@
 //! ```
 
 mod centre_distance;
+mod chebyshev;
 pub mod contact_length;
+pub mod edge_contact;
 pub mod equations;
 pub mod error;
 pub mod forces;
+mod hertz_compliance;
 pub mod input;
 pub mod involute;
+pub mod iso_stiffness;
 pub mod kinematics;
 pub mod line_load;
 pub mod load_distribution;
+pub mod load_map;
 pub mod load_sharing;
+mod loss_band;
 pub mod loss_factor;
 pub mod pair;
+pub mod pair_compliance;
 pub mod path_of_contact;
+pub mod planetary;
 pub mod positions;
 mod quadrature;
 mod rack;
+pub mod relief;
 mod tips;
+mod tooth_compliance;
+pub mod tooth_outline;
 
 pub use contact_length::ContactLengths;
 pub use equations::EQUATIONS;
@@ -59,8 +71,19 @@ pub use forces::Forces;
 pub use input::{GearPairInput, Plane};
 pub use kinematics::Kinematics;
 pub use load_distribution::LoadDistribution;
+pub use load_map::{
+    LoadCell, LoadLaw, LoadMap, LoadMapEvidence, LoadMapSettings, LoadSample, TransmissionError,
+};
 pub use load_sharing::LoadSharing;
+pub use loss_band::{BandPart, BandSource, EdgeContactNote, LossFactorBand};
 pub use loss_factor::LossFactors;
 pub use pair::GearPair;
+pub use pair_compliance::StiffnessSource;
 pub use path_of_contact::PathOfContact;
 pub use positions::{MeshPosition, PositionRule};
+pub use relief::{AmountDirection, EndRelief, MicroGeometry, Relief, ReliefExtent, ReliefShape};
+pub use tooth_outline::RootForm;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -11,6 +11,7 @@
 //! changes during a mesh cycle by less than 1/(ε_α ε_β) of its mean, and not at all when ε_α or
 //! ε_β is a whole number.
 
+use asperity_core::cite;
 use asperity_core::quantity::{Length, LineLoad, Torque};
 
 use crate::error::GearError;
@@ -64,8 +65,10 @@ impl GearPair {
     pub(crate) fn unit_line_load(&self, weights: &Weights<'_>, xi: f64) -> f64 {
         let b = self.face_width.si();
         if self.is_spur() {
+            cite!("Load-1");
             weights.share(xi) / b
         } else {
+            cite!("Load-2");
             self.base_helix.si().cos() * weights.at(xi) / (b * weights.integral())
         }
     }

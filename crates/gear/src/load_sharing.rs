@@ -13,6 +13,7 @@
 //! contact. So the shares sum to 1 whatever the weights.
 
 use asperity_core::DomainError;
+use asperity_core::cite;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -115,8 +116,13 @@ impl<'a> Weights<'a> {
             "must be finite and greater than zero",
         )?;
         match law {
-            LoadSharing::Uniform => {}
+            LoadSharing::Uniform => cite!("Load-share-1"),
             LoadSharing::Trapezoid | LoadSharing::MinPotential => {
+                if matches!(law, LoadSharing::Trapezoid) {
+                    cite!("Load-share-2");
+                } else {
+                    cite!("Load-share-3");
+                }
                 let (low, high) = TWO_PAIRS;
                 if !(eps_alpha > low && eps_alpha <= high) {
                     return Err(GearError::SharingRange {
@@ -171,6 +177,7 @@ impl<'a> Weights<'a> {
 
     /// R(ξ), for ξ on the path.
     pub(crate) fn share(&self, xi: f64) -> f64 {
+        cite!("Load-share-4");
         let neighbours = self.eps_alpha.ceil() as i64;
         let all: f64 = (-neighbours..=neighbours)
             .map(|j| self.at(xi + j as f64))

@@ -17,6 +17,7 @@
 
 use std::num::NonZeroUsize;
 
+use asperity_core::cite;
 use serde::Serialize;
 
 use crate::error::GearError;
@@ -82,6 +83,7 @@ impl GearPair {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn ohlendorf_loss_factor(&self) -> f64 {
+        cite!("Loss-1");
         let path = &self.path;
         self.loss_scale() * (1.0 - path.eps_alpha + path.eps_1.powi(2) + path.eps_2.powi(2))
     }
@@ -100,6 +102,7 @@ impl GearPair {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn wide_helical_loss_factor(&self) -> f64 {
+        cite!("Loss-4");
         let path = &self.path;
         self.loss_scale() * (path.eps_1.abs() * path.eps_1 + path.eps_2.abs() * path.eps_2)
             / path.eps_alpha
@@ -113,6 +116,7 @@ impl GearPair {
 
     /// H_V = (b/(cos β_b p_et))·∫_A^E f·|V_s| ds/(F_bt v_b)                     [Loss-2]
     fn local_loss_factor(&self, weights: &Weights<'_>) -> f64 {
+        cite!("Loss-2");
         let ends = self.segment_ends();
         // A kink of the weight of one pair is felt by every pair in contact with it.
         let reach = self.path.eps_alpha.ceil() as i32;
@@ -131,6 +135,7 @@ impl GearPair {
     /// H_V = ∫₀¹ (∫ v|V_s| dξ / ∫ v dξ) dφ/(v_b cos β_b), inner integrals over the strips that
     /// touch at the phase φ                                                     [Loss-3]
     fn phase_averaged_loss_factor(&self, weights: &Weights<'_>) -> f64 {
+        cite!("Loss-3");
         let rule = gauss_legendre(ORDER);
         let pitch_point = self.path.eps_2;
         let mut marks = weights.knots();

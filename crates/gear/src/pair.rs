@@ -12,13 +12,17 @@
 //! | r, r_b, r_w, r_a | reference, base, working pitch, tip radius | m |
 //! | b | width over which the faces overlap | m |
 //!
-//! Limits: external pairs on parallel axes, perfect involutes, rigid teeth, no backlash. A pair is
-//! refused when a tip reaches past the mating involute, when a tooth is pointed, or when contact is
-//! not continuous. Undercut that the tool leaves below the path of contact is not looked for.
+//! Limits: parallel axes, perfect involutes, rigid teeth, no backlash. A pair is refused when a tip
+//! reaches past the mating involute, when a tooth is pointed, or when contact is not continuous.
+//! Undercut that the tool leaves below the path of contact is not looked for, nor is the fouling of
+//! tips inside a ring away from the line of action ([`GearPair::tips_may_foul`]).
+//!
+//! A ring follows the signs of ISO 21771: with z₂ < 0 also u, r₂, r_b2, r_w2, r_a2, a and T₁T₂ are
+//! negative, and every formula stands as it is except A = T₁T₂ − sgn(z₂)·√(r_a2² − r_b2²).
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Angle, Length};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::centre_distance::Centre;
 use crate::error::GearError;
@@ -27,11 +31,17 @@ use crate::path_of_contact::{LEAST_OVERLAP, PathOfContact};
 use crate::rack::Rack;
 use crate::tips::{tip_radii, tip_thickness};
 
+/// Difference of the tooth numbers from which tips of a pinion and its ring stay clear of each other
+/// with standard addenda (Niemann and Winter, Maschinenelemente II; from memory, source not reached).
+const LEAST_RING_DIFFERENCE: u32 = 10;
+
 /// The working geometry of a gear pair. Index 0 is gear 1, the pinion.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct GearPair {
-    /// Tooth numbers z₁, z₂.
+    /// Tooth numbers |z₁|, |z₂|.
     pub teeth: [u32; 2],
+    /// Whether gear 2 is a ring. Its radii, the ratio, a and T₁T₂ are then negative.
+    pub internal: bool,
     /// Gear ratio u = z₂/z₁.
     pub ratio: f64,
     /// Normal module mₙ.
@@ -92,7 +102,34 @@ impl GearPair {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn new(input: &GearPairInput) -> Result<Self, GearError> {
-        let rack = Rack::new(input)?;
+        Self::derive(input, false)
+    }
+
+    /// Derives the working geometry of a pinion inside a ring.
+    ///
+    /// Gear 2 of the input is the ring; its tooth number, tip radius and the centre distance are
+    /// given as magnitudes. The sign of its profile shift is that of ISO 21771: a positive one
+    /// brings the teeth of the ring towards its axis.
+    ///
+    /// # Errors
+    /// As [`GearPair::new`]; also when the ring has no more teeth than the pinion, or its tips reach
+    /// below the involute of the pinion.
+    ///
+    /// ```
+    /// use asperity_gear::{GearPair, GearPairInput};
+    /// let pair = GearPair::internal(&GearPairInput::standard(
+    ///     [24, 75], "1.5 mm".parse()?, "0 deg".parse()?, "20 mm".parse()?,
+    /// ))?;
+    /// assert!((pair.centre_distance.si() + 38.25e-3).abs() < 1e-12);
+    /// assert!((pair.path().eps_alpha - 1.923058).abs() < 1e-6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn internal(input: &GearPairInput) -> Result<Self, GearError> {
+        Self::derive(input, true)
+    }
+
+    fn derive(input: &GearPairInput, internal: bool) -> Result<Self, GearError> {
+        let rack = Rack::new(input, internal)?;
         let face_width = face_width(input)?;
         let centre = Centre::new(input, &rack)?;
         let tip_radius = tip_radii(input, &rack, &centre)?;
@@ -104,10 +141,11 @@ impl GearPair {
             rack.transverse_module * (std::f64::consts::PI * rack.alpha_t.cos()),
             face_width * rack.beta_b.tan(),
         )?;
-        let [z1, z2] = rack.teeth.map(f64::from);
+        let [z1, z2] = rack.teeth;
         let a = centre.distance;
         Ok(Self {
             teeth: input.teeth,
+            internal,
             ratio: z2 / z1,
             normal_module: rack.normal_module,
             transverse_module: rack.transverse_module,
@@ -132,6 +170,67 @@ impl GearPair {
     /// The path of contact.
     pub fn path(&self) -> &PathOfContact {
         &self.path
+    }
+
+    /// The same pair with chamfered tips: the active tip radii are the tip radii minus the radial
+    /// chamfers (plus, for a ring).
+    ///
+    /// # Errors
+    /// When a chamfer is negative, takes a tip below its base circle, or leaves no continuous contact.
+    ///
+    /// ```
+    /// use asperity_gear::{GearPair, GearPairInput};
+    /// let pair = GearPair::new(&GearPairInput::standard(
+    ///     [23, 68], "1.8 mm".parse()?, "23.4 deg".parse()?, "32 mm".parse()?,
+    /// ))?;
+    /// let chamfered = pair.with_tip_chamfer(["0.1 mm".parse()?; 2])?;
+    /// assert!(chamfered.path().eps_alpha < pair.path().eps_alpha);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_tip_chamfer(&self, chamfer: [Length; 2]) -> Result<Self, GearError> {
+        let mut tip_radius = self.tip_radius;
+        for (gear, radius) in tip_radius.iter_mut().enumerate() {
+            DomainError::non_negative("tip chamfer", chamfer[gear])?;
+            *radius = *radius - chamfer[gear];
+            let (tip, base) = (*radius, self.base_radius[gear]);
+            DomainError::require(
+                tip / base > 1.0,
+                "tip chamfer",
+                chamfer[gear].si(),
+                "m",
+                "must leave the tip outside the base circle",
+            )?;
+        }
+        let path = PathOfContact::new(
+            self.base_radius,
+            tip_radius,
+            self.working_pressure_angle.si(),
+            self.path.base_pitch,
+            self.face_width * self.base_helix.si().tan(),
+        )?;
+        Ok(Self {
+            tip_radius,
+            tip_thickness: None,
+            path,
+            ..self.clone()
+        })
+    }
+
+    /// The division of the sum of profile shifts that the tip radii suggest for full-depth teeth.
+    pub(crate) fn likely_profile_shift(&self) -> [f64; 2] {
+        let addendum = |gear: usize| {
+            (self.tip_radius[gear] - self.reference_radius[gear]) / self.normal_module
+        };
+        let difference = addendum(0) - addendum(1);
+        let sum = self.profile_shift_sum;
+        [0.5 * (sum + difference), 0.5 * (sum - difference)]
+    }
+
+    /// Whether the tips of a pinion and its ring may foul each other away from the line of action,
+    /// which is not checked: fewer than ten teeth of difference.
+    pub fn tips_may_foul(&self) -> bool {
+        let [z1, z2] = self.teeth;
+        self.internal && z2.saturating_sub(z1) < LEAST_RING_DIFFERENCE
     }
 
     /// Whether the teeth are straight: a helix that gives no overlap counts as none.

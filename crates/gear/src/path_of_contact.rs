@@ -15,8 +15,9 @@
 //! | ξ | (s − A)/p_et, profile coordinate | - |
 
 use asperity_core::DomainError;
+use asperity_core::cite;
 use asperity_core::quantity::Length;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::error::{Gear, GearError};
 
@@ -27,7 +28,7 @@ pub(crate) const LEAST_OVERLAP: f64 = 1e-9;
 const LARGEST_OVERLAP: f64 = 1000.0;
 
 /// Points along the line of action, as distances from T₁, and the contact ratios.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PathOfContact {
     /// A: the tip of gear 2 enters contact.
     pub a: Length,
@@ -39,7 +40,7 @@ pub struct PathOfContact {
     pub d: Length,
     /// E: the tip of gear 1 leaves contact.
     pub e: Length,
-    /// Distance T₁T₂.
+    /// Distance T₁T₂; negative for a ring, whose T₂ lies behind T₁.
     pub t1t2: Length,
     /// Length of the path, A to E.
     pub length: Length,
@@ -58,7 +59,7 @@ pub struct PathOfContact {
 }
 
 impl PathOfContact {
-    /// T₁T₂ = (r_b1 + r_b2)·tan α_wt, A = T₁T₂ − √(r_a2² − r_b2²), E = √(r_a1² − r_b1²),
+    /// T₁T₂ = (r_b1 + r_b2)·tan α_wt, A = T₁T₂ − sgn(z₂)·√(r_a2² − r_b2²), E = √(r_a1² − r_b1²),
     /// C = r_b1·tan α_wt, B = E − p_et, D = A + p_et                           [Path-1]
     ///
     /// ε₁ = (E − C)/p_et, ε₂ = (C − A)/p_et, ε_α = ε₁ + ε₂, ε_β = b·tan β_b/p_et  [Path-2]
@@ -71,6 +72,8 @@ impl PathOfContact {
         base_pitch: Length,
         advance: Length,
     ) -> Result<Self, GearError> {
+        cite!("Path-1");
+        cite!("Path-2");
         let [rb1, rb2] = base_radius.map(Length::si);
         let [ra1, ra2] = tip_radius.map(Length::si);
         let t1t2 = (rb1 + rb2) * working_angle.tan();
@@ -79,7 +82,7 @@ impl PathOfContact {
         let reach_2 = ((ra2 - rb2) * (ra2 + rb2)).sqrt();
         for (gear, reach) in [(Gear::Pinion, reach_1), (Gear::Wheel, reach_2)] {
             DomainError::finite("length of the path of contact", Length::from_si(reach))?;
-            if reach > t1t2 {
+            if rb2 > 0.0 && reach > t1t2 {
                 return Err(GearError::Interference {
                     gear,
                     reach: Length::from_si(reach),
@@ -88,7 +91,16 @@ impl PathOfContact {
             }
         }
         let p = DomainError::positive("base pitch", base_pitch)?;
-        let (a, c, e) = (t1t2 - reach_2, rb1 * working_angle.tan(), reach_1);
+        let (a, c, e) = (
+            t1t2 - reach_2.copysign(rb2),
+            rb1 * working_angle.tan(),
+            reach_1,
+        );
+        if a <= 0.0 && rb2 < 0.0 {
+            return Err(GearError::RingInterference {
+                start: Length::from_si(a),
+            });
+        }
         let path = Self {
             a: Length::from_si(a),
             b: Length::from_si(e - p),
@@ -147,6 +159,7 @@ impl PathOfContact {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn coordinate(&self, s: Length) -> f64 {
+        cite!("Path-3");
         (s - self.a) / self.base_pitch
     }
 

@@ -12,6 +12,7 @@
 
 use std::num::NonZeroUsize;
 
+use asperity_core::cite;
 use asperity_core::quantity::Length;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -69,6 +70,7 @@ impl GearPair {
         count: usize,
         rule: PositionRule,
     ) -> Result<Vec<MeshPosition>, GearError> {
+        cite!("Mean-1");
         let breaks = self.segment_ends();
         let least = breaks.len() - 1;
         if !(least..=MOST_POSITIONS).contains(&count) {
@@ -161,7 +163,7 @@ impl GearPair {
 }
 
 /// `count` shared out over the segments by their width, at least one each.
-fn spread(count: usize, breaks: &[f64]) -> Vec<usize> {
+pub(crate) fn spread(count: usize, breaks: &[f64]) -> Vec<usize> {
     let widths: Vec<f64> = breaks.windows(2).map(|ends| ends[1] - ends[0]).collect();
     let mut shares = vec![1; widths.len()];
     for _ in widths.len()..count {

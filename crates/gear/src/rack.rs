@@ -3,6 +3,7 @@
 //! Source: ISO 21771:2007. Symbols as in [`crate::pair`].
 
 use asperity_core::DomainError;
+use asperity_core::cite;
 use asperity_core::quantity::{Angle, Length};
 
 use crate::error::GearError;
@@ -18,7 +19,9 @@ const LARGEST_PRESSURE_ANGLE_DEGREES: f64 = 45.0;
 /// The transverse section and its radii.
 #[derive(Debug, Clone)]
 pub(crate) struct Rack {
-    pub(crate) teeth: [u32; 2],
+    /// z₁, z₂; negative for a ring, like every radius that follows from it.
+    pub(crate) teeth: [f64; 2],
+    pub(crate) internal: bool,
     pub(crate) normal_module: Length,
     pub(crate) transverse_module: Length,
     pub(crate) alpha_n: f64,
@@ -32,10 +35,9 @@ pub(crate) struct Rack {
 impl Rack {
     /// mₜ = mₙ/cos β, tan αₜ = tan αₙ/cos β, sin β_b = sin β·cos αₙ,
     /// r = mₜ z/2, r_b = r·cos αₜ                                            [Pair-1]
-    pub(crate) fn new(input: &GearPairInput) -> Result<Self, GearError> {
-        for z in input.teeth {
-            DomainError::require(z >= 1, "teeth", z.into(), "-", "must be at least 1")?;
-        }
+    pub(crate) fn new(input: &GearPairInput, internal: bool) -> Result<Self, GearError> {
+        cite!("Pair-1");
+        let teeth = signed_teeth(input.teeth, internal)?;
         let module = DomainError::positive("module", input.module)?;
         let alpha_n = DomainError::positive("pressure angle", input.pressure_angle)?;
         DomainError::require(
@@ -58,11 +60,10 @@ impl Rack {
             Plane::Transverse => (module * beta.cos(), module),
         };
         let alpha_t = (alpha_n.tan() / beta.cos()).atan();
-        let r = input
-            .teeth
-            .map(|z| Length::from_si(0.5 * m_t * f64::from(z)));
+        let r = teeth.map(|z| Length::from_si(0.5 * m_t * z));
         Ok(Self {
-            teeth: input.teeth,
+            teeth,
+            internal,
             normal_module: Length::from_si(m_n),
             transverse_module: Length::from_si(m_t),
             alpha_n,
@@ -76,7 +77,7 @@ impl Rack {
 
     pub(crate) fn tooth(&self, gear: usize, profile_shift: f64) -> ToothSection {
         ToothSection {
-            teeth: self.teeth[gear],
+            teeth: self.teeth[gear].abs() as u32,
             profile_shift,
             normal_pressure_angle: Angle::from_si(self.alpha_n),
             transverse_pressure_angle: Angle::from_si(self.alpha_t),
@@ -85,10 +86,29 @@ impl Rack {
     }
 
     pub(crate) fn tooth_sum(&self) -> f64 {
-        f64::from(self.teeth[0]) + f64::from(self.teeth[1])
+        self.teeth[0] + self.teeth[1]
     }
 
     pub(crate) fn base_radius_sum(&self) -> Length {
         self.base_radius[0] + self.base_radius[1]
     }
+}
+
+/// The tooth numbers with the signs of ISO 21771: that of a ring is negative.
+fn signed_teeth(teeth: [u32; 2], internal: bool) -> Result<[f64; 2], DomainError> {
+    for z in teeth {
+        DomainError::require(z >= 1, "teeth", z.into(), "-", "must be at least 1")?;
+    }
+    let [z1, z2] = teeth.map(f64::from);
+    if !internal {
+        return Ok([z1, z2]);
+    }
+    DomainError::require(
+        z2 > z1,
+        "teeth of the ring",
+        z2,
+        "-",
+        "must be more than those of the gear inside it",
+    )?;
+    Ok([z1, -z2])
 }

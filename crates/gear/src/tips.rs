@@ -3,12 +3,13 @@
 //! Source: ISO 21771:2007. Symbols as in [`crate::pair`].
 
 use asperity_core::DomainError;
-use asperity_core::quantity::Length;
+use asperity_core::cite;
+use asperity_core::quantity::{Angle, Length};
 
 use crate::centre_distance::Centre;
 use crate::error::{Gear, GearError};
 use crate::input::GearPairInput;
-use crate::involute::half_angle;
+use crate::involute::{half_angle, involute};
 use crate::rack::Rack;
 
 /// r_a = r + mₙ·(hₐ* + x)                                                    [Pair-4]
@@ -17,8 +18,9 @@ pub(crate) fn tip_radii(
     rack: &Rack,
     centre: &Centre,
 ) -> Result<[Length; 2], GearError> {
+    cite!("Pair-4");
     let radii = match (input.tip_radius, centre.profile_shift) {
-        (Some(radii), _) => radii,
+        (Some(radii), _) => signed(radii, rack),
         (None, None) => {
             return Err(GearError::TipRadiusUnknown {
                 sum: centre.shift_sum,
@@ -39,8 +41,9 @@ pub(crate) fn tip_radii(
         }
     };
     for (radius, base) in radii.into_iter().zip(rack.base_radius) {
+        let same_side = radius.si() * base.si() > 0.0;
         DomainError::require(
-            radius.si().is_finite() && radius > base,
+            radius.si().is_finite() && same_side && radius.si().abs() > base.si().abs(),
             "tip radius",
             radius.si(),
             "m",
@@ -58,12 +61,17 @@ pub(crate) fn tip_thickness(
 ) -> Result<Option<[Length; 2]>, GearError> {
     let half_angles = |x: [f64; 2]| -> Result<[f64; 2], DomainError> {
         let angle = |gear: usize| half_angle(&rack.tooth(gear, x[gear]), tip_radius[gear]);
-        Ok([angle(0)?, angle(1)?])
+        let second = if rack.internal {
+            ring_half_angle(rack, x[1], tip_radius[1])?
+        } else {
+            angle(1)?
+        };
+        Ok([angle(0)?, second])
     };
     let Some(shifts) = centre.profile_shift else {
         // z·(half-angle) is linear in x, so the sum over both gears does not depend on the division.
         let angles = half_angles([centre.shift_sum, 0.0])?;
-        let [z1, z2] = rack.teeth.map(f64::from);
+        let [z1, z2] = rack.teeth.map(f64::abs);
         let sum = z1 * angles[0] + z2 * angles[1];
         return if sum > 0.0 {
             Ok(None)
@@ -72,11 +80,29 @@ pub(crate) fn tip_thickness(
         };
     };
     let angles = half_angles(shifts)?;
-    let thickness = [0, 1].map(|gear| tip_radius[gear] * (2.0 * angles[gear]));
+    let thickness =
+        [0, 1].map(|gear| Length::from_si(2.0 * tip_radius[gear].si().abs() * angles[gear]));
     for (gear, thickness) in [Gear::Pinion, Gear::Wheel].into_iter().zip(thickness) {
         if thickness.si() <= 0.0 {
             return Err(GearError::PointedTip { gear, thickness });
         }
     }
     Ok(Some(thickness))
+}
+
+fn signed(radii: [Length; 2], rack: &Rack) -> [Length; 2] {
+    if rack.internal {
+        [radii[0], -radii[1]]
+    } else {
+        radii
+    }
+}
+
+/// Half the angle that a ring tooth fills at a radius: π/(2|z|) + 2 x tan αₙ/|z| − inv αₜ + inv α_r.
+fn ring_half_angle(rack: &Rack, shift: f64, radius: Length) -> Result<f64, DomainError> {
+    let z = rack.teeth[1].abs();
+    let cosine = rack.base_radius[1] / radius;
+    let here = involute(Angle::from_si(cosine.min(1.0).acos()))?;
+    let reference = involute(Angle::from_si(rack.alpha_t))?;
+    Ok((std::f64::consts::FRAC_PI_2 + 2.0 * shift * rack.alpha_n.tan()) / z - reference + here)
 }

@@ -1,7 +1,10 @@
 //! Warnings about a file that was read all the same.
 
+use std::borrow::Cow;
+
 use asperity_core::quantity::Length;
-use serde::Serialize;
+use asperity_core::remedy::{Remedy, Setting, Value};
+use serde::{Deserialize, Serialize};
 
 use crate::read::options::{Abscissa, Axis, LengthUnit};
 use crate::read::steepness::Steepness;
@@ -12,14 +15,17 @@ use crate::read::steepness::Steepness;
 /// use asperity_profile_io::{Warning, read::{Axis, LengthUnit}};
 /// let note = Warning::UnitAssumed { axis: Axis::Height, unit: LengthUnit::Micrometre };
 /// assert_eq!(note.code(), "W111");
-/// assert_eq!(note.to_string(), "no unit found for the heights; taken as um because no other unit gives a possible trace. Say --z-unit um to confirm");
+/// assert_eq!(note.to_string(), "no unit found for the heights; taken as um because no other unit gives a possible trace");
+/// assert_eq!(note.remedy().to_string(), "Set z_unit to um to confirm");
 /// ```
-#[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, thiserror::Error)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Warning {
     /// A unit was found by elimination.
-    #[error("no unit found for the {axis}; taken as {unit} because no other unit gives a possible trace. Say {} {unit} to confirm", axis.option())]
+    #[error(
+        "no unit found for the {axis}; taken as {unit} because no other unit gives a possible trace"
+    )]
     UnitAssumed {
         /// Which column.
         axis: Axis,
@@ -51,7 +57,7 @@ pub enum Warning {
     },
     /// The file holds the output of a roughness filter.
     #[error(
-        "the file says it holds an already filtered roughness profile; filtering it again changes it. Use --lambda-c none"
+        "the file says it holds an already filtered roughness profile; filtering it again changes it"
     )]
     AlreadyFiltered,
     /// A checksum in the file is not that of its content.
@@ -60,7 +66,7 @@ pub enum Warning {
     )]
     ChecksumDiffers {
         /// Which checksum.
-        what: &'static str,
+        what: Cow<'static, str>,
         /// As the file says.
         stated: String,
         /// Of the content.
@@ -77,15 +83,13 @@ pub enum Warning {
         traced: Length,
     },
     /// The spacing comes from a number that looks like one.
-    #[error(
-        "line 1 reads {value} and is taken as the spacing in um, as in NPL text profiles. Say --dx to be sure"
-    )]
+    #[error("line 1 reads {value} and is taken as the spacing in um, as in NPL text profiles")]
     SpacingFromFirstLine {
         /// The number.
         value: f64,
     },
     /// The spacing comes from a length printed with few digits.
-    #[error("the spacing follows from an evaluation length printed as {length}: it is known to {:.4} % only. Say --dx to be exact", 100.0 * uncertainty)]
+    #[error("the spacing follows from an evaluation length printed as {length}: it is known to {:.4} % only", 100.0 * uncertainty)]
     LengthRounded {
         /// The length.
         length: Length,
@@ -101,7 +105,7 @@ pub enum Warning {
     },
     /// The points are read as if they were even, and are not.
     #[error(
-        "x is up to {:.1} % of a spacing off an even grid, so slopes are off by up to {:.1} %. Pass --uneven resample to resample it", 100.0 * off, 100.0 * slopes
+        "x is up to {:.1} % of a spacing off an even grid, so slopes are off by up to {:.1} %", 100.0 * off, 100.0 * slopes
     )]
     UnevenSpacing {
         /// Largest distance from the even grid over the spacing.
@@ -132,6 +136,25 @@ pub enum Warning {
 }
 
 impl Warning {
+    /// What can be done about it; empty where nothing need be.
+    pub fn remedy(&self) -> Remedy {
+        let dx = |why| Remedy::state(Setting::Spacing).because(why);
+        match self {
+            Self::UnitAssumed { axis, unit } => {
+                Remedy::set(axis.setting(), Value::This(unit.to_string().into()))
+                    .because("to confirm")
+            }
+            Self::AlreadyFiltered => Remedy::set(Setting::Cutoff, Value::This("0 mm".into())),
+            Self::SpacingFromFirstLine { .. } => dx("to be sure"),
+            Self::LengthRounded { .. } => dx("to be exact"),
+            Self::UnevenSpacing { .. } => {
+                Remedy::set(Setting::Uneven, Value::This("resample".into()))
+            }
+            Self::ImplausibleHeights { steepness } => steepness.suspicion.remedy(),
+            _ => Remedy::none(),
+        }
+    }
+
     /// The code under which the message is explained.
     pub fn code(&self) -> &'static str {
         match self {

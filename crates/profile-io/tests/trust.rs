@@ -46,7 +46,7 @@ fn heights_in_millimetres_that_are_nanometres_are_named_and_refused() {
     let refused = reading.check_heights().unwrap_err();
     assert_eq!(refused.code(), "E131");
     assert!(
-        refused.to_string().contains("pass --z-unit nm"),
+        refused.remedy().to_string() == "Set z_unit to nm",
         "{refused}"
     );
     let options = ReadOptions {
@@ -198,7 +198,10 @@ fn roll_length_exports_need_the_base_radius_and_keep_the_roughness() {
     for text in files {
         let refused = opened(&text, &ReadOptions::default()).unwrap_err();
         assert_eq!(refused.code(), "E130");
-        assert!(refused.to_string().contains("--base-radius"), "{refused}");
+        assert!(
+            refused.remedy().to_string().contains("base_radius"),
+            "{refused}"
+        );
         let options = ReadOptions {
             base_radius: Some(base_radius),
             ..ReadOptions::default()

@@ -276,7 +276,7 @@ mod tests {
     fn traces_near_the_root_converge() {
         // Down to a roll angle of a fiftieth of a radian, the trace from almost the base circle on.
         for (base, roll) in [
-            (50e-3, 15e-3),
+            (50e-3_f64, 15e-3_f64),
             (50e-3, 1e-3),
             (20e-3, 0.4e-3),
             (300e-3, 6e-3),
@@ -313,8 +313,8 @@ mod tests {
                 panic!("nothing found");
             };
             // The difference of two parabolas over ±1 mm is 1/2 (1/12 − 1/15) mm high, √(4/45) of it as rms; the
-            // cubic of the involute adds to it.
-            assert!((form.si() / 2.5e-6 - 1.0).abs() < 0.1, "{form}");
+            // higher orders of the involute add a tenth.
+            assert!((form.si() / 2.5e-6 - 1.0).abs() < 0.15, "{form}");
             assert!((roughness.si() / 0.316e-6 - 1.0).abs() < 0.2, "{roughness}");
             assert!((fitted.si() / 15e-3 - 1.0).abs() < 1e-3, "{fitted}");
         }

@@ -1,6 +1,7 @@
 //! Warnings about a profile that was prepared and evaluated all the same.
 
 use asperity_core::quantity::Length;
+use asperity_core::remedy::{Remedy, Setting, Value};
 use serde::{Deserialize, Serialize};
 
 /// A note that goes with a result, under a stable code.
@@ -22,7 +23,7 @@ use serde::{Deserialize, Serialize};
 pub enum Warning {
     /// The trace still has its form.
     #[error(
-        "form not removed (parabola of {sag:.4} over {length:.4}); Ra {ra:.4} is not roughness. Try --form poly2"
+        "form not removed (parabola of {sag:.4} over {length:.4}); Ra {ra:.4} is not roughness"
     )]
     FormNotRemoved {
         /// Height of the parabola between its apex and the ends.
@@ -34,7 +35,7 @@ pub enum Warning {
     },
     /// The grid is too coarse for the short-wave filter.
     #[error(
-        "spacing {spacing:.4} is more than a fifth of lambda_s {lambda_s}: the filter is poorly sampled. Measure finer, or choose a longer lambda_s"
+        "spacing {spacing:.4} is more than a fifth of lambda_s {lambda_s}: the filter is poorly sampled"
     )]
     CoarseForLambdaS {
         /// Spacing of the profile.
@@ -71,6 +72,20 @@ pub enum Warning {
 }
 
 impl Warning {
+    /// What can be done about it; empty where nothing is but a better measurement.
+    pub fn remedy(&self) -> Remedy {
+        match self {
+            Self::FormNotRemoved { .. } => Remedy::set(Setting::Form, Value::This("poly2".into())),
+            Self::CoarseForLambdaS { .. } => Remedy::act("measure finer")
+                .or_set(Setting::NoiseCutoff, Value::Any)
+                .because("to a longer lambda_s"),
+            Self::InvoluteLeft { .. } => {
+                Remedy::act("check base radius and roll length").or_do("take it as crowning")
+            }
+            _ => Remedy::none(),
+        }
+    }
+
     /// The code under which the message is explained.
     pub fn code(&self) -> &'static str {
         match self {

@@ -1,9 +1,9 @@
 //! `asperity profile info` and `compare`: one report, or a table of many.
 
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use asperity::report::wrapped;
+use asperity_report::wrapped;
 
 use super::details::Details;
 use super::plan::Plan;
@@ -25,34 +25,24 @@ pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
             ),
         };
     }
-    let all: Vec<_> = args
-        .files
-        .iter()
-        .map(|file| evaluated(file, args))
-        .collect();
-    if common.json {
-        let entry = |(file, found): (&PathBuf, &Result<Evaluated, Failure>)| match found {
-            Ok(found) => as_json(found, args),
-            Err(failure) => {
+    let (mut entries, mut good, mut failures) = (Vec::new(), Vec::new(), Vec::new());
+    for file in &args.files {
+        match (evaluated(file, args), common.json) {
+            (Ok(found), true) => entries.push(as_json(&found, args)),
+            (Ok(found), false) => good.push(Row::of(&found)),
+            (Err(failure), _) => {
                 let mut entry = failure.json();
                 entry["file"] = serde_json::json!(file.display().to_string());
-                entry
-            }
-        };
-        let entries: Vec<_> = args.files.iter().zip(&all).map(entry).collect();
-        print_json(&entries)?;
-    }
-    let mut refused = None;
-    let mut good = Vec::new();
-    for found in all {
-        match found {
-            Ok(found) => good.push(found),
-            Err(failure) => {
-                failure.tell();
-                refused = refused.or(Some(failure));
+                entries.push(entry);
+                failures.push(failure);
             }
         }
     }
+    if common.json {
+        print_json(&entries)?;
+    }
+    failures.iter().for_each(Failure::tell);
+    let refused = failures.into_iter().next();
     if !common.json && !good.is_empty() {
         print_text(common, &table(&good))?;
     }
@@ -63,18 +53,18 @@ pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
 pub fn compare(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
     check(args, common)?;
     let all = args.files.iter().map(|file| evaluated(file, args));
-    let found = all.collect::<Result<Vec<_>, _>>()?;
     if common.json {
-        let reports: Vec<_> = found.iter().map(|found| as_json(found, args)).collect();
-        return print_json(&reports);
+        let reports = all.map(|found| Ok(as_json(&found?, args)));
+        return print_json(&reports.collect::<Result<Vec<_>, Failure>>()?);
     }
-    print_text(common, &(table(&found) + &ratios(&found)))
+    let rows = all.map(|found| Ok(Row::of(&found?)));
+    let rows = rows.collect::<Result<Vec<_>, Failure>>()?;
+    print_text(common, &(table(&rows) + &ratios(&rows)))
 }
 
 fn check(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
     if args.curves && !common.json {
-        let text =
-            "--curves are for programs: say --json with it, or asperity profile plot for a picture";
+        let text = "--curves are for programs: pass --json with it, or asperity profile plot for a picture";
         return Err(Failure::new("E205", text));
     }
     // A contradiction is told once, not for every file.
@@ -103,26 +93,45 @@ const COLUMNS: [Column; 9] = [
     ("Rvk", |e| um(e.iso4287.material.rvk)),
 ];
 
+/// What is kept of a file: some hundred bytes, however long its trace.
+struct Row {
+    name: String,
+    points: usize,
+    dx: f64,
+    values: [f64; COLUMNS.len()],
+    warnings: Vec<String>,
+}
+
+impl Row {
+    fn of(found: &Evaluated) -> Self {
+        let warnings = found.warnings().into_iter();
+        Self {
+            name: shortened(&found.reading.name),
+            points: found.reading.points,
+            dx: um(found.reading.spacing),
+            values: COLUMNS.map(|(_, value)| value(found)),
+            warnings: warnings.map(|w| format!("{} {w}", w.code())).collect(),
+        }
+    }
+}
+
 /// A row a file, ISO 4287, in um.
-fn table(found: &[Evaluated]) -> String {
+fn table(found: &[Row]) -> String {
     let mut text = format!("{:24} {:>8} {:>9}", "ISO 4287, um", "n", "dx");
     for (name, _) in COLUMNS {
         let _ = write!(text, " {name:>8}");
     }
     text.push('\n');
-    for found in found {
-        let name = shortened(&found.reading.name);
-        let (n, dx) = (found.reading.points, um(found.reading.spacing));
-        let _ = write!(text, "{name:24} {n:>8} {dx:>9.5}");
-        for (_, value) in COLUMNS {
-            let _ = write!(text, " {:>8}", number(value(found)));
+    for row in found {
+        let _ = write!(text, "{:24} {:>8} {:>9.5}", row.name, row.points, row.dx);
+        for value in row.values {
+            let _ = write!(text, " {:>8}", number(value));
         }
         text.push('\n');
     }
-    for found in found {
-        for warning in found.warnings() {
-            let name = shortened(&found.reading.name);
-            let note = format!("{name}: {} {warning}", warning.code());
+    for row in found {
+        for warning in &row.warnings {
+            let note = format!("{}: {warning}", row.name);
             let _ = writeln!(text, "{}", wrapped(&note, "    "));
         }
     }
@@ -130,7 +139,7 @@ fn table(found: &[Evaluated]) -> String {
 }
 
 /// Every parameter over that of the first file.
-fn ratios(found: &[Evaluated]) -> String {
+fn ratios(found: &[Row]) -> String {
     let Some(first) = found.first() else {
         return String::new();
     };
@@ -139,10 +148,10 @@ fn ratios(found: &[Evaluated]) -> String {
         let _ = write!(text, " {name:>8}");
     }
     text.push('\n');
-    for found in found {
-        let _ = write!(text, "{:43}", shortened(&found.reading.name));
-        for (_, value) in COLUMNS {
-            let _ = write!(text, " {:>8}", number(value(found) / value(first)));
+    for row in found {
+        let _ = write!(text, "{:43}", row.name);
+        for (value, first) in row.values.iter().zip(first.values) {
+            let _ = write!(text, " {:>8}", number(value / first));
         }
         text.push('\n');
     }

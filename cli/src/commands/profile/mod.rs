@@ -24,6 +24,7 @@ use asperity_roughness::{Parameters, RoughnessError, Warning};
 use self::plan::Plan;
 use crate::args::{Common, PreparingArgs, ProfileCommand, ReadingArgs};
 use crate::failure::Failure;
+use crate::words;
 
 /// Runs one of the subcommands.
 pub fn run(command: &ProfileCommand, common: &Common) -> Result<(), Failure> {
@@ -43,6 +44,8 @@ struct Evaluated {
     plan: Plan,
     /// What the recipe of the plan started from, where that is not what was read.
     without_involute: Option<Profile>,
+    /// That the involute was another, where it seems so.
+    involute_left: Option<Warning>,
     parts: Profiles,
     iso4287: Parameters,
     iso21920: Parameters,
@@ -54,10 +57,11 @@ struct Evaluated {
 
 impl Evaluated {
     fn of(file: &Path, preparing: &PreparingArgs, reading: &ReadingArgs) -> Result<Self, Failure> {
-        let plan = Plan::of(preparing)?;
-        let reading = opened(file, reading)?;
+        let reading = opened(file, reading, preparing.base_radius)?;
+        let plan = Plan::for_reading(preparing, &reading)?;
         let refused = |error| refusal(&reading, &plan, &error);
         let without_involute = plan.without_involute(&reading.profile).map_err(refused)?;
+        let involute_left = plan.involute_left(&reading.profile).map_err(refused)?;
         let trace = without_involute.as_ref().unwrap_or(&reading.profile);
         let parts = profiles(trace, &plan.recipe, plan.filter).map_err(refused)?;
         let rough = &parts.roughness.profile;
@@ -76,6 +80,7 @@ impl Evaluated {
             reading,
             plan,
             without_involute,
+            involute_left,
             parts,
             iso4287,
             iso21920,
@@ -95,7 +100,7 @@ impl Evaluated {
         };
         let read = self.reading.warnings.iter().filter(|w| !is_idle(w));
         let evaluated = [&self.parts.roughness.warnings, &self.iso4287.warnings];
-        let evaluated = evaluated.into_iter().flatten();
+        let evaluated = evaluated.into_iter().flatten().chain(&self.involute_left);
         let mut all = Vec::new();
         for note in read.map(Note::Read).chain(evaluated.map(Note::Evaluated)) {
             if !all.contains(&note) {
@@ -123,17 +128,23 @@ impl Note<'_> {
     }
 }
 
+/// With what to do about it.
 impl std::fmt::Display for Note<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Read(warning) => warning.fmt(f),
-            Self::Evaluated(warning) => warning.fmt(f),
-        }
+        let (text, remedy) = match self {
+            Self::Read(warning) => (warning.to_string(), warning.remedy()),
+            Self::Evaluated(warning) => (warning.to_string(), warning.remedy()),
+        };
+        f.write_str(&words::with_options(&text, &remedy))
     }
 }
 
 /// Reads a file as the options say.
-fn opened(file: &Path, args: &ReadingArgs) -> Result<Reading, Failure> {
+fn opened(
+    file: &Path,
+    args: &ReadingArgs,
+    base_radius: Option<Length>,
+) -> Result<Reading, Failure> {
     let options = ReadOptions {
         x_unit: args.x_unit,
         z_unit: args.z_unit,
@@ -144,11 +155,17 @@ fn opened(file: &Path, args: &ReadingArgs) -> Result<Reading, Failure> {
         encoding: args.encoding,
         gaps: args.gaps.unwrap_or_default(),
         row: args.row,
+        abscissa: args.abscissa,
+        base_radius,
+        uneven: args.uneven.unwrap_or_default(),
     };
-    let reading =
-        read(file, &options).map_err(|error| Failure::new(error.code(), error.to_string()))?;
+    let reading = read(file, &options).map_err(|error| {
+        let message = words::with_options(&error.to_string(), &error.remedy());
+        Failure::new(error.code(), message)
+    })?;
     let row = args.row.unwrap_or(1);
-    if row > 1 && !matches!(reading.format, Format::X3p | Format::SdfAscii) {
+    let several = [Format::X3p, Format::SdfAscii, Format::TextMatrix];
+    if row > 1 && !several.contains(&reading.format) {
         let name = &reading.name;
         let text = format!("{name}: the file holds a single profile, row {row} is not in it");
         return Err(Failure::new("E119", text));
@@ -162,7 +179,7 @@ fn refusal(reading: &Reading, plan: &Plan, error: &RoughnessError) -> Failure {
     let advice = match error {
         RoughnessError::TooShort { .. } => plan.advice_for(reading),
         RoughnessError::TooFewPoints { .. } if matches!(plan.sections, Sections::Number(_)) => {
-            ". Say fewer --sections".to_owned()
+            ". Pass fewer --sections".to_owned()
         }
         _ => String::new(),
     };
@@ -185,7 +202,7 @@ fn save(output: &Path, profile: &Profile, metadata: &Metadata) -> Result<(), Fai
 
 /// Writes `bytes`, all or nothing.
 fn save_bytes(output: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    asperity::report::save(output, bytes).map_err(|error| {
+    asperity_report::save(output, bytes).map_err(|error| {
         let text = format!("{}: cannot be written: {error}", output.display());
         Failure::new("E401", text)
     })

@@ -1,8 +1,8 @@
 //! One profile as text of 80 columns that fits on a screen.
 
-use asperity::report::wrapped;
 use asperity_core::quantity::Length;
 use asperity_profile_io::read::FilterState;
+use asperity_report::wrapped;
 use asperity_roughness::height_parameters::HeightParameters;
 use asperity_roughness::material_ratio::RkParameters;
 
@@ -25,7 +25,7 @@ pub fn report(found: &Evaluated, details: &Details) -> String {
     choices(&mut page, found);
     printed(&mut page, found);
     for warning in found.warnings() {
-        page.line(&format!("{} {warning}", warning.code()));
+        page.line(&format!("{} {}", warning.code(), warning));
     }
     page.0
 }
@@ -102,21 +102,30 @@ fn recipe(page: &mut Page, found: &Evaluated) {
     ));
 }
 
-/// What to say to have the filtering of the instrument, where there is another here.
+/// Options that keep the filtering of the instrument, where there is another here.
 fn stated_cutoffs(page: &mut Page, found: &Evaluated) {
     let (facts, recipe) = (&found.reading.metadata, &found.plan.recipe);
     let state = found.reading.filter_state;
     if state == FilterState::Roughness && recipe.lambda_c.is_some() {
-        let say = as_is(&found.reading);
+        let options = as_is(&found.reading);
         page.line(&format!(
-            "to take it as the instrument filtered it, say {say}"
+            "to take it as the instrument filtered it, pass {options}"
         ));
+    }
+    let stated = [facts.lambda_c, facts.lambda_s];
+    let used = [recipe.lambda_c, recipe.lambda_s];
+    let taken = stated
+        .iter()
+        .zip(&used)
+        .all(|(stated, used)| stated.is_none() || stated == used);
+    if state != FilterState::Roughness && taken && stated.iter().any(Option::is_some) {
+        page.line("cut-offs as the file states them");
     }
     let differs = |stated: Option<Length>, used: Option<Length>| {
         let used = used.unwrap_or_default().si();
         stated.is_some_and(|stated| (stated.si() - used).abs() > 1e-9 * stated.si())
     };
-    if state != FilterState::Primary
+    if state == FilterState::Roughness
         || !(differs(facts.lambda_c, recipe.lambda_c) || differs(facts.lambda_s, recipe.lambda_s))
     {
         return;
@@ -125,7 +134,7 @@ fn stated_cutoffs(page: &mut Page, found: &Evaluated) {
         length.map_or(String::new(), |length| format!(" --{name} \"{length}\""))
     };
     page.line(&format!(
-        "to filter as the instrument did, say{}{}",
+        "the file's own cut-offs are overridden; to filter as the instrument did, pass{}{}",
         option("lambda-c", facts.lambda_c),
         option("lambda-s", facts.lambda_s)
     ));
@@ -268,7 +277,7 @@ fn hurst(page: &mut Page, details: &Details) {
                 false => ": no self-affine profile",
             }
         ),
-        Err(reason) => format!("none over {over}: {reason}. Say --hurst 200um:8um"),
+        Err(reason) => format!("none over {over}: {reason}. Pass --hurst 200um:8um"),
     };
     page.line(&format!("Hurst exponent {shown}"));
 }

@@ -1,7 +1,7 @@
 //! `asperity profile convert`, `filter` and `generate`: a profile into a file.
 
-use asperity::report::wrapped;
 use asperity_profile_io::read::Metadata;
+use asperity_report::wrapped;
 use asperity_roughness::composite::resampled;
 use asperity_roughness::generate::{Recipe, SelfAffine, Surface};
 use asperity_roughness::outliers::{Outliers, replace};
@@ -9,7 +9,7 @@ use asperity_roughness::preparation::profiles;
 use serde_json::json;
 
 use super::plan::Plan;
-use super::{opened, refusal, save, um};
+use super::{Note, opened, refusal, save, um};
 use crate::args::{
     Common, ProfileConvertArgs, ProfileFilterArgs, ProfileGenerateArgs, ProfilePart,
 };
@@ -21,7 +21,7 @@ const HALF_WINDOW: usize = 6;
 
 /// `asperity profile convert`
 pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure> {
-    let reading = opened(&args.file, &args.reading)?;
+    let reading = opened(&args.file, &args.reading, args.base_radius)?;
     let mut profile = reading.profile.clone();
     let mut outliers = None;
     if let Some(deviations) = args.outliers {
@@ -62,7 +62,7 @@ pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure
         text += &format!("  resampled from {} by straight lines\n", reading.spacing);
     }
     for warning in &reading.warnings {
-        let note = format!("  {} {warning}", warning.code());
+        let note = format!("  {} {}", warning.code(), Note::Read(warning));
         text += &format!("{}\n", wrapped(&note, "    "));
     }
     print_text(common, &text)
@@ -70,8 +70,8 @@ pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure
 
 /// `asperity profile filter`
 pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> {
-    let plan = Plan::of(&args.preparing)?;
-    let reading = opened(&args.file, &args.reading)?;
+    let reading = opened(&args.file, &args.reading, args.preparing.base_radius)?;
+    let plan = Plan::for_reading(&args.preparing, &reading)?;
     let refused = |error| refusal(&reading, &plan, &error);
     let without_involute = plan.without_involute(&reading.profile).map_err(refused)?;
     let trace = without_involute.as_ref().unwrap_or(&reading.profile);

@@ -3,10 +3,10 @@
 use std::borrow::Cow;
 
 use asperity_core::lubricant::Assumption;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A default that was used, as the case file would have said it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DefaultUsed {
     /// Key of the case file: `gears.helix`.
     pub key: Cow<'static, str>,
@@ -14,7 +14,7 @@ pub struct DefaultUsed {
     pub value: String,
     /// Where the value comes from, when it is an estimate.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub source: Option<&'static str>,
+    pub source: Option<Cow<'static, str>>,
 }
 
 /// The defaults used so far.
@@ -50,7 +50,7 @@ impl Defaults {
         self.0.push(DefaultUsed {
             key: format!("lubricant.{}", assumption.key).into(),
             value: assumption.value.clone(),
-            source: Some(assumption.source),
+            source: Some(assumption.source.into()),
         });
     }
 

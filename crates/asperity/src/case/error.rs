@@ -1,6 +1,7 @@
 //! What can be wrong with a case file, each with a code, a place and a remedy.
 
 use asperity_core::DomainError;
+use asperity_core::remedy::{Remedy, Setting};
 use asperity_profile_io::read::ReadError;
 
 use super::source::Place;
@@ -10,9 +11,7 @@ use super::source::Place;
 #[non_exhaustive]
 pub enum CaseError {
     /// The file cannot be opened.
-    #[error(
-        "{file}: cannot be opened: {reason}; check the path, or let asperity demo write a case to start from"
-    )]
+    #[error("{file}: cannot be opened: {reason}")]
     Open {
         /// Name of the file.
         file: String,
@@ -124,7 +123,7 @@ pub enum CaseError {
         reason: std::io::Error,
     },
     /// A profile that cannot be read.
-    #[error("{source} (named at {place}{})", options_are_keys(source))]
+    #[error("{source} (named at {place})")]
     Profile {
         /// Where it is named.
         place: Place,
@@ -160,15 +159,6 @@ fn rule(source: &DomainError, is_shown: bool) -> String {
     }
 }
 
-/// The reader speaks of options of the command; in a case they are keys.
-fn options_are_keys(source: &ReadError) -> &'static str {
-    if source.to_string().contains("--") {
-        "; there an option is a key, --z-unit um is z_unit = \"um\""
-    } else {
-        ""
-    }
-}
-
 fn did_you_mean(nearest: Option<&str>) -> String {
     nearest
         .map(|key| format!(". Did you mean \"{key}\"?"))
@@ -195,6 +185,20 @@ impl CaseError {
             Self::OpenNamed { .. } => "E103",
             Self::Profile { source, .. } => source.code(),
             Self::Preparation { .. } => "E120",
+        }
+    }
+
+    /// What can be done about it, where more is known than its code says.
+    pub fn remedy(&self) -> Remedy {
+        match self {
+            Self::Open { .. } => Remedy::act("check the path"),
+            Self::UnknownKey {
+                nearest: Some(nearest),
+                ..
+            } => Remedy::act(format!("write {nearest}")),
+            Self::Profile { source, .. } => source.remedy(),
+            Self::Preparation { .. } => Remedy::state(Setting::Cutoff).because("to suit the trace"),
+            _ => Remedy::none(),
         }
     }
 

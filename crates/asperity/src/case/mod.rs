@@ -1,28 +1,44 @@
-//! The case: what is to be computed, read from a file and completed with defaults.
+//! The case: what is to be computed, completed with defaults.
 //!
-//! [`CaseInput`] is the file as the user writes it; [`Case`] is the same with every choice made and
-//! checked, ready for [`pipeline::run`](crate::pipeline::run). Every default used is listed.
+//! [`CaseInput`] is the case as the user writes it; [`Case`] is the same with every choice made and
+//! checked; [`LoadedCase`] is that with its flanks, ready for [`run`](crate::run). Every default used is
+//! listed.
+//!
+//! | from | by |
+//! |---|---|
+//! | a file and the traces it names | [`load`] |
+//! | a text and a resolver of its files | [`from_text`] |
+//! | quantities and traces in memory | [`Case::builder`] |
+//! | a value | [`LoadedCase::try_from`] a [`CaseInput`] |
+//! | another case | [`LoadedCase::with`], [`LoadedCase::with_key`] |
 
+mod builder;
 mod defaults;
 mod error;
 mod files;
+mod flanks;
 mod input;
 mod key_names;
 mod known_keys;
+mod loaded;
 mod model;
 mod own_laws;
 mod plain_words;
 mod resolve;
+mod set;
 mod source;
 mod steel;
+mod trace;
 
+pub use builder::CaseBuilder;
 pub use defaults::DefaultUsed;
 pub use error::CaseError;
-pub use files::{LoadedCase, load, load_with};
 pub use input::{
     BodyInput, CaseInput, FlankInput, Formulation, GearsInput, MaterialInput, ModelInput,
     NamedPoint, OneOrTwo, OperationInput, PathPoint, SurfaceInput, schema,
 };
+pub use loaded::{LoadedCase, Resolver, from_text, load, load_with};
 pub use model::Model;
 pub use resolve::{Case, resolve};
 pub use source::{Place, Source, Syntax};
+pub use trace::{Flank, Trace};

@@ -9,16 +9,29 @@ use toml::de::{DeTable, DeValue};
 
 use super::error::CaseError;
 
-/// A place in a case file.
+/// A place in a case.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Place {
-    /// Name of the file as the user gave it.
+    /// Name of the file as the user gave it; `case` for one that was built in memory.
     pub file: String,
-    /// Line, counted from 1; `None` where the format does not tell.
+    /// Path of the key it is about, as `gears.module`, where it is about one.
+    pub key: Option<String>,
+    /// Line, counted from 1; `None` where there is no text or its format does not tell.
     pub line: Option<usize>,
-    /// Byte range in the text; `None` where the format does not tell.
-    #[serde(skip)]
+    /// Column in characters, counted from 1; `None` as for the line.
+    pub column: Option<usize>,
+    /// Byte range in the text; `None` as for the line.
     pub span: Option<Range<usize>>,
+}
+
+impl Place {
+    /// The same place, about this key.
+    pub(super) fn about(self, key: &str) -> Self {
+        Self {
+            key: Some(key.to_owned()),
+            ..self
+        }
+    }
 }
 
 impl std::fmt::Display for Place {
@@ -39,6 +52,9 @@ pub enum Syntax {
     Json,
 }
 
+/// Name of a case that was not read from a file.
+const IN_MEMORY: &str = "case";
+
 /// A case file's text with an index of its keys.
 #[derive(Debug, Clone)]
 pub struct Source {
@@ -51,6 +67,23 @@ pub struct Source {
 }
 
 impl Source {
+    /// The source of a case that was built in memory: no text, so that places name keys alone.
+    pub fn in_memory() -> Self {
+        Self::without_text(IN_MEMORY)
+    }
+
+    /// A source of this name whose places name keys alone.
+    pub(super) fn without_text(name: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            text: String::new(),
+            syntax: Syntax::Toml,
+            values: BTreeMap::new(),
+            keys: BTreeMap::new(),
+            written: BTreeMap::new(),
+        }
+    }
+
     /// Indexes `text`; JSON when the name ends in `.json`, TOML otherwise.
     ///
     /// # Errors
@@ -60,12 +93,9 @@ impl Source {
             .extension()
             .is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
         let mut source = Self {
-            name: name.to_owned(),
             text: text.to_owned(),
             syntax: if is_json { Syntax::Json } else { Syntax::Toml },
-            values: BTreeMap::new(),
-            keys: BTreeMap::new(),
-            written: BTreeMap::new(),
+            ..Self::without_text(name)
         };
         if is_json {
             let value: serde_json::Value =
@@ -100,7 +130,9 @@ impl Source {
                 Err(CaseError::Encoding {
                     place: Place {
                         file: name.to_owned(),
+                        key: None,
                         line: Some(line),
+                        column: None,
                         span: None,
                     },
                 })
@@ -144,15 +176,24 @@ impl Source {
     /// When a value is missing or of the wrong kind, with its place.
     pub fn read<T: DeserializeOwned>(&self) -> Result<T, CaseError> {
         match self.syntax {
-            Syntax::Toml => toml::from_str(&self.text).map_err(|error| CaseError::Value {
-                place: self.at_span(error.span()),
-                key: error.span().and_then(|span| self.key_at(&span)),
-                message: error.message().to_owned(),
+            Syntax::Toml => toml::from_str(&self.text).map_err(|error| {
+                let key = error.span().and_then(|span| self.key_at(&span));
+                CaseError::Value {
+                    place: Place {
+                        key: key.clone(),
+                        ..self.at_span(error.span())
+                    },
+                    key,
+                    message: error.message().to_owned(),
+                }
             }),
             Syntax::Json => {
                 let mut text = serde_json::Deserializer::from_str(&self.text);
                 serde_path_to_error::deserialize(&mut text).map_err(|error| CaseError::Value {
-                    place: self.at_line(error.inner().line()),
+                    place: Place {
+                        key: key_of(error.path()),
+                        ..self.at_line(error.inner().line())
+                    },
                     key: key_of(error.path()),
                     message: without_place(&error.inner().to_string()),
                 })
@@ -164,11 +205,13 @@ impl Source {
         let mut path = key;
         loop {
             if let Some(span) = index.get(path) {
-                return self.at_span((!span.is_empty()).then(|| span.clone()));
+                return self
+                    .at_span((!span.is_empty()).then(|| span.clone()))
+                    .about(key);
             }
             match path.rfind('.') {
                 Some(at) => path = &path[..at],
-                None => return self.at_span(None),
+                None => return self.at_span(None).about(key),
             }
         }
     }
@@ -183,13 +226,13 @@ impl Source {
     }
 
     fn at_span(&self, span: Option<Range<usize>>) -> Place {
-        let line = span
-            .as_ref()
-            .and_then(|span| self.text.get(..span.start))
-            .map(|before| 1 + before.matches('\n').count());
+        let before = span.as_ref().and_then(|span| self.text.get(..span.start));
         Place {
             file: self.name.clone(),
-            line,
+            key: None,
+            line: before.map(|before| 1 + before.matches('\n').count()),
+            column: before
+                .map(|before| 1 + before.chars().rev().take_while(|c| *c != '\n').count()),
             span,
         }
     }
@@ -197,7 +240,9 @@ impl Source {
     fn at_line(&self, line: usize) -> Place {
         Place {
             file: self.name.clone(),
+            key: None,
             line: (line > 0).then_some(line),
+            column: None,
             span: None,
         }
     }
@@ -253,7 +298,7 @@ fn join(path: &str, name: &str) -> String {
 }
 
 /// The key of a path; entries of a list are told by the key of the list, as in TOML.
-fn key_of(path: &serde_path_to_error::Path) -> Option<String> {
+pub(super) fn key_of(path: &serde_path_to_error::Path) -> Option<String> {
     use serde_path_to_error::Segment;
     let names = path.iter().map_while(|segment| match segment {
         Segment::Map { key } => Some(key.as_str()),

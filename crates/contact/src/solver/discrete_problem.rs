@@ -7,7 +7,7 @@ use asperity_core::cite;
 use asperity_core::quantity::{Length, LineEnergy, Pressure};
 
 use super::cascadic_multigrid::Window;
-use super::workspace::{Assessment, Task};
+use super::workspace::{Assessment, ReferenceBounds, Task};
 use crate::boundary::Boundary;
 use crate::certificate::Certificate;
 use crate::error::ContactError;
@@ -32,7 +32,7 @@ pub(crate) struct DiscreteProblem<'a> {
     pub(crate) problem: &'a ContactProblem<'a>,
     /// h with the displacement by the prescribed pressure, minus a controlled approach in m.
     pub(crate) gap: Cow<'a, [f64]>,
-    pub(crate) reference_gap: f64,
+    reference_bounds: ReferenceBounds,
     /// Σp in Pa when the load is controlled.
     sum: Option<f64>,
     limit: f64,
@@ -81,7 +81,10 @@ impl<'a> DiscreteProblem<'a> {
         Ok(Self {
             problem,
             gap,
-            reference_gap: (most - least).max(FLAT * deformation),
+            reference_bounds: ReferenceBounds {
+                least: FLAT * deformation,
+                most: most - least,
+            },
             sum,
             limit: problem.pressure_limit.map_or(f64::INFINITY, Pressure::si),
             compliance,
@@ -103,7 +106,8 @@ impl<'a> DiscreteProblem<'a> {
             limit: self.limit,
             compliance: self.compliance,
             datum: self.datum,
-            reference_gap: self.reference_gap,
+            reference_gap: self.reference_bounds.most.max(self.reference_bounds.least),
+            reference_bounds: self.reference_bounds,
             tolerance: ROOM * settings.tolerance,
             least_tolerance: ROOM * settings.tolerance,
             max_iterations,
@@ -130,7 +134,8 @@ impl<'a> DiscreteProblem<'a> {
             limit: self.limit,
             compliance: self.compliance * width,
             datum: datum_compliance(self.problem, width)?,
-            reference_gap: self.reference_gap,
+            reference_gap: self.reference_bounds.most.max(self.reference_bounds.least),
+            reference_bounds: self.reference_bounds,
             tolerance: settings.tolerance.max(coarse),
             least_tolerance: settings.tolerance,
             max_iterations: settings.max_iterations,
@@ -170,15 +175,25 @@ impl<'a> DiscreteProblem<'a> {
         }
     }
 
+    /// Range of the gap.
+    pub(crate) fn gap_range(&self) -> Length {
+        Length::from_si(self.reference_bounds.most)
+    }
+
     /// Certificate of a pressure on the finest grid.
-    pub(crate) fn certificate(&self, pressure: &[f64], assessment: &Assessment) -> Certificate {
+    pub(crate) fn certificate(
+        &self,
+        pressure: &[f64],
+        assessment: &Assessment,
+        reference_gap: f64,
+    ) -> Certificate {
         cite!("Duality-1");
         let carried: f64 = pressure.iter().sum();
         Certificate {
             duality_gap: assessment.duality_gap,
             penetration: assessment.penetration,
             load_error: self.sum.map_or(0.0, |sum| (carried / sum - 1.0).abs()),
-            reference_gap: Length::from_si(self.reference_gap),
+            reference_gap: Length::from_si(reference_gap),
         }
     }
 }

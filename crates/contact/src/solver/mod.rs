@@ -27,11 +27,13 @@ use crate::convolution::{Buffers, EvenFilter};
 use crate::error::{ContactError, SolverShape};
 use crate::half_plane::{cite_kernel, displacement_filter, inverse_filter, line_load};
 use crate::plasticity::{dissipated_energy, plastic_displacement};
-use crate::problem::{ContactProblem, ContactSolution, LEAST_POINTS, SolverSettings};
+use crate::problem::{
+    ContactProblem, ContactSolution, LEAST_POINTS, MAX_TOLERANCE, SolverSettings,
+};
 use cascadic_multigrid::{Window, grids, is_smooth, prolong, prolong_slopes, restrict};
 use discrete_problem::{DiscreteProblem, touching};
 use single_grid::minimise;
-use workspace::{Level, Task, Workspace};
+use workspace::{Assessment, Level, Task, Workspace};
 
 /// Points of a grid from which on the operators of one size only are kept.
 const LARGE_GRID: usize = 1 << 18;
@@ -179,6 +181,12 @@ impl Solver {
         cite_kernel(problem.boundary);
         problem.validate()?;
         let tolerance = settings.tolerance;
+        if tolerance > MAX_TOLERANCE {
+            return Err(ContactError::ToleranceTooLarge {
+                tolerance,
+                most: MAX_TOLERANCE,
+            });
+        }
         let sensible = tolerance.is_finite() && tolerance > 0.0;
         DomainError::require(
             sensible,
@@ -275,7 +283,7 @@ impl Solver {
     ) -> Result<usize, ContactError> {
         let points = self.shape.points;
         let mut touches = touching(&discrete.gap, &pressure);
-        let mut iterations = 0;
+        let (mut iterations, mut was_whole) = (0, false);
         for attempt in 0..=MAX_WINDOWS {
             let window = if self.windowed(settings) && attempt < MAX_WINDOWS {
                 Window::around(points, &touches)
@@ -284,22 +292,23 @@ impl Solver {
             };
             let task = discrete.task(window, settings, settings.max_iterations - iterations);
             iterations += self.minimise(window, &task, &mut pressure);
-            if window.points == points || self.verify(discrete, settings, &pressure) {
+            let is_whole = window.points == points;
+            if !is_whole {
+                self.spread(discrete, settings, &pressure);
+            }
+            // The whole grid is solved again when its reference gap was that of a poor start.
+            if self.verify(discrete, settings) || (is_whole && was_whole) {
                 break;
             }
+            was_whole = is_whole;
             touches.clear();
             touches.extend(self.work.runs.iter().flat_map(|run| run.range()));
         }
         Ok(iterations)
     }
 
-    /// Whether the pressure of a window is the solution of the whole grid.
-    fn verify(
-        &mut self,
-        discrete: &DiscreteProblem,
-        settings: &SolverSettings,
-        pressure: &[f64],
-    ) -> bool {
+    /// Takes the pressure of a window, and the gap under it, to the whole grid.
+    fn spread(&mut self, discrete: &DiscreteProblem, settings: &SolverSettings, pressure: &[f64]) {
         let task = discrete.task(Window::whole(pressure.len()), settings, 0);
         self.work.pressure.clear();
         self.work.pressure.extend_from_slice(pressure);
@@ -309,7 +318,24 @@ impl Solver {
         let buffers = &mut self.work.buffers;
         let displacement = self.levels.displacement(pressure.len(), buffers);
         self.work.refresh(displacement, &task);
-        self.work.assess(&task).within(settings.tolerance)
+    }
+
+    /// Whether the pressure on the whole grid is the solution, by the reference gap that follows
+    /// from it.
+    fn verify(&mut self, discrete: &DiscreteProblem, settings: &SolverSettings) -> bool {
+        let task = discrete.task(Window::whole(self.shape.points), settings, 0);
+        let (_, assessment) = self.certify(&task);
+        assessment.within(settings.tolerance)
+    }
+
+    /// Reference gap in m and assessment of the pressure on the whole grid.
+    fn certify(&mut self, task: &Task) -> (f64, Assessment) {
+        let reference_gap = self.work.reference_gap(task);
+        let task = Task {
+            reference_gap,
+            ..*task
+        };
+        (reference_gap, self.work.assess(&task))
     }
 
     /// The solution that the workspace holds, when its certificate is good enough.
@@ -320,8 +346,9 @@ impl Solver {
         iterations: usize,
     ) -> Result<ContactSolution, ContactError> {
         let task = discrete.task(Window::whole(self.shape.points), settings, 0);
-        let assessment = self.work.assess(&task);
-        let certificate = discrete.certificate(&self.work.pressure, &assessment);
+        let deformation = self.work.deformation(&task);
+        let (reference_gap, assessment) = self.certify(&task);
+        let certificate = discrete.certificate(&self.work.pressure, &assessment, reference_gap);
         if !certificate.within(settings.tolerance) {
             return Err(ContactError::NotConverged {
                 iterations,
@@ -362,6 +389,12 @@ impl Solver {
             dissipated,
             elastic_energy: discrete.elastic_energy(&pressure, &displacement),
             plastic_displacement,
+            end_pressure: Pressure::from_si(match problem.boundary {
+                Boundary::FreeEnds => f64::max(pressure[0], pressure[pressure.len() - 1]),
+                Boundary::Periodic(_) => 0.0,
+            }),
+            gap_range: discrete.gap_range(),
+            deformation: Length::from_si(deformation),
             pressure,
             displacement,
             gap,

@@ -13,6 +13,11 @@ const GAIN: f64 = 0.1;
 pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize {
     work.resize();
     settle(level, work, task);
+    // Of the start: near the solution but for the coarsest grid, whose result only is a start.
+    let task = &Task {
+        reference_gap: work.reference_gap(task),
+        ..*task
+    };
     let tolerance = if task.least_tolerance < task.tolerance {
         let start = work.assess(task);
         let goal = GAIN * start.duality_gap.max(start.penetration);

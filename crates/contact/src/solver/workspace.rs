@@ -42,10 +42,19 @@ pub(crate) struct Task<'a> {
     /// Displacement per Σp by the datum in m/Pa; only matters when the approach is controlled.
     pub(crate) datum: f64,
     pub(crate) reference_gap: f64,
+    pub(crate) reference_bounds: ReferenceBounds,
     pub(crate) tolerance: f64,
     /// On a coarser grid the tolerance is tightened to what its start is worth, but to no less.
     pub(crate) least_tolerance: f64,
     pub(crate) max_iterations: usize,
+}
+
+/// Bounds of the reference gap in m that are known before a solution.
+#[derive(Clone, Copy)]
+pub(crate) struct ReferenceBounds {
+    pub(crate) least: f64,
+    /// Range of the gap.
+    pub(crate) most: f64,
 }
 
 impl Task<'_> {
@@ -149,6 +158,39 @@ impl Workspace {
         self.opening.clear();
         self.opening.extend(pairs.map(|(u, h)| u + datum + h));
         self.list_all();
+    }
+
+    /// Range in m of the deformation from half a contact width before the first point under pressure
+    /// to as much behind the last; zero without such points.
+    pub(crate) fn deformation(&self, task: &Task) -> f64 {
+        let loaded = |p: &f64| *p > 0.0;
+        let (Some(first), Some(last)) = (
+            self.pressure.iter().position(loaded),
+            self.pressure.iter().rposition(loaded),
+        ) else {
+            return 0.0;
+        };
+        let half_width = (last - first + 1).div_ceil(2);
+        let points = self.pressure.len();
+        let about = first.saturating_sub(half_width)..(last + half_width + 1).min(points);
+        let deformed = self.opening[about.clone()].iter().zip(&task.gap[about]);
+        let (least, most) = deformed
+            .map(|(v, h)| v - h)
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), u| {
+                (f64::min(least, u), f64::max(most, u))
+            });
+        most - least
+    }
+
+    /// The smaller of the ranges of gap and deformation, but not below the least.
+    pub(crate) fn reference_gap(&self, task: &Task) -> f64 {
+        let ReferenceBounds { least, most } = task.reference_bounds;
+        let deformation = self.deformation(task);
+        if deformation > 0.0 {
+            most.min(deformation).max(least)
+        } else {
+            most.max(least)
+        }
     }
 
     pub(crate) fn list_all(&mut self) {
@@ -323,10 +365,11 @@ impl Workspace {
             let least = a[3].min(b[3]);
             [a[0] + b[0], a[1] + b[1], a[2] + b[2], least, a[4] + b[4]]
         });
-        let bound = if limited {
-            energy + excess
-        } else {
-            energy - least * sum
+        // As in `certificate::duality_gap`; with a controlled approach the load is free to change.
+        let bound = match (limited, task.sum) {
+            (true, None) => energy + excess,
+            (true, Some(_)) => energy + excess.min(-least * sum),
+            (false, _) => energy - least * sum,
         };
         let over = |value: f64, size: f64| if value == 0.0 { 0.0 } else { value / size };
         Assessment {

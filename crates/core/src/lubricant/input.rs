@@ -120,7 +120,7 @@ enum Coefficient {
 }
 
 /// Everything about the oil at one temperature and ambient pressure.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct LubricantState {
     /// Temperature.
     pub temperature: Temperature,

@@ -1,20 +1,20 @@
 //! Why a file was not read: where, what was seen, what was expected, what to do.
 
 use asperity_core::quantity::Length;
+use asperity_core::remedy::{Remedy, Setting, Value};
 
 use super::format::Format;
 use super::layout::Dialect;
-use super::options::{Abscissa, Axis, LengthUnit, Separator};
+use super::options::{Abscissa, Axis, DecimalSign, LengthUnit, Separator};
 use super::steepness::Steepness;
 
-/// A file that was refused. [`code`](Self::code) is stable; the text names file, line and remedy.
+/// A file that was refused. [`code`](Self::code) is stable; the text names file, line, what was seen and what
+/// was expected; [`remedy`](Self::remedy) says what can be done, as data.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReadError {
     /// A cell that is not a number.
-    #[error(
-        "{file}:{line}: cannot read \"{text}\" as a number; the file looks like {dialect}. {remedy}"
-    )]
+    #[error("{file}:{line}: cannot read \"{text}\" as a number; the file looks like {dialect}")]
     UnreadableNumber {
         /// Name of the file.
         file: String,
@@ -25,12 +25,10 @@ pub enum ReadError {
         /// What the rest of the file looks like.
         dialect: Dialect,
         /// What to do.
-        remedy: &'static str,
+        remedy: CellRemedy,
     },
     /// No line holds a row of numbers.
-    #[error(
-        "{file}: no rows of numbers found in {lines} lines{first}. Export the profile as text with an x and a height column"
-    )]
+    #[error("{file}: no rows of numbers found in {lines} lines{first}")]
     NoData {
         /// Name of the file.
         file: String,
@@ -40,7 +38,7 @@ pub enum ReadError {
         first: FirstLine,
     },
     /// The file could not be opened or read.
-    #[error("{file}: the file cannot be read ({source}). Check name and access rights")]
+    #[error("{file}: the file cannot be read ({source})")]
     NotReadable {
         /// Name of the file.
         file: String,
@@ -48,7 +46,7 @@ pub enum ReadError {
         source: std::io::Error,
     },
     /// No unit, and the values do not single one out.
-    #[error("{file}: no unit found and {axis} span {span}. Say {} um | nm | mm", axis.option())]
+    #[error("{file}: no unit found and {axis} span {span}")]
     NoUnit {
         /// Name of the file.
         file: String,
@@ -58,9 +56,7 @@ pub enum ReadError {
         span: f64,
     },
     /// x turns back.
-    #[error(
-        "{file}:{line}: x goes from {previous} to {next}, against the direction of the trace. Remove the doubled part, or say --columns if x is another column"
-    )]
+    #[error("{file}:{line}: x goes from {previous} to {next}, against the direction of the trace")]
     NotMonotone {
         /// Name of the file.
         file: String,
@@ -72,9 +68,7 @@ pub enum ReadError {
         next: f64,
     },
     /// Too few points for any roughness parameter.
-    #[error(
-        "{file}: {points} points; a roughness profile needs at least {needed}. Export the whole trace"
-    )]
+    #[error("{file}: {points} points; a roughness profile needs at least {needed}")]
     TooFewPoints {
         /// Name of the file.
         file: String,
@@ -84,7 +78,7 @@ pub enum ReadError {
         needed: usize,
     },
     /// Points without a height.
-    #[error("{file}:{line}: {missing} of {points} points have no height, the first reads \"{text}\". {}", if *fillable { "Say --gaps interpolate to fill them" } else { "These are too many to interpolate; measure again" })]
+    #[error("{file}:{line}: {missing} of {points} points have no height, the first reads \"{text}\"{}", if *fillable { "" } else { ": too many to interpolate" })]
     MissingPoints {
         /// Name of the file.
         file: String,
@@ -96,11 +90,11 @@ pub enum ReadError {
         missing: usize,
         /// Number of rows.
         points: usize,
-        /// Whether `--gaps interpolate` would take them.
+        /// Whether [`Gaps::Interpolate`](super::Gaps::Interpolate) would take them.
         fillable: bool,
     },
     /// A known format that this version does not read.
-    #[error("{file}: {format} is not read by this version. {}", format.remedy())]
+    #[error("{file}: {format} is not read by this version")]
     FormatNotRead {
         /// Name of the file.
         file: String,
@@ -109,7 +103,7 @@ pub enum ReadError {
     },
     /// Points that do not lie on an even grid.
     #[error(
-        "{file}:{line}: uneven spacing, x = {x} is {off:.3} spacings away from an even grid of {spacing} (unit of the file). Pass --uneven resample to resample it by straight lines"
+        "{file}:{line}: uneven spacing, x = {x} is {off:.3} spacings away from an even grid of {spacing} (unit of the file)"
     )]
     UnevenSpacing {
         /// Name of the file.
@@ -124,9 +118,7 @@ pub enum ReadError {
         spacing: f64,
     },
     /// Heights only.
-    #[error(
-        "{file}: the heights come without an x column that gives a spacing{hint}. Say --dx, as --dx 0.5um"
-    )]
+    #[error("{file}: the heights come without an x column that gives a spacing{hint}")]
     NoSpacing {
         /// Name of the file.
         file: String,
@@ -134,9 +126,7 @@ pub enum ReadError {
         hint: SpacingHint,
     },
     /// A row with too few or too many columns.
-    #[error(
-        "{file}:{line}: {found} columns where other rows have {expected}: \"{text}\". Correct or remove this line"
-    )]
+    #[error("{file}:{line}: {found} columns where other rows have {expected}: \"{text}\"")]
     RaggedRow {
         /// Name of the file.
         file: String,
@@ -151,7 +141,7 @@ pub enum ReadError {
     },
     /// Several columns, and no telling which are x and height.
     #[error(
-        "{file}: {columns} columns and no header that names x and height (or columns that do not exist). Say --columns 1,2"
+        "{file}: {columns} columns and no header that names x and height (or columns that do not exist)"
     )]
     ColumnsUnclear {
         /// Name of the file.
@@ -160,9 +150,7 @@ pub enum ReadError {
         columns: usize,
     },
     /// Commas that may separate or be decimal signs.
-    #[error(
-        "{file}:{line}: \"{text}\": commas may separate columns or be decimal signs. Say --separator and --decimal, or export with ';'"
-    )]
+    #[error("{file}:{line}: \"{text}\": commas may separate columns or be decimal signs")]
     AmbiguousComma {
         /// Name of the file.
         file: String,
@@ -172,7 +160,9 @@ pub enum ReadError {
         text: String,
     },
     /// A unit that is not a known length.
-    #[error("{file}: the header gives the {axis} in \"{unit}\", which is not one of m, mm, um, nm, inch, mil, uin. Convert the file, or say {} if the header is wrong", axis.option())]
+    #[error(
+        "{file}: the header gives the {axis} in \"{unit}\", which is not one of m, mm, um, nm, inch, mil, uin"
+    )]
     UnknownUnit {
         /// Name of the file.
         file: String,
@@ -182,9 +172,7 @@ pub enum ReadError {
         unit: String,
     },
     /// The stated separator, decimal sign or encoding does not fit.
-    #[error(
-        "{file}: the file does not read with separator {separator}. Leave --separator away, or say what separates the columns"
-    )]
+    #[error("{file}: the file does not read with separator {separator}")]
     SeparatorDoesNotFit {
         /// Name of the file.
         file: String,
@@ -192,7 +180,7 @@ pub enum ReadError {
         separator: Separator,
     },
     /// A file that breaks the rules of its own format.
-    #[error("{file}: not a sound {format} file: {what}{}. Export it again, or as text", if seen.is_empty() { String::new() } else { format!(" (\"{seen}\")") })]
+    #[error("{file}: not a sound {format} file: {what}{}", if seen.is_empty() { String::new() } else { format!(" (\"{seen}\")") })]
     Damaged {
         /// Name of the file.
         file: String,
@@ -204,9 +192,7 @@ pub enum ReadError {
         seen: String,
     },
     /// More bytes than a profile has.
-    #[error(
-        "{file}: {what} has {bytes} bytes, more than the {most} allowed. Export a single profile"
-    )]
+    #[error("{file}: {what} has {bytes} bytes, more than the {most} allowed")]
     TooLarge {
         /// Name of the file.
         file: String,
@@ -218,7 +204,7 @@ pub enum ReadError {
         most: u64,
     },
     /// Several profiles in one file.
-    #[error("{file}: the file holds {rows} profiles of {points} points{}. Say --row 1 .. {rows}", if *asked == 0 { String::new() } else { format!(", row {asked} is not among them") })]
+    #[error("{file}: the file holds {rows} profiles of {points} points{}", if *asked == 0 { String::new() } else { format!(", row {asked} is not among them") })]
     SeveralProfiles {
         /// Name of the file.
         file: String,
@@ -231,7 +217,7 @@ pub enum ReadError {
     },
     /// An x column of an involute checker, without the base radius that converts it.
     #[error(
-        "{file}: x is a {abscissa} of an involute checker and not the distance along the flank. Pass the base radius of the gear, as --base-radius 50mm"
+        "{file}: x is a {abscissa} of an involute checker and not the distance along the flank, and the base radius that converts it is not known"
     )]
     RollLength {
         /// Name of the file.
@@ -248,9 +234,7 @@ pub enum ReadError {
         steepness: Steepness,
     },
     /// Numbers that make no profile: beyond the range of numbers, or no extent.
-    #[error(
-        "{file}: {what} is {value} {unit}, which no profile has. Check the unit and the columns"
-    )]
+    #[error("{file}: {what} is {value} {unit}, which no profile has")]
     Impossible {
         /// Name of the file.
         file: String,
@@ -264,6 +248,105 @@ pub enum ReadError {
 }
 
 impl ReadError {
+    /// Name of the file and, where one is to blame, the line in it, from 1.
+    pub fn place(&self) -> (&str, Option<usize>) {
+        match self {
+            Self::UnreadableNumber { file, line, .. }
+            | Self::NotMonotone { file, line, .. }
+            | Self::MissingPoints { file, line, .. }
+            | Self::UnevenSpacing { file, line, .. }
+            | Self::RaggedRow { file, line, .. }
+            | Self::AmbiguousComma { file, line, .. } => (file, Some(*line)),
+            Self::NoData { file, .. }
+            | Self::NotReadable { file, .. }
+            | Self::NoUnit { file, .. }
+            | Self::TooFewPoints { file, .. }
+            | Self::FormatNotRead { file, .. }
+            | Self::NoSpacing { file, .. }
+            | Self::ColumnsUnclear { file, .. }
+            | Self::UnknownUnit { file, .. }
+            | Self::SeparatorDoesNotFit { file, .. }
+            | Self::Damaged { file, .. }
+            | Self::TooLarge { file, .. }
+            | Self::SeveralProfiles { file, .. }
+            | Self::RollLength { file, .. }
+            | Self::ImplausibleHeights { file, .. }
+            | Self::Impossible { file, .. } => (file, None),
+        }
+    }
+
+    /// What can be done about it.
+    ///
+    /// ```
+    /// use asperity_core::remedy::{Action, Setting};
+    /// use asperity_profile_io::read::{ReadOptions, read_bytes};
+    /// let heights: String = (0..200).map(|i| format!("{}.5\n", i % 7)).collect();
+    /// let options = ReadOptions { z_unit: Some("um".parse()?), ..ReadOptions::default() };
+    /// let error = read_bytes("flank.txt", heights.as_bytes(), &options).unwrap_err();
+    /// assert_eq!(error.remedy().to_string(), "Set dx, as 0.5 um");
+    /// assert!(matches!(
+    ///     error.remedy().actions(),
+    ///     [Action::Set { settings, .. }] if settings[..] == [Setting::Spacing]
+    /// ));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn remedy(&self) -> Remedy {
+        match self {
+            Self::UnreadableNumber { remedy, .. } => remedy.remedy(),
+            Self::NoData { .. } => {
+                Remedy::act("export the profile as text with an x and a height column")
+            }
+            Self::NotReadable { .. } => Remedy::act("check name and access rights"),
+            Self::NoUnit { axis, .. } => {
+                Remedy::set(axis.setting(), Value::OneOf("um | nm | mm".into()))
+            }
+            Self::NotMonotone { .. } => Remedy::act("remove the doubled part")
+                .or_set(Setting::Columns, Value::Any)
+                .because("if x is another column"),
+            Self::TooFewPoints { .. } => Remedy::act("export the whole trace"),
+            Self::MissingPoints { fillable: true, .. } => {
+                Remedy::set(Setting::Gaps, Value::This("interpolate".into()))
+                    .because("to fill them")
+            }
+            Self::MissingPoints { .. } => Remedy::act("measure again"),
+            Self::FormatNotRead { format, .. } => Remedy::act(format.remedy()),
+            Self::UnevenSpacing { .. } => {
+                Remedy::set(Setting::Uneven, Value::This("resample".into()))
+                    .because("to resample it by straight lines")
+            }
+            Self::RollLength { .. } => {
+                Remedy::set(Setting::BaseRadius, Value::Like("50 mm".into()))
+            }
+            Self::ImplausibleHeights { steepness, .. } => steepness.suspicion.remedy(),
+            Self::NoSpacing { hint, .. } => {
+                let spacing = Remedy::set(Setting::Spacing, Value::Like("0.5 um".into()));
+                match hint {
+                    SpacingHint::XCounts => spacing
+                        .or_set(Setting::XUnit, Value::Any)
+                        .because("if x is a length"),
+                    _ => spacing,
+                }
+            }
+            Self::RaggedRow { .. } => Remedy::act("correct or remove this line"),
+            Self::ColumnsUnclear { .. } => Remedy::set(Setting::Columns, Value::Like("1,2".into())),
+            Self::AmbiguousComma { .. } => {
+                Remedy::state_all(&[Setting::Separator, Setting::Decimal]).or_do("export with ';'")
+            }
+            Self::UnknownUnit { axis, .. } => Remedy::act("convert the file")
+                .or_set(axis.setting(), Value::Any)
+                .because("if the header is wrong"),
+            Self::SeparatorDoesNotFit { .. } => Remedy::omit(Setting::Separator)
+                .or_set(Setting::Separator, Value::Any)
+                .because("to what separates the columns"),
+            Self::Damaged { .. } => Remedy::act("export it again, or as text"),
+            Self::TooLarge { .. } => Remedy::act("export a single profile"),
+            Self::SeveralProfiles { rows, .. } => {
+                Remedy::set(Setting::Row, Value::OneOf(format!("1 .. {rows}").into()))
+            }
+            Self::Impossible { .. } => Remedy::act("check the unit and the columns"),
+        }
+    }
+
     /// The code under which the message is explained.
     pub fn code(&self) -> &'static str {
         match self {
@@ -288,6 +371,30 @@ impl ReadError {
             Self::SeveralProfiles { .. } => "E119",
             Self::RollLength { .. } => "E130",
             Self::ImplausibleHeights { .. } => "E131",
+        }
+    }
+}
+
+/// What to do about a cell that is not a number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum CellRemedy {
+    /// The file is written with this decimal sign.
+    Decimal(DecimalSign),
+    /// The separator that was stated is not that of the file.
+    Separator,
+    /// Nothing but the line is wrong.
+    Line,
+}
+
+impl CellRemedy {
+    fn remedy(self) -> Remedy {
+        match self {
+            Self::Decimal(sign) => {
+                Remedy::set(Setting::Decimal, Value::This(sign.to_string().into()))
+            }
+            Self::Separator => Remedy::omit(Setting::Separator).or_do("correct this line"),
+            Self::Line => Remedy::act("correct or remove this line"),
         }
     }
 }
@@ -328,7 +435,7 @@ impl std::fmt::Display for SpacingHint {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match *self {
             Self::None => Ok(()),
-            Self::XCounts => write!(f, " (x counts the points; if it is a length say --x-unit)"),
+            Self::XCounts => write!(f, " (x counts the points)"),
             Self::FirstLine(value) => write!(
                 f,
                 "; line 1 reads {value} and is written unlike the rest, as the spacing in an NPL text profile (um) or a length is"

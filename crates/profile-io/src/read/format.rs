@@ -107,11 +107,11 @@ impl Format {
     pub fn remedy(self) -> &'static str {
         match self {
             Self::SurfcomConditions => {
-                "It holds no heights; read the .tx1 (primary) or .tx2 (roughness) file beside it"
+                "read the .tx1 (primary) or .tx2 (roughness) file beside it, which holds the heights"
             }
-            Self::Archive => "Unpack it first",
-            Self::Document => "Export the heights, not the report",
-            _ => "Export the profile as text with an x and a height column",
+            Self::Archive => "unpack it first",
+            Self::Document => "export the heights, not the report",
+            _ => "export the profile as text with an x and a height column",
         }
     }
 }

@@ -51,7 +51,7 @@ mod xml;
 use std::io::{Cursor, Read, Seek};
 use std::path::Path;
 
-pub use error::{FirstLine, ReadError, SpacingHint};
+pub use error::{CellRemedy, FirstLine, ReadError, SpacingHint};
 pub use format::Format;
 pub use grid::SpacingSource;
 pub use header::FilterState;

@@ -4,6 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use asperity_core::quantity::Length;
+use asperity_core::remedy::Setting;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -173,11 +174,11 @@ pub enum Axis {
 }
 
 impl Axis {
-    /// The command line option that states the unit.
-    pub fn option(self) -> &'static str {
+    /// The setting that states the unit.
+    pub fn setting(self) -> Setting {
         match self {
-            Self::Trace => "--x-unit",
-            Self::Height => "--z-unit",
+            Self::Trace => Setting::XUnit,
+            Self::Height => Setting::ZUnit,
         }
     }
 }

@@ -186,7 +186,7 @@ fn check(stated: &str, sum: u32) -> Option<Warning> {
         .parse::<u64>()
         .is_ok_and(|stated| stated % 65_536 == u64::from(sum));
     (!agrees).then(|| Warning::ChecksumDiffers {
-        what: "file",
+        what: "file".into(),
         stated: super::table::shortened(stated),
         found: sum.to_string(),
     })

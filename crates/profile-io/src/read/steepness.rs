@@ -10,6 +10,7 @@
 use std::fmt;
 
 use asperity_core::Profile;
+use asperity_core::remedy::{Remedy, Setting, Value};
 use serde::{Deserialize, Serialize};
 
 use super::options::LengthUnit;
@@ -65,11 +66,26 @@ pub enum Suspicion {
     Unknown,
 }
 
+impl Suspicion {
+    /// What can be done about it.
+    pub fn remedy(self) -> Remedy {
+        match self {
+            Self::Unit { likely, .. } => {
+                Remedy::set(Setting::ZUnit, Value::This(likely.to_string().into()))
+            }
+            Self::Sentinel { .. } => Remedy::act("write NaN for the missing points"),
+            Self::Unknown => Remedy::act("look for single spikes")
+                .or_set(Setting::ZUnit, Value::Any)
+                .or_set(Setting::Spacing, Value::Any),
+        }
+    }
+}
+
 impl fmt::Display for Steepness {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "no flank is as steep as these heights: slopes of {:.3e} root mean square, {:.3e} after point {}. ",
+            "no flank is as steep as these heights: slopes of {:.3e} root mean square, {:.3e} after point {}",
             self.rdq,
             self.steepest,
             self.at + 1
@@ -77,7 +93,7 @@ impl fmt::Display for Steepness {
         match self.suspicion {
             Suspicion::Unit { read, likely } => write!(
                 f,
-                "They were read in {read} and would be plausible in {likely}: pass --z-unit {likely}"
+                "; they were read in {read} and would be plausible in {likely}"
             ),
             Suspicion::Sentinel {
                 value,
@@ -85,9 +101,9 @@ impl fmt::Display for Steepness {
                 points,
             } => write!(
                 f,
-                "{points} of them read {value:e} {unit}, which seems to mark missing points: remove them, or write NaN for them and pass --gaps interpolate"
+                "; {points} of them read {value:e} {unit}, which seems to mark missing points"
             ),
-            Suspicion::Unknown => write!(f, "Check the unit, the spacing and single spikes"),
+            Suspicion::Unknown => Ok(()),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Which columns of a sniffed table are read, and what is wrong with a cell or row that does not read.
 
 use super::dialect::{Cell, Sniffed, Stated, sniff};
-use super::error::ReadError;
+use super::error::{CellRemedy, ReadError};
 use super::header::{Label, Role};
 use super::layout::Dialect;
 use super::options::{Columns, DecimalSign, ReadOptions, Separator};
@@ -137,15 +137,13 @@ pub(super) fn unreadable(
     let other_decimal = matches!(other.cell(cell), Cell::Number(_));
     let (dialect, remedy) = match (other_decimal, other.decimal) {
         (true, DecimalSign::Comma) if free.decimal == DecimalSign::Comma => {
-            (free, "Try --decimal comma")
+            (free, CellRemedy::Decimal(DecimalSign::Comma))
         }
         (true, DecimalSign::Point) if free.decimal == DecimalSign::Point => {
-            (free, "Try --decimal point")
+            (free, CellRemedy::Decimal(DecimalSign::Point))
         }
-        _ if free.separator != used.separator => {
-            (free, "Leave --separator away, or correct this line")
-        }
-        _ => (free, "Correct or remove this line"),
+        _ if free.separator != used.separator => (free, CellRemedy::Separator),
+        _ => (free, CellRemedy::Line),
     };
     ReadError::UnreadableNumber {
         file: file.to_owned(),

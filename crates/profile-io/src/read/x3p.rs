@@ -292,7 +292,7 @@ fn binary(
         .filter(|stated| **stated != found)
     {
         warnings.push(Warning::ChecksumDiffers {
-            what: "point data",
+            what: "point data".into(),
             stated: super::table::shortened(stated),
             found,
         });
@@ -384,7 +384,7 @@ fn main_checksum(
     let stated = stated.split_whitespace().next().unwrap_or_default();
     if stated != found {
         warnings.push(Warning::ChecksumDiffers {
-            what: "main.xml",
+            what: "main.xml".into(),
             stated: super::table::shortened(stated),
             found: found.to_owned(),
         });

@@ -36,8 +36,9 @@ fn an_unreadable_cell_is_shown_with_what_the_file_looks_like() {
     let refused = read_bytes("flank.csv", german.text().as_bytes(), &options).unwrap_err();
     assert_eq!(
         refused.to_string(),
-        "flank.csv:2: cannot read \"0,000000000\" as a number; the file looks like ';' with decimal comma. Try --decimal comma"
+        "flank.csv:2: cannot read \"0,000000000\" as a number; the file looks like ';' with decimal comma"
     );
+    assert_eq!(refused.remedy().to_string(), "Set decimal to comma");
     assert_eq!(refused.code(), "E101");
     let text = PLAIN.text();
     let broken = text.replacen("4.500000000,", "4.5O,", 1);

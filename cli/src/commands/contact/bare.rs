@@ -1,0 +1,176 @@
+//! Contacts without a case: a bare gap, or two profiles face to face.
+
+use std::path::Path;
+
+use asperity_contact::running_in::{Cycle, RunningIn};
+use asperity_contact::two_flanks::TwoFlanks;
+use asperity_contact::{
+    Boundary, ContactError, ContactProblem, Control, PeriodicKernel, SolverSettings, solve,
+};
+use asperity_core::Profile;
+use asperity_core::quantity::Length;
+
+use super::column_file::{self, Columns};
+use super::found::Found;
+use crate::args::{ContactArgs, KernelArg};
+use crate::failure::Failure;
+
+/// Cells may differ in length by this share: rounding in the files.
+const UNEVEN: f64 = 1e-6;
+
+/// The contact over a gap file.
+pub fn of_gap(path: &Path, args: &ContactArgs) -> Result<Found, Failure> {
+    let file = column_file::read(path, column_file::GAP)?;
+    let prescribed = match &args.prescribed {
+        Some(pressure) => Some(prescribed(pressure, &file)?),
+        None => None,
+    };
+    let window = file.spacing * file.values.len() as f64;
+    let problem = ContactProblem {
+        gap: &file.values,
+        spacing: file.spacing,
+        modulus: args.e_star.ok_or_else(|| missing("--gap", "--e-star"))?,
+        boundary: boundary(args),
+        control: match (args.load, args.approach) {
+            (Some(load), _) => Control::Load(load),
+            (None, Some(approach)) => Control::Approach {
+                approach,
+                datum: args.datum.unwrap_or(window * 2.0),
+            },
+            (None, None) => return Err(missing("--gap", "--load or --approach")),
+        },
+        prescribed_pressure: prescribed.as_deref(),
+        pressure_limit: args.pressure_limit,
+        start: None,
+    };
+    let solution = solve(&problem, &settings(args)).map_err(|error| refused(path, &error))?;
+    Ok(Found {
+        title: path.display().to_string(),
+        spacing: file.spacing,
+        x: file.x,
+        undeformed: file.values,
+        solution,
+        hertz_pressure: None,
+        cycles: vec![],
+    })
+}
+
+/// The contact of two profiles, run in first if that is asked for.
+pub fn of_flanks(paths: &[std::path::PathBuf], args: &ContactArgs) -> Result<Found, Failure> {
+    let [first_path, second_path] = paths else {
+        return Err(missing("--flanks", "two files"));
+    };
+    let [first, second] = [profile(first_path)?, profile(second_path)?];
+    let flanks = TwoFlanks {
+        first: &first,
+        second: &second,
+        radius: args.radius.ok_or_else(|| missing("--flanks", "--radius"))?,
+        load: args.load.ok_or_else(|| missing("--flanks", "--load"))?,
+        modulus: args.e_star.ok_or_else(|| missing("--flanks", "--e-star"))?,
+        pressure_limit: args.pressure_limit,
+    };
+    let about = |error: ContactError| refused(second_path, &error);
+    let (cycles, worn) = match args.running_in {
+        Some(passes) => {
+            let plan = RunningIn {
+                shares: [args.first_share, 1.0 - args.first_share],
+                ..RunningIn::evenly(first.len(), passes)
+            };
+            let ran_in = plan.run(&flanks, &settings(args)).map_err(about)?;
+            (ran_in.cycles, Some(ran_in.flanks))
+        }
+        None => (Vec::<Cycle>::new(), None),
+    };
+    let last = match &worn {
+        Some([first, second]) => TwoFlanks {
+            first,
+            second,
+            ..flanks
+        },
+        None => flanks,
+    };
+    let undeformed = last.gap().map_err(about)?;
+    let solution = last.press(&settings(args)).map_err(about)?;
+    let middle = 0.5 * (undeformed.len() - 1) as f64;
+    let x = (0..undeformed.len()).map(|i| (i as f64 - middle) * first.spacing().si());
+    Ok(Found {
+        title: format!("{} on {}", first_path.display(), second_path.display()),
+        spacing: first.spacing(),
+        x: x.collect(),
+        undeformed,
+        solution,
+        hertz_pressure: None,
+        cycles,
+    })
+}
+
+fn profile(path: &Path) -> Result<Profile, Failure> {
+    let file = column_file::read(path, column_file::HEIGHT)?;
+    // Positions printed with few digits give the same spacing to no more digits than that.
+    let spacing = Length::from_si(
+        format!("{:.9e}", file.spacing.si())
+            .parse()
+            .unwrap_or(file.spacing.si()),
+    );
+    Profile::new(spacing, file.values)
+        .map_err(|error| Failure::new("E209", format!("{}: {error}", path.display())))
+}
+
+fn prescribed(path: &Path, gap: &Columns) -> Result<Vec<f64>, Failure> {
+    let file = column_file::read(path, column_file::PRESSURE)?;
+    let apart = (file.spacing / gap.spacing - 1.0).abs();
+    if apart > UNEVEN {
+        return Err(Failure::new(
+            "E209",
+            format!(
+                "{}: points {:.6} apart, those of the gap {:.6}; give the pressure at the points of the gap",
+                path.display(),
+                file.spacing,
+                gap.spacing
+            ),
+        ));
+    }
+    Ok(file.values)
+}
+
+fn boundary(args: &ContactArgs) -> Boundary {
+    match (args.kernel, args.periodic) {
+        (Some(KernelArg::Spectral), _) => Boundary::Periodic(PeriodicKernel::Spectral),
+        (Some(KernelArg::Periodised), _) | (None, true) => {
+            Boundary::Periodic(PeriodicKernel::Strip)
+        }
+        (Some(KernelArg::Strip) | None, _) => Boundary::FreeEnds,
+    }
+}
+
+fn settings(args: &ContactArgs) -> SolverSettings {
+    SolverSettings {
+        tolerance: args.tolerance,
+        ..SolverSettings::default()
+    }
+}
+
+fn missing(option: &str, needed: &str) -> Failure {
+    Failure::new("E205", format!("{option} needs {needed}"))
+}
+
+/// The error of a contact in the options of this command.
+fn refused(path: &Path, error: &ContactError) -> Failure {
+    let failure = |code| Failure::new(code, format!("{}: {error}", path.display()));
+    match error {
+        ContactError::NotConverged { .. } => failure("E301")
+            .advising("Pass a larger --tolerance (at most 1e-4), or look for spikes in the file."),
+        ContactError::NotRunIn { .. } => {
+            failure("E301").advising("Pass a smaller --tolerance, or a higher --pressure-limit.")
+        }
+        ContactError::LimitBelowMeanPressure { .. } => {
+            failure("E302").advising("Pass a higher --pressure-limit or a lower --load.")
+        }
+        ContactError::DatumTooNear { .. } => failure("E209").advising("Pass a larger --datum."),
+        ContactError::ApproachBeyondMeanGap { .. } => {
+            failure("E209").advising("Pass a smaller --approach, or --load in its place.")
+        }
+        ContactError::ToleranceTooLarge { .. } => failure("E211"),
+        _ => failure("E209"),
+    }
+}

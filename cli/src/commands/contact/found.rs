@@ -1,0 +1,160 @@
+//! A solved contact: its words, its JSON and its file of points.
+
+use std::path::Path;
+
+use asperity_contact::running_in::Cycle;
+use asperity_contact::{ContactSolution, ContactWarning};
+use asperity_core::quantity::Length;
+use serde_json::{Value, json};
+
+use crate::failure::Failure;
+
+/// A solved contact and what it is compared with.
+pub struct Found {
+    /// Its files and place.
+    pub title: String,
+    /// Distance of the points.
+    pub spacing: Length,
+    /// Positions \[m\].
+    pub x: Vec<f64>,
+    /// Undeformed gap \[m\].
+    pub undeformed: Vec<f64>,
+    /// The contact.
+    pub solution: ContactSolution,
+    /// Largest pressure of the smooth contact \[Pa\].
+    pub hertz_pressure: Option<f64>,
+    /// Cycles of the running-in before.
+    pub cycles: Vec<Cycle>,
+}
+
+impl Found {
+    /// Codes and words of what is doubtful.
+    fn warnings(&self) -> Vec<(&'static str, String)> {
+        let coded = |warning: ContactWarning| {
+            let code = match warning {
+                ContactWarning::PressureAtEnd { .. } => "W413",
+                _ => "W414",
+            };
+            (code, warning.to_string())
+        };
+        self.solution.warnings().into_iter().map(coded).collect()
+    }
+
+    /// The contact for programs, with the stress below.
+    pub fn json(&self, stress: Option<Value>) -> Value {
+        let s = &self.solution;
+        let warnings: Vec<Value> = self
+            .warnings()
+            .into_iter()
+            .map(|(code, text)| json!({ "code": code, "text": text }))
+            .collect();
+        json!({
+            "title": self.title,
+            "points": s.pressure.len(),
+            "load_n_per_m": s.load.si(),
+            "approach_m": s.approach.si(),
+            "approach_datum_m": s.datum.si(),
+            "contact_fraction": s.contact_fraction,
+            "p_max_pa": s.max_pressure.si(),
+            "p_end_pa": s.end_pressure.si(),
+            "hertz_p_max_pa": self.hertz_pressure,
+            "plastic_energy_j_per_m": s.dissipated.si(),
+            "elastic_energy_j_per_m": s.elastic_energy.si(),
+            "iterations": s.iterations,
+            "residual": {
+                "duality_gap": s.certificate.duality_gap,
+                "penetration": s.certificate.penetration,
+                "load_error": s.certificate.load_error,
+                "reference_gap_m": s.certificate.reference_gap.si(),
+            },
+            "stress": stress,
+            "running_in": self.cycles.iter().map(cycle_json).collect::<Vec<_>>(),
+            "warnings": warnings,
+        })
+    }
+
+    /// The contact for reading, with lines on the stress below.
+    pub fn text(&self, stress: &str) -> String {
+        let s = &self.solution;
+        let hertz = self
+            .hertz_pressure
+            .map(|p| format!(" (Hertz {:.1} MPa)", p * 1e-6))
+            .unwrap_or_default();
+        let mut text = format!(
+            "{}\n  load {:.6}   approach {:.7} (datum {:.6})\n  contact fraction {:.6}   p_max {:.7}{hertz}\n  \
+             plastic work {:.4e} J/m\n  {} iterations; duality gap {:.1e}, penetration {:.1e}, load error {:.1e}\n",
+            self.title,
+            s.load,
+            s.approach,
+            s.datum,
+            s.contact_fraction,
+            s.max_pressure,
+            s.dissipated.si(),
+            s.iterations,
+            s.certificate.duality_gap,
+            s.certificate.penetration,
+            s.certificate.load_error,
+        );
+        if let (Some(first), Some(last)) = (self.cycles.first(), self.cycles.last()) {
+            text.push_str(&format!(
+                "  run in after {} cycles: plastic work {:.4e} to {:.4e} J/m a cycle, Rq {:.4} and {:.4}\n",
+                self.cycles.len(),
+                first.dissipated.si(),
+                last.dissipated.si(),
+                last.rq[0],
+                last.rq[1],
+            ));
+        }
+        text.push_str(stress);
+        for (code, warning) in self.warnings() {
+            text.push_str(&format!("{code} {warning}\n"));
+        }
+        text
+    }
+
+    /// Writes x, undeformed gap, pressure, gap and displacement per point; every number reads back
+    /// exactly.
+    pub fn write_points(&self, path: &Path) -> Result<(), Failure> {
+        let s = &self.solution;
+        let mut text =
+            String::from("x_m,h_m,pressure_pa,gap_m,displacement_m,plastic_displacement_m\n");
+        for i in 0..self.x.len() {
+            text.push_str(&format!(
+                "{:e},{:e},{:e},{:e},{:e},{:e}\n",
+                self.x[i],
+                self.undeformed[i],
+                s.pressure[i],
+                s.gap[i],
+                s.displacement[i],
+                s.plastic_displacement[i],
+            ));
+        }
+        save(path, &text)
+    }
+}
+
+fn cycle_json(cycle: &Cycle) -> Value {
+    json!({
+        "plastic_energy_j_per_m": cycle.dissipated.si(),
+        "largest_flow_m": cycle.largest_flow.si(),
+        "contact_fraction": cycle.contact_fraction,
+        "rq_m": cycle.rq.map(|rq| rq.si()),
+        "peak_m": cycle.peak.map(|peak| peak.si()),
+    })
+}
+
+/// Writes `text` to a file, whose folder is made.
+pub fn save(path: &Path, text: &str) -> Result<(), Failure> {
+    let refused = |error: &dyn std::fmt::Display| {
+        Failure::new(
+            "E401",
+            format!("{}: cannot be written: {error}", path.display()),
+        )
+    };
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    std::fs::create_dir_all(folder).map_err(|error| refused(&error))?;
+    asperity_report::save(path, text.as_bytes()).map_err(|error| refused(&error))
+}

@@ -1,0 +1,136 @@
+//! Stress below the surface of a solved contact.
+
+use std::path::Path;
+
+use asperity_contact::subsurface::{
+    Peak, StressField, YieldZone, graded_depths, subsurface_stress,
+};
+use asperity_core::quantity::Length;
+use serde_json::{Value, json};
+
+use super::found::{Found, save};
+use crate::args::ContactArgs;
+use crate::failure::Failure;
+
+/// Depths of the field.
+const DEPTHS: usize = 60;
+
+/// Largest values of a stress field.
+pub struct Stress {
+    von_mises: Peak,
+    shear: Peak,
+    yield_zone: Option<YieldZone>,
+    has_limit: bool,
+    /// Position of the first point \[m\].
+    first: f64,
+}
+
+/// The stress under `found`, written to the file that `args` names.
+pub fn stress(found: &Found, args: &ContactArgs, path: &Path) -> Result<Stress, Failure> {
+    let outside = |error: &dyn std::fmt::Display| Failure::new("E209", error.to_string());
+    let pressure = &found.solution.pressure;
+    let touches = |p: &f64| *p > 0.0;
+    let (Some(first), Some(last)) = (
+        pressure.iter().position(touches),
+        pressure.iter().rposition(touches),
+    ) else {
+        return Err(Failure::new("E209", "--stress: the bodies do not touch"));
+    };
+    let half_width = found.spacing * (0.5 * (last - first + 1) as f64);
+    let depths =
+        graded_depths(found.spacing * 0.5, half_width, DEPTHS).map_err(|error| outside(&error))?;
+    let friction = args.friction;
+    if !friction.is_finite() {
+        return Err(Failure::new(
+            "E209",
+            format!("--friction {friction}: must be finite"),
+        ));
+    }
+    let traction: Option<Vec<f64>> =
+        (friction != 0.0).then(|| pressure.iter().map(|p| friction * p).collect());
+    let field = subsurface_stress(pressure, traction.as_deref(), found.spacing, &depths)
+        .map_err(|error| outside(&error))?;
+    let mises = field
+        .von_mises(args.poisson)
+        .map_err(|error| outside(&error))?;
+    let none = || Failure::new("E501", "a stress field without values");
+    let yield_zone = match args.elastic_limit {
+        Some(limit) => field
+            .yield_zone(args.poisson, limit)
+            .map_err(|error| outside(&error))?,
+        None => None,
+    };
+    let result = Stress {
+        von_mises: field.peak(&mises).ok_or_else(none)?,
+        shear: field.peak(&field.max_shear()).ok_or_else(none)?,
+        yield_zone,
+        has_limit: args.elastic_limit.is_some(),
+        first: found.x[0],
+    };
+    save(path, &table(&field, &mises, found))?;
+    Ok(result)
+}
+
+/// x, z, the stresses in the plane and von Mises per point.
+fn table(field: &StressField, mises: &[f64], found: &Found) -> String {
+    let mut text = String::from("x_m,z_m,sigma_xx_pa,sigma_zz_pa,tau_xz_pa,von_mises_pa\n");
+    for (place, mises) in mises.iter().enumerate() {
+        text.push_str(&format!(
+            "{:e},{:e},{:e},{:e},{:e},{mises:e}\n",
+            found.x[place % field.points],
+            field.depths[place / field.points],
+            field.sigma_xx[place],
+            field.sigma_zz[place],
+            field.tau_xz[place],
+        ));
+    }
+    text
+}
+
+impl Stress {
+    fn peak_json(&self, peak: &Peak) -> Value {
+        json!({
+            "value_pa": peak.value.si(),
+            "x_m": self.first + peak.position.si(),
+            "z_m": peak.depth.si(),
+        })
+    }
+
+    /// The largest values for programs.
+    pub fn json(&self) -> Value {
+        let zone = self.yield_zone.map(|zone| {
+            json!({
+                "points": zone.points,
+                "shallowest_m": zone.shallowest.si(),
+                "deepest_m": zone.deepest.si(),
+                "first_m": self.first + zone.first.si(),
+                "last_m": self.first + zone.last.si(),
+            })
+        });
+        json!({
+            "von_mises_max": self.peak_json(&self.von_mises),
+            "shear_max": self.peak_json(&self.shear),
+            "yield_zone": zone,
+        })
+    }
+
+    /// The largest values for reading.
+    pub fn text(&self) -> String {
+        let peak = |name: &str, peak: &Peak| {
+            let x = Length::from_si(self.first + peak.position.si());
+            format!(
+                "  largest {name} {:.6} at x {x:.4}, {:.4} deep\n",
+                peak.value, peak.depth
+            )
+        };
+        let zone = match (&self.yield_zone, self.has_limit) {
+            (Some(zone), _) => format!(
+                "  elastic limit passed from {:.4} to {:.4} deep\n",
+                zone.shallowest, zone.deepest
+            ),
+            (None, true) => "  elastic limit passed nowhere\n".to_owned(),
+            (None, false) => String::new(),
+        };
+        peak("von Mises stress", &self.von_mises) + &peak("shear stress", &self.shear) + &zone
+    }
+}

@@ -1,0 +1,223 @@
+//! Words of the terminal for the remedies and explanations of the libraries: settings by their options, or by
+//! their keys where a case file is to be changed.
+
+use asperity::message::explain;
+use asperity::remedy::{Action, Remedy, Setting, Value};
+
+/// The option that states `setting`; a key of a case is its own name.
+fn option(setting: Setting) -> &'static str {
+    match setting {
+        Setting::XUnit => "--x-unit",
+        Setting::ZUnit => "--z-unit",
+        Setting::Spacing => "--dx",
+        Setting::Columns => "--columns",
+        Setting::Decimal => "--decimal",
+        Setting::Separator => "--separator",
+        Setting::Encoding => "--encoding",
+        Setting::Gaps => "--gaps",
+        Setting::Row => "--row",
+        Setting::Abscissa => "--abscissa",
+        Setting::BaseRadius => "--base-radius",
+        Setting::Uneven => "--uneven",
+        Setting::Form => "--form",
+        Setting::Cutoff => "--lambda-c",
+        Setting::NoiseCutoff => "--lambda-s",
+        other => other.key(),
+    }
+}
+
+/// The table of a case that `setting` stands in, for the flank at `flank`.
+fn table(setting: Setting, flank: &str) -> Option<&str> {
+    match setting {
+        Setting::Key(_) => None,
+        Setting::Form | Setting::Cutoff | Setting::NoiseCutoff => Some("surface"),
+        _ => Some(flank),
+    }
+}
+
+/// `message` with what to do about it on the command line.
+pub fn with_options(message: &str, remedy: &Remedy) -> String {
+    ended(message, &remedy.sentence(in_options))
+}
+
+/// `message` with what to do about it in the case file, of whose flank at `flank` it is.
+pub fn with_keys(message: &str, remedy: &Remedy, flank: &str) -> String {
+    ended(message, &remedy.sentence(|action| in_keys(action, flank)))
+}
+
+/// A question tells already what to do.
+fn ended(message: &str, advice: &str) -> String {
+    if advice.is_empty() || message.ends_with('?') {
+        message.to_owned()
+    } else {
+        format!("{}. {advice}", message.trim_end_matches('.'))
+    }
+}
+
+fn in_options(action: &Action) -> String {
+    match action {
+        Action::Do { what } => what.to_string(),
+        Action::Omit { setting } => format!("leave {} out", option(*setting)),
+        Action::Set { settings, to, why } => {
+            let names: Vec<&str> = settings.iter().map(|setting| option(*setting)).collect();
+            let names = names.join(" and ");
+            let verb = if names.starts_with("--") {
+                "pass"
+            } else {
+                "set"
+            };
+            let told = match to {
+                Value::This(value) | Value::OneOf(value) => {
+                    format!("{verb} {names} {}", argument(settings, value))
+                }
+                Value::Like(value) => {
+                    format!("{verb} {names}, as {names} {}", argument(settings, value))
+                }
+                _ => format!("{verb} {names}"),
+            };
+            explained(told, why)
+        }
+        _ => String::new(),
+    }
+}
+
+/// A value as an argument: no cut-off is called none, and a quantity needs no blank.
+fn argument(settings: &[Setting], value: &str) -> String {
+    match (settings, value) {
+        ([Setting::Cutoff | Setting::NoiseCutoff], "0 mm") => "none".to_owned(),
+        (
+            [Setting::Spacing | Setting::BaseRadius | Setting::Cutoff | Setting::NoiseCutoff],
+            value,
+        ) => value.replace(' ', ""),
+        (_, value) => value.to_owned(),
+    }
+}
+
+fn in_keys(action: &Action, flank: &str) -> String {
+    match action {
+        Action::Do { what } => what.to_string(),
+        Action::Omit { setting } => match table(*setting, flank) {
+            Some(table) => format!("leave {} out of {table}", setting.key()),
+            None => format!("leave {} out", setting.key()),
+        },
+        Action::Set { settings, to, why } => {
+            let keys: Vec<&str> = settings.iter().map(|setting| setting.key()).collect();
+            let keys = keys.join(" and ");
+            let given = match to {
+                Value::This(value) | Value::Like(value) => {
+                    format!("{keys} = {}", written(settings, value))
+                }
+                Value::OneOf(values) => {
+                    let each: Vec<_> = values
+                        .split(" | ")
+                        .map(|value| written(settings, value))
+                        .collect();
+                    format!("{keys} = {}", each.join(", or "))
+                }
+                _ => keys,
+            };
+            let table = settings.first().and_then(|first| table(*first, flank));
+            let told = match table {
+                Some(table) => format!("write {given} in {table}"),
+                None => format!("set {given}"),
+            };
+            explained(told, why)
+        }
+        _ => String::new(),
+    }
+}
+
+/// A value as it stands in a case file.
+fn written(settings: &[Setting], value: &str) -> String {
+    match settings {
+        [Setting::Columns] => match value.split_once(',') {
+            Some((x, z)) => format!("{{ x = {x}, z = {z} }}"),
+            None => format!("{{ z = {value} }}"),
+        },
+        [Setting::Row] => value.to_owned(),
+        _ => format!("\"{value}\""),
+    }
+}
+
+fn explained(told: String, why: &str) -> String {
+    match why {
+        "" => told,
+        why => format!("{told} {why}"),
+    }
+}
+
+/// The general advice of a code, with the options and keys it is about and the commands that help.
+pub fn advice(code: &str) -> Option<String> {
+    let entry = explain(code)?;
+    let mut text = entry.remedy.to_owned();
+    if !entry.settings.is_empty() {
+        let options: Vec<&str> = entry.settings.iter().map(|s| option(*s)).collect();
+        let keys: Vec<&str> = entry.settings.iter().map(|s| s.key()).collect();
+        let table = table(entry.settings[0], "surface.pinion").unwrap_or_default();
+        text = format!(
+            "{} ({}; in a case {} in {table}).",
+            text.trim_end_matches('.'),
+            options.join(", "),
+            keys.join(", "),
+        );
+    }
+    if let Some(more) = command(code) {
+        text = format!("{text} {more}");
+    }
+    Some(text)
+}
+
+/// Commands that help with a code.
+fn command(code: &str) -> Option<&'static str> {
+    Some(match code {
+        "E201" => "asperity demo writes a case to start from.",
+        "E202" => "asperity demo writes a case to compare with.",
+        "E203" => "asperity schema lists every key.",
+        "E204" => "asperity schema lists every key with its unit.",
+        "E210" => "asperity equations and asperity explain list all there are.",
+        "E301" => {
+            "asperity profile info shows the profile; the gap that was not closed is saved in the folder failed beside the results."
+        }
+        "E401" => "-o names another place in most commands.",
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_remedy_is_told_in_options_or_in_keys() {
+        let unit = Remedy::set(Setting::ZUnit, Value::OneOf("um | nm | mm".into()));
+        assert_eq!(
+            with_options("a.csv: no unit", &unit),
+            "a.csv: no unit. Pass --z-unit um | nm | mm"
+        );
+        assert_eq!(
+            with_keys("a.csv: no unit", &unit, "surface.wheel"),
+            "a.csv: no unit. Write z_unit = \"um\", or \"nm\", or \"mm\" in surface.wheel"
+        );
+        let spacing = Remedy::set(Setting::Spacing, Value::Like("0.5 um".into()));
+        assert_eq!(with_options("m", &spacing), "m. Pass --dx, as --dx 0.5um");
+        let columns = Remedy::set(Setting::Columns, Value::Like("1,2".into()));
+        assert_eq!(
+            with_keys("m", &columns, "surface.pinion"),
+            "m. Write columns = { x = 1, z = 2 } in surface.pinion"
+        );
+        let none = Remedy::set(Setting::Cutoff, Value::This("0 mm".into()));
+        assert_eq!(with_options("m", &none), "m. Pass --lambda-c none");
+        assert_eq!(with_options("m?", &none), "m?");
+    }
+
+    #[test]
+    fn advice_names_options_and_keys() {
+        assert_eq!(
+            advice("E110").as_deref(),
+            Some(
+                "State the spacing of the points, as 0.5 um (--dx; in a case dx in surface.pinion)."
+            )
+        );
+        assert_eq!(advice("E999"), None);
+    }
+}

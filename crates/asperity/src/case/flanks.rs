@@ -1,0 +1,322 @@
+//! The two flanks of a case: traces read and prepared, or roughness values.
+
+use std::path::Path;
+
+use asperity_core::provenance::Provenance;
+use asperity_core::quantity::Length;
+use asperity_core::remedy::Remedy;
+use asperity_core::{DomainError, Profile};
+use asperity_profile_io::Warning as ReadWarning;
+use asperity_profile_io::read::steepness::implausible;
+use asperity_profile_io::read::{Format, LengthUnit, ReadError, ReadOptions, Reading, read_bytes};
+use asperity_roughness::Parameters;
+use asperity_roughness::composite::resampled;
+use asperity_roughness::height_parameters::Mode;
+use asperity_roughness::preparation::prepare;
+use sha2::{Digest, Sha256};
+
+use super::error::CaseError;
+use super::files::{Content, FILE_OF_PINION, FILE_OF_WHEEL, Files};
+use super::input::FlankInput;
+use super::key_names::key_of;
+use super::resolve::{Case, domain};
+use super::source::Source;
+use crate::message::Warning;
+use crate::surfaces::{FlankReport, Surfaces, Texture};
+
+/// Both flanks, how each was read and prepared, and the warnings on the way.
+#[derive(Debug, Clone)]
+pub(super) struct Flanks {
+    pub surfaces: Surfaces,
+    pub reports: [FlankReport; 2],
+    pub warnings: Vec<Warning>,
+    /// Equations of the preparation.
+    pub provenance: Provenance,
+}
+
+/// What is shared by the reading of both flanks.
+#[derive(Clone, Copy)]
+struct Given<'a> {
+    case: &'a Case,
+    source: &'a Source,
+    files: &'a Files,
+}
+
+/// A flank with the trace it came from, where there is one.
+struct Flank {
+    texture: Texture,
+    report: FlankReport,
+    raw: Option<Profile>,
+}
+
+/// Reads and prepares the flanks that `case` names.
+pub(super) fn flanks(case: &Case, source: &Source, files: &Files) -> Result<Flanks, CaseError> {
+    let provenance = Provenance::new();
+    let flanks = provenance.collect(|| both(case, source, files))?;
+    Ok(Flanks {
+        provenance,
+        ..flanks
+    })
+}
+
+fn both(case: &Case, source: &Source, files: &Files) -> Result<Flanks, CaseError> {
+    let given = Given {
+        case,
+        source,
+        files,
+    };
+    let mut warnings = Vec::new();
+    let pinion_input = &case.input.surface.pinion;
+    // Flanks face each other: without a trace of its own the wheel is the pinion's, mirrored.
+    let wheel_input = case.input.surface.wheel.clone().unwrap_or(FlankInput {
+        mirrored: Some(!pinion_input.mirrored.unwrap_or(false)),
+        ..pinion_input.clone()
+    });
+    let pinion = flank(pinion_input, "surface.pinion", given, &mut warnings)?;
+    let wheel = flank(&wheel_input, "surface.wheel", given, &mut warnings)?;
+    // Rows of one surface are traces of their own.
+    let same_trace = pinion.raw.is_some() && pinion.raw == wheel.raw;
+    let reports = [pinion.report, wheel.report];
+    if reports[0].file.is_some() && reports[0].file == reports[1].file {
+        // Said once, for the file they share.
+        warnings.dedup();
+        let mut seen = std::collections::BTreeSet::new();
+        warnings.retain(|warning| seen.insert(warning.to_string()));
+    }
+    let textures = on_common_spacing([pinion.texture, wheel.texture], &mut warnings)?;
+    Ok(Flanks {
+        surfaces: Surfaces::new(textures, case.preparation.lambda_s, same_trace),
+        reports,
+        warnings,
+        provenance: Provenance::new(),
+    })
+}
+
+fn flank(
+    input: &FlankInput,
+    key: &'static str,
+    given: Given<'_>,
+    warnings: &mut Vec<Warning>,
+) -> Result<Flank, CaseError> {
+    let source = given.source;
+    match (&input.file, input.rq) {
+        (Some(_), Some(_)) => Err(CaseError::Conflict {
+            place: source.place_of(key),
+            key,
+            rule: "give either file or rq, not both",
+        }),
+        (None, None) => Err(CaseError::Conflict {
+            place: source.place_of_key(key),
+            key,
+            rule: "give file, the trace of the flank, or rq when there is none",
+        }),
+        (None, Some(rq)) => values(input, rq, key, source),
+        (Some(file), None) => {
+            // The wheel may run on the trace of the pinion.
+            let named = match given.case.input.surface.wheel {
+                Some(_) if key == "surface.wheel" => FILE_OF_WHEEL,
+                _ => FILE_OF_PINION,
+            };
+            trace(input, file, named, given, warnings)
+        }
+    }
+}
+
+fn values(
+    input: &FlankInput,
+    rq: Length,
+    key: &'static str,
+    source: &Source,
+) -> Result<Flank, CaseError> {
+    let checked = |name, length: Option<Length>| match length {
+        None => Ok(None),
+        Some(length) => DomainError::positive(name, length)
+            .map(Some)
+            .map_err(domain(source, key_of(key, name))),
+    };
+    let rq = checked("Rq", Some(rq))?.unwrap_or_default();
+    /// Ra of a Gaussian surface is Rq·√(2/π).
+    const GAUSSIAN_RA: f64 = 0.797_884_560_802_865_4;
+    /// Rz of a Gaussian surface over five cut-offs is near six times its Rq.
+    const GAUSSIAN_RZ: f64 = 6.0;
+    let texture = Texture::Values {
+        rq,
+        ra: checked("Ra", input.ra)?.unwrap_or(GAUSSIAN_RA * rq),
+        rz: checked("Rz", input.rz)?.unwrap_or(GAUSSIAN_RZ * rq),
+        rpk: checked("Rpk", input.rpk)?,
+        asperity_radius: checked("asperity radius", input.asperity_radius)?.map(Length::from_si),
+    };
+    Ok(Flank {
+        texture,
+        report: FlankReport::default(),
+        raw: None,
+    })
+}
+
+fn trace(
+    input: &FlankInput,
+    file: &Path,
+    key: &'static str,
+    given: Given<'_>,
+    warnings: &mut Vec<Warning>,
+) -> Result<Flank, CaseError> {
+    // As the case names it: that is what the user looks for.
+    let name = file.display().to_string();
+    let read = read_trace(input, file, key, given)?;
+    let mirrored = input.mirrored.unwrap_or(false);
+    let raw = if mirrored {
+        read.profile.mirrored()
+    } else {
+        read.profile.clone()
+    };
+    let refused = |source| CaseError::Preparation {
+        file: name.clone(),
+        source,
+    };
+    let preparation = &given.case.preparation;
+    let prepared = prepare(&raw, preparation).map_err(refused)?;
+    // Without a cut-off the whole trace is one evaluation of five sections, and nothing is filtered twice.
+    let lambda_c = preparation.lambda_c;
+    let section = lambda_c.unwrap_or_else(|| prepared.profile.length() / 5.0);
+    let parameters = Parameters::of(&prepared.profile, Mode::Iso4287, section).map_err(refused)?;
+    let mut warn = |code, warning: &dyn std::fmt::Display, remedy: Remedy| {
+        let end = if remedy.is_empty() { "" } else { ". " };
+        warnings.push(Warning::new(
+            code,
+            format!("{name}: {warning}{end}{remedy}"),
+        ));
+    };
+    for warning in read.reading.iter().flat_map(|reading| &reading.warnings) {
+        if lambda_c.is_some() || *warning != ReadWarning::AlreadyFiltered {
+            warn(warning.code(), warning, warning.remedy());
+        }
+    }
+    for warning in prepared.warnings.iter().chain(&parameters.warnings) {
+        warn(warning.code(), warning, warning.remedy());
+    }
+    let report = FlankReport {
+        trace: Some(read.profile.clone()),
+        file: Some(name),
+        sha256: read.sha256,
+        mirrored,
+        preparation: Some(prepared.record),
+        parameters: Some(parameters),
+        reading: read.reading,
+    };
+    Ok(Flank {
+        texture: Texture::Trace(prepared.profile),
+        report,
+        raw: Some(read.profile),
+    })
+}
+
+/// A trace as measured; how it was read and the SHA-256 of its file where it comes from one.
+struct ReadTrace {
+    profile: Profile,
+    reading: Option<Reading>,
+    sha256: Option<String>,
+}
+
+/// The trace in `file` as its keys say.
+fn read_trace(
+    input: &FlankInput,
+    file: &Path,
+    key: &'static str,
+    given: Given<'_>,
+) -> Result<ReadTrace, CaseError> {
+    let source = given.source;
+    let bytes = match given.files.open(file, source, key)? {
+        Content::Bytes(bytes) => bytes,
+        Content::Heights(profile) => {
+            if let Some(steepness) = implausible(&profile, LengthUnit::Metre) {
+                let file = file.display().to_string();
+                return Err(CaseError::Profile {
+                    place: source.place_of(key),
+                    source: Box::new(ReadError::ImplausibleHeights { file, steepness }),
+                });
+            }
+            return Ok(ReadTrace {
+                profile: profile.as_ref().clone(),
+                reading: None,
+                sha256: None,
+            });
+        }
+    };
+    let options = read_options(input);
+    let read = read_bytes(&file.display().to_string(), &bytes, &options);
+    let plausible = read.and_then(|reading| reading.check_heights().map(|()| reading));
+    let reading = plausible.map_err(|error| CaseError::Profile {
+        place: source.place_of(key),
+        source: Box::new(error),
+    })?;
+    if input.row.unwrap_or(1) > 1
+        && !matches!(
+            reading.format,
+            Format::X3p | Format::SdfAscii | Format::TextMatrix
+        )
+    {
+        return Err(CaseError::Conflict {
+            place: source.place_of(key),
+            key,
+            rule: "this file holds a single profile; leave row out",
+        });
+    }
+    Ok(ReadTrace {
+        profile: reading.profile.clone(),
+        sha256: Some(hex(&Sha256::digest(&bytes))),
+        reading: Some(reading),
+    })
+}
+
+/// What the keys of a flank say to the reader.
+fn read_options(input: &FlankInput) -> ReadOptions {
+    ReadOptions {
+        x_unit: input.x_unit,
+        z_unit: input.z_unit,
+        dx: input.dx,
+        columns: input.columns,
+        decimal: input.decimal,
+        separator: input.separator,
+        encoding: input.encoding,
+        gaps: input.gaps.unwrap_or_default(),
+        row: input.row,
+        abscissa: input.abscissa,
+        base_radius: input.base_radius,
+        uneven: input.uneven.unwrap_or_default(),
+    }
+}
+
+/// Brings two traces to the finer spacing of both.
+fn on_common_spacing(
+    textures: [Texture; 2],
+    warnings: &mut Vec<Warning>,
+) -> Result<[Texture; 2], CaseError> {
+    /// Spacings that differ by less shift a window of 10⁴ points by less than a point.
+    const SAME: f64 = 1e-5;
+    let [Texture::Trace(first), Texture::Trace(second)] = &textures else {
+        return Ok(textures);
+    };
+    let (a, b) = (first.spacing(), second.spacing());
+    if (a / b - 1.0).abs() <= SAME {
+        return Ok(textures);
+    }
+    let finer = if a < b { a } else { b };
+    let bring = |profile: &Profile| -> Result<Profile, CaseError> {
+        resampled(profile, finer).map_err(|source| CaseError::Preparation {
+            file: "surface".to_owned(),
+            source: source.into(),
+        })
+    };
+    warnings.push(Warning::new(
+        "W119",
+        format!("the flanks are spaced {a} and {b}; the coarser was resampled linearly to {finer}"),
+    ));
+    Ok([
+        Texture::Trace(bring(first)?),
+        Texture::Trace(bring(second)?),
+    ])
+}
+
+fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}

@@ -1,0 +1,246 @@
+//! A case with its traces: from a file, from a text with a resolver, from a value, or changed from another.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use asperity_core::provenance::Provenance;
+use asperity_tribo_friction::XuCalibration;
+
+use super::error::CaseError;
+use super::files::{Content, Files, XU_COEFFICIENTS};
+use super::flanks::{Flanks, flanks};
+use super::input::{CaseInput, Formulation, schema};
+use super::known_keys::first_unknown;
+use super::plain_words::plain;
+use super::resolve::{Case, resolve};
+use super::source::Source;
+use crate::error::Error;
+use crate::message::Warning;
+use crate::surfaces::{FlankReport, Surfaces};
+
+/// A case with its traces, ready to run.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct LoadedCase {
+    /// The case.
+    pub case: Case,
+    /// The flanks.
+    pub surfaces: Surfaces,
+    /// How each flank was read and prepared.
+    pub flanks: [FlankReport; 2],
+    /// Warnings about the files.
+    pub warnings: Vec<Warning>,
+    /// Equations that the preparation of oil, gears and traces used.
+    pub provenance: Provenance,
+    /// Equations that the preparation of the traces used, which a change of the case may keep.
+    of_flanks: Provenance,
+    /// Name of the case, for messages about what is changed.
+    name: Arc<str>,
+    files: Arc<Files>,
+}
+
+/// Resolver of the files that a case text names: from the name as it stands in the text to the bytes.
+pub type Resolver<'a> = &'a dyn Fn(&str) -> std::io::Result<Vec<u8>>;
+
+/// Reads the case file `path` and the traces it names; `formulation` wins over the file's.
+///
+/// # Errors
+/// When a file cannot be read or says something that cannot be. The source, where it could be
+/// read, goes with the error so that the place can be shown.
+pub fn load(path: &Path, formulation: Option<Formulation>) -> Result<LoadedCase, Error> {
+    load_with(path, &|input| {
+        if formulation.is_some() {
+            input.formulation = formulation;
+        }
+    })
+}
+
+/// The same with the case changed by `change` before its defaults are filled in.
+///
+/// # Errors
+/// As for [`load`].
+pub fn load_with(path: &Path, change: &dyn Fn(&mut CaseInput)) -> Result<LoadedCase, Error> {
+    let source = open(path)?;
+    let folder = path.parent().unwrap_or(Path::new("."));
+    let read = || {
+        let mut input = read(&source)?;
+        change(&mut input);
+        complete(input, &source, Files::in_folder(folder).into(), None)
+    };
+    read().map_err(|error| Error::in_text(error, source.clone()))
+}
+
+/// Reads a case from its `text`; the files it names come from `resolver`, so that no file system is needed.
+/// `name` is that of messages; a text is JSON where it ends in `.json`, TOML otherwise.
+///
+/// # Errors
+/// As for [`load`], or when the resolver refuses a file.
+///
+/// ```
+/// use asperity::case;
+/// let text = r#"
+///     gears = { teeth = [23, 68], module = "1.8 mm", face_width = "32 mm" }
+///     operation = { torque = "145 N m", speed = "9000 1/min", temperature = "90 °C" }
+///     lubricant = { oil = "m100" }
+///     surface = { pinion = { file = "flank", dx = "0.5 um", z_unit = "um" }, cutoff = "0.25 mm" }
+/// "#;
+/// let trace: String = (0..8000).map(|i| format!("{:.6}\n", (f64::from(i) * 0.7).sin())).collect();
+/// let loaded = case::from_text("case.toml", text, &|name| match name {
+///     "flank" => Ok(trace.clone().into_bytes()),
+///     _ => Err(std::io::ErrorKind::NotFound.into()),
+/// })?;
+/// assert!(loaded.surfaces.are_measured());
+/// # Ok::<(), asperity::Error>(())
+/// ```
+pub fn from_text(name: &str, text: &str, resolver: Resolver<'_>) -> Result<LoadedCase, Error> {
+    let source = Source::from_bytes(name, text.as_bytes())?;
+    let read = || {
+        let input = read(&source)?;
+        let files = Files::gathered(&input, &source, resolver)?;
+        complete(input, &source, files.into(), None)
+    };
+    read().map_err(|error| Error::in_text(error, source.clone()))
+}
+
+impl LoadedCase {
+    /// The same case changed by `change`, checked anew; traces are read again only where the change concerns
+    /// them.
+    ///
+    /// The change applies to [`Case::input`]; what was set past it, in the public fields, is not kept.
+    ///
+    /// # Errors
+    /// When the changed case cannot be run.
+    pub fn with(&self, change: impl FnOnce(&mut CaseInput)) -> Result<Self, Error> {
+        let mut input = self.case.input.clone();
+        change(&mut input);
+        self.changed_to(input)
+    }
+
+    /// The same case with the key at `path` set to `value`, as [`CaseInput::set`] takes them.
+    ///
+    /// # Errors
+    /// When the key is not known, the value cannot be read, or the changed case cannot be run.
+    pub fn with_key(&self, path: &str, value: &str) -> Result<Self, Error> {
+        let mut input = self.case.input.clone();
+        input.set(path, value)?;
+        self.changed_to(input)
+    }
+
+    fn changed_to(&self, input: CaseInput) -> Result<Self, Error> {
+        // Lines of the file would be those of the values before.
+        let source = Source::without_text(&self.name);
+        Ok(complete(
+            input,
+            &source,
+            Arc::clone(&self.files),
+            Some(self),
+        )?)
+    }
+
+    pub(super) fn built(input: CaseInput, files: Files) -> Result<Self, Error> {
+        Ok(complete(input, &Source::in_memory(), files.into(), None)?)
+    }
+}
+
+/// A case as a value; files it names are relative to the working directory.
+impl TryFrom<CaseInput> for LoadedCase {
+    type Error = Error;
+
+    fn try_from(input: CaseInput) -> Result<Self, Error> {
+        Self::built(input, Files::in_folder(Path::new("")))
+    }
+}
+
+fn open(path: &Path) -> Result<Source, CaseError> {
+    let file = path.display().to_string();
+    if path.is_dir() {
+        return Err(CaseError::Folder { file });
+    }
+    match std::fs::read(path) {
+        Ok(bytes) => Source::from_bytes(&file, &bytes),
+        Err(reason) => Err(CaseError::Open { file, reason }),
+    }
+}
+
+/// The case as it stands in the text.
+pub(super) fn read(source: &Source) -> Result<CaseInput, CaseError> {
+    let schema = schema();
+    if let Some((key, nearest)) = first_unknown(&schema, source.key_paths()) {
+        return Err(CaseError::UnknownKey {
+            place: source.place_of_key(key),
+            key: key.to_owned(),
+            nearest,
+        });
+    }
+    source.read().map_err(|error| match error {
+        CaseError::Value {
+            place,
+            key,
+            message,
+        } => CaseError::Value {
+            message: plain(&schema, key.as_deref(), &message),
+            place,
+            key,
+        },
+        error => error,
+    })
+}
+
+/// Completes the case and reads its traces, or takes them from `before`, where they are the same.
+fn complete(
+    input: CaseInput,
+    source: &Source,
+    files: Arc<Files>,
+    before: Option<&LoadedCase>,
+) -> Result<LoadedCase, CaseError> {
+    let provenance = Provenance::new();
+    let mut case = provenance.collect(|| resolve(input, source))?;
+    if let Some(file) = &case.input.model.xu_coefficients {
+        let calibration = xu_calibration(file, source, &files)?;
+        case.model.friction_settings.xu.coefficients = calibration.coefficients;
+    }
+    if let Some(before) = before {
+        case.laws = before.case.laws.clone();
+    }
+    let Flanks {
+        surfaces,
+        reports,
+        warnings,
+        provenance: of_flanks,
+    } = match before {
+        Some(before) if before.case.input.surface == case.input.surface => Flanks {
+            surfaces: before.surfaces.clone(),
+            reports: before.flanks.clone(),
+            warnings: before.warnings.clone(),
+            provenance: before.of_flanks.clone(),
+        },
+        _ => flanks(&case, source, &files)?,
+    };
+    provenance.include(&of_flanks);
+    Ok(LoadedCase {
+        case,
+        surfaces,
+        flanks: reports,
+        warnings,
+        provenance,
+        of_flanks,
+        name: source.name().into(),
+        files,
+    })
+}
+
+fn xu_calibration(file: &Path, source: &Source, files: &Files) -> Result<XuCalibration, CaseError> {
+    let key = XU_COEFFICIENTS;
+    let refused = |message: String| CaseError::Value {
+        place: source.place_of(key),
+        key: Some(key.to_owned()),
+        message,
+    };
+    let bytes = match files.open(file, source, key)? {
+        Content::Bytes(bytes) => bytes,
+        Content::Heights(_) => return Err(refused("names a trace, not coefficients".to_owned())),
+    };
+    let text = std::str::from_utf8(&bytes)
+        .map_err(|error| refused(format!("is not text in UTF-8: {error}")))?;
+    XuCalibration::from_json(text).map_err(|error| refused(error.to_string()))
+}

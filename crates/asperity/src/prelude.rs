@@ -1,0 +1,17 @@
+//! What most programs that embed the orchestrator use.
+
+pub use crate::case::{
+    BodyInput, Case, CaseBuilder, CaseInput, FlankInput, Formulation, GearsInput, LoadedCase,
+    MaterialInput, ModelInput, OneOrTwo, OperationInput, SurfaceInput, Trace,
+};
+pub use crate::error::Error;
+pub use crate::result::{Outcome, RunResult};
+pub use asperity_core::lubricant::{BaseOil, LubricantInput, ViscosityLaw};
+pub use asperity_core::material::Material;
+pub use asperity_core::quantity::{
+    Angle, AngularSpeed, Density, DynamicViscosity, KinematicViscosity, Length, LineLoad,
+    PerKelvin, Pressure, PressureViscosity, Quantity, Ratio, SpecificHeat, Speed, Temperature,
+    ThermalConductivity, Torque,
+};
+pub use asperity_core::remedy::{Action, Remedy, Setting};
+pub use asperity_profile_io::read::ReadOptions;

@@ -1,0 +1,31 @@
+//! Loss factors of all laws side by side.
+
+use asperity_core::material::Material;
+use asperity_core::quantity::Torque;
+
+use super::{LoadLaw, LoadMap, LoadMapSettings};
+use crate::error::GearError;
+use crate::pair::GearPair;
+use crate::relief::MicroGeometry;
+
+impl LoadMap {
+    /// H_V of every law, or why it does not hold for the pair. Laws without deflections are tried on
+    /// unmodified flanks.
+    pub fn loss_factor_of_every_law(
+        pair: &GearPair,
+        torque: Torque,
+        micro: &MicroGeometry,
+        materials: &[Material; 2],
+        settings: &LoadMapSettings,
+    ) -> Vec<(LoadLaw, Result<f64, GearError>)> {
+        let unmodified = MicroGeometry::default();
+        LoadLaw::all()
+            .into_iter()
+            .map(|law| {
+                let micro = if law.is_elastic() { micro } else { &unmodified };
+                let map = Self::new(pair, torque, &law, micro, materials, settings);
+                (law, map.map(|map| map.loss_factor()))
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,208 @@
+//! How far the loss factor of a load map is uncertain because of its constants, and what contact of
+//! tip edges would change.
+//!
+//! | source | range | from |
+//! |---|---|---|
+//! | factor C_M of theory to measurement | 0.65 to 1.0 | spread of theory and measurement |
+//! | coupling along the face, λ/m_n | 1.2 to 2.0 | finite elements |
+//! | contact of tip edges, only without relief | off to on | edges wear in |
+//! | tip chamfer | 0 to 0.1 m_n | drawings that name none |
+//! | amounts of tip relief | as given | drawing |
+
+use asperity_core::quantity::Length;
+use serde::Serialize;
+
+use crate::error::GearError;
+use crate::load_map::{LoadMap, LoadMapSettings};
+use crate::relief::MicroGeometry;
+
+/// Range of the factor C_M.
+const STIFFNESS_FACTORS: [f64; 2] = [0.65, 1.0];
+
+/// Range of the coupling along the face, in normal modules.
+const FACE_COUPLINGS: [f64; 2] = [1.2, 2.0];
+
+/// Chamfer that a drawing may leave out, in normal modules.
+const UNSTATED_CHAMFER: f64 = 0.1;
+
+/// Approach beyond which unrelieved tip edges are worth a note.
+const NOTEWORTHY_APPROACH: Length = Length::from_si(5e-6);
+
+/// A cause of uncertainty.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum BandSource {
+    /// Factor of theory to measurement.
+    StiffnessFactor,
+    /// Coupling along the face.
+    FaceCoupling,
+    /// Tip edges that touch outside the path of contact.
+    EdgeContact,
+    /// A tip chamfer that the case does not state.
+    TipChamfer,
+    /// Tolerance of the amounts of tip relief.
+    ReliefAmount,
+}
+
+/// The loss factors that one cause can give.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct BandPart {
+    /// The cause.
+    pub source: BandSource,
+    /// Lowest H_V, at most that of the map.
+    pub low: f64,
+    /// Highest H_V, at least that of the map.
+    pub high: f64,
+}
+
+/// Band of the loss factor.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LossFactorBand {
+    /// H_V of the map.
+    pub value: f64,
+    /// The parts' deviations to below, added as independent.
+    pub low: f64,
+    /// The parts' deviations to above, added as independent.
+    pub high: f64,
+    /// Each cause on its own. Causes that the pair does not have are left out.
+    pub parts: Vec<BandPart>,
+}
+
+/// What contact of tip edges would do to a pair without relief.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct EdgeContactNote {
+    /// Mean approach of the teeth, normal to the flank.
+    pub approach: Length,
+    /// H_V on the path of contact alone.
+    pub without: f64,
+    /// H_V with contact of the edges.
+    pub with: f64,
+}
+
+impl LoadMap {
+    /// The band of H_V; none for laws without deflections.
+    ///
+    /// `relief_tolerance` is that of the amounts of tip relief. Each part costs one or two load maps.
+    ///
+    /// # Errors
+    /// Those of a load map.
+    pub fn loss_factor_band(
+        &self,
+        relief_tolerance: Option<Length>,
+    ) -> Result<Option<LossFactorBand>, GearError> {
+        if !self.law().is_elastic() {
+            return Ok(None);
+        }
+        let mut parts = Vec::new();
+        let mut part = |source, factors: Vec<f64>| {
+            let ends = factors.into_iter().chain([self.loss_factor()]);
+            let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), h| {
+                (low.min(h), high.max(h))
+            });
+            parts.push(BandPart { source, low, high });
+        };
+        let settings = self.settings();
+        part(
+            BandSource::StiffnessFactor,
+            self.factors(STIFFNESS_FACTORS.map(|stiffness_factor| LoadMapSettings {
+                stiffness_factor,
+                ..*settings
+            }))?,
+        );
+        if !self.pair().is_spur() {
+            part(
+                BandSource::FaceCoupling,
+                self.factors(FACE_COUPLINGS.map(|face_coupling| LoadMapSettings {
+                    face_coupling,
+                    ..*settings
+                }))?,
+            );
+        }
+        if let Some(with) = self.with_edge_contact()? {
+            part(BandSource::EdgeContact, vec![with]);
+        }
+        let chamfer = self.pair().normal_module * UNSTATED_CHAMFER;
+        // A pair that needs its whole tips has no room for a chamfer.
+        if let Ok(pair) = self.pair().with_tip_chamfer([chamfer; 2]) {
+            let chamfered = self.variant(&pair, self.micro_geometry(), settings)?;
+            part(BandSource::TipChamfer, vec![chamfered.loss_factor()]);
+        }
+        if let Some(tolerance) = relief_tolerance {
+            let factors = [tolerance, -tolerance]
+                .into_iter()
+                .map(|change| {
+                    let micro = with_relief_changed(self.micro_geometry(), change);
+                    Ok(self.variant(self.pair(), &micro, settings)?.loss_factor())
+                })
+                .collect::<Result<Vec<f64>, GearError>>()?;
+            part(BandSource::ReliefAmount, factors);
+        }
+        Ok(Some(combine(self.loss_factor(), parts)))
+    }
+
+    /// What contact of tip edges would do, where it may matter: edges not relieved, approach above
+    /// 5 µm, and their contact not already in the map.
+    ///
+    /// # Errors
+    /// Those of a load map.
+    pub fn edge_contact_note(&self) -> Result<Option<EdgeContactNote>, GearError> {
+        let Some(approach) = self.evidence().mean_approach else {
+            return Ok(None);
+        };
+        if approach <= NOTEWORTHY_APPROACH {
+            return Ok(None);
+        }
+        Ok(self.with_edge_contact()?.map(|with| EdgeContactNote {
+            approach,
+            without: self.loss_factor(),
+            with,
+        }))
+    }
+
+    fn with_edge_contact(&self) -> Result<Option<f64>, GearError> {
+        let known = self.settings().edge_contact || !self.law().is_elastic();
+        if known || self.pair().internal || self.micro_geometry().relieves_profile() {
+            return Ok(None);
+        }
+        let settings = LoadMapSettings {
+            edge_contact: true,
+            ..*self.settings()
+        };
+        let with = self.variant(self.pair(), self.micro_geometry(), &settings)?;
+        Ok(Some(with.loss_factor()))
+    }
+
+    fn factors(&self, settings: [LoadMapSettings; 2]) -> Result<Vec<f64>, GearError> {
+        (settings.iter())
+            .map(|settings| {
+                let map = self.variant(self.pair(), self.micro_geometry(), settings)?;
+                Ok(map.loss_factor())
+            })
+            .collect()
+    }
+}
+
+/// Amounts of tip relief changed by the same, not below zero.
+fn with_relief_changed(micro: &MicroGeometry, change: Length) -> MicroGeometry {
+    let mut changed = micro.clone();
+    for relief in changed.tip_relief.iter_mut().flatten() {
+        relief.amount = Length::from_si((relief.amount + change).si().max(0.0));
+    }
+    changed
+}
+
+fn combine(value: f64, parts: Vec<BandPart>) -> LossFactorBand {
+    let root_sum = |deviation: fn(&BandPart, f64) -> f64| {
+        let squares: f64 = parts
+            .iter()
+            .map(|part| deviation(part, value).powi(2))
+            .sum();
+        squares.sqrt()
+    };
+    LossFactorBand {
+        value,
+        low: value - root_sum(|part, value| value - part.low),
+        high: value + root_sum(|part, value| part.high - value),
+        parts,
+    }
+}

@@ -1,0 +1,97 @@
+//! Bars from zero, with their values written beside them.
+
+use super::axis::Axis;
+use super::canvas::{Anchor, Canvas};
+use super::dress::Dress;
+use super::frame::{WIDTH, document};
+
+/// A bar.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bar {
+    /// Its name.
+    pub name: String,
+    /// Its length; none when there is no value.
+    pub value: Option<f64>,
+    /// Half the length of its whisker.
+    pub spread: Option<f64>,
+    /// The value as text.
+    pub text: String,
+}
+
+/// Bars from zero.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BarChart {
+    /// Name for links.
+    pub id: String,
+    /// What it shows.
+    pub title: String,
+    /// The table it was drawn from.
+    pub source: String,
+    /// The axis along the bars; always from zero.
+    pub axis: Axis,
+    /// The bars.
+    pub bars: Vec<Bar>,
+}
+
+impl BarChart {
+    /// The chart as SVG.
+    pub fn svg(&self, dress: Dress) -> String {
+        const LEFT: f64 = 150.0;
+        const RIGHT: f64 = WIDTH - 130.0;
+        const PITCH: f64 = 34.0;
+        const THICK: f64 = 20.0;
+        let top = if dress == Dress::Alone { 36.0 } else { 10.0 };
+        let bottom = top + PITCH * self.bars.len() as f64 + 4.0;
+        let height = bottom + 46.0;
+        let ends = self
+            .bars
+            .iter()
+            .filter_map(|bar| bar.value.map(|v| v + bar.spread.unwrap_or(0.0)));
+        let range = self.axis.clone().from_zero().range(ends);
+        let place = |value: f64| LEFT + range.share(value) * (RIGHT - LEFT);
+        let mut canvas = Canvas::default();
+        for (value, label) in range.ticks(5) {
+            canvas.line("grid", [place(value), top], [place(value), bottom]);
+            canvas.label(
+                "tick",
+                [place(value), bottom + 17.0],
+                Anchor::Middle,
+                &label,
+            );
+        }
+        for (index, bar) in self.bars.iter().enumerate() {
+            let y = top + 8.0 + PITCH * index as f64;
+            let middle = y + 0.5 * THICK;
+            canvas.label("name", [LEFT - 8.0, middle + 4.0], Anchor::End, &bar.name);
+            let mut end = LEFT;
+            if let Some(value) = bar.value {
+                end = place(value);
+                canvas.rect("bar", [LEFT, y], [(end - LEFT).max(0.0), THICK]);
+                if let Some(spread) = bar.spread {
+                    let ends = [place((value - spread).max(0.0)), place(value + spread)];
+                    whisker(&mut canvas, ends, [y + 4.0, y + THICK - 4.0]);
+                    end = ends[1];
+                }
+            }
+            canvas.label("name", [end + 7.0, middle + 4.0], Anchor::Start, &bar.text);
+        }
+        canvas.line("axis", [LEFT, top], [LEFT, bottom]);
+        let middle = 0.5 * (LEFT + RIGHT);
+        canvas.label(
+            "name",
+            [middle, height - 8.0],
+            Anchor::Middle,
+            &self.axis.text(),
+        );
+        document(dress, &self.title, height, &canvas.into_text())
+    }
+}
+
+/// A line with a stroke across each end.
+fn whisker(canvas: &mut Canvas, ends: [f64; 2], [top, bottom]: [f64; 2]) {
+    let middle = 0.5 * (top + bottom);
+    canvas.line("whisker", [ends[0], middle], [ends[1], middle]);
+    for x in ends {
+        canvas.line("whisker", [x, top], [x, bottom]);
+    }
+}

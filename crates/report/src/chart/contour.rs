@@ -1,0 +1,237 @@
+//! A field in the plane as filled contours, painted from the lowest level to the highest.
+
+use std::fmt::Write as _;
+
+use serde_json::{Value, json};
+
+use super::axis::{Axis, Range, Scale};
+use super::canvas::{Anchor, Canvas};
+use super::dress::Dress;
+use super::frame::{Frame, document};
+
+/// Bands of the colour scale.
+const BANDS: usize = 10;
+
+/// A field on a grid.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Contour {
+    /// Name for links.
+    pub id: String,
+    /// What it shows.
+    pub title: String,
+    /// The table it was drawn from.
+    pub source: String,
+    /// Horizontal axis.
+    pub x: Axis,
+    /// Vertical axis.
+    pub y: Axis,
+    /// What the colours mean, with its unit.
+    pub value: String,
+    /// Places of the columns, rising.
+    pub columns: Vec<f64>,
+    /// Places of the rows, rising.
+    pub rows: Vec<f64>,
+    /// Values row by row.
+    pub values: Vec<f64>,
+    /// Height of the box in units of the drawing.
+    pub height: f64,
+}
+
+impl Contour {
+    fn frame(&self, dress: Dress) -> Frame {
+        /// Room for the colour scale.
+        const BESIDE: f64 = 84.0;
+        let of = |axis: &Axis, values: &[f64]| match (axis.limits, values.first(), values.last()) {
+            (None, Some(&low), Some(&high)) if low < high => {
+                let low = if axis.zero { low.min(0.0) } else { low };
+                Range {
+                    low,
+                    high,
+                    scale: Scale::Linear,
+                }
+            }
+            _ => axis.range(values.iter().copied()),
+        };
+        let lines = usize::from(dress == Dress::Alone);
+        let (x, y) = (of(&self.x, &self.columns), of(&self.y, &self.rows));
+        Frame::new(self.height, lines, BESIDE, x, y, self.y.downward)
+    }
+
+    /// Lower edges of the bands, at round numbers from zero.
+    fn levels(&self) -> Vec<f64> {
+        let highest = self
+            .values
+            .iter()
+            .copied()
+            .filter(|v| v.is_finite())
+            .fold(0.0, f64::max);
+        let range = Range {
+            low: 0.0,
+            high: highest,
+            scale: Scale::Linear,
+        };
+        if highest <= 0.0 {
+            return vec![0.0];
+        }
+        let ticks = range.ticks(BANDS);
+        ticks
+            .into_iter()
+            .map(|(value, _)| value.abs())
+            .filter(|value| *value < highest)
+            .collect()
+    }
+
+    /// The chart as SVG.
+    pub fn svg(&self, dress: Dress) -> String {
+        let frame = self.frame(dress);
+        let levels = self.levels();
+        let mut canvas = Canvas::default();
+        frame.axes(&mut canvas, &self.x, &self.y);
+        let clip = format!("clip-{}", self.id);
+        let size = [frame.right - frame.left, frame.bottom - frame.top];
+        canvas.raw(&format!(
+            "<clipPath id=\"{clip}\"><rect x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\"/></clipPath>\
+             <g clip-path=\"url(#{clip})\"><g class=\"field\">",
+            frame.left, frame.top, size[0], size[1]
+        ));
+        for (band, level) in levels.iter().enumerate() {
+            let outline = match band {
+                0 => format!(
+                    "M{:.1} {:.1}h{:.1}v{:.1}h{:.1}z",
+                    frame.left, frame.top, size[0], size[1], -size[0]
+                ),
+                _ => self.region_above(*level, &frame),
+            };
+            canvas.path(&format!("band b{}", colour(band, levels.len())), &outline);
+        }
+        canvas.raw("</g></g>");
+        self.draw_scale(&mut canvas, &frame, &levels);
+        document(dress, &self.title, frame.height, &canvas.into_text())
+    }
+
+    fn draw_scale(&self, canvas: &mut Canvas, frame: &Frame, levels: &[f64]) {
+        const THICK: f64 = 14.0;
+        let left = frame.right + 12.0;
+        let tall = (frame.bottom - frame.top) / levels.len() as f64;
+        for (band, level) in levels.iter().enumerate() {
+            let y = frame.bottom - tall * (band + 1) as f64;
+            canvas.rect(
+                &format!("band b{}", colour(band, levels.len())),
+                [left, y],
+                [THICK, tall],
+            );
+            canvas.label(
+                "tick",
+                [left + THICK + 4.0, y + tall + 4.0],
+                Anchor::Start,
+                &format!("{level}"),
+            );
+        }
+        let middle = 0.5 * (frame.top + frame.bottom);
+        canvas.upright("name", [frame.right + 92.0, middle], &self.value);
+    }
+
+    /// Outline of where the field is at or above `level`, cell by cell; whole cells in runs.
+    fn region_above(&self, level: f64, frame: &Frame) -> String {
+        let (nx, ny) = (self.columns.len(), self.rows.len());
+        let px: Vec<f64> = self.columns.iter().map(|x| frame.px(*x)).collect();
+        let py: Vec<f64> = self.rows.iter().map(|y| frame.py(*y)).collect();
+        let at = |i: usize, j: usize| self.values[j * nx + i];
+        let mut d = String::new();
+        for j in 0..ny.saturating_sub(1) {
+            let mut run: Option<usize> = None;
+            for i in 0..nx.saturating_sub(1) {
+                let corners = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+                if corners.iter().all(|v| *v >= level) {
+                    run.get_or_insert(i);
+                    continue;
+                }
+                if let Some(from) = run.take() {
+                    block(&mut d, [px[from], px[i]], [py[j], py[j + 1]]);
+                }
+                let places = [
+                    [px[i], py[j]],
+                    [px[i + 1], py[j]],
+                    [px[i + 1], py[j + 1]],
+                    [px[i], py[j + 1]],
+                ];
+                part_above(&mut d, &places, &corners, level);
+            }
+            if let Some(from) = run {
+                block(&mut d, [px[from], px[nx - 1]], [py[j], py[j + 1]]);
+            }
+        }
+        d
+    }
+
+    /// What the script needs for zoom and read-off.
+    pub fn data(&self) -> Value {
+        let mut data = self.frame(Dress::Page).data(&self.x, &self.y);
+        data["kind"] = json!("contour");
+        data["value"] = json!(self.value);
+        data["columns"] = json!(self.columns);
+        data["rows"] = json!(self.rows);
+        // Whole units are what one can read off a band.
+        data["values"] = json!(self.values.iter().map(|v| v.round()).collect::<Vec<_>>());
+        data
+    }
+}
+
+fn block(d: &mut String, [x1, x2]: [f64; 2], [y1, y2]: [f64; 2]) {
+    let _ = write!(d, "M{x1:.1} {y1:.1}H{x2:.1}V{y2:.1}H{x1:.1}z");
+}
+
+/// The part of a cell where the field, linear along its edges, is at or above `level`.
+fn part_above(d: &mut String, places: &[[f64; 2]; 4], corners: &[f64; 4], level: f64) {
+    let mut command = 'M';
+    let mut go = |[x, y]: [f64; 2]| {
+        let _ = write!(d, "{command}{x:.1} {y:.1}");
+        command = 'L';
+    };
+    for k in 0..4 {
+        let next = (k + 1) % 4;
+        let (a, b) = (corners[k], corners[next]);
+        if a >= level {
+            go(places[k]);
+        }
+        if (a >= level) != (b >= level) {
+            let share = (level - a) / (b - a);
+            let between =
+                |axis: usize| places[k][axis] + share * (places[next][axis] - places[k][axis]);
+            go([between(0), between(1)]);
+        }
+    }
+    if command == 'L' {
+        d.push('z');
+    }
+}
+
+/// Spreads few bands over the whole scale of colours.
+fn colour(band: usize, bands: usize) -> usize {
+    const COLOURS: usize = 12;
+    if bands < 2 {
+        0
+    } else {
+        band * (COLOURS - 1) / (bands - 1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cell_is_cut_where_the_field_passes_the_level() {
+        let mut d = String::new();
+        let places = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]];
+        part_above(&mut d, &places, &[0.0, 4.0, 4.0, 0.0], 1.0);
+        assert_eq!(d, "M2.5 0.0L10.0 0.0L10.0 10.0L2.5 10.0z");
+    }
+
+    #[test]
+    fn a_field_below_the_level_draws_nothing() {
+        let mut d = String::new();
+        part_above(&mut d, &[[0.0; 2]; 4], &[0.0; 4], 1.0);
+        assert!(d.is_empty());
+    }
+}

@@ -1,0 +1,79 @@
+//! Any of the charts.
+
+use super::bars::BarChart;
+use super::contour::Contour;
+use super::dress::Dress;
+use super::strip::Strip;
+use super::xy::Chart;
+
+/// Any of the charts.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Drawing {
+    /// Curves.
+    Curves(Chart),
+    /// Bars.
+    Bars(BarChart),
+    /// Shares along the path.
+    Strip(Strip),
+    /// A field.
+    Contour(Contour),
+}
+
+impl Drawing {
+    /// The chart as SVG.
+    pub fn svg(&self, dress: Dress) -> String {
+        match self {
+            Self::Curves(chart) => chart.svg(dress),
+            Self::Bars(chart) => chart.svg(dress),
+            Self::Strip(chart) => chart.svg(dress),
+            Self::Contour(chart) => chart.svg(dress),
+        }
+    }
+
+    /// Name for links.
+    pub fn id(&self) -> &str {
+        match self {
+            Self::Curves(chart) => &chart.id,
+            Self::Bars(chart) => &chart.id,
+            Self::Strip(chart) => &chart.id,
+            Self::Contour(chart) => &chart.id,
+        }
+    }
+
+    /// What it shows.
+    pub fn title(&self) -> &str {
+        match self {
+            Self::Curves(chart) => &chart.title,
+            Self::Bars(chart) => &chart.title,
+            Self::Strip(chart) => &chart.title,
+            Self::Contour(chart) => &chart.title,
+        }
+    }
+
+    /// The table it was drawn from.
+    pub fn source(&self) -> &str {
+        match self {
+            Self::Curves(chart) => &chart.source,
+            Self::Bars(chart) => &chart.source,
+            Self::Strip(chart) => &chart.source,
+            Self::Contour(chart) => &chart.source,
+        }
+    }
+
+    /// What the script needs for zoom and read-off; none for charts that have neither.
+    pub fn data(&self) -> Option<serde_json::Value> {
+        match self {
+            Self::Curves(chart) => Some(chart.data()),
+            Self::Contour(chart) => Some(chart.data()),
+            Self::Bars(_) | Self::Strip(_) => None,
+        }
+    }
+
+    /// Names of the curves with the classes they are drawn in.
+    pub fn legend(&self) -> Vec<(String, String)> {
+        match self {
+            Self::Curves(chart) => chart.legend(),
+            _ => Vec::new(),
+        }
+    }
+}

@@ -1,0 +1,26 @@
+//! Charts as SVG: complete without scripts, every axis with its unit, every chart with the name of
+//! the table it was drawn from.
+//!
+//! A [`Chart`] holds curves over an axis, a [`BarChart`] bars from zero, a [`Strip`] shares along the
+//! path of contact, a [`Contour`] a field. Each draws itself for a page, which adds title and legend
+//! as text, or alone as a file.
+
+mod axis;
+mod bars;
+mod canvas;
+mod contour;
+mod decimate;
+mod drawing;
+mod dress;
+mod frame;
+mod strip;
+mod xy;
+
+pub use axis::{Axis, Scale};
+pub use bars::{Bar, BarChart};
+pub use contour::Contour;
+pub use decimate::decimated;
+pub use drawing::Drawing;
+pub use dress::{Dress, STYLE};
+pub use strip::Strip;
+pub use xy::{Chart, Level, Line, Mark, Series};

@@ -1,0 +1,404 @@
+//! Curves over an axis.
+
+use std::fmt::Write as _;
+
+use serde_json::{Value, json};
+
+use super::axis::{Axis, Range, Scale};
+use super::canvas::{Anchor, Canvas};
+use super::decimate::decimated;
+use super::dress::Dress;
+use super::frame::{Frame, document};
+
+/// Columns of a drawn curve: about one a pixel.
+const DRAWN_COLUMNS: usize = 700;
+/// Columns that the script can zoom into.
+const ZOOM_COLUMNS: usize = 3000;
+/// Colours of curves before they repeat.
+const COLOURS: usize = 6;
+
+/// How a curve is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Line {
+    /// A full line.
+    Solid,
+    /// A dashed line, for references.
+    Dashed,
+    /// Dots and a line.
+    Dots,
+    /// Dots alone.
+    Scatter,
+}
+
+/// A curve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Series {
+    /// Its name in the legend.
+    pub name: String,
+    /// How it is drawn.
+    pub line: Line,
+    /// Points in the units of the axes; one that is not finite breaks the line.
+    pub points: Vec<[f64; 2]>,
+}
+
+impl Series {
+    /// A curve through `x` and `y`.
+    pub fn new(name: &str, line: Line, x: &[f64], y: &[f64]) -> Self {
+        Self {
+            name: name.to_owned(),
+            line,
+            points: x.iter().zip(y).map(|(x, y)| [*x, *y]).collect(),
+        }
+    }
+}
+
+/// A named place on the horizontal axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mark {
+    /// Where.
+    pub at: f64,
+    /// Its name.
+    pub label: String,
+}
+
+/// A named value on the vertical axis, dashed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Level {
+    /// Where.
+    pub at: f64,
+    /// Its name.
+    pub label: String,
+}
+
+/// Curves over an axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Chart {
+    /// Name for links.
+    pub id: String,
+    /// What it shows.
+    pub title: String,
+    /// The table it was drawn from.
+    pub source: String,
+    /// Horizontal axis.
+    pub x: Axis,
+    /// Vertical axis.
+    pub y: Axis,
+    /// The curves.
+    pub series: Vec<Series>,
+    /// Places on the horizontal axis.
+    pub marks: Vec<Mark>,
+    /// Values on the vertical axis.
+    pub levels: Vec<Level>,
+    /// Height of the box in units of the drawing.
+    pub height: f64,
+}
+
+impl Chart {
+    /// A chart without curves yet.
+    pub fn new(id: &str, title: &str, source: &str, x: Axis, y: Axis) -> Self {
+        /// A box about twice as wide as high.
+        const HEIGHT: f64 = 230.0;
+        Self {
+            id: id.to_owned(),
+            title: title.to_owned(),
+            source: source.to_owned(),
+            x,
+            y,
+            series: Vec::new(),
+            marks: Vec::new(),
+            levels: Vec::new(),
+            height: HEIGHT,
+        }
+    }
+
+    /// The same with one more curve.
+    pub fn with(mut self, series: Series) -> Self {
+        self.series.push(series);
+        self
+    }
+
+    /// The same with places on the horizontal axis.
+    pub fn marked(mut self, marks: &[Mark]) -> Self {
+        self.marks = marks.to_vec();
+        self
+    }
+
+    /// The same with a value on the vertical axis.
+    pub fn level(mut self, at: f64, label: &str) -> Self {
+        self.levels.push(Level {
+            at,
+            label: label.to_owned(),
+        });
+        self
+    }
+
+    fn frame(&self, dress: Dress) -> Frame {
+        let points = || self.series.iter().flat_map(|series| &series.points);
+        let marks = self.marks.iter().map(|mark| mark.at);
+        let mut x = self.x.range(points().map(|p| p[0]).chain(marks));
+        let reaches = |series: &Series| series.line != Line::Scatter;
+        let is_free = self.x.scale == Scale::Linear && self.x.limits.is_none();
+        if is_free && (!self.marks.is_empty() || self.series.iter().all(reaches)) {
+            // Curves reach from side to side, a path from A to E.
+            x = tight(
+                x,
+                points()
+                    .map(|p| p[0])
+                    .chain(self.marks.iter().map(|mark| mark.at)),
+            );
+        }
+        let levels = self.levels.iter().map(|level| level.at);
+        let inside = |p: &&[f64; 2]| {
+            self.x
+                .limits
+                .is_none_or(|[low, high]| (low..=high).contains(&p[0]))
+        };
+        let y = self
+            .y
+            .range(points().filter(inside).map(|p| p[1]).chain(levels));
+        let rows = match dress {
+            Dress::Page => 0,
+            Dress::Alone => 1 + self.legend_rows().len(),
+        } + usize::from(!self.marks.is_empty());
+        Frame::new(self.height, rows, 0.0, x, y, self.y.downward)
+    }
+
+    /// The chart as SVG.
+    pub fn svg(&self, dress: Dress) -> String {
+        let frame = self.frame(dress);
+        let mut canvas = Canvas::default();
+        frame.axes(&mut canvas, &self.x, &self.y);
+        if dress == Dress::Alone {
+            self.draw_legend(&mut canvas);
+        }
+        let clip = format!("clip-{}", self.id);
+        canvas.raw(&format!(
+            "<clipPath id=\"{clip}\"><rect x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\"/></clipPath>",
+            frame.left,
+            frame.top,
+            frame.right - frame.left,
+            frame.bottom - frame.top
+        ));
+        self.draw_marks(&mut canvas, &frame);
+        canvas.raw(&format!("<g class=\"curves\" clip-path=\"url(#{clip})\">"));
+        for (index, series) in self.series.iter().enumerate() {
+            let few = decimated(&series.points, DRAWN_COLUMNS);
+            canvas.path(
+                &class(index, series.line),
+                &outline(&frame, series.line, &few),
+            );
+        }
+        canvas.close();
+        document(dress, &self.title, frame.height, &canvas.into_text())
+    }
+
+    fn draw_marks(&self, canvas: &mut Canvas, frame: &Frame) {
+        canvas.open("marks");
+        let mut free = f64::NEG_INFINITY;
+        for mark in &self.marks {
+            let at = frame.px(mark.at);
+            canvas.line("mark", [at, frame.top], [at, frame.bottom]);
+            // Letters that would touch are moved on.
+            let x = at.max(free);
+            canvas.label("letter", [x, frame.top - 5.0], Anchor::Middle, &mark.label);
+            free = x + 8.0 + 6.0 * mark.label.chars().count() as f64;
+        }
+        for level in &self.levels {
+            let at = frame.py(level.at);
+            canvas.line("level", [frame.left, at], [frame.right, at]);
+            let text = if at - frame.top < 18.0 {
+                at + 14.0
+            } else {
+                at - 5.0
+            };
+            canvas.label(
+                "letter",
+                [frame.left + 6.0, text],
+                Anchor::Start,
+                &level.label,
+            );
+        }
+        canvas.close();
+    }
+
+    /// Names of the curves with the classes they are drawn in.
+    pub fn legend(&self) -> Vec<(String, String)> {
+        let named = self.series.iter().enumerate();
+        named
+            .map(|(index, series)| (series.name.clone(), class(index, series.line)))
+            .collect()
+    }
+
+    /// The legend in lines that fit.
+    fn legend_rows(&self) -> Vec<Vec<(f64, String, String)>> {
+        /// Width of a letter and of the sample line with its gaps.
+        const LETTER: f64 = 6.6;
+        const SAMPLE: f64 = 46.0;
+        let mut rows: Vec<Vec<(f64, String, String)>> = Vec::new();
+        let mut at = f64::INFINITY;
+        for (name, class) in self.legend() {
+            let width = SAMPLE + LETTER * name.chars().count() as f64;
+            if at + width > 630.0 {
+                rows.push(Vec::new());
+                at = 10.0;
+            }
+            if let Some(row) = rows.last_mut() {
+                row.push((at, name, class));
+            }
+            at += width;
+        }
+        rows
+    }
+
+    fn draw_legend(&self, canvas: &mut Canvas) {
+        for (row, entries) in self.legend_rows().iter().enumerate() {
+            let y = 40.0 + 18.0 * row as f64;
+            for (x, name, class) in entries {
+                let sample = match class.ends_with("scatter") {
+                    true => format!(
+                        "M{:.1} {:.1}a4 4 0 1 0 8 0a4 4 0 1 0 -8 0",
+                        x + 8.0,
+                        y - 4.0
+                    ),
+                    false => format!("M{x:.1} {:.1}h24", y - 4.0),
+                };
+                canvas.path(class, &sample);
+                canvas.label("name", [x + 30.0, y], Anchor::Start, name);
+            }
+        }
+    }
+
+    /// What the script needs for zoom and read-off.
+    pub fn data(&self) -> Value {
+        let frame = self.frame(Dress::Page);
+        let mut data = frame.data(&self.x, &self.y);
+        let series: Vec<Value> = self
+            .series
+            .iter()
+            .map(|series| {
+                let few = decimated(&series.points, ZOOM_COLUMNS);
+                let flat: Vec<Value> = few.iter().flatten().map(|v| short(*v)).collect();
+                json!({"name": series.name, "points": flat, "joined": series.line != Line::Scatter,
+                    "radius": match series.line { Line::Dots => 2.0, Line::Scatter => 3.5, _ => 0.0 }})
+            })
+            .collect();
+        data["kind"] = json!("curves");
+        data["series"] = json!(series);
+        data["marks"] = json!(
+            self.marks
+                .iter()
+                .map(|m| json!([m.at, m.label]))
+                .collect::<Vec<_>>()
+        );
+        data["levels"] = json!(
+            self.levels
+                .iter()
+                .map(|l| json!([l.at, l.label]))
+                .collect::<Vec<_>>()
+        );
+        data
+    }
+}
+
+/// The range of `values` without air.
+fn tight(range: Range, values: impl Iterator<Item = f64>) -> Range {
+    let (low, high) = values
+        .filter(|v| v.is_finite())
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
+            (a.min(v), b.max(v))
+        });
+    if low < high {
+        Range { low, high, ..range }
+    } else {
+        range
+    }
+}
+
+fn class(index: usize, line: Line) -> String {
+    let kind = match line {
+        Line::Solid => "solid",
+        Line::Dashed => "dashed",
+        Line::Dots => "dots",
+        Line::Scatter => "scatter",
+    };
+    format!("curve c{} {kind}", index % COLOURS)
+}
+
+/// The path of a curve, with a circle at each point where there are dots.
+fn outline(frame: &Frame, line: Line, points: &[[f64; 2]]) -> String {
+    let radius = match line {
+        Line::Solid | Line::Dashed => None,
+        Line::Dots => Some(2.0),
+        Line::Scatter => Some(3.5),
+    };
+    let (mut d, mut dots) = (String::new(), String::new());
+    let mut joined = false;
+    for &[x, y] in points {
+        let (px, py) = (frame.px(x), frame.py(y));
+        if !px.is_finite() || !py.is_finite() {
+            joined = false;
+            continue;
+        }
+        if line != Line::Scatter {
+            let command = if joined { 'L' } else { 'M' };
+            let _ = write!(d, "{command}{px:.1} {py:.1}");
+        }
+        if let Some(r) = radius {
+            let (left, wide) = (px - r, 2.0 * r);
+            let _ = write!(
+                dots,
+                "M{left:.1} {py:.1}a{r} {r} 0 1 0 {wide} 0a{r} {r} 0 1 0 -{wide} 0"
+            );
+        }
+        joined = true;
+    }
+    d + &dots
+}
+
+/// Six digits that mean something; null where there is no number.
+pub(super) fn short(value: f64) -> Value {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(f64::NAN);
+    if rounded.is_finite() {
+        json!(rounded)
+    } else {
+        Value::Null
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ramp() -> Chart {
+        let x = Axis::new("position", "mm");
+        let y = Axis::new("load", "N/mm").from_zero();
+        Chart::new("ramp", "A ramp & more", "ramp.csv", x, y)
+            .with(Series::new(
+                "load",
+                Line::Solid,
+                &[0.0, 1.0, 2.0],
+                &[1.0, f64::NAN, 3.0],
+            ))
+            .marked(&[Mark {
+                at: 0.5,
+                label: "C".to_owned(),
+            }])
+            .level(2.0, "limit")
+    }
+
+    #[test]
+    fn a_chart_carries_its_units_and_escapes_its_text() {
+        let svg = ramp().svg(Dress::Alone);
+        assert!(svg.contains("position [mm]") && svg.contains("load [N/mm]"));
+        assert!(svg.contains("A ramp &amp; more") && !svg.contains("NaN"));
+    }
+
+    #[test]
+    fn a_missing_value_breaks_the_line() {
+        let svg = ramp().svg(Dress::Page);
+        let start = svg.find("class=\"curve").unwrap();
+        let d = &svg[start..start + svg[start..].find("/>").unwrap()];
+        assert_eq!(d.matches('M').count(), 2);
+        assert!(ramp().data()["series"][0]["points"][3].is_null());
+    }
+}

@@ -1,0 +1,196 @@
+//! The flanks as measured and prepared: trace, material ratio curve with its construction, spectrum,
+//! parameters.
+
+use asperity::result::RunResult;
+use asperity_core::quantity::Length;
+use asperity_roughness::Parameters;
+use asperity_roughness::material_ratio::RkParameters;
+use maud::{Markup, html};
+
+use super::page::figure;
+use crate::chart::{Axis, Chart, Drawing, Line, Series};
+use crate::page_tables::PageTables;
+use crate::tables::{BODIES, FlankTables, MaterialRatioRow, SpectrumRow, TraceRow, files_of};
+use crate::units::MICRO;
+
+pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
+    // Side by side: pinion and wheel.
+    let [pinion, wheel] = [0, 1].map(|body| charts(result, tables, body));
+    let longest = pinion.len().max(wheel.len());
+    let drawings: Vec<&Drawing> = (0..longest)
+        .flat_map(|k| [pinion.get(k), wheel.get(k)])
+        .flatten()
+        .collect();
+    if drawings.is_empty() {
+        return html! { p { "The flanks are given by roughness values: there are no traces to show." } };
+    }
+    html! {
+        (parameters(result))
+        div.charts { @for drawing in &drawings { (figure(drawing)) } }
+    }
+}
+
+fn charts(result: &RunResult, tables: &PageTables, index: usize) -> Vec<Drawing> {
+    let Some(flank) = &tables.flanks[index] else {
+        return Vec::new();
+    };
+    let body = BODIES[index];
+    let FlankTables {
+        trace,
+        material_ratio,
+        spectrum,
+    } = flank;
+    let parameters = result.flanks[index].parameters.as_ref();
+    let material = parameters.map(|found| &found.material);
+    let [of_trace, of_curve, of_spectrum] = files_of(body);
+    vec![
+        profile(trace, body, &of_trace),
+        abbott(material_ratio, material, body, &of_curve),
+        psd(spectrum, body, &of_spectrum),
+    ]
+}
+
+fn column<R>(rows: &[R], value: impl Fn(&R) -> f64) -> Vec<f64> {
+    rows.iter().map(value).collect()
+}
+
+fn profile(trace: &[TraceRow], body: &str, source: &str) -> Drawing {
+    let x = column(trace, |row| 1e-3 * row.x_um);
+    let of = |name: &str, value: fn(&TraceRow) -> f64| {
+        Series::new(name, Line::Solid, &x, &column(trace, value))
+    };
+    let title = format!("Trace of the {body}");
+    let chart = Chart::new(
+        &format!("trace-{body}"),
+        &title,
+        source,
+        Axis::new("position", "mm"),
+        Axis::new("height", "µm"),
+    )
+    .with(of("as measured", |row| row.measured_um))
+    .with(of("form removed", |row| row.form_removed_um))
+    // Where the filter dropped the ends there is no line.
+    .with(of("roughness, filtered", |row| {
+        row.roughness_um.unwrap_or(f64::NAN)
+    }));
+    Drawing::Curves(chart)
+}
+
+fn abbott(
+    rows: &[MaterialRatioRow],
+    material: Option<&RkParameters>,
+    body: &str,
+    source: &str,
+) -> Drawing {
+    let chart = Chart::new(
+        &format!("abbott-{body}"),
+        &format!("Material ratio curve of the {body}"),
+        source,
+        Axis::new("material ratio", "%"),
+        Axis::new("height", "µm"),
+    )
+    .with(Series::new(
+        "material ratio",
+        Line::Solid,
+        &column(rows, |row| row.material_ratio_percent),
+        &column(rows, |row| row.height_um),
+    ));
+    Drawing::Curves(match material {
+        Some(material) => with_construction(chart, material),
+        None => chart,
+    })
+}
+
+/// The line of Rk and the triangles of the same area as the peaks and the valleys.
+fn with_construction(chart: Chart, material: &RkParameters) -> Chart {
+    let um = |length: Length| length.si() * MICRO;
+    let (upper, lower) = (um(material.upper), um(material.lower));
+    let (top, floor) = (upper + um(material.rpk), lower - um(material.rvk));
+    let (mr1, mr2) = (material.mr1, material.mr2);
+    chart
+        .with(Series::new(
+            "line of Rk",
+            Line::Dashed,
+            &[0.0, 100.0],
+            &[upper, lower],
+        ))
+        .with(Series::new(
+            "Rpk",
+            Line::Solid,
+            &[0.0, 0.0, mr1, 0.0],
+            &[upper, top, upper, upper],
+        ))
+        .with(Series::new(
+            "Rvk",
+            Line::Solid,
+            &[mr2, 100.0, 100.0, mr2],
+            &[lower, floor, lower, lower],
+        ))
+}
+
+fn psd(rows: &[SpectrumRow], body: &str, source: &str) -> Drawing {
+    let chart = Chart::new(
+        &format!("psd-{body}"),
+        &format!("Power spectral density of the roughness of the {body}"),
+        source,
+        Axis::new("spatial frequency", "1/mm").log(),
+        Axis::new("density", "µm³").log(),
+    )
+    .with(Series::new(
+        "density",
+        Line::Solid,
+        &column(rows, |row| row.frequency_per_mm),
+        &column(rows, |row| row.density_um3),
+    ));
+    Drawing::Curves(chart)
+}
+
+/// How a length is taken from the parameters.
+type OfLength = fn(&Parameters) -> Option<Length>;
+
+const LENGTHS: &[(&str, OfLength)] = &[
+    ("Ra", |found| Some(found.heights.ra)),
+    ("Rq", |found| Some(found.heights.rq)),
+    ("Rz", |found| Some(found.heights.rz)),
+    ("Rp", |found| Some(found.heights.rp)),
+    ("Rv", |found| Some(found.heights.rv)),
+    ("Rt", |found| Some(found.heights.rt)),
+    ("RSm", |found| found.heights.rsm),
+    ("Rk", |found| Some(found.material.rk)),
+    ("Rpk", |found| Some(found.material.rpk)),
+    ("Rvk", |found| Some(found.material.rvk)),
+];
+
+/// How a material ratio is taken from the parameters.
+type OfRatio = fn(&Parameters) -> f64;
+
+const RATIOS: &[(&str, OfRatio)] = &[
+    ("Mr1", |found| found.material.mr1),
+    ("Mr2", |found| found.material.mr2),
+];
+
+fn parameters(result: &RunResult) -> Markup {
+    let of = |index: usize| result.flanks[index].parameters.as_ref();
+    let length = |index: usize, value: OfLength| {
+        let found = of(index).and_then(value);
+        found.map_or("–".to_owned(), |found| {
+            format!("{:.4}", found.si() * MICRO)
+        })
+    };
+    let ratio = |index: usize, value: OfRatio| {
+        of(index).map_or("–".to_owned(), |found| format!("{:.2}", value(found)))
+    };
+    html! {
+        div.scroll { table {
+            thead { tr { th { "parameter" } th { "unit" } @for body in BODIES { th.number { (body) } } } }
+            tbody {
+                @for (name, value) in LENGTHS {
+                    tr { th scope="row" { (name) } td { "µm" } @for index in 0..2 { td.number { (length(index, *value)) } } }
+                }
+                @for (name, value) in RATIOS {
+                    tr { th scope="row" { (name) } td { "%" } @for index in 0..2 { td.number { (ratio(index, *value)) } } }
+                }
+            }
+        } }
+    }
+}

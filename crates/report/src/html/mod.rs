@@ -1,0 +1,41 @@
+//! `report.html`: one page with the whole result, without a network.
+//!
+//! The page is drawn from the result and the tables beside it and from nothing else, so it cannot say
+//! another number than they do. Every chart is complete without scripts.
+
+mod contact;
+mod flanks;
+mod inputs;
+mod overview;
+mod page;
+mod path;
+
+pub use contact::drawings as drawings_of_contact;
+pub use overview::losses as drawing_of_losses;
+pub use page::{figure, page};
+
+use asperity::case::Formulation;
+use asperity::result::RunResult;
+
+use crate::error::ReportError;
+use crate::page_tables::PageTables;
+
+/// The page of `result`, with the flanks and the mesh position of `tables`.
+///
+/// # Errors
+/// When the result lacks a value that the page shows.
+pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, ReportError> {
+    let sections = [
+        ("Summary", overview::section(result)),
+        ("Along the path of contact", path::section(result)),
+        ("In the contact", contact::section(result, tables)?),
+        ("Flanks", flanks::section(result, tables)),
+        ("Inputs", inputs::section(result)?),
+    ];
+    let formulation = match result.formulation {
+        Formulation::Paper => "paper",
+        _ => "corrected",
+    };
+    let subtitle = format!("{} · formulation {formulation}", result.program);
+    Ok(page(&result.title, &subtitle, &sections))
+}

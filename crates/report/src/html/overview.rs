@@ -1,0 +1,202 @@
+//! Summary: the numbers that matter, the warnings, the losses, the friction laws, the regime.
+
+use asperity::result::{ComparisonOutcome, RunResult};
+use maud::{Markup, html};
+
+use super::page::figure;
+use crate::chart::{Axis, Bar, BarChart, Drawing};
+
+pub(super) fn section(result: &RunResult) -> Markup {
+    let tiles = tiles(result);
+    let charts = [losses(result), laws(result), super::path::strip(result)];
+    html! {
+        dl.tiles {
+            @for (name, value, key) in &tiles {
+                div { dt { (name) } dd data-key=(key) { (value) } }
+            }
+        }
+        @if !result.warnings.is_empty() {
+            h3 { "Calls for attention" }
+            ul.warnings {
+                @for warning in &result.warnings { li { code { (warning.code) } " " (warning.text) } }
+            }
+        }
+        div.charts { @for chart in &charts { (figure(chart)) } }
+    }
+}
+
+/// Name of a number, its value as text, its key in `result.json`.
+type Tile = (&'static str, String, &'static str);
+
+/// What a design review asks first.
+fn tiles(result: &RunResult) -> Vec<Tile> {
+    let s = &result.summary;
+    let mut tiles = vec![(
+        "efficiency (mesh only)",
+        format!("{:.4} %", 100.0 * s.efficiency),
+        "summary.efficiency",
+    )];
+    if let Some(deviation) = s.efficiency_deviation {
+        tiles.push((
+            "standard deviation over the offsets",
+            format!("±{:.4} %", 100.0 * deviation),
+            "summary.efficiency_deviation",
+        ));
+    }
+    let energy = result.running_in.energy_per_engagement_j;
+    tiles.extend([
+        ("loss", format!("{:.1} W", s.loss_w), "summary.loss_w"),
+        (
+            "sliding",
+            format!("{:.1} W", s.sliding_w),
+            "summary.sliding_w",
+        ),
+        (
+            "rolling",
+            format!("{:.2} W", s.rolling_w),
+            "summary.rolling_w",
+        ),
+        (
+            "power in",
+            format!("{:.3} kW", 1e-3 * s.power_in_w),
+            "summary.power_in_w",
+        ),
+        (
+            "torque out",
+            format!("{:.2} N m", s.torque_out_nm),
+            "summary.torque_out_nm",
+        ),
+        (
+            "equivalent friction μ_eq",
+            format!("{:.4}", s.mu_equivalent),
+            "summary.mu_equivalent",
+        ),
+        (
+            "loss factor H_V",
+            format!("{:.4}", s.loss_factor),
+            "summary.loss_factor",
+        ),
+        (
+            "H_V of the load sharing",
+            format!("{:.4}", s.loss_factor_local),
+            "summary.loss_factor_local",
+        ),
+        (
+            "mixed lubrication, of the path",
+            format!("{:.1} %", 100.0 * s.mixed_share),
+            "summary.mixed_share",
+        ),
+        (
+            "mesh positions",
+            s.positions.to_string(),
+            "summary.positions",
+        ),
+        (
+            "offsets of the traces",
+            s.offsets.to_string(),
+            "summary.offsets",
+        ),
+        (
+            "worst load error",
+            format!("{:.1e}", s.worst_load_error),
+            "summary.worst_load_error",
+        ),
+        (
+            "plastic work, first engagement",
+            format!("{energy:.2e} J"),
+            "running_in.energy_per_engagement_j",
+        ),
+    ]);
+    tiles
+}
+
+/// Parts of the loss as bars.
+pub fn losses(result: &RunResult) -> Drawing {
+    let s = &result.summary;
+    let running_in = match result.running_in.included {
+        true => result.running_in.first_pass_w,
+        false => 0.0,
+    };
+    let parts = [
+        ("sliding", s.sliding_w, true),
+        ("rolling", s.rolling_w, true),
+        ("deformation, pinion", s.deformation_w[0], false),
+        ("deformation, wheel", s.deformation_w[1], false),
+        ("hysteresis", s.hysteresis_w, false),
+        ("running-in", running_in, false),
+    ];
+    let share = |watts: f64| {
+        if s.loss_w > 0.0 {
+            watts / s.loss_w
+        } else {
+            0.0
+        }
+    };
+    let bars = parts
+        .iter()
+        .filter(|(_, watts, always)| *always || *watts != 0.0)
+        .map(|(name, watts, _)| Bar {
+            name: (*name).to_owned(),
+            value: Some(*watts),
+            spread: None,
+            text: format!("{} W, {}", significant(*watts), percent(share(*watts))),
+        })
+        .collect();
+    Drawing::Bars(BarChart {
+        id: "losses".to_owned(),
+        title: format!(
+            "Losses: {} W, {} of the power in",
+            significant(s.loss_w),
+            percent(s.loss_w / s.power_in_w)
+        ),
+        source: "losses.csv".to_owned(),
+        axis: Axis::new("loss", "W"),
+        bars,
+    })
+}
+
+fn laws(result: &RunResult) -> Drawing {
+    let spread = result.summary.efficiency_deviation;
+    let laws = result.friction_laws.iter().enumerate();
+    let bars = laws.map(|(k, entry)| {
+        let loss = match entry.outcome {
+            ComparisonOutcome::Efficiency(efficiency) => Some(100.0 * (1.0 - efficiency)),
+            ComparisonOutcome::Refused(_) => None,
+        };
+        Bar {
+            name: entry.law.clone(),
+            value: loss,
+            // The case's own law is the first; the spread was found with it.
+            spread: spread.filter(|_| k == 0).map(|share| 100.0 * share),
+            text: loss.map_or("cannot be used here".to_owned(), |loss| {
+                format!("{loss:.3} %")
+            }),
+        }
+    });
+    Drawing::Bars(BarChart {
+        id: "friction-laws".to_owned(),
+        title: "Friction laws side by side".to_owned(),
+        source: "friction_laws.csv".to_owned(),
+        axis: Axis::new("loss of the power in", "%"),
+        bars: bars.collect(),
+    })
+}
+
+/// Three digits or more, never an exponent where one can do without.
+fn significant(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0".to_owned(),
+        size if size >= 100.0 => format!("{value:.0}"),
+        size if size >= 0.01 => format!("{value:.2}"),
+        _ => format!("{value:.1e}"),
+    }
+}
+
+fn percent(share: f64) -> String {
+    let value = 100.0 * share;
+    if value == 0.0 || value >= 0.01 {
+        format!("{value:.2} %")
+    } else {
+        format!("{value:.0e} %")
+    }
+}

@@ -1,0 +1,80 @@
+//! The page around its sections: complete without a network; a small script adds zoom and read-off.
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use crate::chart::{Drawing, Dress, STYLE};
+
+const PAGE_STYLE: &str = include_str!("page.css");
+const SCRIPT: &str = include_str!("chart.js");
+
+/// Page of titled sections; empty ones are left out.
+pub fn page(title: &str, subtitle: &str, sections: &[(&str, Markup)]) -> String {
+    let shown = || sections.iter().filter(|(_, body)| !body.0.is_empty());
+    let anchor = |name: &str| name.to_lowercase().replace(' ', "-");
+    let markup = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta http-equiv="Content-Security-Policy"
+                    content="default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+                title { (title) }
+                style { (PreEscaped(STYLE)) (PreEscaped(PAGE_STYLE)) }
+            }
+            body {
+                header {
+                    h1 { (title) }
+                    p.sub { (subtitle) }
+                    nav aria-label="Sections" {
+                        @for (name, _) in shown() { a href={ "#" (anchor(name)) } { (name) } }
+                    }
+                }
+                main {
+                    @for (name, body) in shown() {
+                        section id=(anchor(name)) { h2 { (name) } (body) }
+                    }
+                }
+                script { (PreEscaped(SCRIPT)) }
+            }
+        }
+    };
+    markup.into_string()
+}
+
+/// A chart with its title, legend, table and, where there is anything to zoom, its data.
+pub fn figure(drawing: &Drawing) -> Markup {
+    let data = drawing.data();
+    let legend = drawing.legend();
+    html! {
+        figure.zoomable[data.is_some()] id=(drawing.id()) {
+            figcaption { (drawing.title()) }
+            @if legend.len() > 1 {
+                ul.legend {
+                    @for (name, class) in &legend {
+                        li { (PreEscaped(sample(class))) (name) }
+                    }
+                }
+            }
+            (PreEscaped(drawing.svg(Dress::Page)))
+            p.under {
+                span.source { "data: " code { (drawing.source()) } }
+                @if data.is_some() { output.read aria-live="polite" {} }
+            }
+            @if let Some(data) = data {
+                script type="application/json" { (PreEscaped(data.to_string().replace('<', "\\u003c"))) }
+            }
+        }
+    }
+}
+
+fn sample(class: &str) -> String {
+    let d = if class.ends_with("scatter") {
+        "M10 6a4 4 0 1 0 8 0a4 4 0 1 0 -8 0"
+    } else {
+        "M1 6h26"
+    };
+    format!(
+        "<svg class=\"sample\" viewBox=\"0 0 28 12\" aria-hidden=\"true\"><path class=\"{class}\" d=\"{d}\"/></svg>"
+    )
+}

@@ -1,0 +1,168 @@
+//! Charts along the path of contact, with its points A to E.
+
+use asperity::result::{PositionRow, RunResult};
+use maud::{Markup, html};
+
+use super::page::figure;
+use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series, Strip};
+
+/// The table of this section.
+const SOURCE: &str = "path.csv";
+
+pub(super) fn section(result: &RunResult) -> Markup {
+    let drawings = drawings(result);
+    html! {
+        @if result.path.len() < 2 {
+            p { "One position was computed; it is shown as a dot between A and E." }
+        }
+        div.charts { @for drawing in &drawings { (figure(drawing)) } }
+    }
+}
+
+/// The points A to E [mm from T₁].
+fn points(result: &RunResult) -> Vec<Mark> {
+    let path = &result.gears.path;
+    let named = [
+        ("A", path.a),
+        ("B", path.b),
+        ("C", path.c),
+        ("D", path.d),
+        ("E", path.e),
+    ];
+    let mut points = named.map(|(label, at)| Mark {
+        at: 1e3 * at.si(),
+        label: label.to_owned(),
+    });
+    points.sort_by(|a, b| a.at.total_cmp(&b.at));
+    points.to_vec()
+}
+
+/// How a value is taken from a row; none where it is not known.
+type Value = fn(&PositionRow) -> Option<f64>;
+
+/// A chart along the path.
+struct Along {
+    id: &'static str,
+    title: &'static str,
+    axis: [&'static str; 2],
+    /// Names and values.
+    curves: &'static [(&'static str, Value)],
+}
+
+const CHARTS: &[Along] = &[
+    Along {
+        id: "load-share",
+        title: "Share of the tooth force on one pair",
+        axis: ["share", "-"],
+        curves: &[("share", |row| Some(row.load_share))],
+    },
+    Along {
+        id: "load",
+        title: "Load per length of contact line",
+        axis: ["line load", "N/mm"],
+        curves: &[("line load", |row| Some(row.line_load_n_per_mm))],
+    },
+    Along {
+        id: "pressure-path",
+        title: "Hertz pressure of smooth flanks",
+        axis: ["p₀", "MPa"],
+        curves: &[("p₀", |row| Some(row.hertz_pressure_mpa))],
+    },
+    Along {
+        id: "speeds",
+        title: "Sliding and entrainment",
+        axis: ["speed", "m/s"],
+        curves: &[
+            ("sliding V_s", |row| Some(row.sliding_m_per_s)),
+            ("entrainment V_e", |row| Some(row.entrainment_m_per_s)),
+        ],
+    },
+    Along {
+        id: "film",
+        title: "Film thickness, with thermal reduction",
+        axis: ["film", "µm"],
+        curves: &[
+            ("central", |row| Some(row.film_central_um)),
+            ("minimum", |row| Some(row.film_minimum_um)),
+        ],
+    },
+    Along {
+        id: "lambda-star",
+        title: "Lambda*: film over reduced peaks",
+        axis: ["Λ*", ""],
+        curves: &[("Λ*", |row| row.lambda_star)],
+    },
+    Along {
+        id: "friction",
+        title: "Friction coefficient",
+        axis: ["μ", ""],
+        curves: &[
+            ("whole contact", |row| Some(row.mu)),
+            ("in the film", |row| Some(row.mu_film)),
+        ],
+    },
+    Along {
+        id: "local-loss",
+        title: "Local loss per length of contact line",
+        axis: ["loss", "kW/m"],
+        curves: &[
+            ("sliding", |row| Some(1e-3 * row.sliding_w_per_m)),
+            ("rolling", |row| Some(1e-3 * row.rolling_w_per_m)),
+        ],
+    },
+    Along {
+        id: "flash",
+        title: "Flash temperature",
+        axis: ["above the bulk", "K"],
+        curves: &[("flash", |row| Some(row.flash_k))],
+    },
+];
+
+fn drawings(result: &RunResult) -> Vec<Drawing> {
+    let marks = points(result);
+    let s: Vec<f64> = result.path.iter().map(|row| row.s_mm).collect();
+    let line = |number: usize| match (s.len(), number) {
+        (1, _) => Line::Scatter,
+        (_, 0) => Line::Solid,
+        _ => Line::Dashed,
+    };
+    let draw = |along_path: &Along| {
+        let [label, unit] = along_path.axis;
+        let y = Axis::new(label, unit).from_zero();
+        let mut chart =
+            Chart::new(along_path.id, along_path.title, SOURCE, along(), y).marked(&marks);
+        for (number, (name, value)) in along_path.curves.iter().enumerate() {
+            // A point that is not a number breaks the line.
+            let values: Vec<f64> = result
+                .path
+                .iter()
+                .map(|row| value(row).unwrap_or(f64::NAN))
+                .collect();
+            chart = chart.with(Series::new(name, line(number), &s, &values));
+        }
+        if along_path.id == "lambda-star" {
+            chart = chart.level(1.0, "full film from 1");
+        }
+        Drawing::Curves(chart)
+    };
+    CHARTS.iter().map(draw).collect()
+}
+
+/// The regime along the path.
+pub(super) fn strip(result: &RunResult) -> Drawing {
+    let of = |value: fn(&PositionRow) -> f64| result.path.iter().map(value).collect();
+    Drawing::Strip(Strip {
+        id: "regime".to_owned(),
+        title: "Lubrication regime along the path of contact".to_owned(),
+        source: SOURCE.to_owned(),
+        axis: along(),
+        at: of(|row| row.s_mm),
+        mixed: of(|row| row.mixed_share),
+        film: of(|row| row.film_share),
+        marks: points(result),
+    })
+}
+
+fn along() -> Axis {
+    Axis::new("distance from T₁ along the line of action", "mm")
+}

@@ -1,0 +1,32 @@
+//! Results for people and for other programs: a folder of files, a page, and a summary for the terminal.
+//!
+//! Everything is drawn from a [`RunResult`](asperity::result::RunResult) and the tables beside it;
+//! nothing here runs the pipeline.
+//!
+//! | to | use |
+//! |---|---|
+//! | write the folder of a run | [`write_folder`] |
+//! | read a result back | [`read_result`] |
+//! | draw its page | [`html::render`], [`redraw`] |
+//! | print it in 80 columns | [`summary`] |
+
+pub mod chart;
+mod draft;
+mod error;
+mod folder;
+pub mod html;
+mod page_tables;
+mod summary;
+pub mod tables;
+pub mod units;
+mod wrap;
+
+pub use draft::{draft_folder, save};
+pub use error::{ReportError, TableFault};
+pub use folder::{
+    Contents, check_place, make_folder, read_result, redraw, write_folder, write_json, write_text,
+    write_unsolved, write_whole,
+};
+pub use page_tables::PageTables;
+pub use summary::summary;
+pub use wrap::{COLUMNS, wrapped};

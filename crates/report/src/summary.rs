@@ -1,0 +1,151 @@
+//! The summary for the terminal, in 80 columns.
+
+use std::fmt::Write as _;
+
+use crate::wrap::{COLUMNS, wrapped};
+use asperity::result::{ComparisonOutcome, PositionRow, RunResult};
+
+/// Under the text of a message, behind its code.
+const INDENT: &str = "     ";
+
+/// Efficiency, losses, regime and what calls for attention, as plain text.
+pub fn summary(result: &RunResult) -> String {
+    let mut text = String::new();
+    // Writing into a string cannot fail.
+    let _ = write_losses(&mut text, result);
+    let _ = write_regime(&mut text, result);
+    let _ = write_laws(&mut text, result);
+    for warning in &result.warnings {
+        let _ = writeln!(text, "{}", wrapped(&warning.to_string(), INDENT));
+    }
+    text
+}
+
+fn write_losses(text: &mut String, result: &RunResult) -> std::fmt::Result {
+    let s = &result.summary;
+    writeln!(text, "{}", result.title)?;
+    writeln!(
+        text,
+        "efficiency (mesh only)  {:.4} %{}   loss {}   power in {}",
+        100.0 * s.efficiency,
+        s.efficiency_deviation
+            .map(|d| format!(" ±{}", percent(d)))
+            .unwrap_or_default(),
+        watts(s.loss_w),
+        watts(s.power_in_w),
+    )?;
+    let mut parts = vec![
+        format!("sliding {}", watts(s.sliding_w)),
+        format!("rolling {}", watts(s.rolling_w)),
+    ];
+    let [pinion, wheel] = s.deformation_w;
+    if pinion != 0.0 || wheel != 0.0 {
+        parts.push(format!("deformation {} + {}", watts(pinion), watts(wheel)));
+    }
+    let losses = format!("  [{}]", parts.join(" | "));
+    let factors = format!(
+        "mu_eq {:.4}   H_V {:.4} (local {:.4})",
+        s.mu_equivalent, s.loss_factor, s.loss_factor_local
+    );
+    let together = losses.chars().count() + 3 + factors.chars().count();
+    let between = if together <= COLUMNS { "   " } else { "\n  " };
+    writeln!(text, "{losses}{between}{factors}")
+}
+
+fn write_regime(text: &mut String, result: &RunResult) -> std::fmt::Result {
+    let s = &result.summary;
+    write!(text, "regime  ")?;
+    if s.mixed_share <= 0.0 {
+        write!(text, "full film all along the path")?;
+    } else {
+        write!(text, "mixed on {:.0} % of the path", 100.0 * s.mixed_share)?;
+    }
+    let value = |row: &PositionRow| {
+        row.lambda_star
+            .map_or("-".to_owned(), |v| format!("{v:.2}"))
+    };
+    if let (Some(first), Some(last)) = (result.path.first(), result.path.last()) {
+        if result.path.len() > 1 {
+            write!(
+                text,
+                "   Lambda* {} near A .. {} near E",
+                value(first),
+                value(last)
+            )?;
+        } else {
+            write!(text, "   Lambda* {}", value(first))?;
+        }
+    }
+    writeln!(text)?;
+    let count = match s.positions {
+        1 => "the one position".to_owned(),
+        n => format!("all {n} positions"),
+    };
+    if s.mixed_share > 0.0 {
+        writeln!(
+            text,
+            "converged  {count} (worst load error {:.0e}, duality gap {:.0e})",
+            s.worst_load_error, s.worst_duality_gap,
+        )?;
+    } else {
+        writeln!(text, "converged  {count} (full film: no contact to solve)")?;
+    }
+    if s.offsets > 1 {
+        writeln!(text, "spread  over {} profile offsets", s.offsets)?;
+    }
+    if result.running_in.energy_per_engagement_j > 0.0 {
+        writeln!(
+            text,
+            "running-in  {:.2e} J of plastic work in the first engagement{}",
+            result.running_in.energy_per_engagement_j,
+            if result.running_in.included {
+                ""
+            } else {
+                " (not counted)"
+            }
+        )?;
+    }
+    Ok(())
+}
+
+fn write_laws(text: &mut String, result: &RunResult) -> std::fmt::Result {
+    if !result.friction_laws.is_empty() {
+        let laws: Vec<String> = result
+            .friction_laws
+            .iter()
+            .map(|entry| match &entry.outcome {
+                ComparisonOutcome::Efficiency(value) => {
+                    format!("{} {:.3}", entry.law, 100.0 * value)
+                }
+                ComparisonOutcome::Refused(_) => format!("{} -", entry.law),
+            })
+            .collect();
+        writeln!(text, "friction laws (%)  {}", laws.join("   "))?;
+    }
+    Ok(())
+}
+
+/// A power with three or four digits that mean something.
+fn watts(power: f64) -> String {
+    if power >= 10_000.0 {
+        format!("{:.2} kW", power / 1000.0)
+    } else if power >= 100.0 {
+        format!("{power:.0} W")
+    } else if power >= 0.1 {
+        format!("{power:.2} W")
+    } else if power == 0.0 {
+        "0 W".to_owned()
+    } else {
+        format!("{power:.1e} W")
+    }
+}
+
+/// A share as percent with two digits that mean something.
+fn percent(share: f64) -> String {
+    let value = 100.0 * share;
+    if value >= 0.001 {
+        format!("{value:.3} %")
+    } else {
+        format!("{value:.0e} %")
+    }
+}

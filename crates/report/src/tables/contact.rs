@@ -1,0 +1,254 @@
+//! Tables of one mesh position: fields along the contact, stress below it, steps of the solution.
+
+use std::path::Path;
+
+use asperity::result::{PositionFields, PositionRow, SubsurfaceFields};
+use serde::{Deserialize, Serialize, Serializer};
+
+use super::csv_table::{Row, read, row};
+use crate::error::{ReportError, TableFault};
+use crate::units::{MEGA, MICRO};
+
+row! {
+    /// Row of `surface.csv`: fields along the contact, with the pressure of the smooth dry contact.
+    SurfaceRow {
+        /// Distance from the middle of the contact \[µm\].
+        x_um,
+        /// Height of the pinion's flank before contact \[µm\].
+        height_pinion_um,
+        /// Height of the wheel's flank before contact \[µm\].
+        height_wheel_um,
+        /// Displacement of the pinion in contact \[µm\].
+        displacement_pinion_um,
+        /// Displacement of the wheel in contact \[µm\].
+        displacement_wheel_um,
+        /// Plastic displacement of the pinion \[µm\].
+        plastic_pinion_um,
+        /// Plastic displacement of the wheel \[µm\].
+        plastic_wheel_um,
+        /// Gap in contact \[µm\].
+        gap_um,
+        /// Pressure of touching asperities \[MPa\].
+        pressure_solid_mpa,
+        /// Pressure in the film \[MPa\].
+        pressure_fluid_mpa,
+        /// Shear stress on the surface \[MPa\].
+        shear_mpa,
+        /// Pressure of the smooth dry contact \[MPa\].
+        pressure_hertz_mpa,
+    }
+}
+
+/// Row of `subsurface.csv`: stress at a point below the surface, six digits.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct SubsurfaceRow {
+    /// Distance from the middle of the contact \[µm\].
+    #[serde(serialize_with = "six_digits")]
+    pub x_um: f64,
+    /// Depth \[µm\].
+    #[serde(serialize_with = "six_digits")]
+    pub depth_um: f64,
+    /// Normal stress along the surface \[MPa\].
+    #[serde(serialize_with = "six_digits")]
+    pub sigma_xx_mpa: f64,
+    /// Normal stress into the surface \[MPa\].
+    #[serde(serialize_with = "six_digits")]
+    pub sigma_zz_mpa: f64,
+    /// Shear stress \[MPa\].
+    #[serde(serialize_with = "six_digits")]
+    pub tau_xz_mpa: f64,
+    /// Von Mises stress \[MPa\].
+    #[serde(serialize_with = "six_digits")]
+    pub von_mises_mpa: f64,
+}
+
+impl Row for SubsurfaceRow {
+    fn numbers(&self) -> Vec<(&'static str, f64)> {
+        vec![
+            ("x_um", self.x_um),
+            ("depth_um", self.depth_um),
+            ("sigma_xx_mpa", self.sigma_xx_mpa),
+            ("sigma_zz_mpa", self.sigma_zz_mpa),
+            ("tau_xz_mpa", self.tau_xz_mpa),
+            ("von_mises_mpa", self.von_mises_mpa),
+        ]
+    }
+}
+
+/// The fields are large and are looked at, not computed with.
+fn six_digits<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(&format_args!("{value:.5e}"))
+}
+
+/// `value` with the digits that the table keeps.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}
+
+/// Row of `convergence.csv`: a step on the way to the solution of a position.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct ConvergenceRow {
+    /// Number of the position from A.
+    pub position: usize,
+    /// Number of the step.
+    pub step: usize,
+    /// Approach of the bodies from first touch \[µm\].
+    pub approach_um: f64,
+    /// Load on the asperities \[N/mm\].
+    pub load_solid_n_per_mm: f64,
+    /// Load on the film \[N/mm\].
+    pub load_fluid_n_per_mm: f64,
+    /// |F − F_target|/F_target.
+    pub load_error: f64,
+}
+
+impl Row for ConvergenceRow {
+    fn numbers(&self) -> Vec<(&'static str, f64)> {
+        vec![
+            ("approach_um", self.approach_um),
+            ("load_solid_n_per_mm", self.load_solid_n_per_mm),
+            ("load_fluid_n_per_mm", self.load_fluid_n_per_mm),
+            ("load_error", self.load_error),
+        ]
+    }
+}
+
+/// Rows of `convergence.csv` for one position.
+pub fn convergence(fields: &PositionFields) -> Vec<ConvergenceRow> {
+    let rows = fields.history.iter().map(|row| ConvergenceRow {
+        position: fields.position,
+        step: row.step,
+        approach_um: row.approach * MICRO,
+        load_solid_n_per_mm: row.load_solid * 1e-3,
+        load_fluid_n_per_mm: row.load_fluid * 1e-3,
+        load_error: row.load_error,
+    });
+    rows.collect()
+}
+
+/// Tables of one mesh position.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ContactTables {
+    /// Number of the position from A.
+    pub position: usize,
+    /// Fields along the contact.
+    pub surface: Vec<SurfaceRow>,
+    /// Stress below the surface, depth by depth; empty where it was not computed.
+    pub subsurface: Vec<SubsurfaceRow>,
+    /// Steps of the solution; empty where no contact was solved.
+    pub convergence: Vec<ConvergenceRow>,
+}
+
+impl ContactTables {
+    /// Tables of `fields`, whose position has the row `at` of the path.
+    pub fn new(fields: &PositionFields, at: &PositionRow) -> Self {
+        let below = fields.subsurface.as_ref();
+        Self {
+            position: fields.position,
+            surface: surface(fields, at),
+            subsurface: below.map_or(Vec::new(), |below| subsurface(&fields.x, below)),
+            convergence: convergence(fields),
+        }
+    }
+
+    /// Reads the tables of `position` in a result folder; none where its fields were not kept.
+    ///
+    /// # Errors
+    /// When a table is damaged.
+    pub fn read(folder: &Path, position: usize) -> Result<Option<Self>, ReportError> {
+        let place = folder.join(folder_of(position));
+        let file = place.join("surface.csv");
+        if !file.exists() {
+            return Ok(None);
+        }
+        let below = place.join("subsurface.csv");
+        let steps = folder.join("convergence.csv");
+        let mut convergence = match steps.exists() {
+            true => read::<ConvergenceRow>(&steps)?,
+            false => Vec::new(),
+        };
+        convergence.retain(|row| row.position == position);
+        let subsurface = match below.exists() {
+            true => read(&below)?,
+            false => Vec::new(),
+        };
+        if !is_field(&subsurface) {
+            return Err(ReportError::BadTable {
+                path: below,
+                reason: TableFault::NotAField,
+            });
+        }
+        Ok(Some(Self {
+            position,
+            surface: read(&file)?,
+            subsurface,
+            convergence,
+        }))
+    }
+}
+
+/// Name of the folder of a position.
+pub fn folder_of(position: usize) -> String {
+    format!("position_{position:02}")
+}
+
+/// Whether the rows are depths of equally many points each.
+fn is_field(rows: &[SubsurfaceRow]) -> bool {
+    let Some(first) = rows.first() else {
+        return true;
+    };
+    let across = rows.iter().take_while(|row| row.depth_um == first.depth_um);
+    let across = across.count();
+    rows.chunks(across).all(|level| {
+        level.len() == across
+            && level
+                .iter()
+                .zip(rows)
+                .all(|(row, top)| row.x_um == top.x_um && row.depth_um == level[0].depth_um)
+    })
+}
+
+fn surface(fields: &PositionFields, at: &PositionRow) -> Vec<SurfaceRow> {
+    let hertz = |x_um: f64| {
+        let inside = 1.0 - (x_um / at.half_width_um).powi(2);
+        at.hertz_pressure_mpa * inside.max(0.0).sqrt()
+    };
+    let rows = (0..fields.x.len()).map(|i| SurfaceRow {
+        x_um: fields.x[i] * MICRO,
+        height_pinion_um: fields.height_pinion[i] * MICRO,
+        height_wheel_um: fields.height_wheel[i] * MICRO,
+        displacement_pinion_um: fields.displacement_pinion[i] * MICRO,
+        displacement_wheel_um: fields.displacement_wheel[i] * MICRO,
+        plastic_pinion_um: fields.plastic_pinion[i] * MICRO,
+        plastic_wheel_um: fields.plastic_wheel[i] * MICRO,
+        gap_um: fields.gap[i] * MICRO,
+        pressure_solid_mpa: fields.pressure_solid[i] * MEGA,
+        pressure_fluid_mpa: fields.pressure_fluid[i] * MEGA,
+        shear_mpa: fields.shear[i] * MEGA,
+        pressure_hertz_mpa: hertz(fields.x[i] * MICRO),
+    });
+    rows.collect()
+}
+
+/// Points in a row of `subsurface.csv`: the stress below the surface is smooth along it.
+const POINTS_IN_A_ROW: usize = 200;
+
+/// Stress below the surface, every k-th point of each depth.
+fn subsurface(x: &[f64], below: &SubsurfaceFields) -> Vec<SubsurfaceRow> {
+    let across = x.len();
+    let stride = across.div_ceil(POINTS_IN_A_ROW).max(1);
+    let rows = below.depths.iter().enumerate().flat_map(|(level, &depth)| {
+        x.iter().enumerate().step_by(stride).map(move |(i, &x)| {
+            let at = level * across + i;
+            SubsurfaceRow {
+                x_um: rounded(x * MICRO),
+                depth_um: rounded(depth * MICRO),
+                sigma_xx_mpa: rounded(below.sigma_xx[at] * MEGA),
+                sigma_zz_mpa: rounded(below.sigma_zz[at] * MEGA),
+                tau_xz_mpa: rounded(below.tau_xz[at] * MEGA),
+                von_mises_mpa: rounded(below.von_mises[at] * MEGA),
+            }
+        })
+    });
+    rows.collect()
+}

@@ -1,0 +1,180 @@
+//! Tables of a flank: the trace as measured, levelled and filtered, its material ratio curve, its
+//! spectrum.
+
+use std::path::Path;
+
+use asperity::flank_record::FlankRecord;
+use asperity_core::Profile;
+use asperity_roughness::RoughnessError;
+use asperity_roughness::form;
+use asperity_roughness::material_ratio::abbott_curve;
+use asperity_roughness::preparation::{Prepared, prepare};
+use asperity_roughness::spectral::power_spectrum;
+use serde::{Deserialize, Serialize};
+
+use super::csv_table::{Row, read, row, write};
+use crate::error::ReportError;
+use crate::units::MICRO;
+
+/// Names of the two flanks in files.
+pub const BODIES: [&str; 2] = ["pinion", "wheel"];
+
+/// Row of `flank_*.csv`: a point of the trace.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct TraceRow {
+    /// Position along the trace \[µm\].
+    pub x_um: f64,
+    /// Height as measured \[µm\].
+    pub measured_um: f64,
+    /// Height with the form removed \[µm\].
+    pub form_removed_um: f64,
+    /// Height of the roughness \[µm\]; absent where the filter dropped the end.
+    pub roughness_um: Option<f64>,
+}
+
+impl Row for TraceRow {
+    fn numbers(&self) -> Vec<(&'static str, f64)> {
+        let rough = self.roughness_um.map(|z| ("roughness_um", z));
+        let always = [
+            ("x_um", self.x_um),
+            ("measured_um", self.measured_um),
+            ("form_removed_um", self.form_removed_um),
+        ];
+        always.into_iter().chain(rough).collect()
+    }
+}
+
+row! {
+    /// Row of `abbott_*.csv`: a point of the material ratio curve.
+    MaterialRatioRow {
+        /// Material ratio \[%\].
+        material_ratio_percent,
+        /// Height \[µm\].
+        height_um,
+    }
+}
+
+row! {
+    /// Row of `psd_*.csv`: a point of the one-sided power spectral density.
+    SpectrumRow {
+        /// Spatial frequency \[1/mm\].
+        frequency_per_mm,
+        /// Wavelength \[µm\].
+        wavelength_um,
+        /// Density \[µm³\].
+        density_um3,
+    }
+}
+
+/// Tables of a measured flank.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FlankTables {
+    /// The trace.
+    pub trace: Vec<TraceRow>,
+    /// The material ratio curve.
+    pub material_ratio: Vec<MaterialRatioRow>,
+    /// The spectrum.
+    pub spectrum: Vec<SpectrumRow>,
+}
+
+/// Files of the flank of `body`: trace, material ratio curve, spectrum.
+pub fn files_of(body: &str) -> [String; 3] {
+    ["flank", "abbott", "psd"].map(|kind| format!("{kind}_{body}.csv"))
+}
+
+impl FlankTables {
+    /// Tables of the flank `record` whose trace was read as `profile`; none for a flank without a
+    /// trace.
+    ///
+    /// # Errors
+    /// When the trace cannot be prepared again.
+    pub fn new(
+        record: &FlankRecord,
+        profile: Option<&Profile>,
+    ) -> Result<Option<Self>, RoughnessError> {
+        let (Some(profile), Some(preparation)) = (profile, &record.preparation) else {
+            return Ok(None);
+        };
+        let raw = match record.mirrored {
+            true => profile.mirrored(),
+            false => profile.clone(),
+        };
+        let form_removed = form::remove(&raw, preparation.recipe.form)?;
+        let prepared = prepare(&raw, &preparation.recipe)?;
+        Ok(Some(Self {
+            trace: trace(&raw, &form_removed, &prepared),
+            material_ratio: material_ratio(&prepared)?,
+            spectrum: spectrum(&prepared)?,
+        }))
+    }
+
+    /// Reads the tables of flank `body` (0 pinion, 1 wheel) in a result folder.
+    ///
+    /// # Errors
+    /// When one of the tables is missing or damaged.
+    pub fn read(folder: &Path, body: usize) -> Result<Self, ReportError> {
+        let files = files_of(BODIES[body]).map(|name| folder.join(name));
+        Ok(Self {
+            trace: read(&files[0])?,
+            material_ratio: read(&files[1])?,
+            spectrum: read(&files[2])?,
+        })
+    }
+
+    /// Writes the tables of flank `body` into `folder`.
+    ///
+    /// # Errors
+    /// When the system refuses.
+    pub fn write(&self, folder: &Path, body: usize) -> Result<(), ReportError> {
+        let [trace, material_ratio, spectrum] =
+            files_of(BODIES[body]).map(|name| folder.join(name));
+        write(&trace, &self.trace)?;
+        write(&material_ratio, &self.material_ratio)?;
+        write(&spectrum, &self.spectrum)
+    }
+}
+
+fn trace(raw: &Profile, form_removed: &Profile, prepared: &Prepared) -> Vec<TraceRow> {
+    let (measured, level) = (raw.heights(), form_removed.heights());
+    let rough = prepared.profile.heights();
+    let rows = (0..measured.len()).map(|i| TraceRow {
+        x_um: i as f64 * raw.spacing().si() * MICRO,
+        measured_um: measured[i] * MICRO,
+        form_removed_um: level[i] * MICRO,
+        roughness_um: i
+            .checked_sub(prepared.first_index)
+            .and_then(|k| rough.get(k))
+            .map(|z| z * MICRO),
+    });
+    rows.collect()
+}
+
+fn material_ratio(prepared: &Prepared) -> Result<Vec<MaterialRatioRow>, RoughnessError> {
+    let curve = abbott_curve(prepared.profile.heights())?;
+    let count = curve.len() as f64;
+    let rows = curve
+        .iter()
+        .enumerate()
+        .map(|(k, height)| MaterialRatioRow {
+            material_ratio_percent: 100.0 * (k as f64 + 0.5) / count,
+            height_um: height * MICRO,
+        });
+    Ok(rows.collect())
+}
+
+fn spectrum(prepared: &Prepared) -> Result<Vec<SpectrumRow>, RoughnessError> {
+    /// Cubic metres to cubic micrometres.
+    const CUBIC_MICRO: f64 = MICRO * MICRO * MICRO;
+    let found = power_spectrum(&prepared.profile)?;
+    // The mean, at no frequency, is left out.
+    let points = found.density.iter().enumerate().skip(1);
+    let rows = points.map(|(k, density)| {
+        let frequency = k as f64 * found.frequency_step;
+        SpectrumRow {
+            frequency_per_mm: frequency * 1e-3,
+            wavelength_um: MICRO / frequency,
+            density_um3: density * CUBIC_MICRO,
+        }
+    });
+    Ok(rows.collect())
+}

@@ -1,0 +1,134 @@
+//! A result is equal after it was written and read, whichever case it is of.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use asperity::case::{Formulation, load_with};
+use asperity::result::{Outcome, RunResult};
+use asperity_report::{ReportError, read_result, redraw, write_folder};
+
+fn cases() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases");
+    let entries = fs::read_dir(folder).unwrap();
+    let mut cases: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+    cases.sort();
+    assert!(cases.len() >= 4);
+    cases
+}
+
+/// A case with few positions and offsets: what is written has the same fields as that of many.
+fn outcome(case: &Path, formulation: Formulation) -> Outcome {
+    let loaded = load_with(case, &|input| {
+        input.formulation = Some(formulation);
+        if formulation == Formulation::Corrected {
+            input.model.positions = Some(3);
+        }
+        input.model.offsets = Some(2);
+        input.model.depths = Some(8);
+    });
+    asperity::run(&loaded.unwrap(), &|_, _| {}).unwrap()
+}
+
+fn smallest() -> Outcome {
+    outcome(&cases()[0], Formulation::Corrected)
+}
+
+#[test]
+fn every_fixture_case_is_equal_after_a_round_trip_through_json() {
+    for case in cases() {
+        for formulation in [Formulation::Corrected, Formulation::Paper] {
+            let result = outcome(&case, formulation).result;
+            let text = serde_json::to_string_pretty(&result).unwrap();
+            let back: RunResult = serde_json::from_str(&text).unwrap();
+            assert_eq!(back, result, "{}", case.display());
+            assert_eq!(serde_json::to_string_pretty(&back).unwrap(), text);
+        }
+    }
+}
+
+#[test]
+fn a_page_drawn_from_the_folder_is_the_page_drawn_from_the_run() {
+    let place = tempfile::tempdir().unwrap();
+    let folder = place.path().join("result");
+    let outcome = smallest();
+    write_folder(&outcome, &folder).unwrap();
+    let page = fs::read_to_string(folder.join("report.html")).unwrap();
+    let (found, result) = read_result(&folder.join("result.json")).unwrap();
+    assert_eq!((found, result), (folder.clone(), outcome.result));
+    fs::remove_file(folder.join("report.html")).unwrap();
+    let drawn = redraw(&folder, None).unwrap();
+    assert_eq!(fs::read_to_string(drawn).unwrap(), page);
+}
+
+#[test]
+fn a_value_that_is_missing_or_damaged_is_named_with_its_place() {
+    let place = tempfile::tempdir().unwrap();
+    let folder = place.path().join("result");
+    write_folder(&smallest(), &folder).unwrap();
+    let file = folder.join("result.json");
+    let text = fs::read_to_string(&file).unwrap();
+    for (seen, instead, key) in [
+        ("\"efficiency\":", "\"efficiencies\":", "summary"),
+        (
+            "\"loss_w\": ",
+            "\"loss_w\": null, \"was\": ",
+            "summary.loss_w",
+        ),
+        (
+            "\"s_mm\": ",
+            "\"s_mm\": \"near\", \"was\": ",
+            "path[0].s_mm",
+        ),
+        (
+            "\"centre_distance\": \"",
+            "\"centre_distance\": \"x",
+            "centre_distance",
+        ),
+    ] {
+        let damaged = text.replacen(seen, instead, 1);
+        assert_ne!(damaged, text, "{seen}");
+        fs::write(&file, damaged).unwrap();
+        match redraw(&folder, None) {
+            Err(ReportError::Damaged { key: found, .. }) => {
+                assert!(found.contains(key), "{found} names {key}");
+            }
+            other => panic!("{seen}: {other:?}"),
+        }
+    }
+}
+
+#[test]
+fn a_table_that_is_missing_or_damaged_is_refused() {
+    let place = tempfile::tempdir().unwrap();
+    let folder = place.path().join("result");
+    write_folder(&smallest(), &folder).unwrap();
+    let page = fs::read(folder.join("report.html")).unwrap();
+    let file = folder.join("psd_wheel.csv");
+    let text = fs::read_to_string(&file).unwrap();
+    let (header, rows) = text.split_once('\n').unwrap();
+    let first = rows.lines().next().unwrap();
+    for damaged in [
+        format!("{header}\n"),
+        text.replacen("density_um3", "density", 1),
+        text.replacen(first, "NaN,1,1", 1),
+        text.replacen(first, "inf,1,1", 1),
+        text.replacen(first, "1,1", 1),
+        text.replacen(first, "one,1,1", 1),
+    ] {
+        fs::write(&file, &damaged).unwrap();
+        let refused = redraw(&folder, None);
+        assert!(
+            matches!(refused, Err(ReportError::BadTable { .. })),
+            "{refused:?}"
+        );
+    }
+    fs::remove_file(&file).unwrap();
+    assert!(redraw(&folder, None).is_err());
+    assert_eq!(
+        fs::read(folder.join("report.html")).unwrap(),
+        page,
+        "the old page stays"
+    );
+}

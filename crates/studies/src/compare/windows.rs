@@ -1,0 +1,70 @@
+//! Roughness of the windows under the contact, offset by offset.
+
+use asperity::PositionError;
+use asperity::case::LoadedCase;
+use asperity::encounter::Encounter;
+use asperity::pipeline::stations;
+use asperity_core::Profile;
+use asperity_report::units::MICRO;
+use asperity_roughness::material_ratio::rk_parameters;
+use asperity_roughness::spectral::moments;
+use serde::Serialize;
+
+/// Roughness of both windows under a contact, the flanks put together as √(a² + b²); Rpk, Rk and Rvk of
+/// the composite profile.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub(crate) struct WindowRoughness {
+    pub ra_um: f64,
+    pub rq_um: f64,
+    pub rz_um: f64,
+    pub rdq: f64,
+    pub rpk_composite_um: f64,
+    pub rk_composite_um: f64,
+    pub rvk_composite_um: f64,
+}
+
+/// How a parameter is taken from a window.
+pub(super) type Value = fn(&WindowRoughness) -> f64;
+
+/// Names and values of the parameters that are compared with the loss.
+pub(super) const PARAMETERS: &[(&str, Value)] = &[
+    ("Ra", |window| window.ra_um),
+    ("Rq", |window| window.rq_um),
+    ("Rz", |window| window.rz_um),
+    ("Rdq", |window| window.rdq),
+    ("Rpk", |window| window.rpk_composite_um),
+    ("Rk", |window| window.rk_composite_um),
+    ("Rvk", |window| window.rvk_composite_um),
+];
+
+/// The windows at the middle position of the path, whose offsets are those of every position.
+pub(super) fn roughness(loaded: &LoadedCase) -> Result<Vec<WindowRoughness>, PositionError> {
+    let model = &loaded.case.model;
+    let stations = stations(&loaded.case)?;
+    let Some(station) = stations.get(stations.len() / 2) else {
+        return Ok(Vec::new());
+    };
+    (0..model.offsets)
+        .map(|k| {
+            let met = Encounter::new(&loaded.surfaces, station, model.window, k, model.offsets)?;
+            window(&met.ok_or(PositionError::NoProfile)?)
+        })
+        .collect()
+}
+
+fn window(met: &Encounter) -> Result<WindowRoughness, PositionError> {
+    let [first, second] = &met.heights;
+    let composite: Vec<f64> = first.iter().zip(second).map(|(a, b)| a + b).collect();
+    let material = rk_parameters(&composite)?;
+    let slope = moments(&Profile::new(met.spacing, composite)?)?.m2.sqrt();
+    let both = |[a, b]: [f64; 2]| a.hypot(b) * MICRO;
+    Ok(WindowRoughness {
+        ra_um: both(met.roughness.ra),
+        rq_um: both(met.roughness.rq),
+        rz_um: both(met.roughness.rz),
+        rdq: slope,
+        rpk_composite_um: material.rpk.si() * MICRO,
+        rk_composite_um: material.rk.si() * MICRO,
+        rvk_composite_um: material.rvk.si() * MICRO,
+    })
+}

@@ -1,0 +1,95 @@
+//! The folder of a comparison: `compare.json`, its tables and its page.
+
+use std::path::Path;
+
+use asperity_report::tables::write as write_table;
+use asperity_report::{Contents, ReportError, write_json, write_text, write_whole};
+use serde::Serialize;
+
+use super::comparison::Comparison;
+use super::page;
+use super::windows::WindowRoughness;
+
+const CONTENTS: Contents = Contents {
+    mark: "compare.json",
+    files: &[
+        "compare.csv",
+        "offsets.csv",
+        "parameters.csv",
+        "compare.html",
+    ],
+};
+
+/// Writes `comparison` as folder `target`, whole or not at all; an older comparison there is replaced.
+///
+/// # Errors
+/// When the system refuses, or `target` holds something else.
+pub fn write(comparison: &Comparison, target: &Path) -> Result<(), ReportError> {
+    write_whole(target, &CONTENTS, |folder| {
+        write_json(&folder.join(CONTENTS.mark), comparison)?;
+        finishes(comparison, &folder.join("compare.csv"))?;
+        offsets(comparison, &folder.join("offsets.csv"))?;
+        write_table(
+            &folder.join("parameters.csv"),
+            comparison.correlations.iter(),
+        )?;
+        write_text(&folder.join("compare.html"), &page::render(comparison))
+    })
+}
+
+fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
+    #[derive(Serialize)]
+    struct Row<'a> {
+        finish: &'a str,
+        efficiency_percent: f64,
+        loss_w: f64,
+        loss_half_width_w: f64,
+        difference_w: Option<f64>,
+        difference_half_width_w: Option<f64>,
+        mixed_share_percent: f64,
+    }
+    write_table(
+        file,
+        comparison.finishes.iter().map(|finish| Row {
+            finish: &finish.name,
+            efficiency_percent: 100.0 * finish.efficiency,
+            loss_w: finish.loss_w.mean,
+            loss_half_width_w: finish.loss_w.half_width,
+            difference_w: finish.difference_w.map(|interval| interval.mean),
+            difference_half_width_w: finish.difference_w.map(|interval| interval.half_width),
+            mixed_share_percent: 100.0 * finish.mixed_share,
+        }),
+    )
+}
+
+fn offsets(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
+    #[derive(Serialize)]
+    struct Row<'a> {
+        finish: &'a str,
+        offset: usize,
+        loss_w: f64,
+        ra_um: f64,
+        rq_um: f64,
+        rz_um: f64,
+        rdq: f64,
+        rpk_composite_um: f64,
+        rk_composite_um: f64,
+        rvk_composite_um: f64,
+    }
+    let rows = comparison.finishes.iter().flat_map(|finish| {
+        let both = finish.offsets.iter().zip(&finish.roughness);
+        both.map(|(row, window): (_, &WindowRoughness)| Row {
+            finish: &finish.name,
+            offset: row.offset,
+            loss_w: row.loss_w,
+            ra_um: window.ra_um,
+            rq_um: window.rq_um,
+            rz_um: window.rz_um,
+            rdq: window.rdq,
+            rpk_composite_um: window.rpk_composite_um,
+            rk_composite_um: window.rk_composite_um,
+            rvk_composite_um: window.rvk_composite_um,
+        })
+    });
+    write_table(file, rows)
+}

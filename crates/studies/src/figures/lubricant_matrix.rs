@@ -1,0 +1,137 @@
+//! Fig. 7: oils of many densities and viscosities, with and without the variation of the film's
+//! pressure across it.
+
+use std::path::Path;
+
+use asperity::PositionError;
+use asperity::case::LoadedCase;
+use asperity::fluid::film_at;
+use asperity::pipeline::{self, stations};
+use asperity_core::quantity::{Density, DynamicViscosity, KinematicViscosity};
+use asperity_ns_film::{FluidModel, pressure_difference_across};
+use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
+use asperity_report::tables::write;
+use serde::Serialize;
+
+use super::figure::{Figure, FigureError};
+
+/// From light spindle oil to a fluid of half water's weight again.
+const DENSITIES: [f64; 5] = [750.0, 850.0, 950.0, 1050.0, 1150.0];
+/// From 5 mPa s to 0.5 Pa s in equal ratios.
+const VISCOSITIES: [f64; 5] = [0.005, 0.0158, 0.05, 0.158, 0.5];
+
+#[derive(Serialize)]
+struct Row {
+    density_kg_per_m3: f64,
+    viscosity_mpa_s: f64,
+    film_central_um: f64,
+    difference_paper_pa: f64,
+    difference_reynolds_cross_pa: f64,
+    difference_over_hertz: f64,
+    efficiency_with_percent: f64,
+    efficiency_without_percent: f64,
+}
+
+const TABLE: &str = "fig07_lubricants.csv";
+
+pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, FigureError> {
+    let mut rows = Vec::new();
+    for density in DENSITIES {
+        for viscosity in VISCOSITIES {
+            rows.push(row(case, density, viscosity)?);
+        }
+    }
+    write(&folder.join(TABLE), rows.iter())?;
+    Ok(vec![
+        Figure {
+            name: "fig07a_lubricants",
+            drawing: Drawing::Curves(differences(&rows)),
+        },
+        Figure {
+            name: "fig07b_efficiency",
+            drawing: Drawing::Curves(efficiencies(&rows)),
+        },
+    ])
+}
+
+/// A curve over the viscosity at one density.
+fn curve(rows: &[Row], name: &str, line: Line, density: f64, value: fn(&Row) -> f64) -> Series {
+    let here = || rows.iter().filter(|row| row.density_kg_per_m3 == density);
+    let x: Vec<f64> = here().map(|row| row.viscosity_mpa_s).collect();
+    let y: Vec<f64> = here().map(value).collect();
+    Series::new(name, line, &x, &y)
+}
+
+fn chart(id: &str, title: &str, y: Axis) -> Chart {
+    Chart::new(id, title, TABLE, Axis::new("viscosity", "mPa s").log(), y)
+}
+
+fn differences(rows: &[Row]) -> Chart {
+    let title = "Fig. 7: pressure difference across the film of oils, the paper's model";
+    let mut chart = chart("fig07a", title, Axis::new("difference", "Pa").log());
+    for density in DENSITIES {
+        let name = format!("{density:.0} kg/m³");
+        chart = chart.with(curve(rows, &name, Line::Dots, density, |row| {
+            row.difference_paper_pa.abs()
+        }));
+    }
+    chart
+}
+
+fn efficiencies(rows: &[Row]) -> Chart {
+    let title = "Fig. 7: efficiency with and without that variation";
+    let mut chart = chart("fig07b", title, Axis::new("efficiency", "%"));
+    for density in [DENSITIES[0], DENSITIES[4]] {
+        let name = |kind: &str| format!("{kind}, {density:.0} kg/m³");
+        chart = chart
+            .with(curve(rows, &name("with"), Line::Dots, density, |row| {
+                row.efficiency_with_percent
+            }))
+            .with(curve(
+                rows,
+                &name("without"),
+                Line::Dashed,
+                density,
+                |row| row.efficiency_without_percent,
+            ));
+    }
+    chart
+}
+
+fn row(case: &LoadedCase, density: f64, viscosity: f64) -> Result<Row, FigureError> {
+    let mut case = case.clone();
+    let oil = &mut case.case.oil;
+    oil.density = Density::from_si(density);
+    oil.dynamic_viscosity = DynamicViscosity::from_si(viscosity);
+    oil.kinematic_viscosity = KinematicViscosity::from_si(viscosity / density);
+    let outcome = pipeline::run(&case, &|_, _| {})?;
+    let station = stations(&case.case)?.remove(0);
+    let film = film_at(&case.case, &station, station.film.central);
+    let across = |model| {
+        pressure_difference_across(model, &film)
+            .map(|p| p.si())
+            .map_err(PositionError::from)
+    };
+    let paper = across(FluidModel::Paper)?;
+    let efficiency = outcome.result.summary.efficiency;
+    let at = &outcome.result.path[0];
+    // Without the variation the asperities carry what it carried, with their own friction.
+    let carried = outcome
+        .fields
+        .first()
+        .and_then(|fields| fields.history.last())
+        .map_or(0.0, |step| step.load_fluid);
+    let more =
+        (case.case.model.boundary_friction - at.mu_film) * carried * at.sliding_m_per_s.abs();
+    let loss = more * at.weight_m / outcome.result.summary.power_in_w;
+    Ok(Row {
+        density_kg_per_m3: density,
+        viscosity_mpa_s: viscosity * 1e3,
+        film_central_um: at.film_central_um,
+        difference_paper_pa: paper,
+        difference_reynolds_cross_pa: across(FluidModel::ReynoldsCross)?,
+        difference_over_hertz: paper.abs() / station.hertz.max_pressure.si(),
+        efficiency_with_percent: 100.0 * efficiency,
+        efficiency_without_percent: 100.0 * (efficiency - loss),
+    })
+}

@@ -1,0 +1,132 @@
+//! Fig. 9 to 13: the reference case of the paper's Table 2.
+
+use std::path::Path;
+
+use asperity::case::LoadedCase;
+use asperity::pipeline;
+use asperity_report::PageTables;
+use asperity_report::chart::{Axis, Chart, Drawing};
+use asperity_report::html::{drawing_of_losses, drawings_of_contact};
+use asperity_report::tables::{losses, write};
+
+use super::figure::{Figure, FigureError};
+
+/// File, chart of the report, title, table it is kept in.
+const FIGURES: &[(&str, &str, &str, &str)] = &[
+    (
+        "fig09a_pinion",
+        "flank-contact-pinion",
+        "Fig. 9: pinion before, in and after contact",
+        SURFACE,
+    ),
+    (
+        "fig09b_wheel",
+        "flank-contact-wheel",
+        "Fig. 9: wheel before, in and after contact",
+        SURFACE,
+    ),
+    (
+        "fig10a_contact_stress",
+        "pressure",
+        "Fig. 10: contact stress",
+        SURFACE,
+    ),
+    (
+        "fig11a_subsurface",
+        "von-mises",
+        "Fig. 11: von Mises stress below the surface",
+        SUBSURFACE,
+    ),
+    (
+        "fig12_losses",
+        "losses",
+        "Fig. 12: losses in and after contact",
+        LOSSES,
+    ),
+    (
+        "fig13a_load",
+        "approach",
+        "Fig. 13: load while the surfaces are lowered",
+        MARCHING,
+    ),
+    (
+        "fig13b_convergence",
+        "convergence",
+        "Fig. 13: load error of each step",
+        MARCHING,
+    ),
+];
+const SURFACE: &str = "fig09_fig10_surface.csv";
+const SUBSURFACE: &str = "fig11_subsurface.csv";
+const LOSSES: &str = "fig12_losses.csv";
+const MARCHING: &str = "fig13_convergence.csv";
+/// What a zoom shows of the contact [µm] and below it.
+const ZOOM_UM: [f64; 2] = [-110.0, -70.0];
+const ZOOM_DEPTH_UM: f64 = 20.0;
+
+pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, FigureError> {
+    let outcome = pipeline::run(case, &|_, _| {})?;
+    let result = &outcome.result;
+    let tables = PageTables::of(&outcome, Some(1))?;
+    let mut drawings = vec![drawing_of_losses(result)];
+    if let Some(contact) = &tables.contact {
+        drawings.extend(drawings_of_contact(result, contact)?);
+        write(&folder.join(SURFACE), &contact.surface)?;
+        write(&folder.join(SUBSURFACE), &contact.subsurface)?;
+        write(&folder.join(MARCHING), &contact.convergence)?;
+    }
+    write(&folder.join(LOSSES), losses(result))?;
+    let mut figures = Vec::new();
+    for &(name, id, title, table) in FIGURES {
+        let found = drawings.iter().find(|drawing| drawing.id() == id);
+        let drawing = found.ok_or(FigureError::NoContact { table })?;
+        let drawing = renamed(drawing.clone(), title, table);
+        if let Some(near) = zoomed(&drawing) {
+            figures.push(near);
+        }
+        figures.push(Figure { name, drawing });
+    }
+    Ok(figures)
+}
+
+fn renamed(mut drawing: Drawing, title: &str, table: &str) -> Drawing {
+    let (own_title, source) = match &mut drawing {
+        Drawing::Curves(chart) => (&mut chart.title, &mut chart.source),
+        Drawing::Bars(chart) => (&mut chart.title, &mut chart.source),
+        Drawing::Strip(chart) => (&mut chart.title, &mut chart.source),
+        Drawing::Contour(chart) => (&mut chart.title, &mut chart.source),
+    };
+    title.clone_into(own_title);
+    table.clone_into(source);
+    drawing
+}
+
+/// Contact stress and the stress below it under a few asperities.
+fn zoomed(drawing: &Drawing) -> Option<Figure> {
+    let [low, high] = ZOOM_UM;
+    let near = |axis: &Axis| axis.clone().within(low, high);
+    match drawing {
+        Drawing::Curves(chart) if chart.id == "pressure" => {
+            let chart = Chart {
+                x: near(&chart.x),
+                title: format!("{}, near", chart.title),
+                ..chart.clone()
+            };
+            Some(Figure {
+                name: "fig10b_contact_stress_near",
+                drawing: Drawing::Curves(chart),
+            })
+        }
+        Drawing::Contour(contour) => {
+            let mut contour = contour.clone();
+            contour.x = near(&contour.x);
+            contour.y = contour.y.clone().within(contour.rows[0], ZOOM_DEPTH_UM);
+            contour.title = format!("{}, near", contour.title);
+            Some(Figure {
+                name: "fig11b_subsurface_near",
+                drawing: Drawing::Contour(contour),
+            })
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,216 @@
+//! A result names the equations that ran, and no other.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::sync::Arc;
+
+use asperity::case::{Case, Formulation, LoadedCase, load};
+use asperity::result::EquationUse;
+use asperity_ehl_regime::{FilmLaw, LoadShareLaw, ThermalLaw};
+use asperity_tribo_friction::FrictionLaw;
+
+const CASES: [&str; 4] = ["e-drive", "e-drive-superfinished", "fzg-c", "table2"];
+
+/// Equations of the film laws, of which each run uses those of one.
+const FILM: [(FilmLaw, &[&str]); 4] = [
+    (
+        FilmLaw::DowsonToyoda,
+        &["Dowson-Toyoda", "Dowson-Higginson"],
+    ),
+    (FilmLaw::Moes, &["Moes", "Dowson-Higginson"]),
+    (FilmLaw::ErtelGrubin, &["Ertel-Grubin", "Dowson-Higginson"]),
+    (FilmLaw::HamrockDowson, &["P13", "P14"]),
+];
+const THERMAL: [(ThermalLaw, &[&str]); 3] = [
+    (ThermalLaw::Gupta, &["P10"]),
+    (ThermalLaw::MurchWilson, &["Murch-Wilson"]),
+    (ThermalLaw::None, &[]),
+];
+const FRICTION: [(FrictionLaw, &[&str]); 6] = [
+    (FrictionLaw::Xu, &["P7"]),
+    (FrictionLaw::BenedictKelley, &["Benedict-Kelley"]),
+    (FrictionLaw::Iso14179Part2, &["Schlenk"]),
+    (
+        FrictionLaw::Doleschel,
+        &["Doleschel", "Doleschel-share", "Eyring"],
+    ),
+    (
+        FrictionLaw::Matsumoto,
+        &["Matsumoto", "Matsumoto-share", "Eyring"],
+    ),
+    (FrictionLaw::Eyring, &["Eyring"]),
+];
+const SHARE: [(LoadShareLaw, &[&str]); 2] = [
+    (LoadShareLaw::LambdaStar, &["Film-share"]),
+    (LoadShareLaw::ZhuHu, &["Zhu-Hu"]),
+];
+
+/// A shipped case with few positions and offsets.
+fn shipped(name: &str, formulation: Formulation) -> LoadedCase {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases");
+    let Ok(mut loaded) = load(&folder.join(format!("{name}.toml")), Some(formulation)) else {
+        panic!("{name} is refused");
+    };
+    if formulation == Formulation::Corrected {
+        (loaded.case.model.positions, loaded.case.model.offsets) = (4, 2);
+    }
+    loaded
+}
+
+/// Tags as their rows have them.
+fn tags(equations: &[EquationUse]) -> BTreeSet<&'static str> {
+    let rows = equations
+        .iter()
+        .map(|used| asperity::equations::find(&used.tag).unwrap());
+    rows.map(|equation| equation.tag).collect()
+}
+
+fn used(loaded: &LoadedCase) -> BTreeSet<&'static str> {
+    tags(&asperity::run(loaded, &|_, _| {}).unwrap().result.equations)
+}
+
+/// Tags of losses with `change` made to the case.
+fn used_by_losses(loaded: &LoadedCase, change: impl FnOnce(&mut Case)) -> BTreeSet<&'static str> {
+    let mut loaded = loaded.clone();
+    change(&mut loaded.case);
+    tags(&asperity::losses(&loaded, &|_, _| {}).unwrap().equations)
+}
+
+/// Of all tags of `laws` those of the law in use are named, and no other.
+fn assert_only<L: PartialEq + std::fmt::Debug>(
+    what: &str,
+    tags: &BTreeSet<&str>,
+    laws: &[(L, &[&'static str])],
+    chosen: &L,
+) {
+    let all: BTreeSet<&str> = laws.iter().flat_map(|law| law.1).copied().collect();
+    let (_, expected) = laws.iter().find(|law| law.0 == *chosen).unwrap();
+    let named: BTreeSet<&str> = tags.intersection(&all).copied().collect();
+    let expected: BTreeSet<&str> = expected.iter().copied().collect();
+    assert_eq!(named, expected, "{what} {chosen:?}");
+}
+
+#[test]
+fn a_run_names_the_laws_that_it_uses_and_not_the_others() {
+    for name in CASES {
+        for formulation in [Formulation::Corrected, Formulation::Paper] {
+            let loaded = shipped(name, formulation);
+            let (tags, model) = (used(&loaded), &loaded.case.model);
+            assert_only(name, &tags, &FILM, &model.film);
+            assert_only(name, &tags, &THERMAL, &model.thermal);
+            assert_only(name, &tags, &FRICTION, &model.friction);
+            let printed = formulation == Formulation::Paper;
+            assert_eq!(tags.contains("P19"), printed, "{name} {formulation:?}");
+            for always in ["E-star", "Hertz-1", "P8", "P11", "P17", "P18", "P20", "P21"] {
+                assert!(tags.contains(always), "{name} {formulation:?}: {always}");
+            }
+            // The traces were filtered and the oil described before the run.
+            for prepared in ["Gauss-4", "Rk-1", "Prep-1"] {
+                assert!(tags.contains(prepared), "{name}: {prepared}");
+            }
+        }
+    }
+}
+
+#[test]
+fn only_a_rough_contact_names_the_equations_of_plastic_flow() {
+    let touching = shipped("e-drive", Formulation::Corrected);
+    assert!(used(&touching).contains("Plastic-1"));
+    assert!(!used_by_losses(&touching, |_| ()).contains("Plastic-1"));
+}
+
+#[test]
+fn another_law_changes_its_own_equations_alone() {
+    let loaded = shipped("e-drive", Formulation::Corrected);
+    let changed = |change: &dyn Fn(&mut Case)| used_by_losses(&loaded, change);
+    let differ = |a: &BTreeSet<&'static str>, b: &BTreeSet<&'static str>| -> BTreeSet<&str> {
+        a.symmetric_difference(b).copied().collect()
+    };
+    let own = |a: &[&'static str], b: &[&'static str]| -> BTreeSet<&str> {
+        let (a, b): (BTreeSet<_>, BTreeSet<_>) = (a.iter().collect(), b.iter().collect());
+        a.symmetric_difference(&b).map(|tag| **tag).collect()
+    };
+    let film: Vec<_> = FILM
+        .iter()
+        .map(|law| changed(&|case| case.model.film = law.0))
+        .collect();
+    let friction: Vec<_> = FRICTION
+        .iter()
+        .map(|law| changed(&|case| case.model.friction = law.0))
+        .collect();
+    let thermal: Vec<_> = THERMAL
+        .iter()
+        .map(|law| changed(&|case| case.model.thermal = law.0))
+        .collect();
+    let share: Vec<_> = SHARE
+        .iter()
+        .map(|law| changed(&|case| case.model.load_share = law.0))
+        .collect();
+    for k in 1..FRICTION.len() {
+        assert_eq!(
+            differ(&friction[0], &friction[k]),
+            own(FRICTION[0].1, FRICTION[k].1)
+        );
+    }
+    for k in 1..3 {
+        // All three are line contacts with the same groups.
+        assert_eq!(differ(&film[0], &film[k]), own(FILM[0].1, FILM[k].1));
+    }
+    for k in 1..THERMAL.len() {
+        let difference = differ(&thermal[0], &thermal[k]);
+        assert_eq!(difference, own(THERMAL[0].1, THERMAL[k].1));
+    }
+    assert_eq!(differ(&share[0], &share[1]), own(SHARE[0].1, SHARE[1].1));
+}
+
+#[test]
+fn losses_contacts_and_a_whole_run_agree_to_the_last_digit() {
+    for name in CASES {
+        for formulation in [Formulation::Corrected, Formulation::Paper] {
+            let loaded = shipped(name, formulation);
+            let whole = asperity::run(&loaded, &|_, _| {}).unwrap();
+            let contacts = asperity::contacts(&loaded, &|_, _| {}).unwrap();
+            let losses = asperity::losses(&loaded, &|_, _| {}).unwrap();
+            assert_eq!(whole.offsets, contacts.offsets, "{name}");
+            assert_eq!(whole.offsets, losses.offsets, "{name}");
+            assert_eq!(whole.result.summary, contacts.result.summary, "{name}");
+            assert_eq!(whole.result.running_in, contacts.result.running_in);
+            assert!(contacts.fields.is_empty());
+            let (a, b) = (&whole.result.summary, &losses.summary);
+            assert_eq!((a.efficiency, a.loss_w), (b.efficiency, b.loss_w), "{name}");
+            for (a, b) in whole.result.path.iter().zip(&losses.path) {
+                assert_eq!((a.mu, a.flash_k), (b.mu, b.flash_k), "{name}");
+                assert_eq!(a.lambda_star, b.lambda_star, "{name}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_law_given_by_hand_is_the_law_named() {
+    let named = |change: &dyn Fn(&mut Case)| {
+        let mut loaded = shipped("e-drive", Formulation::Corrected);
+        change(&mut loaded.case);
+        asperity::losses(&loaded, &|_, _| {}).unwrap()
+    };
+    let own = |change: &dyn Fn(Case) -> Case| {
+        let mut loaded = shipped("e-drive", Formulation::Corrected);
+        loaded.case = change(loaded.case);
+        asperity::losses(&loaded, &|_, _| {}).unwrap()
+    };
+    let plain = named(&|_| ());
+    let film = named(&|case| case.model.film = FilmLaw::Moes);
+    let share = named(&|case| case.model.load_share = LoadShareLaw::ZhuHu);
+    assert_ne!(plain.offsets, film.offsets);
+    assert_ne!(plain.offsets, share.offsets);
+    let by_hand = own(&|case| case.with_film_law(Arc::new(FilmLaw::Moes)));
+    assert_eq!(film.offsets, by_hand.offsets);
+    let by_hand = own(&|case| case.with_load_share(Arc::new(LoadShareLaw::ZhuHu)));
+    assert_eq!(share.offsets, by_hand.offsets);
+    let sharing = |case: Case| {
+        let table = asperity_gear::LoadSharing::Table(vec![(0.0, 1.0), (1.0, 1.0)]);
+        case.with_load_distribution(Arc::new(table))
+    };
+    let (equal, by_hand) = (plain.summary.loss_w, own(&sharing).summary.loss_w);
+    assert!((by_hand / equal - 1.0).abs() < 1e-12);
+}
