@@ -14,9 +14,7 @@ fn fixtures() -> PathBuf {
 
 fn table_2_with_its_trace() -> Outcome {
     let file = fixtures().join("cases/table2.toml");
-    let loaded = load(&file, Some(Formulation::Paper))
-        .map_err(|(error, _)| error)
-        .unwrap();
+    let loaded = load(&file, Some(Formulation::Paper)).unwrap();
     run(&loaded)
 }
 

@@ -25,7 +25,7 @@ use crate::error::EfficiencyError;
 
 /// P = σ δ a²/T                                                                `[P19]`
 ///
-/// As printed in the 2022 paper: σ stress, δ deformation, a half-width of the contact, T the time
+/// As printed in the 2022 paper: σ von Mises stress, δ deformation, a half-width of the contact, T the time
 /// of one revolution.
 ///
 /// # Errors
@@ -56,7 +56,7 @@ pub fn printed_deformation_power(
 /// Deformation of one surface, for the paper's formulation.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SurfaceDeformation {
-    /// Stress σ.
+    /// Stress σ: the von Mises stress, as the paper says beside its eq. 19, not the contact pressure.
     pub stress: Pressure,
     /// Elastic deformation.
     pub elastic: Length,

@@ -36,6 +36,7 @@ pub mod error;
 pub mod mesh_loss;
 pub mod output_torque;
 pub mod plausibility;
+pub mod swept;
 
 pub use breakdown::{Breakdown, LossComponent, LossKind, MeshEfficiency, mesh_efficiency};
 pub use deformation::{RunningIn, SurfaceDeformation, SurfaceDeformationPower};
@@ -44,3 +45,4 @@ pub use error::EfficiencyError;
 pub use mesh_loss::{MeshLoss, PositionLoss, RollingSurfaces, mesh_loss};
 pub use output_torque::{MeshOperation, PowerFlow};
 pub use plausibility::equivalent_friction;
+pub use swept::{SweptDeformation, SweptPosition, swept_deformation};

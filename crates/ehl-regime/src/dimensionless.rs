@@ -15,10 +15,10 @@
 //! Definitions as in D. Dowson and G. R. Higginson (1977). Moes' numbers with the sum of the
 //! surface speeds are formed from these in [`film_line::moes`](crate::film_line::moes).
 
-use asperity_core::DomainError;
 use asperity_core::quantity::{
     DynamicViscosity, Force, Length, LineLoad, Pressure, PressureViscosity, Speed,
 };
+use asperity_core::{DomainError, cite};
 use serde::Serialize;
 
 use crate::error::RegimeError;
@@ -77,6 +77,7 @@ impl FilmConditions {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn line_groups(&self) -> Result<FilmGroups, RegimeError> {
+        cite!("Film-groups");
         let (modulus, radius) = self.scales()?;
         let load = DomainError::positive("line load", self.load)?;
         self.with_load_group(load / (modulus * radius))
@@ -87,6 +88,7 @@ impl FilmConditions {
     /// # Errors
     /// When a quantity is not finite and positive.
     pub fn force_groups(&self, force: Force) -> Result<FilmGroups, RegimeError> {
+        cite!("Film-groups");
         let (modulus, radius) = self.scales()?;
         let force = DomainError::positive("force", force)?;
         self.with_load_group(force / (modulus * radius * radius))

@@ -56,6 +56,33 @@ pub const ZHU_HU_2001: Reference = Reference {
     text: "D. Zhu, Y.-Z. Hu, A computer program package for the prediction of EHL and mixed lubrication characteristics, friction, subsurface stresses and flash temperatures based on measured 3-D surface roughness, Tribol. Trans. 44 (2001) 383-390",
 };
 
+/// Attenuation of roughness in the inlet.
+pub const VENNER_1997: Reference = Reference {
+    key: "venner_1997",
+    text: "C. H. Venner, F. Couhier, A. A. Lubrecht, J. A. Greenwood, Amplitude reduction of waviness in transient EHL line contacts, in Elastohydrodynamics '96, Tribology Series 32, Elsevier, 1997, 103-112, doi 10.1016/s0167-8922(08)70440-1 (abstract read; constants from memory)",
+};
+
+/// Flow through rough gaps by lay.
+pub const TRIPP_1983: Reference = Reference {
+    key: "tripp_1983",
+    text: "J. H. Tripp, Surface roughness effects in hydrodynamic lubrication: the flow factor method, ASME J. Lubr. Technol. 105 (1983) 458-465 (from memory, source not reached)",
+};
+
+/// Mixed lubrication with statistical asperities.
+pub const JOHNSON_GREENWOOD_POON_1972: Reference = Reference {
+    key: "johnson_greenwood_poon_1972",
+    text: "K. L. Johnson, J. A. Greenwood, S. Y. Poon, A simple theory of asperity contact in elastohydrodynamic lubrication, Wear 19 (1972) 91-108 (from memory, source not reached)",
+};
+
+/// Load share of rough line contacts.
+pub const MASJEDI_KHONSARI_2012: Reference = Reference {
+    key: "masjedi_khonsari_2012",
+    text: "M. Masjedi, M. M. Khonsari, Film thickness and asperity load formulas for line-contact elastohydrodynamic lubrication with provision for surface roughness, ASME J. Tribol. 134 (2012) 011503, doi 10.1115/1.4005514 (abstract read; constants from memory)",
+};
+
+const ATTENUATION: &str = "crates/ehl-regime/src/attenuation.rs";
+const INLET: &str = "crates/ehl-regime/src/inlet_flow.rs";
+const SHARES: &str = "crates/ehl-regime/src/published_shares.rs";
 const DIMENSIONLESS: &str = "crates/ehl-regime/src/dimensionless.rs";
 const LINE: &str = "crates/ehl-regime/src/film_line.rs";
 const ELLIPTIC: &str = "crates/ehl-regime/src/film_elliptic.rs";
@@ -132,7 +159,7 @@ pub const EQUATIONS: &[Equation] = &[
     Equation::new(
             "P10",
             "Thermal reduction of film and rolling",
-            "φ = max(0, 1 − 13.2 (p₀/E′) L^0.42)/(1 + 0.213 (1 + 2.23 |SRR|^0.83) L^0.64)",
+            "φ = max(0.3, 1 − 13.2 (p₀/E′) L^0.42)/(1 + 0.213 (1 + 2.23 |SRR|^0.83) L^0.64)",
             THERMAL,
             "thermal_reduction_of_the_reference_case",
             &[GUPTA_1992],
@@ -200,5 +227,77 @@ pub const EQUATIONS: &[Equation] = &[
         REGIME,
         "film_ratio_of_the_reference_case",
         &[DOWSON_HIGGINSON_1977],
+    ),
+    Equation::new(
+        "Moes-numbers",
+        "Moes' load and material number",
+        "M = W (2U)^(−1/2), L = G (2U)^(1/4)",
+        ATTENUATION,
+        "moes_numbers_give_the_film_of_moes",
+        &[MOES_2000],
+    ),
+    Equation::new(
+        "Venner-nabla",
+        "Dimensionless wavelength of roughness",
+        "∇ = (l/a) M^(3/4) L^(−1/2)",
+        ATTENUATION,
+        "attenuation_of_the_reference_windows",
+        &[VENNER_1997],
+    ),
+    Equation::new(
+        "Venner",
+        "Amplitude of a roughness wave in the contact",
+        "A = 1/(1 + 0.125 ∇ + 0.04 ∇²)",
+        ATTENUATION,
+        "a_wave_keeps_its_amplitude_ratio",
+        &[VENNER_1997],
+    ),
+    Equation::new(
+        "Attenuated-trace",
+        "Trace in the contact",
+        "ẑ_d = A ẑ per wavelength, without mean",
+        ATTENUATION,
+        "a_wave_keeps_its_amplitude_ratio",
+        &[VENNER_1997],
+    ),
+    Equation::new(
+        "Inlet-flow",
+        "Mean gap of rough flanks over the smooth film",
+        "Ψ = √(1 + 2.342 t (σ_d/h_c)²), t = (3/(1 + γ) − 1)/2",
+        INLET,
+        "inlet_factor_is_the_small_roughness_limit_of_grubins_inlet",
+        &[GRUBIN_1949, TRIPP_1983],
+    ),
+    Equation::new(
+        "Supply",
+        "Mean gap supplied at an asperity share",
+        "h̄ = h_c Ψ (1 − min(φ, 0.99))^(−0.16)",
+        INLET,
+        "supply_rises_with_the_share",
+        &[JOHNSON_GREENWOOD_POON_1972],
+    ),
+    Equation::new(
+        "Central-gap",
+        "Gap of a central film",
+        "h = h_c/(ρ(p₀)/ρ₀)",
+        INLET,
+        "gap_is_the_compressed_film",
+        &[DOWSON_HIGGINSON_1977],
+    ),
+    Equation::new(
+        "Masjedi-Khonsari",
+        "Asperity share of a rough line contact",
+        "L_a = 0.00005 W^−0.408 U^−0.088 G^0.103 ln(1 + 4470 σ̄^6.015 V^1.168 W^0.485 U^−3.741 G^−2.898)",
+        SHARES,
+        "masjedi_khonsari_of_the_fixture_pair",
+        &[MASJEDI_KHONSARI_2012],
+    ),
+    Equation::new(
+        "Johnson-Greenwood-Poon",
+        "Film share by the mean gap",
+        "c_f = (h_c/h̄)^6.3",
+        SHARES,
+        "johnson_greenwood_poon_is_the_inverse_of_the_supply",
+        &[JOHNSON_GREENWOOD_POON_1972],
     ),
 ];

@@ -18,7 +18,7 @@
 //! [`FilmLaw`](crate::FilmLaw).
 
 use asperity_core::quantity::Length;
-use asperity_core::{Checked, DomainError, FittedRange, OutOfRange};
+use asperity_core::{Checked, DomainError, FittedRange, OutOfRange, cite};
 
 use crate::dimensionless::FilmGroups;
 use crate::error::RegimeError;
@@ -107,6 +107,7 @@ fn ellipticity_in_domain(k: f64) -> Result<f64, DomainError> {
 /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
 /// ```
 pub fn ellipticity(radius_ratio: f64) -> Result<f64, RegimeError> {
+    cite!("Ellipticity");
     let ratio = DomainError::require(
         radius_ratio > 0.0,
         "radius ratio Ry/Rx",
@@ -140,6 +141,7 @@ pub fn hamrock_dowson_minimum(
     radius: Length,
     ellipticity: f64,
 ) -> Result<Checked<Length>, RegimeError> {
+    cite!("P13");
     checked(groups)?;
     let k = ellipticity_in_domain(ellipticity)?;
     Ok(Checked {
@@ -170,6 +172,7 @@ pub fn hamrock_dowson_central(
     radius: Length,
     ellipticity: f64,
 ) -> Result<Checked<Length>, RegimeError> {
+    cite!("P14");
     checked(groups)?;
     let k = ellipticity_in_domain(ellipticity)?;
     let (factor, decay) = CENTRAL_BRACKET;

@@ -14,8 +14,8 @@
 //! tables of cases were not at hand, so no range of G, U, W is asserted here; the Moes form,
 //! which has the right limits outside that regime, is the one to compare with.
 
-use asperity_core::DomainError;
 use asperity_core::quantity::Length;
+use asperity_core::{DomainError, cite};
 
 use crate::dimensionless::FilmGroups;
 use crate::error::RegimeError;
@@ -99,6 +99,7 @@ pub(crate) fn checked(groups: &FilmGroups) -> Result<(f64, f64, f64), DomainErro
 /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
 /// ```
 pub fn dowson_toyoda(groups: &FilmGroups, radius: Length) -> Result<Length, RegimeError> {
+    cite!("Dowson-Toyoda");
     DOWSON_TOYODA.film(groups, radius)
 }
 
@@ -120,6 +121,7 @@ pub fn dowson_toyoda(groups: &FilmGroups, radius: Length) -> Result<Length, Regi
 /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
 /// ```
 pub fn dowson_higginson(groups: &FilmGroups, radius: Length) -> Result<Length, RegimeError> {
+    cite!("Dowson-Higginson");
     DOWSON_HIGGINSON.film(groups, radius)
 }
 
@@ -141,6 +143,7 @@ pub fn dowson_higginson(groups: &FilmGroups, radius: Length) -> Result<Length, R
 /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
 /// ```
 pub fn ertel_grubin(groups: &FilmGroups, radius: Length) -> Result<Length, RegimeError> {
+    cite!("Ertel-Grubin");
     ERTEL_GRUBIN.film(groups, radius)
 }
 
@@ -168,6 +171,7 @@ pub fn ertel_grubin(groups: &FilmGroups, radius: Length) -> Result<Length, Regim
 /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
 /// ```
 pub fn moes(groups: &FilmGroups, radius: Length) -> Result<Length, RegimeError> {
+    cite!("Moes");
     let (g, u, w) = checked(groups)?;
     let r = DomainError::positive("radius", radius)?;
     let u_sum = 2.0 * u;

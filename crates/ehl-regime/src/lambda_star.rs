@@ -17,8 +17,8 @@
 //! from Chittenden's. S_pk is never a sum of the two surfaces' own values. The change between
 //! full film and mixed friction is at Λ* = 1; no range of radii was published.
 
-use asperity_core::DomainError;
 use asperity_core::quantity::{Length, Quantity};
+use asperity_core::{DomainError, cite};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -113,6 +113,7 @@ impl AsperityShape {
         orientation: Orientation,
         speed_exponent: f64,
     ) -> Result<f64, RegimeError> {
+        cite!("P15");
         let r_a = DomainError::positive("asperity radius", self.asperity_radius)?;
         let r_b = DomainError::positive("flank radius", self.flank_radius)?;
         let x = DomainError::require(
@@ -179,6 +180,8 @@ pub fn lambda_star(
     film_factor: f64,
     reduced_peak_height: Length,
 ) -> Result<LambdaStar, RegimeError> {
+    cite!("P11");
+    cite!("P12");
     let h_m = DomainError::non_negative("minimum film", film.minimum)?;
     let h_c = DomainError::non_negative("central film", film.central)?;
     let f_q = DomainError::require(

@@ -22,6 +22,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod attenuation;
 pub mod dimensionless;
 pub mod equations;
 pub mod error;
@@ -29,14 +30,18 @@ pub mod film_elliptic;
 pub mod film_law;
 pub mod film_line;
 pub mod film_thickness_law;
+pub mod inlet_flow;
 pub mod lambda_star;
+pub mod published_shares;
 pub mod regime;
 pub mod thermal_reduction;
 
+pub use attenuation::{MoesNumbers, TraceSpectrum};
 pub use dimensionless::{FilmConditions, FilmGroups};
 pub use error::RegimeError;
 pub use film_law::{FilmLaw, FilmThickness};
 pub use film_thickness_law::FilmThicknessLaw;
+pub use inlet_flow::{CentralFilm, Lay};
 pub use lambda_star::{AsperityShape, LambdaStar, Orientation, lambda_star};
 pub use regime::{LoadShareLaw, Regime, film_ratio};
 pub use thermal_reduction::{ThermalLaw, thermal_loading};

@@ -17,8 +17,8 @@
 //! by Castro and Seabra): it passes 1 at λ ≈ 2 and would fall again beyond its maximum at
 //! λ = 2.26; both are read as a full film.
 
-use asperity_core::DomainError;
 use asperity_core::quantity::Length;
+use asperity_core::{DomainError, cite};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -111,6 +111,7 @@ fn not_negative(name: &'static str, value: f64) -> Result<f64, DomainError> {
 /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
 /// ```
 pub fn film_share_of_lambda_star(lambda_star: f64) -> Result<f64, RegimeError> {
+    cite!("Film-share");
     let gap = 1.0 - not_negative("Lambda*", lambda_star)?.min(1.0);
     Ok(1.0 - gap * gap)
 }
@@ -131,6 +132,7 @@ pub fn film_share_of_lambda_star(lambda_star: f64) -> Result<f64, RegimeError> {
 /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
 /// ```
 pub fn film_share_of_film_ratio(film_ratio: f64) -> Result<f64, RegimeError> {
+    cite!("Zhu-Hu");
     let lambda = not_negative("film ratio", film_ratio)?;
     let ((a, m), (b, n)) = (ZHU_HU_RISE, ZHU_HU_FALL);
     // Zero of the derivative of a λ^m/(1 + b λ^n).
@@ -162,6 +164,7 @@ pub fn film_ratio(
     thermal_factor: f64,
     combined_roughness: Length,
 ) -> Result<f64, RegimeError> {
+    cite!("Film-ratio");
     let h = DomainError::non_negative("film", film)?;
     let phi = DomainError::require(
         thermal_factor.is_finite() && thermal_factor >= 0.0,

@@ -14,23 +14,27 @@
 //! (1992) 269 (form confirmed in Arana, Larrañaga and Ulacia 2019, eq. 24); L. E. Murch and
 //! W. R. D. Wilson, ASME J. Lubr. Technol. 97 (1975) 212, written 1/(1 + 0.254 L^0.62) by Wilson
 //! and Sheu (1983), who also say that it holds for pure rolling only. Sliding therefore puts a
-//! note on Murch–Wilson. Gupta's numerator turns negative at very high p₀/E′ and L; it is then
-//! held at zero, with a note.
+//! note on Murch–Wilson. Gupta's numerator turns negative at very high p₀/E′ and L, where the film would
+//! vanish as the oil thickens; it is held at 0.3, with a note (judgement: a switch to another law there would
+//! be a step of 3 to 7 in the film).
 
 use asperity_core::quantity::{DynamicViscosity, PerKelvin, Pressure, Speed, ThermalConductivity};
-use asperity_core::{Checked, DomainError, FittedRange};
+use asperity_core::{Checked, DomainError, FittedRange, cite};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::RegimeError;
 
-/// Where Gupta's numerator is positive: no published range is narrower.
+/// Least numerator of Gupta's factor (judgement: 0.49 or more on an e-drive down to -30 °C).
+const LEAST_NUMERATOR: f64 = 0.3;
+
+/// Where Gupta's numerator stands above its floor: no published range is narrower.
 const GUPTA_NUMERATOR: FittedRange = FittedRange {
     name: "13.2 (p0/E') L^0.42",
     low: 0.0,
-    high: 1.0,
+    high: 1.0 - LEAST_NUMERATOR,
     unit: "-",
-    correlation: "Gupta (held at zero film)",
+    correlation: "Gupta (numerator held at 0.3)",
 };
 
 /// Murch and Wilson's analysis has equal surface speeds (Wilson and Sheu 1983).
@@ -87,6 +91,7 @@ pub fn thermal_loading(
     entrainment: Speed,
     conductivity: ThermalConductivity,
 ) -> Result<f64, RegimeError> {
+    cite!("Thermal-load");
     let eta = DomainError::positive("viscosity", viscosity)?;
     let beta = DomainError::non_negative("temperature coefficient", temperature_coefficient)?;
     let v = DomainError::finite("entrainment speed", entrainment)?;
@@ -153,7 +158,7 @@ fn checked_sliding(slide_to_roll: f64) -> Result<f64, DomainError> {
 /// Thermal reduction by Gupta et al.
 ///
 /// ```text
-/// φ = max(0, 1 − 13.2 (p₀/E′) L^0.42) / (1 + 0.213 (1 + 2.23 |SRR|^0.83) L^0.64)   [P10]
+/// φ = max(0.3, 1 − 13.2 (p₀/E′) L^0.42) / (1 + 0.213 (1 + 2.23 |SRR|^0.83) L^0.64)   [P10]
 /// ```
 ///
 /// # Errors
@@ -172,6 +177,7 @@ pub fn gupta(
     loading: f64,
     slide_to_roll: f64,
 ) -> Result<Checked<f64>, RegimeError> {
+    cite!("P10");
     let p0 = DomainError::non_negative("maximum pressure", max_pressure)?;
     let e = 2.0 * DomainError::positive("reduced modulus", reduced_modulus)?;
     let l = checked_loading(loading)?;
@@ -182,7 +188,7 @@ pub fn gupta(
     let mut outside = Vec::new();
     GUPTA_NUMERATOR.check(pressure, &mut outside);
     Ok(Checked {
-        value: (1.0 - pressure).max(0.0) / (1.0 + loading),
+        value: (1.0 - pressure).max(LEAST_NUMERATOR) / (1.0 + loading),
         outside,
     })
 }
@@ -202,6 +208,7 @@ pub fn gupta(
 /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
 /// ```
 pub fn murch_wilson(loading: f64) -> Result<f64, RegimeError> {
+    cite!("Murch-Wilson");
     let l = checked_loading(loading)?;
     let (c, n) = MURCH_WILSON;
     Ok(c / (c + l.powf(n)))

@@ -100,6 +100,7 @@ impl GearPair {
 
     /// c(ξ) = C_M c′_th (1 − 0.33 ((ξ − ε_α/2)/(ε_α/2))²), without C_M           [Stiffness-3]
     pub(crate) fn iso_stiffness_at(&self, single: f64, xi: f64) -> f64 {
+        cite!("Stiffness-3");
         let from_middle = 2.0 * xi / self.path.eps_alpha - 1.0;
         single * (1.0 - FALL_TO_THE_ENDS * from_middle * from_middle)
     }

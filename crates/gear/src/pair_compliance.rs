@@ -7,13 +7,13 @@
 //! | C_M | factor of theory to measurement | - |
 //! | ξ | profile coordinate, 0 at A and ε_α at E | - |
 //!
-//! q_b is tabulated at 25 Chebyshev points, which keeps it to 5e-7 (5e-4 where a load line passes
-//! below a root chord).
+//! q_b is computed at 25 Chebyshev points, which keeps it to 5e-7 (5e-4 where a load line passes
+//! below a root chord), and tabulated from there at even steps.
 
 use asperity_core::material::Material;
 use serde::Serialize;
 
-use crate::chebyshev::Chebyshev;
+use crate::chebyshev::{Chebyshev, SmoothTable};
 use crate::error::{Gear, GearError};
 use crate::hertz_compliance::HertzCompliance;
 use crate::pair::GearPair;
@@ -39,7 +39,7 @@ pub enum StiffnessSource {
 #[derive(Debug, Clone)]
 pub(crate) struct PairCompliance {
     pub(crate) source: StiffnessSource,
-    bending: Chebyshev,
+    bending: SmoothTable,
     flattening: Flattening,
 }
 
@@ -48,7 +48,7 @@ pub(crate) struct PairCompliance {
 enum Flattening {
     /// q_H(f) with the part of the teeth tabulated.
     Hertz {
-        shape: Chebyshev,
+        shape: SmoothTable,
         /// 1/(π E*).
         sum: f64,
         /// The same over C_M.
@@ -109,9 +109,9 @@ impl PairCompliance {
         ))?;
         Ok(Self {
             source: StiffnessSource::WeberBanaschek,
-            bending,
+            bending: SmoothTable::new(&bending),
             flattening: Flattening::Hertz {
-                shape,
+                shape: SmoothTable::new(&shape),
                 sum: hertz.sum,
                 slope: hertz.sum / stiffness_factor,
             },
@@ -126,7 +126,6 @@ impl PairCompliance {
         stiffness_factor: f64,
         load: f64,
     ) -> Result<Self, GearError> {
-        asperity_core::cite!("Stiffness-3");
         let single = pair.iso_single_stiffness(shift)?;
         let flanks = [0, 1].map(|gear| Flank::new(pair, gear, shift[gear]));
         let middle = 0.5 * pair.path.eps_alpha;
@@ -138,7 +137,7 @@ impl PairCompliance {
         })?;
         Ok(Self {
             source: StiffnessSource::Iso,
-            bending,
+            bending: SmoothTable::new(&bending),
             flattening: Flattening::Constant(hertz / stiffness_factor),
         })
     }
@@ -149,7 +148,7 @@ impl PairCompliance {
         let fit = Chebyshev::fit((0.0, 1.0), 1, |_| Ok::<_, ()>(bending));
         Self {
             source: StiffnessSource::Iso,
-            bending: fit.unwrap(),
+            bending: SmoothTable::new(&fit.unwrap()),
             flattening: Flattening::Constant(flattening),
         }
     }

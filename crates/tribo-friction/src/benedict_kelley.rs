@@ -17,7 +17,7 @@
 //! note.
 
 use asperity_core::quantity::{DynamicViscosity, Length, LineLoad, Speed};
-use asperity_core::{Checked, DomainError, FittedRange};
+use asperity_core::{Checked, DomainError, FittedRange, cite};
 
 use crate::error::FrictionError;
 
@@ -44,6 +44,25 @@ const ARGUMENT: FittedRange = FittedRange {
     high: f64::INFINITY,
     unit: "-",
     correlation: "Benedict-Kelley (held at zero friction)",
+};
+
+/// Viscosities of mineral gear oils at their working temperature; the oils of the tests were not at
+/// hand (judgement).
+const VISCOSITY: FittedRange = FittedRange {
+    name: "viscosity",
+    low: 5.0,
+    high: 500.0,
+    unit: "mPa s",
+    correlation: "Benedict-Kelley",
+};
+
+/// Sum of the surface speeds of roller and gear tests of their time (judgement).
+const SPEED: FittedRange = FittedRange {
+    name: "sum of the surface speeds",
+    low: 0.5,
+    high: 40.0,
+    unit: "m/s",
+    correlation: "Benedict-Kelley",
 };
 
 /// What Benedict and Kelley's law needs of a mesh position.
@@ -81,6 +100,7 @@ pub struct BenedictKelleyConditions {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn coefficient(position: &BenedictKelleyConditions) -> Result<Checked<f64>, FrictionError> {
+    cite!("Benedict-Kelley");
     let w = DomainError::positive("line load", position.load)? * 1e-3;
     let eta = DomainError::positive("viscosity", position.viscosity)? * 1e3;
     let v_sum = DomainError::positive("sum of the surface speeds", position.sum_speed)?;
@@ -94,6 +114,8 @@ pub fn coefficient(position: &BenedictKelleyConditions) -> Result<Checked<f64>, 
     let argument = GROUP * w / (eta * v_s * v_sum * v_sum);
     let mut outside = Vec::new();
     ROUGHNESS.check(ra, &mut outside);
+    VISCOSITY.check(eta, &mut outside);
+    SPEED.check(v_sum, &mut outside);
     ARGUMENT.check(argument, &mut outside);
     Ok(Checked {
         value: SLOPE * POLE / (POLE - ra) * argument.log10().max(0.0),

@@ -11,8 +11,8 @@
 //! all. Doleschel's own fits of μ_ehd and μ_bdr belong to the oils of his tests and are not
 //! included: the fluid part is an input, from [`eyring`](crate::eyring) or a measured value.
 
-use asperity_core::DomainError;
 use asperity_core::quantity::Length;
+use asperity_core::{DomainError, cite};
 
 use crate::error::FrictionError;
 use crate::mixed::shared_coefficient;
@@ -37,6 +37,7 @@ const FULL_FILM: f64 = 2.0;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn asperity_share(central_film: Length, mean_ra: Length) -> Result<f64, FrictionError> {
+    cite!("Doleschel-share");
     let h = DomainError::non_negative("central film", central_film)?;
     let ra = DomainError::non_negative("mean Ra", mean_ra)?;
     let rule = "film and roughness must not both be zero";
@@ -66,5 +67,6 @@ pub fn coefficient(
     fluid: f64,
     boundary: f64,
 ) -> Result<f64, FrictionError> {
+    cite!("Doleschel");
     shared_coefficient(asperity_share(central_film, mean_ra)?, fluid, boundary)
 }

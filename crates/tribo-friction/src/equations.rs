@@ -75,6 +75,33 @@ pub const BLOK_1937: Reference = Reference {
     text: "H. Blok, Theoretical study of temperature rise at surfaces of actual contact under oiliness lubricating conditions, Proc. General Discussion on Lubrication, IMechE 2 (1937) 222-235",
 };
 
+/// Shear stress of oils at high pressure.
+pub const EVANS_JOHNSON_1986: Reference = Reference {
+    key: "evans_johnson_1986",
+    text: "C. R. Evans, K. L. Johnson, Regimes of traction in elastohydrodynamic lubrication, Proc. IMechE C 200 (1986) 313-324",
+};
+
+/// Thermal conductivity of oils under pressure.
+pub const LARSSON_ANDERSSON_2000: Reference = Reference {
+    key: "larsson_andersson_2000",
+    text: "R. Larsson, O. Andersson, Lubricant thermal conductivity and heat capacity under high pressure, Proc. IMechE J 214 (2000) 337-342 (constants from memory, source not reached)",
+};
+
+/// Heat of moving line sources.
+pub const CARSLAW_JAEGER_1959: Reference = Reference {
+    key: "carslaw_jaeger_1959",
+    text: "H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, 2nd ed., Oxford University Press, 1959, 10.7",
+};
+
+/// Pressure-viscosity of mineral and synthetic oils.
+pub const GOLD_2001: Reference = Reference {
+    key: "gold_2001",
+    text: "P. W. Gold, A. Schmidt, H. Dicke, J. Loos, C. Assmann, Viscosity-pressure-temperature behaviour of mineral and synthetic oils, Journal of Synthetic Lubrication 18(1), 51-79, 2001",
+};
+
+const RHEOLOGY: &str = "crates/tribo-friction/src/film_friction/rheology.rs";
+const FILM: &str = "crates/tribo-friction/src/film_friction/line_contact.rs";
+
 /// Every equation of this crate.
 pub const EQUATIONS: &[Equation] = &[
     Equation::new(
@@ -185,5 +212,69 @@ pub const EQUATIONS: &[Equation] = &[
         "crates/tribo-friction/src/flash.rs",
         "flash_temperature_of_the_reference_case",
         &[BLOK_1937],
+    ),
+    Equation::new(
+        "Alpha-T",
+        "Pressure-viscosity coefficient over temperature",
+        "α(T) = α_ref (η₀(T)/η₀(T_ref))^t",
+        RHEOLOGY,
+        "film_friction_of_fourteen_conditions",
+        &[GOLD_2001],
+    ),
+    Equation::new(
+        "Larsson-Andersson",
+        "Thermal conductivity of the film under pressure",
+        "k(p) = k (1 + c₁ p/(1 + c₂ p)), p in GPa",
+        RHEOLOGY,
+        "film_friction_of_fourteen_conditions",
+        &[LARSSON_ANDERSSON_2000],
+    ),
+    Equation::new(
+        "Limiting-shear",
+        "Shear stress below its limit",
+        "τ = τ_E (1 + (τ_E/τ_L)⁴)^(−1/4), τ_E = τ₀ arsinh(η γ̇/τ₀), τ_L = τ_L0 + Λ e^(−b_L (T − 363.15)) p",
+        RHEOLOGY,
+        "film_friction_of_fourteen_conditions",
+        &[EVANS_JOHNSON_1986, ARANA_2019],
+    ),
+    Equation::new(
+        "Film-heat",
+        "Shear stress of a film heated by itself",
+        "τ = Law(p, T_s + (1/12) τ V_s h/k(p), V_s/h)",
+        RHEOLOGY,
+        "the_roots_of_stress_and_temperature_leave_no_residual",
+        &[EVANS_JOHNSON_1986],
+    ),
+    Equation::new(
+        "Film-friction",
+        "Friction of a smooth film in a line contact",
+        "μ_f = (2a/w) ∫₀^(π/2) τ cos t dt, p = p₀ cos t",
+        FILM,
+        "film_friction_of_fourteen_conditions",
+        &[EVANS_JOHNSON_1986],
+    ),
+    Equation::new(
+        "Surface-heat",
+        "Mean rise of the surface temperature in a line contact",
+        "T_s − T₀ = 0.7985 μ w V_s/((B₁ √u₁ + B₂ √u₂) √(2a)), u_i ≥ 2 κ_i/a",
+        FILM,
+        "film_friction_of_fourteen_conditions",
+        &[CARSLAW_JAEGER_1959, BLOK_1937],
+    ),
+    Equation::new(
+        "Boundary-share",
+        "Share of an asperity's load on the boundary layer",
+        "β_k = 1/(1 + h_k/h_b)",
+        "crates/tribo-friction/src/boundary.rs",
+        "boundary_share_runs_from_layer_to_film",
+        &[],
+    ),
+    Equation::new(
+        "Three-parts",
+        "Friction of film, lubricated asperities and boundary layer",
+        "μ = (1 − φ) μ_f + φ [(1 − β) μ_a + β μ_b]",
+        "crates/tribo-friction/src/boundary.rs",
+        "three_parts_add_up",
+        &[],
     ),
 ];

@@ -1,6 +1,8 @@
 //! What can be wrong with a friction coefficient or force.
 
 use asperity_core::DomainError;
+use asperity_core::lubricant::LubricantError;
+use asperity_core::numerics::RootError;
 
 /// Why there is no friction coefficient or force.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -34,5 +36,25 @@ pub enum FrictionError {
         column: usize,
         /// What the reader of JSON found, and where.
         reason: String,
+    },
+    /// The oil has no state at a temperature that film friction needs.
+    #[error(transparent)]
+    Lubricant(#[from] LubricantError),
+    /// An oil whose law gives no viscosity between -60 °C and 500 °C.
+    #[error("the oil has no viscosity between -60 °C and 500 °C")]
+    NoViscosity,
+    /// The data of the oil families does not read.
+    #[error("oil families: {reason}")]
+    OilFamilies {
+        /// What the reader found.
+        reason: String,
+    },
+    /// A scalar equation without root.
+    #[error("the {quantity} has no solution: {source}")]
+    NoRoot {
+        /// What was looked for.
+        quantity: &'static str,
+        /// Where the search ended.
+        source: RootError,
     },
 }

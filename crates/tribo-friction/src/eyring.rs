@@ -18,7 +18,7 @@
 //! Newton's, μ → η V_s/(h p̄).
 
 use asperity_core::quantity::{DynamicViscosity, Length, Pressure, PressureViscosity, Speed};
-use asperity_core::{Checked, DomainError, FittedRange};
+use asperity_core::{Checked, DomainError, FittedRange, cite};
 
 use crate::error::FrictionError;
 
@@ -32,6 +32,25 @@ const PRESSURE: FittedRange = FittedRange {
     low: 0.0,
     high: 1.4,
     unit: "GPa",
+    correlation: "Eyring (Arana)",
+};
+
+/// Arana et al. 2019: viscosity in the film that Barus' law can mean at their pressures and oils; beyond
+/// it the limit rules (judgement).
+const VISCOSITY: FittedRange = FittedRange {
+    name: "viscosity in the film",
+    low: 0.1,
+    high: 1e9,
+    unit: "Pa s",
+    correlation: "Eyring (Arana)",
+};
+
+/// Arana et al. 2019: sliding speeds of their twin-disc tests and gears.
+const SLIDING: FittedRange = FittedRange {
+    name: "sliding speed",
+    low: 0.0,
+    high: 16.0,
+    unit: "m/s",
     correlation: "Eyring (Arana)",
 };
 
@@ -72,6 +91,7 @@ pub struct EyringConditions {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn coefficient(position: &EyringConditions) -> Result<Checked<f64>, FrictionError> {
+    cite!("Eyring");
     let p_0 = DomainError::positive("maximum pressure", position.max_pressure)?;
     let eta = DomainError::positive("viscosity in the film", position.contact_viscosity)?;
     let alpha = DomainError::positive("pressure-viscosity", position.pressure_viscosity)?;
@@ -88,6 +108,8 @@ pub fn coefficient(position: &EyringConditions) -> Result<Checked<f64>, Friction
     let tau_e = 2.0 * limit / alpha;
     let mut outside = Vec::new();
     PRESSURE.check(p_0 * 1e-9, &mut outside);
+    VISCOSITY.check(eta, &mut outside);
+    SLIDING.check(v_s, &mut outside);
     Ok(Checked {
         value: (tau_e / p_mean * (eta * v_s / (tau_e * h)).asinh()).min(limit),
         outside,

@@ -14,9 +14,9 @@
 //! ahead of the contact and the formula reads too high. Both surfaces must move through the
 //! contact in the same direction.
 
-use asperity_core::DomainError;
 use asperity_core::material::Material;
 use asperity_core::quantity::{Length, LineLoad, Speed};
+use asperity_core::{DomainError, cite};
 use serde::Serialize;
 
 use crate::error::FrictionError;
@@ -70,6 +70,7 @@ pub struct FlashConditions {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn flash_temperature(position: &FlashConditions) -> Result<f64, FrictionError> {
+    cite!("Blok");
     let mu = DomainError::require(
         position.friction.is_finite() && position.friction >= 0.0,
         "friction coefficient",

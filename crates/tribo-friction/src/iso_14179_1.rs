@@ -13,7 +13,7 @@
 //! P = f_m T₁ n₁ cos²β_w/(9549 M); it is lower than a local one and falls with load.
 
 use asperity_core::quantity::{KinematicViscosity, Pressure, Speed};
-use asperity_core::{Checked, DomainError, FittedRange};
+use asperity_core::{Checked, DomainError, FittedRange, cite};
 
 use crate::error::FrictionError;
 
@@ -42,6 +42,15 @@ const LOAD_RANGE: FittedRange = FittedRange {
     correlation: NAME,
 };
 
+/// Mineral gear oils of ISO VG 32 to 1000 at the sump temperature (judgement).
+const VISCOSITY_RANGE: FittedRange = FittedRange {
+    name: "kinematic viscosity",
+    low: 5.0,
+    high: 500.0,
+    unit: "mm2/s",
+    correlation: NAME,
+};
+
 /// Mesh coefficient of friction of ISO/TR 14179-1.
 ///
 /// ```text
@@ -62,12 +71,14 @@ pub fn coefficient(
     load_intensity: Pressure,
     pitch_line_speed: Speed,
 ) -> Result<Checked<f64>, FrictionError> {
+    cite!("ISO-14179-1");
     let nu = DomainError::positive("kinematic viscosity", kinematic_viscosity)? * 1e6;
     let k = DomainError::positive("load intensity K", load_intensity)? * 1e-6;
     let v = DomainError::positive("pitch line speed", pitch_line_speed)?;
     let mut outside = Vec::new();
     SPEED_RANGE.check(v, &mut outside);
     LOAD_RANGE.check(k, &mut outside);
+    VISCOSITY_RANGE.check(nu, &mut outside);
     Ok(Checked {
         value: nu.powf(POWERS.0) * k.powf(POWERS.1) / (SPEED.0 * v.powf(SPEED.1)),
         outside,

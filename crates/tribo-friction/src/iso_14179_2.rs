@@ -16,7 +16,7 @@
 //! range (textbook knowledge) is F_bt/b ≥ 150 N/mm and pitch line speeds of 1 to 50 m/s.
 
 use asperity_core::quantity::{DynamicViscosity, Length};
-use asperity_core::{Checked, DomainError, FittedRange};
+use asperity_core::{Checked, DomainError, FittedRange, cite};
 
 use crate::conditions::MeshConditions;
 use crate::error::FrictionError;
@@ -47,6 +47,15 @@ const SPEED_RANGE: FittedRange = FittedRange {
     correlation: NAME,
 };
 
+/// Gear oils at the temperature of the FZG tests (judgement).
+const VISCOSITY_RANGE: FittedRange = FittedRange {
+    name: "viscosity",
+    low: 3.0,
+    high: 500.0,
+    unit: "mPa s",
+    correlation: NAME,
+};
+
 /// Schlenk's mean friction coefficient.
 ///
 /// ```text
@@ -72,6 +81,7 @@ pub fn coefficient(
     viscosity: DynamicViscosity,
     mean_ra: Length,
 ) -> Result<Checked<f64>, FrictionError> {
+    cite!("Schlenk");
     let load = DomainError::positive("base line load Fbt/b", mesh.base_line_load)? * 1e-3;
     let v = DomainError::positive("sum of the surface speeds", mesh.sum_speed)?;
     let rho = DomainError::positive("reduced radius", mesh.reduced_radius)? * 1e3;
@@ -88,6 +98,7 @@ pub fn coefficient(
     let mut outside = Vec::new();
     LOAD_RANGE.check(load, &mut outside);
     SPEED_RANGE.check(v_t, &mut outside);
+    VISCOSITY_RANGE.check(eta, &mut outside);
     let load_group = (load / (v * rho)).powf(LOAD_POWER);
     Ok(Checked {
         value: FACTOR * load_group * eta.powf(VISCOSITY_POWER) * ra.powf(ROUGHNESS_POWER) * x_l,

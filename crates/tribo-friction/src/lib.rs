@@ -22,11 +22,13 @@
 //! ```
 
 pub mod benedict_kelley;
+pub mod boundary;
 pub mod conditions;
 pub mod doleschel;
 pub mod equations;
 pub mod error;
 pub mod eyring;
+pub mod film_friction;
 pub mod film_friction_law;
 pub mod flash;
 pub mod friction_law;
@@ -34,14 +36,25 @@ pub mod iso_14179_1;
 pub mod iso_14179_2;
 pub mod matsumoto;
 pub mod mixed;
+pub mod published_law;
 pub mod rolling;
 pub mod xu;
 
 pub use conditions::{FrictionConditions, MeshConditions};
 pub use error::FrictionError;
+pub use film_friction::{
+    FilmFrictionSolution, FilmHeat, FilmLineContact, FilmRheology, FilmSettings, LoadedFilm,
+    OilFamily, PressureLaw, ShearLaw, TractionConstants,
+};
 pub use film_friction_law::{FilmContact, FilmFriction, FilmTraction, NamedFriction};
 pub use flash::{FlashConditions, flash_temperature};
 pub use friction_law::{FrictionLaw, FrictionSettings};
 pub use mixed::{MixedFriction, mixed_friction};
+pub use published_law::PublishedLaw;
 pub use rolling::{RollingConditions, rolling_force};
 pub use xu::{RoughnessReading, XuCalibration, XuCoefficients, XuLaw};
+
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

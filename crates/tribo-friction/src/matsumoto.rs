@@ -12,8 +12,8 @@
 //! of the domain are ξ = 1 and ξ = 0; beyond them the share stays there. Tested on discs.
 //! The fluid part is an input: compose with [`eyring`](crate::eyring) or a measured value.
 
-use asperity_core::DomainError;
 use asperity_core::quantity::Length;
+use asperity_core::{DomainError, cite};
 
 use crate::error::FrictionError;
 use crate::mixed::shared_coefficient;
@@ -36,6 +36,7 @@ const SHARE_PER_DECADE: f64 = 0.5;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn asperity_share(minimum_film: Length, sum_rz: Length) -> Result<f64, FrictionError> {
+    cite!("Matsumoto-share");
     let h = DomainError::non_negative("minimum film", minimum_film)?;
     let rz = DomainError::non_negative("sum of Rz", sum_rz)?;
     let rule = "film and maximum heights must not both be zero";
@@ -64,5 +65,6 @@ pub fn coefficient(
     fluid: f64,
     boundary: f64,
 ) -> Result<f64, FrictionError> {
+    cite!("Matsumoto");
     shared_coefficient(asperity_share(minimum_film, sum_rz)?, fluid, boundary)
 }

@@ -13,8 +13,8 @@
 //! over strips of constant pressure, as the boundary elements have them: a uniform coefficient
 //! gives exactly that coefficient times the load they carry.
 
-use asperity_core::DomainError;
 use asperity_core::quantity::{Length, LineLoad};
+use asperity_core::{DomainError, cite};
 use serde::Serialize;
 
 use crate::error::FrictionError;
@@ -57,6 +57,7 @@ pub fn mixed_friction(
     boundary_coefficient: f64,
     fluid_coefficient: f64,
 ) -> Result<MixedFriction, FrictionError> {
+    cite!("P21");
     if solid.len() != fluid.len() {
         return Err(FrictionError::FieldLengths {
             solid: solid.len(),

@@ -16,10 +16,10 @@
 //! on one surface: the pair loses F_r (u₁ + u₂) = 2 F_r V_e. [`goksem_factor`] is the longer form
 //! of the same fit, with its own thermal factor, as an open bearing dynamics code has it.
 
-use asperity_core::DomainError;
 use asperity_core::quantity::{
     DynamicViscosity, Length, LineLoad, Pressure, PressureViscosity, Speed,
 };
+use asperity_core::{DomainError, cite};
 use serde::Serialize;
 
 use crate::error::FrictionError;
@@ -75,6 +75,7 @@ pub struct RollingConditions {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn rolling_force(position: &RollingConditions) -> Result<LineLoad, FrictionError> {
+    cite!("P9");
     let v_e = DomainError::positive("entrainment speed", position.entrainment)?;
     let r = DomainError::positive("radius", position.radius)?;
     let load = DomainError::positive("line load", position.load)?;
@@ -115,6 +116,7 @@ pub fn rolling_force(position: &RollingConditions) -> Result<LineLoad, FrictionE
 /// # Ok::<(), asperity_tribo_friction::FrictionError>(())
 /// ```
 pub fn goksem_factor(gu: f64, w: f64, loading: f64) -> Result<f64, FrictionError> {
+    cite!("Goksem-long");
     let rule = "must be finite and greater than zero";
     let positive = |name, value: f64| {
         DomainError::require(value.is_finite() && value > 0.0, name, value, "-", rule)

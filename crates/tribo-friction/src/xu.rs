@@ -22,7 +22,7 @@
 //! and says so. ν₀ ≤ 1 cP is refused: log₁₀ ν₀ would turn the sign of q.
 
 use asperity_core::quantity::{DynamicViscosity, Length, Pressure, Speed};
-use asperity_core::{Checked, DomainError, FittedRange, OutOfRange};
+use asperity_core::{Checked, DomainError, FittedRange, OutOfRange, cite};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -191,12 +191,14 @@ const fn range(name: &'static str, low: f64, high: f64, unit: &'static str) -> F
     }
 }
 
-/// Usual ranges of |SR|, P_h, V_e, R (see the header).
-const RANGES: [FittedRange; 4] = [
+/// Usual ranges of |SR|, P_h, V_e, R and ν₀ (see the header).
+const RANGES: [FittedRange; 5] = [
     range("slide-to-roll ratio", 0.0, 1.0, "-"),
     range("maximum pressure", 0.5, 2.5, "GPa"),
     range("entrainment speed", 1.0, 20.0, "m/s"),
     range("radius", 5.0, 80.0, "mm"),
+    // A 75W90 from about 120 °C down to 40 °C (judgement).
+    range("viscosity", 5.0, 50.0, "mPa s"),
 ];
 
 impl RoughnessReading {
@@ -243,6 +245,7 @@ impl XuLaw {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn coefficient(&self, position: &XuConditions) -> Result<Checked<f64>, FrictionError> {
+        cite!("P7");
         let sr = finite("slide-to-roll ratio", position.slide_to_roll)?.abs();
         let p_h = DomainError::positive("maximum pressure", position.max_pressure)? * 1e-9;
         let nu_0 = viscosity_in_centipoise(position.viscosity)?;
@@ -252,7 +255,7 @@ impl XuLaw {
         let scale = positive("friction scale", self.friction_scale)?;
 
         let mut outside = Vec::new();
-        for (range, value) in RANGES.iter().zip([sr, p_h, v_e, r * 1e3]) {
+        for (range, value) in RANGES.iter().zip([sr, p_h, v_e, r * 1e3, nu_0]) {
             range.check(value, &mut outside);
         }
         let s = self.roughness.read(s * 1e6, &mut outside);

@@ -8,7 +8,9 @@
 mod reference_case;
 
 use asperity_core::DomainError;
-use asperity_core::quantity::{DynamicViscosity, Length, LineLoad, Pressure, Speed};
+use asperity_core::quantity::{
+    DynamicViscosity, KinematicViscosity, Length, LineLoad, Pressure, Speed, Temperature,
+};
 use asperity_tribo_friction::{
     FlashConditions, FrictionConditions, FrictionError, FrictionLaw, FrictionSettings,
     MeshConditions, RollingConditions, XuCalibration, XuCoefficients, XuLaw, doleschel,
@@ -148,10 +150,51 @@ fn values_outside_the_range_carry_notes() {
         [
             "slide-to-roll ratio",
             "maximum pressure",
-            "entrainment speed"
+            "entrainment speed",
+            // The oil of the reference case is no 75W90.
+            "viscosity"
         ]
     );
     assert_eq!(names(FrictionLaw::Eyring, heavy), ["maximum pressure"]);
+    let cold = FrictionConditions {
+        viscosity: DynamicViscosity::from_si(5.0),
+        kinematic_viscosity: KinematicViscosity::from_si(5e-3),
+        ..at_start()
+    };
+    for (law, name) in [
+        (FrictionLaw::Xu, "viscosity"),
+        (FrictionLaw::BenedictKelley, "viscosity"),
+        (FrictionLaw::Iso14179Part1, "kinematic viscosity"),
+        (FrictionLaw::Iso14179Part2, "viscosity"),
+    ] {
+        assert!(names(law, cold).contains(&name), "{law:?}");
+    }
+    let fast = FrictionConditions {
+        sliding: Speed::from_si(20.0),
+        entrainment: Speed::from_si(30.0),
+        ..at_start()
+    };
+    assert_eq!(names(FrictionLaw::Eyring, fast), ["sliding speed"]);
+    assert!(names(FrictionLaw::BenedictKelley, fast).contains(&"sum of the surface speeds"));
+}
+
+#[test]
+fn oil_temperatures_outside_the_fitted_range_are_named_for_every_published_law() {
+    for law in FrictionLaw::ALL {
+        let row = law.published();
+        assert_eq!(row.law, law);
+        let cold = row.outside(Temperature::from_si(243.15)).unwrap();
+        let expected = usize::from(law != FrictionLaw::Constant);
+        assert_eq!(cold.len(), expected, "{law:?}");
+        assert!(
+            row.outside(Temperature::from_si(363.15))
+                .unwrap()
+                .is_empty()
+        );
+        assert!(row.outside(Temperature::from_si(-1.0)).is_err());
+    }
+    assert!(FrictionLaw::Iso14179Part2.published().includes_asperities());
+    assert!(!FrictionLaw::Eyring.published().includes_asperities());
 }
 
 #[test]

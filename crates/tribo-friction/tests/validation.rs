@@ -35,7 +35,10 @@ fn close(actual: f64, expected: f64, tolerance: f64) {
 fn value(law: FrictionLaw, position: &Position) -> f64 {
     let settings = FrictionSettings::default();
     let coefficient = law.coefficient(&settings, &conditions(position)).unwrap();
-    assert!(coefficient.outside.is_empty(), "{:?}", coefficient.outside);
+    // The oil of the reference case, 97.5 mPa s, is thicker than Xu's 75W90; nothing else is outside.
+    let of_xu = |name| law == FrictionLaw::Xu && name == "viscosity";
+    let expected = coefficient.outside.iter().all(|note| of_xu(note.name));
+    assert!(expected, "{:?}", coefficient.outside);
     coefficient.value
 }
 

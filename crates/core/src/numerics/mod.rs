@@ -2,11 +2,13 @@
 
 mod convolution;
 mod fft_length;
+mod increasing_root;
 mod root;
 mod sums;
 
 pub use convolution::SymmetricToeplitz;
 pub use fft_length::good_fft_length;
+pub use increasing_root::{Solved, newton_root, secant_root};
 pub use root::{Root, RootError, find_root};
 pub use sums::{extremes, sum};
 

@@ -166,7 +166,10 @@ fn linearise(row: &mut Row, problem: &Problem<'_>) {
         let mut secant = cell.flattening;
         cell.slope = secant;
         if problem.slope > 0.0 {
-            secant -= problem.slope * (cell.load.max(floor) / problem.mean_load).ln();
+            // In the first round the load is the mean load.
+            if cell.load != problem.mean_load {
+                secant -= problem.slope * (cell.load.max(floor) / problem.mean_load).ln();
+            }
             let tangent = if cell.load > floor {
                 secant - problem.slope
             } else {

@@ -1,0 +1,59 @@
+//! Both whole traces as the inlet of one contact leaves them.
+
+use asperity_core::DomainError;
+use asperity_core::quantity::Length;
+use asperity_ehl_regime::TraceSpectrum;
+
+use super::error::LoadShareError;
+
+/// Two prepared traces, attenuated for one contact, from which windows are cut.
+#[derive(Debug, Clone)]
+pub struct AttenuatedTraces {
+    heights: [Vec<f64>; 2],
+}
+
+impl AttenuatedTraces {
+    /// The traces behind two spectra at a wavelength scale of
+    /// [`PositionFilm::nabla_per_length`](super::PositionFilm::nabla_per_length).
+    ///
+    /// # Errors
+    /// When the scale is negative or not finite.
+    pub fn new(traces: [&TraceSpectrum; 2], nabla_per_length: f64) -> Result<Self, LoadShareError> {
+        let [first, second] = traces;
+        Ok(Self {
+            heights: [
+                first.attenuated(nabla_per_length)?,
+                second.attenuated(nabla_per_length)?,
+            ],
+        })
+    }
+
+    /// Standard deviation σ_d of the sum of two windows of `points` cells that begin at `starts`.
+    ///
+    /// # Errors
+    /// When a window leaves its trace or is empty.
+    pub fn window_rms(&self, starts: [usize; 2], points: usize) -> Result<Length, LoadShareError> {
+        let rule = "must be at least 1";
+        DomainError::require(points > 0, "points of the window", points as f64, "-", rule)?;
+        let part = |k: usize| {
+            let available = self.heights[k].len();
+            let end = starts[k].saturating_add(points);
+            self.heights[k]
+                .get(starts[k]..end)
+                .ok_or(LoadShareError::WindowBeyondTrace {
+                    start: starts[k],
+                    points,
+                    available,
+                })
+        };
+        let (first, second) = (part(0)?, part(1)?);
+        let (mut sum, mut squares) = (0.0, 0.0);
+        for (a, b) in first.iter().zip(second) {
+            let z = a + b;
+            sum += z;
+            squares += z * z;
+        }
+        let (mean, n) = (sum / points as f64, points as f64);
+        Ok(Length::from_si((squares / n - mean * mean).max(0.0).sqrt()))
+    }
+}

@@ -1,0 +1,54 @@
+//! Why a load share has no solution.
+
+use asperity_contact::ContactError;
+use asperity_core::DomainError;
+use asperity_core::numerics::RootError;
+use asperity_core::quantity::Pressure;
+use asperity_ehl_regime::RegimeError;
+use asperity_tribo_friction::FrictionError;
+
+/// Why a load share has no solution.
+#[derive(Debug, Clone, thiserror::Error)]
+#[non_exhaustive]
+pub enum LoadShareError {
+    /// A number outside its domain.
+    #[error(transparent)]
+    Domain(#[from] DomainError),
+    /// The rough contact has no solution, or did not converge.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+    /// The film refuses the numbers.
+    #[error(transparent)]
+    Regime(#[from] RegimeError),
+    /// Friction refuses the numbers.
+    #[error(transparent)]
+    Friction(#[from] FrictionError),
+    /// A flow pressure that the film pressure alone reaches.
+    #[error(
+        "flow pressure {flow_pressure} is below {least}, one and a half times the Hertz pressure: the film alone would make the flank flow"
+    )]
+    FlowPressureTooLow {
+        /// The flow pressure.
+        flow_pressure: Pressure,
+        /// Least accepted.
+        least: Pressure,
+    },
+    /// A window beyond the end of a trace.
+    #[error("a window of {points} points from point {start} leaves a trace of {available} points")]
+    WindowBeyondTrace {
+        /// First point of the window.
+        start: usize,
+        /// Points of the window.
+        points: usize,
+        /// Points of the trace.
+        available: usize,
+    },
+    /// A scalar equation without root.
+    #[error("the {quantity} has no solution: {source}")]
+    NoRoot {
+        /// What was looked for.
+        quantity: &'static str,
+        /// Where the search ended.
+        source: RootError,
+    },
+}

@@ -1,0 +1,43 @@
+//! Share of the load on touching asperities, from the solved rough contact.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | φ | share of the load carried where the loaded rough flanks touch | - |
+//! | β | share of the asperity load on the boundary layer | - |
+//! | g(φ) | mean gap of the rough contact under the middle 0.8 of the Hertz contact | m |
+//! | h̄(φ) | mean gap that the inlet supplies | m |
+//! | σ_d | standard deviation of the attenuated roughness in the window | m |
+//! | μ_f, μ_a, μ_b | coefficients of film, lubricated asperities and boundary layer | - |
+//!
+//! φ is where the gap of the contact, which falls with φ, meets the gap supplied, which rises. Touching
+//! asperities are lubricated: they shear the oil near its limiting stress, and only what of them is closer
+//! than the boundary layer rubs with μ_b.
+//!
+//! | step | type |
+//! |---|---|
+//! | contact under prescribed film pressure | [`RoughContact`] |
+//! | the same at twelve shares, once per window | [`ContactTable`] |
+//! | roughness flattened in the inlet | [`AttenuatedTraces`] |
+//! | film, share and friction at one temperature and speed | [`PositionFilm`], [`LoadShareSolution`] |
+//!
+//! The table knows neither oil, temperature nor speed: another of them costs film laws only, no contact.
+//! Everything here is serial and pure.
+//!
+//! Compared with mixed-EHL solutions (plane strain) for σ_d/h_c up to 3: φ to 0.05 and μ to 6.5 % root mean
+//! square over 51 cases, μ 4 % high in the mean. Beyond, only gear measurements decide.
+
+mod attenuated_traces;
+mod contact_table;
+pub mod equations;
+mod error;
+mod position_film;
+mod rough_contact;
+mod solution;
+mod spots;
+
+pub use attenuated_traces::AttenuatedTraces;
+pub use contact_table::{ContactTable, TABLE_SHARES, TableRow};
+pub use error::LoadShareError;
+pub use position_film::{InletSupply, LineContact, LoadShareSettings, PositionFilm, SpotSpeed};
+pub use rough_contact::{ContactState, RoughContact, RoughWindow, Spot};
+pub use solution::{LineLosses, LoadShareSolution, ShareEvidence};

@@ -1,0 +1,551 @@
+//! The film of one position at one temperature, and the load share of any window there.
+
+use asperity_contact::hertz_line::HertzLine;
+use asperity_core::material::Material;
+use asperity_core::numerics::{Solved, secant_root};
+use asperity_core::quantity::{Length, LineEnergy, LineLoad, Pressure, Speed, Temperature};
+use asperity_core::{Checked, DomainError, FittedRange, OutOfRange, cite};
+use asperity_ehl_regime::inlet_flow::{
+    CentralFilm, LARGEST_SHARE, Lay, inlet_factor, supplied_gap,
+};
+use asperity_ehl_regime::{FilmConditions, FilmLaw, MoesNumbers, ThermalLaw, thermal_loading};
+use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION, BOUNDARY_LAYER, SharedFriction};
+use asperity_tribo_friction::{FilmHeat, FilmLineContact, FilmRheology, FilmSettings, LoadedFilm};
+
+use super::contact_table::{ContactTable, end_share};
+use super::error::LoadShareError;
+use super::rough_contact::{ContactState, RoughContact, Spot};
+use super::solution::{LineLosses, LoadShareSolution, ShareEvidence};
+use super::spots::{SpotConditions, SpotFriction};
+
+/// Relative step at which the secant iteration for friction ends: it leaves some 1e-12.
+const TOLERANCE: f64 = 1e-9;
+/// Relative step in φ^¼ at which the direct solves end: 4e-8 of the share.
+const DIRECT_TOLERANCE: f64 = 1e-8;
+
+/// Friction coefficient that no lubricated contact reaches: the upper end of its bracket.
+const MOST_FRICTION: f64 = 1.0;
+/// Least share that is solved for directly: below it the spots are single cells.
+const LEAST_DIRECT_SHARE: f64 = 1e-6;
+
+/// Where the inlet supply was compared with mixed-EHL solutions.
+const COMPARED: FittedRange = FittedRange {
+    name: "attenuated roughness over film",
+    low: 0.0,
+    high: 3.0,
+    unit: "-",
+    correlation: "the mixed-EHL solutions that the load share was compared with",
+};
+
+/// A loaded line contact in motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LineContact {
+    /// Load per length of contact line w.
+    pub load: LineLoad,
+    /// Relative radius of curvature R.
+    pub radius: Length,
+    /// Reduced modulus E*.
+    pub modulus: Pressure,
+    /// Surface speeds u₁, u₂ in the direction of motion.
+    pub speeds: [Speed; 2],
+    /// The two bodies.
+    pub bodies: [Material; 2],
+}
+
+/// Mean gap that the inlet supplies without asperity contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum InletSupply {
+    /// More than the smooth film, by the attenuated roughness.
+    #[default]
+    Rough,
+    /// The smooth film, as Johnson, Greenwood and Poon have it: the share law `jgp`.
+    Smooth,
+}
+
+/// Speed that carries oil into a touching spot.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum SpotSpeed {
+    /// The entrainment speed of the whole contact.
+    #[default]
+    Entrainment,
+    /// Half the sliding speed: a spot moves with its flank. The largest structural choice of the model; neither
+    /// is derived, and this one is for the band.
+    HalfSliding,
+}
+
+/// Choices of the load share.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LoadShareSettings {
+    /// Coefficient of boundary friction μ_b.
+    pub boundary_friction: f64,
+    /// Height of the boundary layer h_b.
+    pub boundary_layer: Length,
+    /// Lay of the roughness.
+    pub lay: Lay,
+    /// Law of the smooth film.
+    pub film_law: FilmLaw,
+    /// Thermal reduction of the film.
+    pub thermal: ThermalLaw,
+    /// Reading of the central film in friction and supply.
+    pub central_film: CentralFilm,
+    /// Inlet supply.
+    pub supply: InletSupply,
+    /// Speed that carries oil into a touching spot.
+    pub spot_speed: SpotSpeed,
+    /// Factor on the asperity share after it is solved; 1, and ½ for the band.
+    pub share_factor: f64,
+    /// Nodes and heat of the film friction.
+    pub film: FilmSettings,
+}
+
+impl Default for LoadShareSettings {
+    fn default() -> Self {
+        Self {
+            boundary_friction: BOUNDARY_FRICTION,
+            boundary_layer: BOUNDARY_LAYER,
+            lay: Lay::ACROSS,
+            film_law: FilmLaw::DowsonToyoda,
+            thermal: ThermalLaw::Gupta,
+            central_film: CentralFilm::MassFlow,
+            supply: InletSupply::Rough,
+            spot_speed: SpotSpeed::Entrainment,
+            share_factor: 1.0,
+            film: FilmSettings::default(),
+        }
+    }
+}
+
+/// The film of one line contact at one temperature, for all its windows.
+///
+/// ```no_run
+/// # use asperity::load_share::*;
+/// # fn example(contact: LineContact, rheology: &asperity_tribo_friction::FilmRheology,
+/// #     tables: &[ContactTable], spectra: [&asperity_ehl_regime::TraceSpectrum; 2], starts: &[[usize; 2]],
+/// #     points: usize) -> Result<(), Box<dyn std::error::Error>> {
+/// let settings = LoadShareSettings::default();
+/// let mut film = PositionFilm::new(rheology, &contact, "90 °C".parse()?, &settings)?;
+/// let traces = AttenuatedTraces::new(spectra, film.nabla_per_length())?;
+/// for (table, starts) in tables.iter().zip(starts) {
+///     let rms = traces.window_rms(*starts, points)?;
+///     println!("mu {:.4}", film.share(table, rms)?.value.coefficient);
+/// }
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Debug, Clone)]
+pub struct PositionFilm<'a> {
+    rheology: &'a FilmRheology,
+    settings: LoadShareSettings,
+    contact: LineContact,
+    bulk: f64,
+    central: Length,
+    thermal_factor: f64,
+    nabla: f64,
+    hertz: HertzLine,
+    film: LoadedFilm<'a>,
+    outside: Vec<OutOfRange>,
+}
+
+/// What the contact says at the share found.
+struct Touching<'s> {
+    share: Solved,
+    mean_gap: Length,
+    spots: Vec<(&'s [Spot], f64)>,
+    area: f64,
+    max_pressure: Pressure,
+    dissipated: LineEnergy,
+}
+
+impl<'a> PositionFilm<'a> {
+    /// The film of a contact whose flanks and oil have the temperature `bulk`.
+    ///
+    /// # Errors
+    /// When a quantity is outside its domain, or the oil has no viscosity at the temperature.
+    pub fn new(
+        rheology: &'a FilmRheology,
+        contact: &LineContact,
+        bulk: Temperature,
+        settings: &LoadShareSettings,
+    ) -> Result<Self, LoadShareError> {
+        let factor = settings.share_factor;
+        let rule = "must be above 0 and not above 1";
+        let fits = factor > 0.0 && factor <= 1.0;
+        DomainError::require(fits, "factor on the asperity share", factor, "-", rule)?;
+        let state = rheology.state(bulk)?;
+        let [u1, u2] = contact.speeds;
+        let conditions = FilmConditions {
+            entrainment: (u1 + u2) * 0.5,
+            radius: contact.radius,
+            load: contact.load,
+            modulus: contact.modulus,
+            viscosity: state.viscosity,
+            pressure_viscosity: state.pressure_viscosity,
+            contact_length: None,
+        };
+        let hertz = HertzLine::new(contact.load, contact.radius, contact.modulus)?;
+        let formula = settings.film_law.film(&conditions)?;
+        let mut outside = formula.outside;
+        let loading = thermal_loading(
+            state.viscosity,
+            state.temperature_coefficient,
+            conditions.entrainment,
+            state.conductivity,
+        )?;
+        let slide_to_roll = (u1 - u2) / conditions.entrainment;
+        let thermal = settings.thermal.reduction(
+            hertz.max_pressure,
+            contact.modulus,
+            loading,
+            slide_to_roll,
+        )?;
+        outside.extend(thermal.outside);
+        let central = settings
+            .central_film
+            .thickness(formula.value.central * thermal.value, hertz.max_pressure)?;
+        let numbers = MoesNumbers::of(&conditions.line_groups()?)?;
+        let film = LoadedFilm::new(
+            rheology,
+            &FilmLineContact {
+                load: contact.load,
+                radius: contact.radius,
+                modulus: contact.modulus,
+                speeds: contact.speeds,
+                film: central,
+                temperature: bulk,
+                bodies: contact.bodies,
+            },
+            settings.film,
+        )?;
+        outside.extend_from_slice(film.outside());
+        Ok(Self {
+            rheology,
+            settings: *settings,
+            contact: *contact,
+            bulk: bulk.si(),
+            central,
+            thermal_factor: thermal.value,
+            nabla: numbers.nabla_per_length(hertz.half_width)?,
+            hertz,
+            film,
+            outside,
+        })
+    }
+
+    /// Dimensionless wavelength of a metre in this contact, for [`AttenuatedTraces`](super::AttenuatedTraces).
+    #[must_use]
+    pub fn nabla_per_length(&self) -> f64 {
+        self.nabla
+    }
+
+    /// Central film of smooth flanks h_c, as it enters friction and supply.
+    #[must_use]
+    pub fn smooth_film(&self) -> Length {
+        self.central
+    }
+
+    /// Load share and friction of a window known by its table.
+    ///
+    /// `attenuated_rms` is σ_d of the window.
+    ///
+    /// # Errors
+    /// When σ_d is negative or an iteration does not end.
+    pub fn share(
+        &mut self,
+        table: &ContactTable,
+        attenuated_rms: Length,
+    ) -> Result<Checked<LoadShareSolution>, LoadShareError> {
+        let psi = self.inlet_factor(attenuated_rms)?;
+        let central = self.central;
+        let supply = supply_of(central, psi)?;
+        let share = table.share(&supply)?;
+        let touching = if share.value == 0.0 {
+            self.untouched(supply(0.0))
+        } else {
+            let between = table.between(share.value);
+            Touching {
+                share,
+                mean_gap: table.mean_gap(share.value),
+                spots: between
+                    .rows
+                    .iter()
+                    .filter(|(_, weight)| *weight > 0.0)
+                    .map(|(row, weight)| (row.spots.as_slice(), *weight))
+                    .collect(),
+                area: between.mean(|row| row.area),
+                max_pressure: Pressure::from_si(between.mean(|row| row.max_pressure.si())),
+                dissipated: LineEnergy::from_si(between.mean(|row| row.dissipated.si())),
+            }
+        };
+        self.conclude(&touching, attenuated_rms, psi)
+    }
+
+    /// Load share and friction of a window by direct contact solves, with the contact at the share found.
+    ///
+    /// # Errors
+    /// When σ_d is negative, a contact does not converge or an iteration does not end.
+    pub fn share_by_direct_solves(
+        &mut self,
+        contact: &mut RoughContact,
+        attenuated_rms: Length,
+    ) -> Result<(Checked<LoadShareSolution>, Option<ContactState>), LoadShareError> {
+        let psi = self.inlet_factor(attenuated_rms)?;
+        let supply = supply_of(self.central, psi)?;
+        let share = direct_share(contact, &supply)?;
+        if share.value == 0.0 {
+            let touching = self.untouched(supply(0.0));
+            let solution = self.conclude(&touching, attenuated_rms, psi)?;
+            return Ok((solution, None));
+        }
+        let state = contact.at(share.value)?;
+        let touching = Touching {
+            share,
+            mean_gap: state.mean_gap,
+            spots: vec![(state.spots.as_slice(), 1.0)],
+            area: state.area,
+            max_pressure: state.max_pressure,
+            dissipated: state.dissipated,
+        };
+        let solution = self.conclude(&touching, attenuated_rms, psi)?;
+        Ok((solution, Some(state)))
+    }
+
+    fn inlet_factor(&self, attenuated_rms: Length) -> Result<f64, LoadShareError> {
+        match self.settings.supply {
+            InletSupply::Rough => Ok(inlet_factor(
+                attenuated_rms,
+                self.central,
+                self.settings.lay,
+            )?),
+            InletSupply::Smooth => Ok(1.0),
+        }
+    }
+
+    fn untouched(&self, gap: f64) -> Touching<'static> {
+        Touching {
+            share: Solved {
+                value: 0.0,
+                residual: 0.0,
+                iterations: 0,
+            },
+            mean_gap: Length::from_si(gap),
+            spots: Vec::new(),
+            area: 0.0,
+            max_pressure: self.hertz.max_pressure,
+            dissipated: LineEnergy::from_si(0.0),
+        }
+    }
+
+    /// Friction at the share found: the root of μ against the surface temperature that it makes.
+    ///
+    /// ```text
+    /// μ = (1 − φ) μ_f + φ [(1 − β) μ_a + β μ_b], all at T_s(μ)
+    /// ```
+    fn conclude(
+        &mut self,
+        touching: &Touching<'_>,
+        attenuated_rms: Length,
+        psi: f64,
+    ) -> Result<Checked<LoadShareSolution>, LoadShareError> {
+        let phi = touching.share.value * self.settings.share_factor;
+        let (shared, spot_film, evidence) = if phi == 0.0 {
+            self.film_alone()?
+        } else {
+            self.friction_of(phi, &touching.spots)?
+        };
+        let parts = shared.parts()?;
+        let [u1, u2] = self.contact.speeds;
+        let force = self.contact.load.si() * (u1.si() - u2.si()).abs();
+        let mut outside = self.outside.clone();
+        COMPARED.check(attenuated_rms / self.central, &mut outside);
+        let value = LoadShareSolution {
+            asperity_share: phi,
+            boundary_of_asperities: shared.boundary_share,
+            boundary_share: phi * shared.boundary_share,
+            coefficient: evidence.value,
+            film_coefficient: shared.film,
+            asperity_coefficient: shared.asperities,
+            parts,
+            losses: LineLosses {
+                film: parts.film * force,
+                lubricated_asperities: parts.lubricated_asperities * force,
+                boundary: parts.boundary * force,
+            },
+            smooth_film: self.central,
+            thermal_factor: self.thermal_factor,
+            attenuated_rms,
+            inlet_factor: psi,
+            mean_gap: touching.mean_gap,
+            spot_film: Length::from_si(spot_film),
+            area: touching.area,
+            max_pressure: touching.max_pressure,
+            dissipated: touching.dissipated,
+            surface_rise: self.film.surface_rise(evidence.value),
+            evidence: ShareEvidence {
+                share: touching.share,
+                friction: evidence,
+            },
+        };
+        Ok(Checked { value, outside })
+    }
+
+    /// The smooth film, by the routine that film friction alone uses.
+    fn film_alone(&mut self) -> Result<(SharedFriction, f64, Solved), LoadShareError> {
+        let solution = self.film.solve()?.value;
+        let shared = SharedFriction {
+            asperity_share: 0.0,
+            boundary_share: 0.0,
+            film: solution.coefficient,
+            asperities: 0.0,
+            boundary: self.settings.boundary_friction,
+        };
+        Ok((shared, 0.0, solution.evidence))
+    }
+
+    fn friction_of(
+        &mut self,
+        phi: f64,
+        spots: &[(&[Spot], f64)],
+    ) -> Result<(SharedFriction, f64, Solved), LoadShareError> {
+        let ([film, slope], first) = self.parts_at(0.0, spots)?;
+        let cold = self.shared(phi, film, &first).parts()?.total();
+        // Slope of μ − G(T_s(μ)), of which the film's part is known.
+        let rise = self.film.surface_rise(1.0);
+        let steepness = 1.0 - rise * (1.0 - phi) * slope;
+        if rise == 0.0 || self.film.heat() == FilmHeat::Isothermal {
+            let evidence = Solved {
+                value: cold,
+                residual: 0.0,
+                iterations: 1,
+            };
+            return Ok((self.shared(phi, film, &first), first.film, evidence));
+        }
+        let mut failed = None;
+        let root = secant_root(
+            |mu| match self.total_at(phi, rise * mu, spots) {
+                Ok(total) => mu - total,
+                Err(error) => {
+                    failed = Some(error);
+                    f64::NAN
+                }
+            },
+            // Warmer spots have thinner films and more boundary friction: μ may exceed its cold value.
+            [0.0, MOST_FRICTION.max(2.0 * cold)],
+            cold / steepness,
+            steepness,
+            TOLERANCE,
+        );
+        if let Some(error) = failed {
+            return Err(error);
+        }
+        let evidence = root.map_err(|source| LoadShareError::NoRoot {
+            quantity: "friction coefficient",
+            source,
+        })?;
+        let ([film, _], spot) = self.parts_at(rise * evidence.value, spots)?;
+        Ok((self.shared(phi, film, &spot), spot.film, evidence))
+    }
+
+    fn total_at(
+        &mut self,
+        phi: f64,
+        rise: f64,
+        spots: &[(&[Spot], f64)],
+    ) -> Result<f64, LoadShareError> {
+        let ([film, _], spot) = self.parts_at(rise, spots)?;
+        Ok(self.shared(phi, film, &spot).parts()?.total())
+    }
+
+    /// Film friction with its slope, and the spots', at a rise of the surface temperature.
+    fn parts_at(
+        &mut self,
+        rise: f64,
+        spots: &[(&[Spot], f64)],
+    ) -> Result<([f64; 2], SpotFriction), LoadShareError> {
+        let film = self.film.friction_at(rise)?;
+        let [u1, u2] = self.contact.speeds.map(Speed::si);
+        let sliding = (u1 - u2).abs();
+        let entrainment = match self.settings.spot_speed {
+            SpotSpeed::Entrainment => 0.5 * (u1 + u2),
+            // A spot without sliding keeps the least speed that a film can be computed for.
+            SpotSpeed::HalfSliding => (0.5 * sliding).max(1e-6),
+        };
+        let conditions = SpotConditions {
+            rheology: self.rheology,
+            wall: Temperature::from_si(self.bulk + rise),
+            modulus: self.contact.modulus.si(),
+            entrainment,
+            sliding,
+            boundary_layer: self.settings.boundary_layer,
+        };
+        let mut sum = SpotFriction::default();
+        for (spots, weight) in spots {
+            sum.add(&conditions.friction(spots)?, *weight);
+        }
+        Ok((film, sum))
+    }
+
+    fn shared(&self, phi: f64, film: f64, spots: &SpotFriction) -> SharedFriction {
+        SharedFriction {
+            asperity_share: phi,
+            boundary_share: spots.boundary_share.clamp(0.0, 1.0),
+            film,
+            asperities: spots.asperity_coefficient(),
+            boundary: self.settings.boundary_friction,
+        }
+    }
+}
+
+/// h̄(φ) \[m\] with its inputs checked once.
+fn supply_of(central: Length, psi: f64) -> Result<impl Fn(f64) -> f64, LoadShareError> {
+    supplied_gap(central, psi, 0.0)?;
+    Ok(
+        move |phi: f64| {
+            supplied_gap(central, psi, phi.clamp(0.0, 1.0)).map_or(f64::NAN, Length::si)
+        },
+    )
+}
+
+/// The share at which the contact's gap is the one supplied, by direct solves.
+fn direct_share(
+    contact: &mut RoughContact,
+    supply: &impl Fn(f64) -> f64,
+) -> Result<Solved, LoadShareError> {
+    cite!("Load-share");
+    let first_touch = contact.first_touch_gap().si();
+    let mut failed = None;
+    let mut gap = |phi: f64| match contact.at(phi) {
+        Ok(state) => state.mean_gap.si(),
+        Err(error) => {
+            failed = Some(error);
+            f64::NAN
+        }
+    };
+    let scale = supply(0.0);
+    let found = match end_share(first_touch, supply, &mut gap) {
+        Some(end) => Ok(end),
+        None => secant_root(
+            |s: f64| {
+                let phi = s.powi(4);
+                (supply(phi) - gap(phi)) / scale
+            },
+            [
+                LEAST_DIRECT_SHARE.sqrt().sqrt(),
+                LARGEST_SHARE.sqrt().sqrt(),
+            ],
+            0.7,
+            first_touch / scale,
+            DIRECT_TOLERANCE,
+        )
+        .map(|root| Solved {
+            value: root.value.powi(4),
+            ..root
+        }),
+    };
+    if let Some(error) = failed {
+        return Err(error);
+    }
+    found.map_err(|source| LoadShareError::NoRoot {
+        quantity: "asperity share",
+        source,
+    })
+}

@@ -1,0 +1,251 @@
+//! Rough contact of two flanks under the pressure of the film between them.
+//!
+//! The film carries 1 − φ of the load as that share of the Hertz pressure and deforms both flanks; the
+//! asperities carry φ on the roughness as it is outside the contact, up to the flow pressure.
+
+use asperity_contact::half_plane::HalfPlane;
+use asperity_contact::hertz_line::HertzLine;
+use asperity_contact::{
+    Boundary, ContactProblem, ContactSolution, Control, Solver, SolverSettings,
+};
+use asperity_core::quantity::{Length, LineEnergy, LineLoad, Pressure};
+use asperity_core::{DomainError, cite};
+use serde::Serialize;
+
+use super::error::LoadShareError;
+
+/// Share of the Hertz half width over which the gap is averaged.
+const CORE: f64 = 0.8;
+/// Least flow pressure over the Hertz pressure.
+const LEAST_FLOW_PRESSURE: f64 = 1.5;
+/// Starts are kept this far below the pressure limit, so that no cell begins fixed.
+const BELOW_LIMIT: f64 = 0.999;
+
+/// What a rough contact is made of.
+#[derive(Debug, Clone, Copy)]
+pub struct RoughWindow<'a> {
+    /// Heights z₁ + z₂ of the composite window \[m\], the contact in its middle; not attenuated.
+    pub composite: &'a [f64],
+    /// Distance of the points.
+    pub spacing: Length,
+    /// Load per length of contact line w.
+    pub load: LineLoad,
+    /// Relative radius of curvature R.
+    pub radius: Length,
+    /// Reduced modulus E*.
+    pub modulus: Pressure,
+    /// Pressure at which the softer flank flows.
+    pub flow_pressure: Pressure,
+    /// Settings of the contact solver.
+    pub settings: SolverSettings,
+}
+
+/// A touching spot: neighbouring cells under pressure.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Spot {
+    /// Load f_k per metre of face.
+    pub load: LineLoad,
+    /// Width b_k.
+    pub width: Length,
+}
+
+/// The contact at one asperity share.
+#[derive(Debug, Clone)]
+pub struct ContactState {
+    /// Asperity share φ.
+    pub asperity_share: f64,
+    /// Mean gap over the middle 0.8 of the Hertz contact.
+    pub mean_gap: Length,
+    /// Touching spots, from one end of the window to the other.
+    pub spots: Vec<Spot>,
+    /// Share of the points within the Hertz contact that touch.
+    pub area: f64,
+    /// Largest sum of asperity and film pressure.
+    pub max_pressure: Pressure,
+    /// Energy dissipated by plastic flow in one pass over this window.
+    pub dissipated: LineEnergy,
+    /// The contact itself; its displacement leaves out that by the film.
+    pub solution: ContactSolution,
+}
+
+/// A window of two rough flanks, to be solved at any asperity share.
+///
+/// Keeps the last pressure as the start of the next share.
+pub struct RoughContact {
+    /// Undeformed gap x²/2R − z \[m\].
+    undeformed: Vec<f64>,
+    /// Hertz pressure at the cell centres, scaled to the load \[Pa\].
+    hertz: Vec<f64>,
+    /// Displacement by it \[m\].
+    hertz_displacement: Vec<f64>,
+    /// Cells over which the gap is averaged, and cells of the Hertz contact.
+    core: std::ops::Range<usize>,
+    inside: std::ops::Range<usize>,
+    gap: Vec<f64>,
+    last: Option<(f64, Vec<f64>)>,
+    solver: Solver,
+    spacing: Length,
+    load: f64,
+    modulus: Pressure,
+    flow_pressure: f64,
+    max_hertz: f64,
+    settings: SolverSettings,
+}
+
+impl RoughContact {
+    /// The contact of a window.
+    ///
+    /// # Errors
+    /// When a height is not finite, load, radius, modulus or spacing not positive, the window does not hold
+    /// the Hertz contact, or the flow pressure is below one and a half times the Hertz pressure.
+    pub fn new(window: &RoughWindow<'_>) -> Result<Self, LoadShareError> {
+        let w = DomainError::positive("line load", window.load)?;
+        let r = DomainError::positive("radius", window.radius)?;
+        let dx = DomainError::positive("spacing", window.spacing)?;
+        let flow = DomainError::positive("flow pressure", window.flow_pressure)?;
+        let line = HertzLine::new(window.load, window.radius, window.modulus)?;
+        let a = line.half_width.si();
+        let n = window.composite.len();
+        let reach = 0.5 * (n as f64 - 1.0) * dx;
+        let rule = "must be longer than the Hertz contact is wide";
+        DomainError::require(reach > a, "half the window", reach, "m", rule)?;
+        for &z in window.composite {
+            DomainError::finite("height", Length::from_si(z))?;
+        }
+        let place = |i: usize| i as f64 * dx - reach;
+        let undeformed: Vec<f64> = window
+            .composite
+            .iter()
+            .enumerate()
+            .map(|(i, z)| place(i).powi(2) / (2.0 * r) - z)
+            .collect();
+        let mut hertz: Vec<f64> = (0..n)
+            .map(|i| (1.0 - (place(i) / a).powi(2)).max(0.0).sqrt())
+            .collect();
+        let scale = w / (hertz.iter().sum::<f64>() * dx);
+        for p in &mut hertz {
+            *p *= scale;
+        }
+        let max_hertz = hertz.iter().fold(0.0, |m: f64, &p| m.max(p));
+        let least = LEAST_FLOW_PRESSURE * max_hertz;
+        if flow < least {
+            return Err(LoadShareError::FlowPressureTooLow {
+                flow_pressure: window.flow_pressure,
+                least: Pressure::from_si(least),
+            });
+        }
+        let mut hertz_displacement = vec![0.0; n];
+        HalfPlane::new(n, window.spacing, window.modulus, Boundary::FreeEnds)?
+            .displacement(&hertz, &mut hertz_displacement)?;
+        let within = |limit: f64| {
+            let first = (0..n).find(|&i| place(i).abs() < limit).unwrap_or(0);
+            let count = (first..n).take_while(|&i| place(i).abs() < limit).count();
+            first..first + count
+        };
+        Ok(Self {
+            undeformed,
+            hertz,
+            hertz_displacement,
+            core: within(CORE * a),
+            inside: within(a),
+            gap: vec![0.0; n],
+            last: None,
+            solver: Solver::new(n, Boundary::FreeEnds)?,
+            spacing: window.spacing,
+            load: w,
+            modulus: window.modulus,
+            flow_pressure: flow,
+            max_hertz,
+            settings: window.settings,
+        })
+    }
+
+    /// Mean gap where the flanks, deformed by the whole film pressure, first touch anywhere in the window.
+    #[must_use]
+    pub fn first_touch_gap(&self) -> Length {
+        let gap = |i: usize| self.undeformed[i] + self.hertz_displacement[i];
+        let least = (0..self.undeformed.len())
+            .map(gap)
+            .fold(f64::INFINITY, f64::min);
+        let sum: f64 = self.core.clone().map(|i| gap(i) - least).sum();
+        Length::from_si(sum / self.core.len() as f64)
+    }
+
+    /// The contact at one asperity share.
+    ///
+    /// ```text
+    /// film pressure (1 − φ) p_Hertz,  ∫ p_a dx = φ w,  0 ≤ p_a ≤ p_flow − (1 − φ) p₀     [Share-contact]
+    /// ```
+    ///
+    /// # Errors
+    /// When the share is not above 0 and at most 1, or the contact does not converge.
+    pub fn at(&mut self, asperity_share: f64) -> Result<ContactState, LoadShareError> {
+        cite!("Share-contact");
+        let phi = asperity_share;
+        let rule = "must be above 0 and not above 1";
+        DomainError::require(phi > 0.0 && phi <= 1.0, "asperity share", phi, "-", rule)?;
+        let fluid = 1.0 - phi;
+        let limit = self.flow_pressure - fluid * self.max_hertz;
+        let parts = self.undeformed.iter().zip(&self.hertz_displacement);
+        for (gap, (h, u)) in self.gap.iter_mut().zip(parts) {
+            *gap = h + fluid * u;
+        }
+        let start = self.last.as_ref().map(|(before, pressure)| {
+            let scale = phi / before;
+            pressure
+                .iter()
+                .map(|p| (p * scale).min(BELOW_LIMIT * limit))
+                .collect::<Vec<f64>>()
+        });
+        let problem = ContactProblem {
+            gap: &self.gap,
+            spacing: self.spacing,
+            modulus: self.modulus,
+            boundary: Boundary::FreeEnds,
+            control: Control::Load(LineLoad::from_si(phi * self.load)),
+            prescribed_pressure: None,
+            pressure_limit: Some(Pressure::from_si(limit)),
+            start: start.as_deref(),
+        };
+        let solution = self.solver.solve(&problem, &self.settings)?;
+        self.last = Some((phi, solution.pressure.clone()));
+        Ok(self.state(phi, solution))
+    }
+
+    fn state(&self, phi: f64, solution: ContactSolution) -> ContactState {
+        let core: f64 = solution.gap[self.core.clone()]
+            .iter()
+            .map(|g| g.max(0.0))
+            .sum();
+        let touching = self.inside.clone().filter(|&i| solution.pressure[i] > 0.0);
+        let both = solution.pressure.iter().zip(&self.hertz);
+        let highest = both.fold(0.0, |m: f64, (p, h)| m.max(p + (1.0 - phi) * h));
+        ContactState {
+            asperity_share: phi,
+            mean_gap: Length::from_si(core / self.core.len() as f64),
+            spots: spots(&solution.pressure, self.spacing),
+            area: touching.count() as f64 / self.inside.len() as f64,
+            max_pressure: Pressure::from_si(highest),
+            dissipated: solution.dissipated,
+            solution,
+        }
+    }
+
+    /// Largest Hertz pressure on the cells.
+    #[must_use]
+    pub fn hertz_pressure(&self) -> Pressure {
+        Pressure::from_si(self.max_hertz)
+    }
+}
+
+/// Runs of neighbouring cells under pressure.
+fn spots(pressure: &[f64], spacing: Length) -> Vec<Spot> {
+    pressure
+        .chunk_by(|p, q| (*p > 0.0) == (*q > 0.0))
+        .filter(|cells| cells[0] > 0.0)
+        .map(|cells| Spot {
+            load: LineLoad::from_si(cells.iter().sum::<f64>() * spacing.si()),
+            width: spacing * cells.len() as f64,
+        })
+        .collect()
+}

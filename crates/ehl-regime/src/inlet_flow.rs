@@ -1,0 +1,203 @@
+//! Gap that the inlet of a rough line contact supplies with oil.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | h_c | central film of smooth flanks, with its thermal reduction | m |
+//! | σ_d | standard deviation of the attenuated roughness in the window | m |
+//! | γ | lay: 0 ridges across the whole face, 1 isotropic | - |
+//! | t | lay factor (3/(1 + γ) − 1)/2 | - |
+//! | Ψ | mean gap of rough flanks over the film of smooth ones | - |
+//! | φ | share of the load on the asperities | - |
+//! | h̄ | mean gap supplied | m |
+//!
+//! Ψ is Grubin's inlet with the exact flow factor of transverse ridges, ⟨h⁻³⟩ = h⁻³ (1 + 6 s²/h²), in its limit of
+//! small s: d(Ψ²)/d(σ_d/h_c)² is 2.341 to 2.348 in four contacts. t is Tripp's lay factor (from memory,
+//! source not reached). Compared with a mixed-EHL solver of plane strain for σ_d/h_c up to 3: root mean
+//! square 6.5 % of the gap over 51 cases; hot and slow contacts beyond that are outside it.
+//!
+//! The film thickens as the asperities take load off it: h ∝ w^(−0.13) and, with the stiffness, −0.03
+//! more (Johnson, Greenwood and Poon's 6.3 is its inverse).
+
+use asperity_core::lubricant::dowson_higginson_density;
+use asperity_core::quantity::{Density, Length, Pressure};
+use asperity_core::{DomainError, cite};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::error::RegimeError;
+
+/// Slope of Ψ² over (σ_d/h_c)² for transverse ridges, from Grubin's inlet.
+const INLET_SLOPE: f64 = 2.342;
+/// Power of the fluid's share of load and stiffness in the film.
+const SUPPLY_POWER: f64 = -0.16;
+/// Largest asperity share that the supply is evaluated at, and that a contact is given.
+pub const LARGEST_SHARE: f64 = 0.99;
+
+/// Lay of the roughness: how far the ridges run across the face.
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Serialize, Deserialize, JsonSchema)]
+#[serde(try_from = "f64", into = "f64")]
+pub struct Lay(f64);
+
+impl Lay {
+    /// Ridges across the whole face width, γ = 0: ground and superfinished gear flanks.
+    pub const ACROSS: Self = Self(0.0);
+    /// No lay, γ = 1.
+    pub const ISOTROPIC: Self = Self(1.0);
+
+    /// The lay of this γ.
+    ///
+    /// # Errors
+    /// When γ is not within 0..1.
+    pub fn new(gamma: f64) -> Result<Self, RegimeError> {
+        let rule = "must lie between 0 (ridges across the face) and 1 (isotropic)";
+        DomainError::require((0.0..=1.0).contains(&gamma), "lay", gamma, "-", rule)?;
+        Ok(Self(gamma))
+    }
+
+    /// γ.
+    #[must_use]
+    pub const fn gamma(self) -> f64 {
+        self.0
+    }
+
+    /// The lay of two flanks together, weighted with the squares of their Rq; across for two smooth ones.
+    ///
+    /// # Errors
+    /// When an Rq is negative or not finite.
+    pub fn of_pair(lays: [Self; 2], rq: [Length; 2]) -> Result<Self, RegimeError> {
+        let first = DomainError::non_negative("Rq1", rq[0])?.powi(2);
+        let second = DomainError::non_negative("Rq2", rq[1])?.powi(2);
+        if first + second == 0.0 {
+            return Ok(Self::ACROSS);
+        }
+        Ok(Self(
+            (lays[0].0 * first + lays[1].0 * second) / (first + second),
+        ))
+    }
+
+    /// t = (3/(1 + γ) − 1)/2
+    fn factor(self) -> f64 {
+        0.5 * (3.0 / (1.0 + self.0) - 1.0)
+    }
+}
+
+impl Default for Lay {
+    fn default() -> Self {
+        Self::ACROSS
+    }
+}
+
+impl TryFrom<f64> for Lay {
+    type Error = RegimeError;
+
+    fn try_from(gamma: f64) -> Result<Self, RegimeError> {
+        Self::new(gamma)
+    }
+}
+
+impl From<Lay> for f64 {
+    fn from(lay: Lay) -> Self {
+        lay.0
+    }
+}
+
+/// Mean gap of rough flanks over the film of smooth ones.
+///
+/// ```text
+/// Ψ = √(1 + 2.342 t (σ_d/h_c)²),  t = (3/(1 + γ) − 1)/2                     [Inlet-flow]
+/// ```
+///
+/// # Errors
+/// When σ_d is negative or the film not positive.
+///
+/// ```
+/// use asperity_core::quantity::Length;
+/// use asperity_ehl_regime::inlet_flow::{Lay, inlet_factor};
+/// let factor = inlet_factor(Length::from_si(0.3e-6), Length::from_si(0.1e-6), Lay::ACROSS)?;
+/// assert!((factor - (1.0f64 + 2.342 * 9.0).sqrt()).abs() < 1e-12);
+/// # Ok::<(), asperity_ehl_regime::RegimeError>(())
+/// ```
+pub fn inlet_factor(
+    attenuated_rms: Length,
+    smooth_film: Length,
+    lay: Lay,
+) -> Result<f64, RegimeError> {
+    cite!("Inlet-flow");
+    let sigma = DomainError::non_negative("attenuated roughness", attenuated_rms)?;
+    let h = DomainError::positive("smooth film", smooth_film)?;
+    Ok((1.0 + INLET_SLOPE * lay.factor() * (sigma / h).powi(2)).sqrt())
+}
+
+/// Mean gap supplied to a contact whose asperities carry a share of the load.
+///
+/// ```text
+/// h̄(φ) = h_c Ψ (1 − min(φ, 0.99))^(−0.16)                                       [Supply]
+/// ```
+///
+/// # Errors
+/// When the film is not positive, Ψ below 1 or the share not within 0..1.
+///
+/// ```
+/// use asperity_core::quantity::Length;
+/// use asperity_ehl_regime::inlet_flow::supplied_gap;
+/// let gap = supplied_gap(Length::from_si(0.1e-6), 2.0, 0.0)?;
+/// assert_eq!(gap.si(), 0.2e-6);
+/// # Ok::<(), asperity_ehl_regime::RegimeError>(())
+/// ```
+pub fn supplied_gap(
+    smooth_film: Length,
+    inlet_factor: f64,
+    asperity_share: f64,
+) -> Result<Length, RegimeError> {
+    cite!("Supply");
+    let h = DomainError::positive("smooth film", smooth_film)?;
+    let fits = inlet_factor.is_finite() && inlet_factor >= 1.0;
+    let rule = "must be finite and not below 1";
+    DomainError::require(fits, "inlet factor", inlet_factor, "-", rule)?;
+    let fits = (0.0..=1.0).contains(&asperity_share);
+    let rule = "must lie between 0 and 1";
+    DomainError::require(fits, "asperity share", asperity_share, "-", rule)?;
+    let fluid = 1.0 - asperity_share.min(LARGEST_SHARE);
+    Ok(Length::from_si(h * inlet_factor * fluid.powf(SUPPLY_POWER)))
+}
+
+/// Which thickness the central film of a formula is read as.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum CentralFilm {
+    /// As the formula gives it: mass flow over ambient density and mean speed.
+    #[default]
+    MassFlow,
+    /// The gap, that is divided by the compression of the oil at p₀.
+    Gap,
+}
+
+impl CentralFilm {
+    /// The thickness under this reading.
+    ///
+    /// ```text
+    /// h = h_c/(ρ(p₀)/ρ₀) for the gap                                          [Central-gap]
+    /// ```
+    ///
+    /// # Errors
+    /// When the film is negative or the pressure negative.
+    ///
+    /// ```
+    /// use asperity_ehl_regime::CentralFilm;
+    /// let gap = CentralFilm::Gap.thickness("0.2 um".parse()?, "1 GPa".parse()?)?;
+    /// assert!((gap.si() - 0.2e-6 / (1.0 + 0.6 / 2.7)).abs() < 1e-18);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn thickness(self, formula: Length, max_pressure: Pressure) -> Result<Length, RegimeError> {
+        DomainError::non_negative("central film", formula)?;
+        match self {
+            Self::MassFlow => Ok(formula),
+            Self::Gap => {
+                cite!("Central-gap");
+                let ambient = Density::from_si(1.0);
+                let compressed = dowson_higginson_density(ambient, max_pressure)?;
+                Ok(formula / compressed.si())
+            }
+        }
+    }
+}

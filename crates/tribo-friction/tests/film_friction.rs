@@ -1,0 +1,470 @@
+//! The film law against independent programs, its limits, and what must hold whatever the numbers.
+
+#![allow(
+    clippy::unwrap_used,
+    reason = "helpers of tests may unwrap as tests do"
+)]
+
+use asperity_core::lubricant::{LubricantInput, ViscosityLaw};
+use asperity_core::material::Material;
+use asperity_core::quantity::{
+    Density, KinematicViscosity, Length, LineLoad, PerKelvin, Pressure, PressureViscosity,
+    SpecificHeat, Speed, Temperature, ThermalConductivity,
+};
+use asperity_tribo_friction::boundary::{SharedFriction, boundary_share};
+use asperity_tribo_friction::film_friction::{CarreauConstants, LoadedFilm, solve};
+use asperity_tribo_friction::{
+    FilmFrictionSolution, FilmHeat, FilmLineContact, FilmRheology, FilmSettings, OilFamily,
+    PressureLaw, ShearLaw, TractionConstants,
+};
+use proptest::prelude::*;
+use serde::Deserialize;
+use std::num::NonZeroUsize;
+
+const STEEL: Material = Material {
+    young: Pressure::from_si(210e9),
+    poisson: 0.3,
+    elastic_limit: Pressure::from_si(1.5e9),
+    density: Density::from_si(7830.0),
+    conductivity: ThermalConductivity::from_si(45.0),
+    heat_capacity: SpecificHeat::from_si(465.0),
+};
+/// Reduced modulus of steel on steel.
+const MODULUS: f64 = 210e9 / 2.0 / 0.91;
+
+fn celsius(value: f64) -> Temperature {
+    Temperature::from_si(value + 273.15)
+}
+
+/// Data sheet of an oil whose density falls by 0.63 kg/m³ per kelvin.
+fn lubricant(nu: [f64; 2], density: f64) -> asperity_core::lubricant::Lubricant {
+    LubricantInput {
+        viscosity: Some(ViscosityLaw::AstmD341 {
+            at_40: KinematicViscosity::from_si(nu[0] * 1e-6),
+            at_100: KinematicViscosity::from_si(nu[1] * 1e-6),
+        }),
+        density: Some(Density::from_si(density)),
+        thermal_expansion: Some(PerKelvin::from_si(0.63 / density)),
+        pressure_viscosity: Some(PressureViscosity::from_si(1e-8)),
+        ..LubricantInput::default()
+    }
+    .resolve(celsius(90.0))
+    .unwrap()
+}
+
+fn oil(name: &str) -> FilmRheology {
+    let (nu, density, family) = match name {
+        "M100" => ([96.0, 10.6], 882.0, OilFamily::Mineral),
+        "PAO100" => ([94.1, 14.0], 840.0, OilFamily::Pao),
+        _ => ([30.8, 5.9], 845.0, OilFamily::Pao),
+    };
+    FilmRheology::new(&lubricant(nu, density), family).unwrap()
+}
+
+fn settings(nodes: usize, heat: FilmHeat) -> FilmSettings {
+    FilmSettings {
+        nodes: NonZeroUsize::new(nodes).unwrap(),
+        heat,
+    }
+}
+
+fn friction(oil: &FilmRheology, contact: &FilmLineContact, nodes: usize) -> FilmFrictionSolution {
+    solve(oil, contact, settings(nodes, FilmHeat::FilmAndSurfaces))
+        .unwrap()
+        .value
+}
+
+fn isothermal(oil: &FilmRheology, contact: &FilmLineContact, nodes: usize) -> f64 {
+    solve(oil, contact, settings(nodes, FilmHeat::Isothermal))
+        .unwrap()
+        .value
+        .coefficient
+}
+
+/// 144 N/mm on 4.5 mm radius at 6.5 m/s and 0.15 um film.
+fn e_drive(slide_to_roll: f64) -> FilmLineContact {
+    FilmLineContact {
+        load: LineLoad::from_si(144e3),
+        radius: Length::from_si(4.5e-3),
+        modulus: Pressure::from_si(MODULUS),
+        speeds: speeds(6.5, slide_to_roll),
+        film: Length::from_si(0.15e-6),
+        temperature: celsius(90.0),
+        bodies: [STEEL, STEEL],
+    }
+}
+
+fn speeds(entrainment: f64, slide_to_roll: f64) -> [Speed; 2] {
+    [1.0, -1.0].map(|sign| Speed::from_si(entrainment * (1.0 + 0.5 * sign * slide_to_roll)))
+}
+
+#[derive(Deserialize)]
+struct Golden {
+    conditions: Vec<Condition>,
+}
+
+#[derive(Deserialize)]
+#[allow(non_snake_case)]
+struct Condition {
+    case: String,
+    oil: String,
+    w_N_per_m: f64,
+    R_m: f64,
+    Ve: f64,
+    SRR: f64,
+    T_C: f64,
+    eta0: f64,
+    alpha: f64,
+    h_m: f64,
+    mu: f64,
+    mu_isothermal: f64,
+    dT_surface: f64,
+    dT_film_max: f64,
+    mu_n96: f64,
+}
+
+fn golden() -> Vec<Condition> {
+    let file: Golden = serde_json::from_str(include_str!("golden/film_friction.json")).unwrap();
+    file.conditions
+}
+
+fn contact_of(c: &Condition) -> FilmLineContact {
+    FilmLineContact {
+        load: LineLoad::from_si(c.w_N_per_m),
+        radius: Length::from_si(c.R_m),
+        modulus: Pressure::from_si(MODULUS),
+        speeds: speeds(c.Ve, c.SRR),
+        film: Length::from_si(c.h_m),
+        temperature: celsius(c.T_C),
+        bodies: [STEEL, STEEL],
+    }
+}
+
+#[test]
+fn film_friction_of_fourteen_conditions() {
+    let close = |case: &str, what: &str, seen: f64, expected: f64, tolerance: f64| {
+        assert!(
+            (seen / expected - 1.0).abs() < tolerance,
+            "{case} {what}: {seen:e} instead of {expected:e}"
+        );
+    };
+    let golden = golden();
+    assert_eq!(golden.len(), 14);
+    for c in golden {
+        let rheology = oil(&c.oil);
+        let state = rheology.state(celsius(c.T_C)).unwrap();
+        // Printed with eleven digits; the table of viscosities keeps 1e-10.
+        close(&c.case, "eta0", state.viscosity.si(), c.eta0, 1e-9);
+        close(
+            &c.case,
+            "alpha",
+            state.pressure_viscosity.si(),
+            c.alpha,
+            1e-9,
+        );
+        let contact = contact_of(&c);
+        let heated = friction(&rheology, &contact, 32);
+        close(&c.case, "mu", heated.coefficient, c.mu, 1e-8);
+        close(
+            &c.case,
+            "surface rise",
+            heated.surface_rise,
+            c.dT_surface,
+            1e-8,
+        );
+        close(
+            &c.case,
+            "film rise",
+            heated.largest_film_rise,
+            c.dT_film_max,
+            1e-8,
+        );
+        let fine = friction(&rheology, &contact, 96).coefficient;
+        close(&c.case, "mu, 96 nodes", fine, c.mu_n96, 1e-8);
+        let cold = isothermal(&rheology, &contact, 32);
+        close(&c.case, "isothermal", cold, c.mu_isothermal, 1e-8);
+        // Sixteen nodes: 4e-6 at little sliding (e2), below 1e-6 else.
+        let coarse = friction(&rheology, &contact, 16).coefficient;
+        close(&c.case, "mu, 16 nodes", coarse, c.mu_n96, 5e-6);
+    }
+}
+
+#[test]
+fn a_newtonian_isothermal_film_has_its_closed_form() {
+    // mu = eta0 V_s/h (2a/w) (pi/2) [I1(x) + L_-1(x)], x = alpha p0, by the series of I1 and L_-1.
+    let (mut first, mut struve) = (0.0, 0.0);
+    let limits = TractionConstants {
+        limiting_shear: 1e9,
+        ..TractionConstants::of(OilFamily::Pao).unwrap()
+    };
+    let rheology = oil("e-fluid")
+        .with_constants(limits)
+        .unwrap()
+        .with_laws(ShearLaw::Newton, PressureLaw::Barus);
+    let contact = e_drive(1e-6);
+    let state = rheology.state(contact.temperature).unwrap();
+    let solution = solve(&rheology, &contact, settings(96, FilmHeat::Isothermal))
+        .unwrap()
+        .value;
+    let x = state.pressure_viscosity.si() * solution.max_pressure.si();
+    let half = 0.5 * x;
+    // Terms (x/2)^(2k+1)/(k! (k+1)!) and (x/2)^(2k)/(Γ(k+1/2) Γ(k+3/2)).
+    let root_pi = std::f64::consts::PI.sqrt();
+    let (mut one, mut two) = (half, 1.0 / (root_pi * 0.5 * root_pi));
+    for k in 0..80 {
+        first += one;
+        struve += two;
+        let k = f64::from(k);
+        one *= half * half / ((k + 1.0) * (k + 2.0));
+        two *= half * half / ((k + 0.5) * (k + 1.5));
+    }
+    let sliding = (contact.speeds[0].si() - contact.speeds[1].si()).abs();
+    let expected =
+        state.viscosity.si() * sliding / contact.film.si() * 2.0 * solution.half_width.si()
+            / contact.load.si()
+            * 0.5
+            * std::f64::consts::PI
+            * (first + struve);
+    // tau_L = 1e9 p leaves 1e-36 of the fourth power; the quadrature is spectral.
+    assert!(
+        (solution.coefficient / expected - 1.0).abs() < 1e-9,
+        "{} {expected}",
+        solution.coefficient
+    );
+    // Slow sliding of Eyring's law is Newton's.
+    let eyring = oil("e-fluid").with_constants(limits).unwrap();
+    let slow = isothermal(&eyring, &e_drive(1e-7), 96);
+    assert!((slow / (0.1 * expected) - 1.0).abs() < 1e-5);
+}
+
+#[test]
+fn at_high_slip_the_coefficient_is_the_limiting_shear() {
+    let constants = TractionConstants {
+        ambient_limit: Pressure::from_si(0.0),
+        ..TractionConstants::of(OilFamily::Mineral).unwrap()
+    };
+    let rheology = oil("M100")
+        .with_constants(constants)
+        .unwrap()
+        .with_laws(ShearLaw::Newton, PressureLaw::Roelands);
+    let mut contact = e_drive(1.9);
+    contact.film = Length::from_si(1e-9);
+    contact.temperature = celsius(-40.0);
+    let mu = isothermal(&rheology, &contact, 32);
+    // Newton's stress is 1e12 limits and more; at the rim of the contact, where p is 0.02 p0, still 1e3.
+    assert!((mu / 0.047 - 1.0).abs() < 1e-10, "{mu}");
+}
+
+#[test]
+fn without_sliding_there_is_no_friction() {
+    let solution = friction(&oil("e-fluid"), &e_drive(0.0), 16);
+    assert_eq!((solution.coefficient, solution.surface_rise), (0.0, 0.0));
+}
+
+#[test]
+fn the_roots_of_stress_and_temperature_leave_no_residual() {
+    for c in golden() {
+        let rheology = oil(&c.oil);
+        let contact = contact_of(&c);
+        let solution = friction(&rheology, &contact, 16);
+        let mut film = LoadedFilm::new(&rheology, &contact, FilmSettings::default()).unwrap();
+        let rise = film.surface_rise(solution.coefficient);
+        assert_eq!(rise, solution.surface_rise);
+        let [again, _] = film.friction_at(rise).unwrap();
+        // One Newton step of 1e-9 leaves its square; the stresses keep 1e-15.
+        assert!(
+            (again / solution.coefficient - 1.0).abs() < 1e-13,
+            "{}",
+            c.case
+        );
+        assert!(
+            solution.evidence.iterations <= 8,
+            "{}: {:?}",
+            c.case,
+            solution.evidence
+        );
+        let wall = Temperature::from_si(contact.temperature.si() + rise);
+        let sliding = Speed::from_si(contact.speeds[0].si() - contact.speeds[1].si());
+        let tau = rheology
+            .shear_stress(solution.max_pressure, wall, sliding, contact.film)
+            .unwrap();
+        assert!(
+            tau.residual.abs() < 1e-7 * tau.value && tau.iterations <= 6,
+            "{tau:?}"
+        );
+    }
+}
+
+#[test]
+fn the_slope_over_surface_temperature_is_that_of_the_friction() {
+    for (shear, pressure) in [
+        (ShearLaw::Eyring, PressureLaw::Barus),
+        (ShearLaw::Eyring, PressureLaw::Roelands),
+        (ShearLaw::Carreau, PressureLaw::Roelands),
+        (ShearLaw::Newton, PressureLaw::Barus),
+    ] {
+        let rheology = oil("M100").with_laws(shear, pressure);
+        let contact = e_drive(0.3);
+        let mut film = LoadedFilm::new(&rheology, &contact, FilmSettings::default()).unwrap();
+        let [_, slope] = film.friction_at(10.0).unwrap();
+        let [high, _] = film.friction_at(10.05).unwrap();
+        let [low, _] = film.friction_at(9.95).unwrap();
+        // Central difference over 0.1 K: 1e-6 of the slope.
+        let numeric = (high - low) / 0.1;
+        assert!(
+            (slope / numeric - 1.0).abs() < 1e-5,
+            "{shear:?} {pressure:?}: {slope} {numeric}"
+        );
+    }
+}
+
+#[test]
+fn roelands_gives_less_friction_than_barus_for_thin_oils() {
+    // A third of it in the Petry-Johnson conditions, the reason why Barus is the default.
+    let contact = e_drive(0.3);
+    let barus = friction(&oil("e-fluid"), &contact, 16).coefficient;
+    let other = oil("e-fluid").with_laws(ShearLaw::Eyring, PressureLaw::Roelands);
+    let roelands = friction(&other, &contact, 16).coefficient;
+    assert!(roelands < 0.6 * barus, "{roelands} {barus}");
+}
+
+#[test]
+fn a_carreau_film_without_thinning_is_newtonian() {
+    let constants = TractionConstants {
+        carreau: CarreauConstants {
+            exponent: 1.0,
+            ..CarreauConstants::default()
+        },
+        ..TractionConstants::of(OilFamily::Pao).unwrap()
+    };
+    let of = |law| {
+        let rheology = oil("e-fluid")
+            .with_constants(constants)
+            .unwrap()
+            .with_laws(law, PressureLaw::Barus);
+        friction(&rheology, &e_drive(0.2), 16).coefficient
+    };
+    assert!((of(ShearLaw::Carreau) / of(ShearLaw::Newton) - 1.0).abs() < 1e-13);
+}
+
+#[test]
+fn cold_oil_leaves_the_range_with_a_note_and_impossible_input_is_refused() {
+    let rheology = oil("e-fluid");
+    let mut contact = e_drive(0.3);
+    contact.temperature = celsius(-35.0);
+    let cold = solve(&rheology, &contact, FilmSettings::default()).unwrap();
+    assert!(
+        cold.outside
+            .iter()
+            .any(|note| note.name == "bulk temperature")
+    );
+    assert!(
+        cold.outside
+            .iter()
+            .all(|note| note.correlation == "film friction")
+    );
+    let refused = |change: fn(&mut FilmLineContact)| {
+        let mut contact = e_drive(0.3);
+        change(&mut contact);
+        solve(&rheology, &contact, FilmSettings::default()).is_err()
+    };
+    assert!(refused(|c| c.film = Length::from_si(0.0)));
+    assert!(refused(|c| c.load = LineLoad::from_si(-1.0)));
+    assert!(refused(
+        |c| c.speeds = [Speed::from_si(f64::NAN), Speed::from_si(1.0)]
+    ));
+    assert!(refused(
+        |c| c.speeds = [Speed::from_si(-1.0), Speed::from_si(0.5)]
+    ));
+    assert!(refused(|c| c.temperature = celsius(700.0)));
+    assert!(refused(
+        |c| c.bodies[1].conductivity = ThermalConductivity::from_si(0.0)
+    ));
+}
+
+#[test]
+fn unlike_bodies_share_the_heat_by_their_own_constants() {
+    // A second body without conduction leaves all heat to the first: B1 sqrt(u1) alone.
+    let rheology = oil("e-fluid");
+    let mut contact = e_drive(0.5);
+    contact.bodies[1].heat_capacity = SpecificHeat::from_si(1e-9);
+    let alone = LoadedFilm::new(&rheology, &contact, FilmSettings::default()).unwrap();
+    let a = (4.0 * 144e3 * 4.5e-3 / (std::f64::consts::PI * MODULUS)).sqrt();
+    let b = (45.0_f64 * 7830.0 * 465.0).sqrt();
+    let slow = (2.0_f64 * 45.0 / (7830.0 * 1e-9) / a).sqrt() * (45.0_f64 * 7830.0 * 1e-9).sqrt();
+    let expected =
+        0.798_507_829_726 * 144e3 * 3.25 / ((b * 8.125_f64.sqrt() + slow) * (2.0 * a).sqrt());
+    assert!((alone.surface_rise(1.0) / expected - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn boundary_share_runs_from_layer_to_film() {
+    let nm = |x: f64| Length::from_si(x * 1e-9);
+    assert_eq!(boundary_share(nm(0.0), nm(10.0)).unwrap(), 1.0);
+    assert_eq!(boundary_share(nm(30.0), nm(10.0)).unwrap(), 0.25);
+    assert_eq!(boundary_share(nm(30.0), nm(0.0)).unwrap(), 0.0);
+    assert!(
+        boundary_share(nm(0.0), nm(0.0)).is_err() && boundary_share(nm(-1.0), nm(1.0)).is_err()
+    );
+}
+
+proptest! {
+    #[test]
+    fn three_parts_add_up(phi in 0.0..1.0_f64, beta in 0.0..1.0_f64, film in 0.0..0.06_f64, asperities in 0.0..0.06_f64, boundary in 0.05..0.15_f64) {
+        let shared = SharedFriction { asperity_share: phi, boundary_share: beta, film, asperities, boundary };
+        let parts = shared.parts().unwrap();
+        let direct = (1.0 - phi) * film + phi * ((1.0 - beta) * asperities + beta * boundary);
+        prop_assert!((parts.total() - direct).abs() < 1e-16);
+        let without = SharedFriction { asperity_share: 0.0, ..shared }.parts().unwrap();
+        prop_assert_eq!(without.total(), film);
+        let bad = SharedFriction { boundary_share: 1.1, ..shared };
+        prop_assert!(bad.parts().is_err());
+    }
+
+    #[test]
+    fn film_friction_keeps_its_bounds_and_symmetries(
+        load in 4e4..4e5_f64,
+        radius in 3e-3..2e-2_f64,
+        entrainment in 0.5..25.0_f64,
+        slide_to_roll in 1e-3..1.5_f64,
+        film in 5e-8..1.5e-6_f64,
+        temperature in -20.0..130.0_f64,
+        which in 0..3_usize,
+    ) {
+        let rheology = oil(["e-fluid", "M100", "PAO100"][which]);
+        let contact = FilmLineContact {
+            load: LineLoad::from_si(load),
+            radius: Length::from_si(radius),
+            speeds: speeds(entrainment, slide_to_roll),
+            film: Length::from_si(film),
+            temperature: celsius(temperature),
+            ..e_drive(0.0)
+        };
+        let heated = friction(&rheology, &contact, 16);
+        let mu = heated.coefficient;
+        prop_assert!(mu > 0.0);
+        // Even in the sliding speed: the bodies change places.
+        let [u1, u2] = contact.speeds;
+        let mirrored = friction(&rheology, &FilmLineContact { speeds: [u2, u1], ..contact }, 16);
+        prop_assert!((mirrored.coefficient / mu - 1.0).abs() < 1e-13);
+        // Heat only lowers it.
+        let cold = isothermal(&rheology, &contact, 16);
+        prop_assert!(mu <= cold * (1.0 + 1e-13));
+        // Never above the limit: the mean of tau_L0 and Lambda p.
+        let constants = rheology.constants();
+        let a = heated.half_width.si();
+        let limit = constants.limiting_shear + 2.0 * a * constants.ambient_limit.si() / load;
+        prop_assert!(cold <= limit * (1.0 + 1e-6), "{cold} {limit}");
+        // Falls with temperature at a given film.
+        let warmer = FilmLineContact { temperature: celsius(temperature + 5.0), ..contact };
+        prop_assert!(friction(&rheology, &warmer, 16).coefficient < mu);
+        prop_assert!(heated.limited_share >= 0.0 && heated.limited_share <= 1.0 + 1e-12);
+    }
+
+    #[test]
+    fn the_isothermal_loss_never_falls_with_sliding(slide_to_roll in 1e-4..1.5_f64, more in 1.0..1.5_f64) {
+        let rheology = oil("M100");
+        let loss = |s: f64| s * isothermal(&rheology, &e_drive(s), 16);
+        prop_assert!(loss(more * slide_to_roll) >= loss(slide_to_roll) * (1.0 - 1e-12));
+    }
+}
