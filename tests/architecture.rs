@@ -9,6 +9,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("crates/roughness", &["asperity-core"]),
     ("crates/gear", &["asperity-core"]),
     ("crates/contact", &["asperity-core"]),
+    ("crates/ehl", &["asperity-core", "asperity-contact"]),
     ("crates/ehl-regime", &["asperity-core"]),
     ("crates/tribo-friction", &["asperity-core"]),
     ("crates/ns-film", &["asperity-core"]),
