@@ -21,6 +21,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "asperity-roughness",
             "asperity-gear",
             "asperity-contact",
+            "asperity-ehl",
             "asperity-ehl-regime",
             "asperity-tribo-friction",
             "asperity-ns-film",

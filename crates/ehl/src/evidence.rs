@@ -30,6 +30,8 @@ pub struct Evidence {
     pub newton_iterations: usize,
     /// GMRES iterations of all Newton iterations together.
     pub gmres_iterations: usize,
+    /// Linear systems of converged steps that ended at the cap of their iterations.
+    pub gmres_capped: usize,
     /// Time steps taken.
     pub steps: usize,
     /// Time steps that were repeated at half their length.
@@ -49,6 +51,7 @@ impl Evidence {
                 .abs(),
             newton_iterations: solution.effort.iterations,
             gmres_iterations: solution.effort.linear_iterations,
+            gmres_capped: solution.effort.capped,
             loose_steps: usize::from(solution.effort.loose),
             ..Self::default()
         };
@@ -75,6 +78,7 @@ impl Evidence {
         self.boundary_supply = self.boundary_supply.max(other.boundary_supply);
         self.newton_iterations += other.newton_iterations;
         self.gmres_iterations += other.gmres_iterations;
+        self.gmres_capped += other.gmres_capped;
         self.steps += other.steps;
         self.steps_cut += other.steps_cut;
         self.loose_steps += other.loose_steps;

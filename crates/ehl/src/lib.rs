@@ -1,6 +1,17 @@
 //! Mixed elastohydrodynamic line contact of two rough surfaces.
+//!
+//! [`steady::solve`] gives the film of smooth surfaces from a cold start, [`transient::record`] the
+//! contact of two rough surfaces over a travel, [`graded::reference`] reference values with an error
+//! estimate, [`traction::traction`] the traction of a smooth film. Every solution comes with its
+//! [`Evidence`]; what does not converge is an [`EhlError`].
+//!
+//! | symbol | meaning |
+//! |---|---|
+//! | a, p₀, R | half width and largest pressure of the Hertz contact, relative radius |
+//! | X, P, H, T | x/a, p/p₀, h·R/a², t·u_m/a |
+//! | S | slide-to-roll ratio (u₁ − u₂)/u_m |
+//! | θ | void fraction of a cavitated node |
 
-#![allow(dead_code)]
 pub mod amplitude_reduction;
 mod bands;
 pub mod batch_means;
@@ -32,3 +43,8 @@ pub use newton::NodeState;
 pub use rheology::{DensityLaw, Oil, ShearLaw, ViscosityLaw};
 pub use steady::{SteadyFilm, SteadySettings, Warning, Window};
 pub use transient::{PlasticCeiling, Record, RecordSettings, RoughContact};
+
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

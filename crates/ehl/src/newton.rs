@@ -105,6 +105,8 @@ pub(crate) struct Effort {
     pub(crate) flips: usize,
     /// Whether flipping nodes were let pass.
     pub(crate) loose: bool,
+    /// Linear systems that ended at the cap of their iterations.
+    pub(crate) capped: usize,
 }
 
 /// Solution of one problem.
@@ -189,6 +191,7 @@ impl Newton {
                 limits.linear_tolerance,
             );
             effort.linear_iterations += linear.iterations;
+            effort.capped += usize::from(linear.capped);
             effort.iterations += 1;
             self.advance(problem, system, &mut unknowns, limits, &mut effort);
         }
