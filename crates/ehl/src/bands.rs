@@ -67,9 +67,9 @@ mod tests {
         let input: Vec<f64> = (0..n).map(|i| 1.0 + (i * i) as f64).collect();
         let mut output = vec![0.5; n];
         bands.multiply_add(&input, &mut output);
-        for i in 0..n {
+        for (i, found) in output.iter().enumerate() {
             let row: f64 = bands.row(i).map(|(j, v)| v * input[j]).sum();
-            assert_eq!(output[i], 0.5 + row);
+            assert_eq!(*found, 0.5 + row);
         }
     }
 }

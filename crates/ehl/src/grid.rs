@@ -30,7 +30,7 @@ impl Grid {
         }
         // The first face has no node before its own: the mean of its two nodes.
         let mut to_face = vec![[0.0, 0.5, 0.5]];
-        to_face.extend(x.windows(3).map(|nodes| quadratic_at_middle(nodes)));
+        to_face.extend(x.windows(3).map(quadratic_at_middle));
         // Oil leaves through the last face as it comes: the end node has no balance of its own.
         if let Some(last) = to_face.last_mut() {
             *last = [0.0, 1.0, 0.0];

@@ -198,8 +198,8 @@ impl State {
         for iteration in 1..=ITERATIONS {
             let sources: Vec<f64> = stress.iter().map(|t| t * self.sliding).collect();
             rises.surface = flash.rise(&sources);
-            for i in 0..n {
-                let new = rises.surface[i] + sources[i] * self.film[i] / (12.0 * k_f);
+            for (i, source) in sources.iter().enumerate() {
+                let new = rises.surface[i] + source * self.film[i] / (12.0 * k_f);
                 let wanted = if self.pressure[i] > LEAST_PRESSURE {
                     new
                 } else {

@@ -209,10 +209,10 @@ impl CoarseLevel {
     pub(crate) fn correct(&mut self, residual: &[f64], output: &mut [f64]) {
         let count = self.count();
         self.right.fill(0.0);
-        for i in 0..=self.cells {
+        for (i, value) in residual[..=self.cells].iter().enumerate() {
             let (before, part) = self.place(i);
-            self.right[before] += (1.0 - part) * residual[i];
-            self.right[before + 1] += part * residual[i];
+            self.right[before] += (1.0 - part) * value;
+            self.right[before + 1] += part * value;
         }
         self.right[count] = residual[self.cells + 1];
         self.factors.solve(&mut self.right);

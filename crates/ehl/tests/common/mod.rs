@@ -1,5 +1,9 @@
 //! Cases shared by the tests.
 #![allow(dead_code, reason = "each test file uses a part")]
+#![allow(
+    clippy::unwrap_used,
+    reason = "a case that cannot be built fails its test"
+)]
 
 use asperity_core::Profile;
 use asperity_core::quantity::{DynamicViscosity, Length, Pressure, PressureViscosity, Speed};
