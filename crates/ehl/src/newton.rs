@@ -23,7 +23,7 @@ const PATIENCE: usize = 12;
 /// Nodes that may flip then.
 const FLIPS: usize = 2;
 /// Multiple of the tolerance that the change must be below then.
-const LOOSE: f64 = 30.0;
+const LOOSE: f64 = 6.0;
 
 /// State of a node of the film.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]

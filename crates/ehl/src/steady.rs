@@ -25,7 +25,8 @@ const COARSEST: usize = 64;
 const COARSE_INLET: f64 = 1.0;
 /// Limits of the steady iteration.
 pub(crate) const LIMITS: Limits = Limits {
-    tolerance: 1e-7,
+    // What is left after a step of this size is its square, and the linear tolerance of it.
+    tolerance: 3e-6,
     linear_tolerance: 1e-5,
     largest_change: 0.3,
     iterations: 60,

@@ -24,7 +24,8 @@ use crate::stepper::{StepSettings, Stepper};
 
 /// Limits of a time step.
 const STEP_LIMITS: Limits = Limits {
-    tolerance: 1e-4,
+    // What is left after a step of this size is below 1e-6.
+    tolerance: 5e-4,
     linear_tolerance: 1e-3,
     largest_change: 1.0,
     iterations: 40,
