@@ -3,7 +3,7 @@
 use asperity::case::LoadedCase;
 use asperity::pipeline::stations;
 use asperity::surfaces::Texture;
-use asperity::{PositionError, RunError};
+use asperity::{Error, PositionError};
 
 /// Time and memory that a run will take, within a factor of about three.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -30,8 +30,8 @@ const BYTES: f64 = 8.0;
 ///
 /// # Errors
 /// When a position of the mesh has no smooth contact.
-pub fn estimate(loaded: &LoadedCase) -> Result<Estimate, RunError> {
-    of_case(loaded).map_err(|error| RunError::Whole(Box::new(error)))
+pub fn estimate(loaded: &LoadedCase) -> Result<Estimate, Error> {
+    of_case(loaded).map_err(|error| Error::Whole(Box::new(error)))
 }
 
 fn of_case(loaded: &LoadedCase) -> Result<Estimate, PositionError> {
