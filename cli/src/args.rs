@@ -1,17 +1,19 @@
 //! The command line.
 
 mod profile;
+mod values;
 
 use std::path::PathBuf;
 
 use asperity::case::PathPoint;
-use asperity_core::quantity::{Length, LineLoad, Pressure, QuantityError};
+use asperity_core::quantity::{Length, LineLoad, Pressure};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 pub use profile::{
     FormArg, PreparingArgs, ProfileCommand, ProfileConvertArgs, ProfileFilterArgs,
     ProfileGenerateArgs, ProfileInfoArgs, ProfilePart, ProfilePlotArgs, ReadingArgs, Wavelengths,
 };
+pub use values::name_of;
 
 /// Mesh efficiency of a gear pair from the measured roughness of its tooth flanks.
 #[derive(Debug, Parser)]
@@ -392,27 +394,4 @@ pub struct EquationsArgs {
     /// Print the page docs/EQUATIONS.md
     #[arg(long, conflicts_with = "tag")]
     pub markdown: bool,
-}
-
-/// Reads a choice by its name in the case file.
-fn choice<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, serde::de::value::Error> {
-    use serde::de::IntoDeserializer;
-    T::deserialize(text.into_deserializer())
-}
-
-/// Reads a cut-off; `none` is a cut-off of zero.
-fn cutoff(text: &str) -> Result<Length, QuantityError> {
-    if text.trim() == "none" {
-        return Ok(Length::from_si(0.0));
-    }
-    text.parse()
-}
-
-/// The name of a choice in the case file.
-pub fn name_of<T: serde::Serialize>(choice: &T) -> String {
-    match serde_json::to_value(choice) {
-        Ok(serde_json::Value::String(name)) => name,
-        Ok(other) => other.to_string(),
-        Err(_) => String::new(),
-    }
 }

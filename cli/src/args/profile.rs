@@ -9,7 +9,7 @@ use asperity_profile_io::read::{
 use asperity_roughness::gaussian_filter::Ends;
 use clap::{Args, Subcommand, ValueEnum};
 
-use super::{choice, cutoff};
+use super::values::{choice, cutoff};
 
 /// What to do with a profile.
 #[derive(Debug, Subcommand)]
