@@ -129,6 +129,24 @@ pub struct RunArgs {
     /// Do not write a result folder
     #[arg(long, conflicts_with = "output")]
     pub no_output: bool,
+    /// Keep the fields along the contact of these positions as tables: all, or numbers as 1,5 [default:
+    /// some 400 points of the position with the highest pressure, in the page]
+    #[arg(long, value_name = "all|N,N", conflicts_with = "no_output")]
+    pub fields: Option<String>,
+    /// Limits of the work.
+    #[command(flatten)]
+    pub work: WorkArgs,
+}
+
+/// Limits of the work, above which nothing is begun.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct WorkArgs {
+    /// Refuse work that is estimated to take longer
+    #[arg(long, value_name = "HOURS", default_value_t = 2.0)]
+    pub max_hours: f64,
+    /// Refuse work that is estimated to hold more memory
+    #[arg(long, value_name = "GB", default_value_t = 8.0)]
+    pub max_gb: f64,
 }
 
 /// A result and what to show of it.
@@ -159,6 +177,9 @@ pub struct CompareArgs {
     /// Folder of the comparison [default: results/<name of the case>-compare]
     #[arg(long, short)]
     pub output: Option<PathBuf>,
+    /// Limits of the work.
+    #[command(flatten)]
+    pub work: WorkArgs,
 }
 
 /// A finish as the user names it.

@@ -10,6 +10,7 @@ pub fn all() -> Vec<&'static Equation> {
         .chain(asperity_gear::equations::EQUATIONS)
         .chain(asperity_contact::equations::equations())
         .chain(asperity_ehl_regime::equations::EQUATIONS)
+        .chain(asperity_ehl::equations::EQUATIONS)
         .chain(asperity_tribo_friction::equations::EQUATIONS)
         .chain(asperity_ns_film::equations::EQUATIONS)
         .chain(asperity_efficiency::equations::EQUATIONS)

@@ -27,13 +27,13 @@ pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
     }
     let (mut entries, mut good, mut failures) = (Vec::new(), Vec::new(), Vec::new());
     for file in &args.files {
-        match (evaluated(file, args), common.json) {
-            (Ok(found), true) => entries.push(as_json(&found, args)),
-            (Ok(found), false) => good.push(Row::of(&found)),
-            (Err(failure), _) => {
-                let mut entry = failure.json();
-                entry["file"] = serde_json::json!(file.display().to_string());
-                entries.push(entry);
+        match evaluated(file, args) {
+            Ok(found) if common.json => entries.push(as_json(&found, args)),
+            Ok(found) => good.push(Row::of(&found)),
+            Err(failure) => {
+                if common.json {
+                    entries.push(refused_entry(file, &failure));
+                }
                 failures.push(failure);
             }
         }
@@ -41,12 +41,14 @@ pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
     if common.json {
         print_json(&entries)?;
     }
-    failures.iter().for_each(Failure::tell);
-    let refused = failures.into_iter().next();
-    if !common.json && !good.is_empty() {
+    for failure in &failures {
+        failure.tell();
+    }
+    if !good.is_empty() {
         print_text(common, &table(&good))?;
     }
-    refused.map_or(Ok(()), |failure| Err(failure.told()))
+    let first = failures.into_iter().next();
+    first.map_or(Ok(()), |failure| Err(failure.told()))
 }
 
 /// `asperity profile compare`
@@ -57,9 +59,16 @@ pub fn compare(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
         let reports = all.map(|found| Ok(as_json(&found?, args)));
         return print_json(&reports.collect::<Result<Vec<_>, Failure>>()?);
     }
+    // Of each file its row alone is kept.
     let rows = all.map(|found| Ok(Row::of(&found?)));
     let rows = rows.collect::<Result<Vec<_>, Failure>>()?;
     print_text(common, &(table(&rows) + &ratios(&rows)))
+}
+
+fn refused_entry(file: &Path, failure: &Failure) -> serde_json::Value {
+    let mut entry = failure.json();
+    entry["file"] = serde_json::json!(file.display().to_string());
+    entry
 }
 
 fn check(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
@@ -93,54 +102,56 @@ const COLUMNS: [Column; 9] = [
     ("Rvk", |e| um(e.iso4287.material.rvk)),
 ];
 
-/// What is kept of a file: some hundred bytes, however long its trace.
+/// A file in the table.
 struct Row {
     name: String,
     points: usize,
-    dx: f64,
+    dx_um: f64,
     values: [f64; COLUMNS.len()],
-    warnings: Vec<String>,
+    notes: Vec<String>,
 }
 
 impl Row {
     fn of(found: &Evaluated) -> Self {
-        let warnings = found.warnings().into_iter();
+        let name = shortened(&found.reading.name);
+        let warnings = found.warnings();
+        let notes = warnings.iter().map(|warning| {
+            let note = format!("{name}: {} {warning}", warning.code());
+            wrapped(&note, "    ")
+        });
         Self {
-            name: shortened(&found.reading.name),
             points: found.reading.points,
-            dx: um(found.reading.spacing),
+            dx_um: um(found.reading.spacing),
             values: COLUMNS.map(|(_, value)| value(found)),
-            warnings: warnings.map(|w| format!("{} {w}", w.code())).collect(),
+            notes: notes.collect(),
+            name,
         }
     }
 }
 
 /// A row a file, ISO 4287, in um.
-fn table(found: &[Row]) -> String {
+fn table(rows: &[Row]) -> String {
     let mut text = format!("{:24} {:>8} {:>9}", "ISO 4287, um", "n", "dx");
     for (name, _) in COLUMNS {
         let _ = write!(text, " {name:>8}");
     }
     text.push('\n');
-    for row in found {
-        let _ = write!(text, "{:24} {:>8} {:>9.5}", row.name, row.points, row.dx);
+    for row in rows {
+        let _ = write!(text, "{:24} {:>8} {:>9.5}", row.name, row.points, row.dx_um);
         for value in row.values {
             let _ = write!(text, " {:>8}", number(value));
         }
         text.push('\n');
     }
-    for row in found {
-        for warning in &row.warnings {
-            let note = format!("{}: {warning}", row.name);
-            let _ = writeln!(text, "{}", wrapped(&note, "    "));
-        }
+    for note in rows.iter().flat_map(|row| &row.notes) {
+        let _ = writeln!(text, "{note}");
     }
     text
 }
 
 /// Every parameter over that of the first file.
-fn ratios(found: &[Row]) -> String {
-    let Some(first) = found.first() else {
+fn ratios(rows: &[Row]) -> String {
+    let Some(first) = rows.first() else {
         return String::new();
     };
     let mut text = format!("{:43}", "relative to the first");
@@ -148,10 +159,10 @@ fn ratios(found: &[Row]) -> String {
         let _ = write!(text, " {name:>8}");
     }
     text.push('\n');
-    for row in found {
+    for row in rows {
         let _ = write!(text, "{:43}", row.name);
-        for (value, first) in row.values.iter().zip(first.values) {
-            let _ = write!(text, " {:>8}", number(value / first));
+        for (value, of_first) in row.values.iter().zip(first.values) {
+            let _ = write!(text, " {:>8}", number(value / of_first));
         }
         text.push('\n');
     }

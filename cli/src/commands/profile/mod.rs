@@ -24,6 +24,7 @@ use asperity_roughness::{Parameters, RoughnessError, Warning};
 use self::plan::Plan;
 use crate::args::{Common, PreparingArgs, ProfileCommand, ReadingArgs};
 use crate::failure::Failure;
+use crate::output;
 use crate::words;
 
 /// Runs one of the subcommands.
@@ -186,10 +187,15 @@ fn refusal(reading: &Reading, plan: &Plan, error: &RoughnessError) -> Failure {
     Failure::new("E120", format!("{name}: {error}{advice}"))
 }
 
+/// The format that a file's name asks for; standard output gets the text format.
+fn of_name(name: &str) -> Option<WrittenFormat> {
+    WrittenFormat::of_name(if name == "-" { "-.csv" } else { name })
+}
+
 /// Writes a profile in the format its name asks for; an interrupted run leaves nothing half-written.
 fn save(output: &Path, profile: &Profile, metadata: &Metadata) -> Result<(), Failure> {
     let name = output.display().to_string();
-    let format = WrittenFormat::of_name(&name).ok_or_else(|| {
+    let format = of_name(&name).ok_or_else(|| {
         Failure::new(
             "E401",
             format!("{name}: cannot be written; name it .csv, .x3p or .smd"),
@@ -197,15 +203,7 @@ fn save(output: &Path, profile: &Profile, metadata: &Metadata) -> Result<(), Fai
     })?;
     let bytes = write(profile, metadata, format)
         .map_err(|error| Failure::new("E401", format!("{name}: cannot be written: {error}")))?;
-    save_bytes(output, &bytes)
-}
-
-/// Writes `bytes`, all or nothing.
-fn save_bytes(output: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    asperity_report::save(output, bytes).map_err(|error| {
-        let text = format!("{}: cannot be written: {error}", output.display());
-        Failure::new("E401", text)
-    })
+    output::save(output, &bytes)
 }
 
 fn um(length: Length) -> f64 {

@@ -14,13 +14,14 @@ use crate::args::{
     Common, ProfileConvertArgs, ProfileFilterArgs, ProfileGenerateArgs, ProfilePart,
 };
 use crate::failure::Failure;
-use crate::output::{print_json, print_text};
+use crate::output::{beside, print_json, print_text};
 
 /// Points on either side in the running median of `--outliers`.
 const HALF_WINDOW: usize = 6;
 
 /// `asperity profile convert`
 pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure> {
+    let common = &beside(&args.output, common)?;
     let reading = opened(&args.file, &args.reading, args.base_radius)?;
     let mut profile = reading.profile.clone();
     let mut outliers = None;
@@ -70,6 +71,7 @@ pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure
 
 /// `asperity profile filter`
 pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> {
+    let common = &beside(&args.output, common)?;
     let reading = opened(&args.file, &args.reading, args.preparing.base_radius)?;
     let plan = Plan::for_reading(&args.preparing, &reading)?;
     let refused = |error| refusal(&reading, &plan, &error);
@@ -113,6 +115,7 @@ pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> 
 
 /// `asperity profile generate`
 pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failure> {
+    let common = &beside(&args.output, common)?;
     let recipe = match &args.recipe {
         None => Recipe::of(Surface::SelfAffine(SelfAffine {
             points: args.points,

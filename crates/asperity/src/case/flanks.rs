@@ -15,11 +15,12 @@ use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::preparation::prepare;
 use sha2::{Digest, Sha256};
 
+use super::domain::domain;
 use super::error::CaseError;
 use super::files::{Content, FILE_OF_PINION, FILE_OF_WHEEL, Files};
 use super::input::FlankInput;
 use super::key_names::key_of;
-use super::resolve::{Case, domain};
+use super::resolve::Case;
 use super::source::Source;
 use crate::message::Warning;
 use crate::surfaces::{FlankReport, Surfaces, Texture};

@@ -14,6 +14,7 @@
 
 mod builder;
 mod defaults;
+mod domain;
 mod error;
 mod files;
 mod flanks;
@@ -22,7 +23,9 @@ mod key_names;
 mod known_keys;
 mod loaded;
 mod model;
+mod model_defaults;
 mod own_laws;
+mod place;
 mod plain_words;
 mod resolve;
 mod set;
@@ -39,6 +42,7 @@ pub use input::{
 };
 pub use loaded::{LoadedCase, Resolver, from_text, load, load_with};
 pub use model::Model;
+pub use place::Place;
 pub use resolve::{Case, resolve};
-pub use source::{Place, Source, Syntax};
+pub use source::{Source, Syntax};
 pub use trace::{Flank, Trace};

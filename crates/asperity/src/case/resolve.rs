@@ -12,6 +12,7 @@ use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::preparation::Preparation;
 
 use super::defaults::{DefaultUsed, Defaults};
+use super::domain::domain;
 use super::error::CaseError;
 use super::input::{CaseInput, Formulation};
 use super::key_names::key_of;
@@ -190,18 +191,6 @@ fn check_not_zero<Q: Quantity>(
     )
     .map(|_| ())
     .map_err(domain(source, key))
-}
-
-pub(super) fn domain<'a>(
-    source: &'a Source,
-    key: &'static str,
-) -> impl Fn(DomainError) -> CaseError + use<'a> {
-    move |error| CaseError::Domain {
-        place: source.place_of(key),
-        key,
-        written: source.written(key).map(str::to_owned),
-        source: error,
-    }
 }
 
 fn lubricant_at(source: &Source) -> impl Fn(LubricantError) -> CaseError + use<'_> {
