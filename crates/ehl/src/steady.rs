@@ -31,12 +31,14 @@ pub(crate) const LIMITS: Limits = Limits {
     largest_change: 0.3,
     iterations: 60,
     flips: 0,
+    load: 1e-10,
 };
 /// Limits on the grids before the finest.
 const COARSE_LIMITS: Limits = Limits {
     tolerance: 2e-2,
     linear_tolerance: 1e-4,
     flips: 4,
+    load: 1e-2,
     ..LIMITS
 };
 /// Factors of λ in the continuation from a thicker film.

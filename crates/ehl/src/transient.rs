@@ -30,6 +30,7 @@ const STEP_LIMITS: Limits = Limits {
     largest_change: 1.0,
     iterations: 40,
     flips: 0,
+    load: 1e-6,
 };
 
 /// Limits of the smooth start, which must stay as it is where nothing is rough.
