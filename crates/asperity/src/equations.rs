@@ -5,10 +5,12 @@ use asperity_core::{Equation, Reference};
 /// Every equation, those of the 2022 paper first and by number, the others by tag.
 pub fn all() -> Vec<&'static Equation> {
     let mut equations: Vec<&'static Equation> = asperity_core::equations()
+        .chain(asperity_profile_io::equations::EQUATIONS)
         .chain(asperity_roughness::equations::EQUATIONS)
         .chain(asperity_gear::equations::EQUATIONS)
         .chain(asperity_contact::equations::equations())
         .chain(asperity_ehl_regime::equations::EQUATIONS)
+        .chain(asperity_ehl::equations::EQUATIONS)
         .chain(asperity_tribo_friction::equations::EQUATIONS)
         .chain(asperity_ns_film::equations::EQUATIONS)
         .chain(asperity_efficiency::equations::EQUATIONS)

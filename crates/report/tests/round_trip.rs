@@ -23,7 +23,7 @@ fn outcome(case: &Path, formulation: Formulation) -> Outcome {
     let loaded = load_with(case, &|input| {
         input.formulation = Some(formulation);
         if formulation == Formulation::Corrected {
-            input.model.positions = Some(3);
+            input.model.positions = Some(4);
         }
         input.model.offsets = Some(2);
         input.model.depths = Some(8);
@@ -102,8 +102,8 @@ fn a_value_that_is_missing_or_damaged_is_named_with_its_place() {
 /// A position whose contact the page does not show.
 fn hidden(folder: &Path) -> String {
     let page = fs::read_to_string(folder.join("report.html")).unwrap();
-    let shown = |name: &&str| page.contains(&format!("Position {} of", &name[10..]));
-    let names = ["position_1", "position_2", "position_3"];
+    let shown = |name: &&str| page.contains(&format!("Position {} of", &name[9..]));
+    let names = ["position_1", "position_2", "position_3", "position_4"];
     let hidden = names.iter().find(|name| !shown(name)).unwrap();
     hidden[9..].to_owned()
 }
@@ -158,13 +158,13 @@ fn a_folder_keeps_the_fields_that_were_asked_for() {
     let outcome = smallest();
     let of = |fields: &Fields| {
         write_folder(&outcome, &folder, fields).unwrap();
-        (1..=3)
+        (1..=4)
             .map(|n| folder.join(format!("position_{n:02}")).is_dir())
             .collect::<Vec<_>>()
     };
-    assert_eq!(of(&Fields::All), [true, true, true]);
-    assert_eq!(of(&Fields::Positions(vec![2])), [false, true, false]);
-    assert_eq!(of(&Fields::Page), [false, false, false]);
+    assert_eq!(of(&Fields::All), [true; 4]);
+    assert_eq!(of(&Fields::Positions(vec![2])), [false, true, false, false]);
+    assert_eq!(of(&Fields::Page), [false; 4]);
     let size: u64 = fs::read_dir(&folder)
         .unwrap()
         .map(|entry| entry.unwrap().metadata().unwrap().len())

@@ -45,6 +45,8 @@ struct Evaluated {
     plan: Plan,
     /// What the recipe of the plan started from, where that is not what was read.
     without_involute: Option<Profile>,
+    /// That the involute was another, where it seems so.
+    involute_left: Option<Warning>,
     parts: Profiles,
     iso4287: Parameters,
     iso21920: Parameters,
@@ -56,10 +58,11 @@ struct Evaluated {
 
 impl Evaluated {
     fn of(file: &Path, preparing: &PreparingArgs, reading: &ReadingArgs) -> Result<Self, Failure> {
-        let plan = Plan::of(preparing)?;
-        let reading = opened(file, reading)?;
+        let reading = opened(file, reading, preparing.base_radius)?;
+        let plan = Plan::for_reading(preparing, &reading)?;
         let refused = |error| refusal(&reading, &plan, &error);
         let without_involute = plan.without_involute(&reading.profile).map_err(refused)?;
+        let involute_left = plan.involute_left(&reading.profile).map_err(refused)?;
         let trace = without_involute.as_ref().unwrap_or(&reading.profile);
         let parts = profiles(trace, &plan.recipe, plan.filter).map_err(refused)?;
         let rough = &parts.roughness.profile;
@@ -78,6 +81,7 @@ impl Evaluated {
             reading,
             plan,
             without_involute,
+            involute_left,
             parts,
             iso4287,
             iso21920,
@@ -97,7 +101,7 @@ impl Evaluated {
         };
         let read = self.reading.warnings.iter().filter(|w| !is_idle(w));
         let evaluated = [&self.parts.roughness.warnings, &self.iso4287.warnings];
-        let evaluated = evaluated.into_iter().flatten();
+        let evaluated = evaluated.into_iter().flatten().chain(&self.involute_left);
         let mut all = Vec::new();
         for note in read.map(Note::Read).chain(evaluated.map(Note::Evaluated)) {
             if !all.contains(&note) {
@@ -137,7 +141,11 @@ impl std::fmt::Display for Note<'_> {
 }
 
 /// Reads a file as the options say.
-fn opened(file: &Path, args: &ReadingArgs) -> Result<Reading, Failure> {
+fn opened(
+    file: &Path,
+    args: &ReadingArgs,
+    base_radius: Option<Length>,
+) -> Result<Reading, Failure> {
     let options = ReadOptions {
         x_unit: args.x_unit,
         z_unit: args.z_unit,
@@ -148,13 +156,17 @@ fn opened(file: &Path, args: &ReadingArgs) -> Result<Reading, Failure> {
         encoding: args.encoding,
         gaps: args.gaps.unwrap_or_default(),
         row: args.row,
+        abscissa: args.abscissa,
+        base_radius,
+        uneven: args.uneven.unwrap_or_default(),
     };
     let reading = read(file, &options).map_err(|error| {
         let message = words::with_options(&error.to_string(), &error.remedy());
         Failure::new(error.code(), message)
     })?;
     let row = args.row.unwrap_or(1);
-    if row > 1 && !matches!(reading.format, Format::X3p | Format::SdfAscii) {
+    let several = [Format::X3p, Format::SdfAscii, Format::TextMatrix];
+    if row > 1 && !several.contains(&reading.format) {
         let name = &reading.name;
         let text = format!("{name}: the file holds a single profile, row {row} is not in it");
         return Err(Failure::new("E119", text));

@@ -22,7 +22,7 @@ const HALF_WINDOW: usize = 6;
 /// `asperity profile convert`
 pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure> {
     let common = &beside(&args.output, common)?;
-    let reading = opened(&args.file, &args.reading)?;
+    let reading = opened(&args.file, &args.reading, args.base_radius)?;
     let mut profile = reading.profile.clone();
     let mut outliers = None;
     if let Some(deviations) = args.outliers {
@@ -72,8 +72,8 @@ pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure
 /// `asperity profile filter`
 pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> {
     let common = &beside(&args.output, common)?;
-    let plan = Plan::of(&args.preparing)?;
-    let reading = opened(&args.file, &args.reading)?;
+    let reading = opened(&args.file, &args.reading, args.preparing.base_radius)?;
+    let plan = Plan::for_reading(&args.preparing, &reading)?;
     let refused = |error| refusal(&reading, &plan, &error);
     let without_involute = plan.without_involute(&reading.profile).map_err(refused)?;
     let trace = without_involute.as_ref().unwrap_or(&reading.profile);
