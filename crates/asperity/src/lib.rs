@@ -43,6 +43,7 @@ pub mod fluid;
 mod formulation;
 mod friction;
 pub mod laws;
+pub mod load_report;
 pub mod load_share;
 pub mod load_share_law;
 pub mod local_roughness;

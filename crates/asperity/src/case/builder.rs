@@ -91,7 +91,7 @@ impl SurfaceInput {
 
 impl GearsInput {
     /// Spur gears of 20° without profile shift, addendum 1, of the same face width.
-    pub fn new(teeth: [u32; 2], module: Length, face_width: Length) -> Self {
+    pub fn new(teeth: [i32; 2], module: Length, face_width: Length) -> Self {
         Self {
             teeth,
             module,
@@ -103,6 +103,12 @@ impl GearsInput {
             centre_distance: None,
             tip_diameter: None,
             addendum: None,
+            pinion: None,
+            wheel: None,
+            end_relief: None,
+            pitch_deviations: None,
+            amounts: None,
+            relief_tolerance: None,
         }
     }
 }

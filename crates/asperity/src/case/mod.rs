@@ -17,6 +17,8 @@ mod defaults;
 mod error;
 mod files;
 mod flanks;
+mod gear_input;
+mod gears;
 mod input;
 mod key_names;
 mod known_keys;
@@ -33,6 +35,7 @@ mod trace;
 pub use builder::CaseBuilder;
 pub use defaults::DefaultUsed;
 pub use error::CaseError;
+pub use gear_input::{EndReliefInput, GearFlankInput, ReliefInput};
 pub use input::{
     BodyInput, CaseInput, FlankInput, Formulation, GearsInput, MaterialInput, ModelInput,
     NamedPoint, OneOrTwo, OperationInput, PathPoint, SurfaceInput, schema,

@@ -212,7 +212,7 @@ impl LoadMap {
     pub fn face_load_factor(&self) -> f64 {
         cite!("Width-1");
         if matches!(&self.model, Model::Elastic(grid, _) if grid.cells == 1)
-            || self.pair.is_spur() && !self.law.is_elastic()
+            || self.pair.is_spur() && !self.is_elastic()
         {
             return 1.0;
         }

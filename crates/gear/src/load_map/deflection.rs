@@ -8,7 +8,7 @@
 
 use asperity_core::cite;
 use asperity_core::quantity::Length;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::phases::Phase;
 use super::{LoadMap, Model};
@@ -18,7 +18,7 @@ use crate::error::GearError;
 const PHASES: u32 = 64;
 
 /// Transmission error over a mesh cycle.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TransmissionError {
     /// Mean.
     pub mean: Length,

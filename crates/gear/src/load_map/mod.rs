@@ -16,6 +16,7 @@
 //! Limits: prismatic teeth on massive bodies; no shaft bending (a lead slope stands for it), no
 //! friction in the force balance, no dynamics.
 
+mod along;
 mod cells;
 mod coupled;
 mod deflection;
@@ -28,7 +29,7 @@ mod rigid;
 use asperity_core::material::Material;
 use asperity_core::quantity::{Length, LineLoad, Torque};
 use asperity_core::{DomainError, cite};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 pub use cells::LoadCell;
 pub use deflection::TransmissionError;
@@ -39,6 +40,7 @@ use crate::error::GearError;
 use crate::pair::GearPair;
 use crate::pair_compliance::{PairCompliance, StiffnessSource};
 use crate::relief::{MicroGeometry, Separation};
+use along::Along;
 use coupled::{Problem, Row, Tails};
 use grid::Grid;
 use phases::{Phase, phases};
@@ -60,7 +62,7 @@ pub struct LoadSample {
 }
 
 /// What is known about how a load map was found.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LoadMapEvidence {
     /// Where the stiffness of the teeth came from; none for laws without deflections.
     pub stiffness: Option<StiffnessSource>,
@@ -82,13 +84,31 @@ pub struct LoadMapEvidence {
     pub assumed_profile_shift: Option<[f64; 2]>,
 }
 
+impl LoadMapEvidence {
+    /// That of a law without deflections, which has nothing to solve.
+    fn of_a_rigid_law() -> Self {
+        Self {
+            stiffness: None,
+            phases: 0,
+            cells: 0,
+            rounds: 0,
+            most_rounds: 0,
+            converged: true,
+            residual: 0.0,
+            mean_approach: None,
+            assumed_profile_shift: None,
+        }
+    }
+}
+
 /// The load over the flanks of a pair under one torque.
 #[derive(Debug, Clone)]
 pub struct LoadMap {
     pair: GearPair,
     torque: f64,
     force: f64,
-    law: LoadLaw,
+    /// None for a law of one's own.
+    law: Option<LoadLaw>,
     micro: MicroGeometry,
     materials: [Material; 2],
     settings: LoadMapSettings,
@@ -103,6 +123,7 @@ pub struct LoadMap {
 enum Model {
     Elastic(Box<Grid>, Tails),
     Rigid(RigidLaw),
+    Along(Along),
 }
 
 impl LoadMap {
@@ -146,17 +167,7 @@ impl LoadMap {
         if !law.is_elastic() && !micro.is_unmodified() {
             return Err(GearError::ModifiedFlanks { law: law.name() });
         }
-        let mut evidence = LoadMapEvidence {
-            stiffness: None,
-            phases: 0,
-            cells: 0,
-            rounds: 0,
-            most_rounds: 0,
-            converged: true,
-            residual: 0.0,
-            mean_approach: None,
-            assumed_profile_shift: None,
-        };
+        let mut evidence = LoadMapEvidence::of_a_rigid_law();
         let force = pair.forces(Torque::from_si(torque))?.normal_base.si();
         let mut marks = vec![pair.path.eps_2];
         let model = if law.is_elastic() {
@@ -184,7 +195,7 @@ impl LoadMap {
             pair: pair.clone(),
             torque,
             force,
-            law: law.clone(),
+            law: Some(law.clone()),
             micro: micro.clone(),
             materials: *materials,
             settings: *settings,
@@ -201,7 +212,7 @@ impl LoadMap {
     fn run(&mut self) -> Result<(), GearError> {
         let (single_row, pitches) = match &self.model {
             Model::Elastic(grid, _) => (grid.cells == 1, grid.separation.pitches()),
-            Model::Rigid(_) => (self.pair.is_spur(), 1),
+            Model::Rigid(_) | Model::Along(_) => (self.pair.is_spur(), 1),
         };
         let phases = phases(&self.pair, &self.marks, single_row, pitches);
         let mut rows = Vec::new();
@@ -240,6 +251,11 @@ impl LoadMap {
         let (grid, tails) = match &self.model {
             Model::Rigid(rigid) => {
                 let points = rigid.points(&self.pair, self.force, phase.phase, &self.marks)?;
+                points.into_iter().for_each(take);
+                return Ok(None);
+            }
+            Model::Along(along) => {
+                let points = along.points(&self.pair, phase.phase, &self.marks);
                 points.into_iter().for_each(take);
                 return Ok(None);
             }
@@ -305,9 +321,14 @@ impl LoadMap {
         &self.pair
     }
 
-    /// The law.
-    pub fn law(&self) -> &LoadLaw {
-        &self.law
+    /// The law; none where it is not of this crate.
+    pub fn law(&self) -> Option<&LoadLaw> {
+        self.law.as_ref()
+    }
+
+    /// Whether the law knows deflections.
+    pub fn is_elastic(&self) -> bool {
+        matches!(self.model, Model::Elastic(..))
     }
 
     /// Magnitude of the torque at gear 1.
@@ -378,7 +399,9 @@ impl LoadMap {
         settings: &LoadMapSettings,
     ) -> Result<Self, GearError> {
         let torque = Torque::from_si(self.torque);
-        Self::new(pair, torque, &self.law, micro, &self.materials, settings)
+        // Only maps of elastic teeth have variants, and they are all of a law of this crate.
+        let law = self.law.clone().unwrap_or_default();
+        Self::new(pair, torque, &law, micro, &self.materials, settings)
     }
 
     pub(crate) fn settings(&self) -> &LoadMapSettings {
