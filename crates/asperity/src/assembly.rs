@@ -9,7 +9,8 @@ use crate::flank_record::FlankRecord;
 use crate::load_report::LoadReport;
 use crate::position::Position;
 use crate::result::{
-    Losses, OffsetRow, Outcome, PointRow, PositionRow, Regime, RunResult, RunningIn, SCHEMA_VERSION, Summary,
+    Losses, OffsetRow, Outcome, PointRow, PositionRow, Regime, RunResult, RunningIn,
+    SCHEMA_VERSION, Summary,
 };
 use crate::solved::{Solved, mean};
 use crate::{attention, formulation, friction};
@@ -81,10 +82,7 @@ impl Solved<'_> {
             .collect())
     }
 
-    fn points(
-        &self,
-        points: &[(&'static str, Position)],
-    ) -> Result<Vec<PointRow>, PositionError> {
+    fn points(&self, points: &[(&'static str, Position)]) -> Result<Vec<PointRow>, PositionError> {
         let case = &self.loaded.case;
         let forces = case.gears.forces(case.torque)?;
         let per_width = forces.transverse_base.si() / case.gears.face_width.si();

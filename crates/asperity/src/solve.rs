@@ -63,8 +63,7 @@ impl Run<'_> {
     ) -> Result<Offset, PositionError> {
         let (case, laws) = (self.case, self.laws);
         let window = case.model.window;
-        let (encounter, roughness) =
-            meeting(self.surfaces, &position.station, window, k, count)?;
+        let (encounter, roughness) = meeting(self.surfaces, &position.station, window, k, count)?;
         if encounter.is_none() && self.strategy().needs_traces() {
             return Err(PositionError::NoProfile);
         }

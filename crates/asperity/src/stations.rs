@@ -59,7 +59,10 @@ pub(crate) fn named_points(
         ("E", path.e),
     ];
     let mut found = Vec::new();
-    for (name, s) in points.into_iter().filter(|(_, s)| (path.a..=path.e).contains(s)) {
+    for (name, s) in points
+        .into_iter()
+        .filter(|(_, s)| (path.a..=path.e).contains(s))
+    {
         let place = shown_at(map, s, Resolution::WholeTraces)?;
         if place.load.si() > 0.0 {
             found.push((name, station(case, laws, found.len() + 1, &place)?));

@@ -95,7 +95,8 @@ impl Surfaces {
             return self.roughness_of_values();
         };
         let common = first.len().min(second.len());
-        let begin = |trace: &Profile| Profile::new(trace.spacing(), trace.heights()[..common].to_vec());
+        let begin =
+            |trace: &Profile| Profile::new(trace.spacing(), trace.heights()[..common].to_vec());
         self.roughness_of(&[begin(first)?, begin(second)?])
     }
 

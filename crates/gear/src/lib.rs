@@ -70,9 +70,10 @@ pub use error::{Gear, GearError};
 pub use forces::Forces;
 pub use input::{GearPairInput, Plane};
 pub use kinematics::Kinematics;
-pub use load_distribution::{LoadConditions, LoadDistribution};
+pub use load_distribution::LoadDistribution;
 pub use load_map::{
-    LoadCell, LoadLaw, LoadMap, LoadMapEvidence, LoadMapSettings, LoadSample, TransmissionError,
+    LoadCell, LoadConditions, LoadLaw, LoadMap, LoadMapEvidence, LoadMapSettings, LoadSample,
+    TransmissionError,
 };
 pub use load_sharing::LoadSharing;
 pub use loss_band::{BandPart, BandSource, EdgeContactNote, LossFactorBand};

@@ -7,28 +7,8 @@
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use asperity_core::material::Material;
-use asperity_core::quantity::Torque;
-
 use crate::error::GearError;
-use crate::load_map::{LoadLaw, LoadMap, LoadMapSettings};
-use crate::pair::GearPair;
-use crate::relief::MicroGeometry;
-
-/// What a law of load distribution knows of a mesh.
-#[derive(Debug, Clone, Copy)]
-pub struct LoadConditions<'a> {
-    /// The pair.
-    pub pair: &'a GearPair,
-    /// Torque at gear 1, of either sign.
-    pub torque: Torque,
-    /// Modifications of the flanks.
-    pub micro: &'a MicroGeometry,
-    /// Materials of gears 1 and 2.
-    pub materials: &'a [Material; 2],
-    /// Numbers of a load map that are not of the pair.
-    pub settings: &'a LoadMapSettings,
-}
+use crate::load_map::{LoadConditions, LoadLaw, LoadMap};
 
 /// Law of the load over the flanks.
 ///

@@ -27,14 +27,20 @@ const MARK: &str = "result.json";
 /// The page of a result.
 const PAGE: &str = "report.html";
 
+/// Every point of the load map, where it was asked for.
+const MAP: &str = "map.csv";
+
 /// A result; beside its files are the folders of the positions.
 const RESULT: Contents = Contents {
     mark: MARK,
     files: &FILES,
 };
 
-const FILES: [&str; 12] = [
+const FILES: [&str; 15] = [
     "path.csv",
+    "load.csv",
+    "load_map.csv",
+    MAP,
     "offsets.csv",
     "convergence.csv",
     "losses.csv",
@@ -60,7 +66,7 @@ pub fn check_place(target: &Path) -> Result<(), ReportError> {
     check(target, &RESULT)
 }
 
-fn check(target: &Path, contents: &Contents) -> Result<(), ReportError> {
+pub(crate) fn check(target: &Path, contents: &Contents) -> Result<(), ReportError> {
     let foreign = |entry: Option<String>| ReportError::NotOurs {
         path: target.to_owned(),
         entry,
@@ -94,7 +100,7 @@ fn check(target: &Path, contents: &Contents) -> Result<(), ReportError> {
     }
 }
 
-/// Writes `outcome` as folder `target`: `result.json`, `path.csv`, `convergence.csv` where a
+/// Writes `outcome` as folder `target`: `result.json`, `path.csv`, `load.csv`, `load_map.csv`, `convergence.csv` where a
 /// rough contact was solved, tables of losses, friction laws and flanks, a folder `position_NN` with the
 /// fields of each position, and `report.html`. An older result there is replaced; anything else there
 /// is left alone and reported.
@@ -103,6 +109,14 @@ fn check(target: &Path, contents: &Contents) -> Result<(), ReportError> {
 /// When the system refuses, or `target` holds something else.
 pub fn write_folder(outcome: &Outcome, target: &Path) -> Result<(), ReportError> {
     write_whole(target, &RESULT, |folder| fill(outcome, folder))
+}
+
+/// Adds every point of the load map of `outcome` to its result folder, as `map.csv`.
+///
+/// # Errors
+/// When the system refuses.
+pub fn write_load_points(outcome: &Outcome, folder: &Path) -> Result<(), ReportError> {
+    tables::write(&folder.join(MAP), tables::load_points(&outcome.load_map))
 }
 
 /// Writes the gap of a contact without solution as CSV, in the form `asperity contact --gap` reads.
@@ -161,6 +175,7 @@ fn fill(outcome: &Outcome, folder: &Path) -> Result<(), ReportError> {
     let result = &outcome.result;
     write_json(&folder.join(MARK), result)?;
     tables::write(&folder.join("path.csv"), &result.path)?;
+    tables::write(&folder.join("load.csv"), &result.load.path)?;
     let steps: Vec<_> = outcome
         .fields
         .iter()
@@ -184,6 +199,7 @@ fn fill(outcome: &Outcome, folder: &Path) -> Result<(), ReportError> {
         }
     }
     let shown = PageTables::of(outcome, None)?;
+    tables::write_load_map(folder, &shown.load_map)?;
     for (body, flank) in shown.flanks.iter().enumerate() {
         if let Some(flank) = flank {
             flank.write(folder, body)?;

@@ -5,13 +5,15 @@ use std::path::Path;
 use asperity::result::{Outcome, PositionRow, RunResult};
 
 use crate::error::ReportError;
-use crate::tables::{ContactTables, FlankTables};
+use crate::tables::{ContactTables, FlankTables, LoadMapRow, load_map, read_load_map};
 
-/// Tables of both flanks and of one mesh position.
+/// Tables of both flanks, of the load over them and of one mesh position.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PageTables {
     /// Pinion and wheel; none for a flank without a trace.
     pub flanks: [Option<FlankTables>; 2],
+    /// Load over path and face.
+    pub load_map: Vec<LoadMapRow>,
     /// The mesh position shown; none where no fields were kept.
     pub contact: Option<ContactTables>,
 }
@@ -33,6 +35,7 @@ impl PageTables {
         };
         Ok(Self {
             flanks: [flank(0)?, flank(1)?],
+            load_map: load_map(&outcome.load_map),
             contact: shown.and_then(|row| Some(ContactTables::new(fields(row)?, row))),
         })
     }
@@ -56,6 +59,7 @@ impl PageTables {
         };
         Ok(Self {
             flanks: [flank(0)?, flank(1)?],
+            load_map: read_load_map(folder)?,
             contact,
         })
     }

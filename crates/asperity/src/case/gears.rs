@@ -90,7 +90,10 @@ pub(super) fn micro_geometry(
     defaults: &mut Defaults,
 ) -> Result<MicroGeometry, CaseError> {
     let given = &input.gears;
-    let flanks = [given.pinion.unwrap_or_default(), given.wheel.unwrap_or_default()];
+    let flanks = [
+        given.pinion.unwrap_or_default(),
+        given.wheel.unwrap_or_default(),
+    ];
     for (key, is_given) in [
         ("gears.pinion.tip_relief", flanks[0].tip_relief.is_some()),
         ("gears.wheel.tip_relief", flanks[1].tip_relief.is_some()),
@@ -100,7 +103,8 @@ pub(super) fn micro_geometry(
         }
     }
     let sum = |amount: fn(&GearFlankInput) -> Option<Length>, sign: f64| {
-        let [first, second] = [amount(&flanks[0]), amount(&flanks[1])].map(Option::unwrap_or_default);
+        let [first, second] =
+            [amount(&flanks[0]), amount(&flanks[1])].map(Option::unwrap_or_default);
         first + second * sign
     };
     let tip = ["gears.pinion.tip_relief", "gears.wheel.tip_relief"];
@@ -135,19 +139,11 @@ pub(super) fn micro_geometry(
     if micro.is_unmodified() {
         return Ok(micro);
     }
-    let direction = defaults.take(
-        "gears.amounts",
-        given.amounts,
-        AmountDirection::default(),
-    );
+    let direction = defaults.take("gears.amounts", given.amounts, AmountDirection::default());
     Ok(MicroGeometry { direction, ..micro })
 }
 
-fn relief(
-    given: ReliefInput,
-    key: &'static str,
-    source: &Source,
-) -> Result<Relief, CaseError> {
+fn relief(given: ReliefInput, key: &'static str, source: &Source) -> Result<Relief, CaseError> {
     let extent = match (given.length, given.start_diameter) {
         (Some(length), None) => ReliefExtent::RollLength(length),
         (None, Some(diameter)) => ReliefExtent::StartDiameter(diameter),
@@ -234,9 +230,9 @@ pub(super) fn load_settings(
 pub(super) fn check_load(case: &Case, source: &Source) -> Result<(), CaseError> {
     let not_for = |key| {
         move |error| match error {
-            GearError::Domain(_) | GearError::UndercutContact { .. } | GearError::ReliefStart { .. } => {
-                refused(error, source)
-            }
+            GearError::Domain(_)
+            | GearError::UndercutContact { .. }
+            | GearError::ReliefStart { .. } => refused(error, source),
             error => CaseError::NotForTheseGears {
                 place: source.place_of(key),
                 key,

@@ -26,6 +26,7 @@ mod loaded;
 mod model;
 mod own_laws;
 mod plain_words;
+pub mod planetary;
 mod resolve;
 mod set;
 mod source;

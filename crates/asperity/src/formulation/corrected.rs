@@ -59,7 +59,12 @@ impl Strategy for Corrected {
             .iter()
             .zip(light)
             .map(|(cell, is_light)| {
-                let sliding = case.gears.kinematics(cell.s, case.speed)?.sliding.si().abs();
+                let sliding = case
+                    .gears
+                    .kinematics(cell.s, case.speed)?
+                    .sliding
+                    .si()
+                    .abs();
                 let at_its_place = cell.contact_length.si() * cell.load.si() * sliding;
                 Ok(Place {
                     s: cell.s,

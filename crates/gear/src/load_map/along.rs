@@ -3,10 +3,10 @@
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, LineLoad};
 
+use super::conditions::LoadConditions;
 use super::rigid::Point;
 use super::{LoadMap, LoadMapEvidence, LoadSample, Model};
 use crate::error::GearError;
-use crate::load_distribution::LoadConditions;
 use crate::pair::GearPair;
 use crate::positions::PositionRule;
 
@@ -21,7 +21,10 @@ impl Along {
     /// Linear between the places, constant beyond the first and the last.
     fn at(&self, xi: f64) -> f64 {
         let above = self.0.partition_point(|(place, _)| *place <= xi);
-        match (above.checked_sub(1).and_then(|k| self.0.get(k)), self.0.get(above)) {
+        match (
+            above.checked_sub(1).and_then(|k| self.0.get(k)),
+            self.0.get(above),
+        ) {
             (Some(low), Some(high)) => low.1 + (high.1 - low.1) * (xi - low.0) / (high.0 - low.0),
             (Some(end), None) | (None, Some(end)) => end.1,
             (None, None) => 0.0,

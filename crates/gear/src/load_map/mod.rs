@@ -18,6 +18,7 @@
 
 mod along;
 mod cells;
+mod conditions;
 mod coupled;
 mod deflection;
 mod every_law;
@@ -32,6 +33,7 @@ use asperity_core::{DomainError, cite};
 use serde::{Deserialize, Serialize};
 
 pub use cells::LoadCell;
+pub use conditions::LoadConditions;
 pub use deflection::TransmissionError;
 pub use law::{LoadLaw, LoadMapSettings};
 

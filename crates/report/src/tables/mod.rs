@@ -3,6 +3,7 @@
 mod contact;
 mod csv_table;
 mod flanks;
+mod load;
 mod losses;
 
 pub use contact::{
@@ -10,4 +11,6 @@ pub use contact::{
 };
 pub use csv_table::{Row, read, write};
 pub use flanks::{BODIES, FlankTables, MaterialRatioRow, SpectrumRow, TraceRow, files_of};
+pub use load::{LoadMapRow, LoadPointRow, load_map, load_points};
+pub(crate) use load::{read_load_map, write_load_map};
 pub use losses::{FrictionLawRow, LossRow, friction_laws, losses};
