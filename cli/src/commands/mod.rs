@@ -12,6 +12,7 @@ pub mod reference;
 pub mod regime;
 pub mod report;
 pub mod run;
+mod work;
 
 use std::path::Path;
 

@@ -7,9 +7,10 @@ use asperity::case::planetary::{self, LoadedPlanetary};
 use asperity::planetary::{PlanetaryResult, run_planetary};
 use asperity::result::RunResult;
 use asperity::{Error, pipeline};
-use asperity_report::{self as report, ReportError};
+use asperity_report::{self as report, Fields, ReportError};
 
 use super::load_case;
+use super::work::check_work;
 use crate::args::{Common, RunArgs};
 use crate::failure::Failure;
 use crate::output::{PATIENCE, print_json, print_text, progress};
@@ -17,11 +18,13 @@ use crate::output::{PATIENCE, print_json, print_text, progress};
 /// `asperity run`
 pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
+    let fields = fields(args)?;
     let set = planetary::load(&args.case).map_err(|error| Failure::of(&error))?;
     if let Some(set) = set {
-        return run_set(&set, args, common, begin);
+        return run_set(&set, args, common, &fields, begin);
     }
     let loaded = load_case(&args.case, args.formulation)?;
+    check_work(&args.work, &loaded, 1)?;
     let folder = (!args.no_output).then(|| result_folder(args));
     if let Some(folder) = &folder {
         // Told before the work, not after it.
@@ -38,7 +41,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     bar.finish_and_clear();
     let outcome = outcome.map_err(|error| failed(&error, args, folder.as_deref()))?;
     if let Some(folder) = &folder {
-        report::write_folder(&outcome, folder).map_err(|error| not_written(&error))?;
+        report::write_folder(&outcome, folder, &fields).map_err(|error| not_written(&error))?;
         if args.load_map {
             report::write_load_points(&outcome, folder).map_err(|error| not_written(&error))?;
         }
@@ -57,8 +60,12 @@ fn run_set(
     set: &LoadedPlanetary,
     args: &RunArgs,
     common: &Common,
+    fields: &Fields,
     begin: Instant,
 ) -> Result<(), Failure> {
+    for mesh in &set.meshes {
+        check_work(&args.work, mesh, 1)?;
+    }
     let folder = (!args.no_output).then(|| result_folder(args));
     if let Some(folder) = &folder {
         report::check_planetary_place(folder).map_err(|error| not_written(&error))?;
@@ -66,7 +73,7 @@ fn run_set(
     let outcome =
         run_planetary(set, &|_, _| ()).map_err(|error| failed(&error, args, folder.as_deref()))?;
     if let Some(folder) = &folder {
-        report::write_planetary(&outcome, folder).map_err(|error| not_written(&error))?;
+        report::write_planetary(&outcome, folder, fields).map_err(|error| not_written(&error))?;
     }
     if common.json {
         return print_json(&outcome.result);
@@ -147,7 +154,30 @@ fn text(result: &RunResult, args: &RunArgs, folder: Option<&Path>, begin: Instan
 }
 
 fn not_written(error: &ReportError) -> Failure {
-    Failure::new("E401", error.to_string())
+    let code = match error {
+        ReportError::NoSuchPosition { .. } | ReportError::NoFields { .. } => "E402",
+        ReportError::NotFinite { .. } => "E501",
+        _ => "E401",
+    };
+    Failure::new(code, error.to_string())
+}
+
+/// The fields to keep, as `all` or as numbers of positions.
+fn fields(args: &RunArgs) -> Result<Fields, Failure> {
+    let Some(text) = args.fields.as_deref() else {
+        return Ok(Fields::Page);
+    };
+    if text.trim() == "all" {
+        return Ok(Fields::All);
+    }
+    let numbers = text.split(',').map(|number| number.trim().parse());
+    match numbers.collect::<Result<Vec<usize>, _>>() {
+        Ok(numbers) if !numbers.contains(&0) => Ok(Fields::Positions(numbers)),
+        _ => Err(Failure::new(
+            "E209",
+            format!("--fields {text}: must be all, or numbers of positions as 1,5"),
+        )),
+    }
 }
 
 /// The error of a run; a contact without solution is saved beside the result folders.

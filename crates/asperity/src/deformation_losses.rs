@@ -1,9 +1,7 @@
 //! Losses by deformation: hysteresis of smooth contacts, plastic work of rough ones.
 
-use asperity_core::quantity::{Length, LineEnergy, Power};
-use asperity_efficiency::deformation::{
-    elastic_energy, engagement_period, hysteresis_power, running_in,
-};
+use asperity_core::quantity::{LineEnergy, Power};
+use asperity_efficiency::deformation::{engagement_period, hysteresis_power, running_in};
 
 use crate::case::Case;
 use crate::error::PositionError;
@@ -28,24 +26,13 @@ pub(crate) fn running_in_power(
 
 /// The part of the elastic energy of smooth contacts that is not given back.
 pub(crate) fn hysteresis(case: &Case, positions: &[Position]) -> Result<Power, PositionError> {
-    /// Points across a Hertz contact for its energy; the sum is within 1e-4 of the integral.
-    const POINTS: usize = 400;
     if case.model.hysteresis == 0.0 {
         return Ok(Power::from_si(0.0));
     }
     let mut energies = Vec::with_capacity(positions.len());
     for position in positions {
-        let hertz = position.station.hertz;
-        let (a, p0) = (hertz.half_width.si(), hertz.max_pressure.si());
-        let r = position.station.motion.radius.si();
-        let dx = 2.0 * a / POINTS as f64;
-        let inside = (0..POINTS).map(|i| {
-            let x = (i as f64 + 0.5) * dx - a;
-            (a * a - x * x).max(0.0)
-        });
-        let pressure: Vec<f64> = inside.clone().map(|d| p0 * d.sqrt() / a).collect();
-        let approach: Vec<f64> = inside.map(|d| d / (2.0 * r)).collect();
-        energies.push(elastic_energy(&pressure, &approach, Length::from_si(dx))?.si());
+        let (hertz, radius) = (position.station.hertz, position.station.motion.radius);
+        energies.push(hertz.energy_from_edge(radius)?.si());
     }
     let mut energies = energies.into_iter();
     let energy = mean(positions, |_| energies.next().unwrap_or_default());

@@ -7,7 +7,7 @@ use asperity_gear::{
 use serde::Serialize;
 
 use crate::case::Case;
-use crate::error::{PositionError, RunError};
+use crate::error::{Error, PositionError};
 
 /// The gears of a case.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -59,8 +59,8 @@ pub struct LawFactor {
 ///
 /// # Errors
 /// When the law in use does not hold for the pair.
-pub fn gear_report(case: &Case) -> Result<GearReport, RunError> {
-    report(case).map_err(|error| RunError::Whole(Box::new(error)))
+pub fn gear_report(case: &Case) -> Result<GearReport, Error> {
+    report(case).map_err(|error| Error::Whole(Box::new(error)))
 }
 
 fn report(case: &Case) -> Result<GearReport, PositionError> {

@@ -64,7 +64,7 @@ pub mod surfaces;
 pub mod survey;
 
 pub use case::{Case, CaseInput, LoadedCase};
-pub use error::{Error, PositionError, RunError, UnsolvedContact};
+pub use error::{Error, PositionError, UnsolvedContact};
 pub use pipeline::{contacts, losses, run};
 pub use result::{Outcome, RunResult};
 

@@ -17,7 +17,7 @@ use rayon::prelude::*;
 use crate::case::LoadedCase;
 use crate::chosen_laws::ChosenLaws;
 use crate::detail::Detail;
-use crate::error::{PositionError, RunError};
+use crate::error::{Error, PositionError};
 use crate::formulation;
 use crate::friction;
 use crate::position::Position;
@@ -36,7 +36,7 @@ pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 ///
 /// # Errors
 /// When a position has no solution; the first one along the path is named.
-pub fn run(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, RunError> {
+pub fn run(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, Error> {
     outcome(loaded, Detail::Fields, progress)
 }
 
@@ -44,7 +44,7 @@ pub fn run(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, RunEr
 ///
 /// # Errors
 /// As [`run`].
-pub fn contacts(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, RunError> {
+pub fn contacts(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, Error> {
     outcome(loaded, Detail::Contacts, progress)
 }
 
@@ -53,7 +53,7 @@ pub fn contacts(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, 
 ///
 /// # Errors
 /// As [`run`].
-pub fn losses(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Losses, RunError> {
+pub fn losses(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Losses, Error> {
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
     let (map, positions) = positions(loaded, &laws, Detail::Losses, progress, &used)?;
@@ -63,11 +63,7 @@ pub fn losses(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Losses, Run
     Ok(losses)
 }
 
-fn outcome(
-    loaded: &LoadedCase,
-    detail: Detail,
-    progress: Progress<'_>,
-) -> Result<Outcome, RunError> {
+fn outcome(loaded: &LoadedCase, detail: Detail, progress: Progress<'_>) -> Result<Outcome, Error> {
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
     let (map, positions) = positions(loaded, &laws, detail, progress, &used)?;
@@ -94,7 +90,7 @@ fn positions(
     detail: Detail,
     progress: Progress<'_>,
     used: &Provenance,
-) -> Result<(LoadMap, Vec<Position>), RunError> {
+) -> Result<(LoadMap, Vec<Position>), Error> {
     let case = &loaded.case;
     let (map, stations) = used
         .collect(|| stations_with(case, laws))
@@ -116,7 +112,7 @@ fn positions(
         })
         .collect();
     let of_position = |(index, solved): (usize, Result<Position, PositionError>)| {
-        solved.map_err(|source| RunError::Position {
+        solved.map_err(|source| Error::Position {
             number: index + 1,
             count,
             source: Box::new(source),

@@ -5,7 +5,7 @@ use asperity_gear::planetary::{PlanetaryMesh, PlanetarySpeeds};
 use serde::{Deserialize, Serialize};
 
 use crate::case::planetary::LoadedPlanetary;
-use crate::error::{PositionError, RunError};
+use crate::error::{Error, PositionError};
 use crate::pipeline::{Progress, run};
 use crate::result::{Outcome, RunResult};
 
@@ -84,11 +84,11 @@ pub struct PlanetaryOutcome {
 pub fn run_planetary(
     loaded: &LoadedPlanetary,
     progress: Progress<'_>,
-) -> Result<PlanetaryOutcome, RunError> {
+) -> Result<PlanetaryOutcome, Error> {
     let [first, second] = &loaded.meshes;
     let meshes = [run(first, progress)?, run(second, progress)?];
     let result = result(loaded, [&meshes[0].result, &meshes[1].result])
-        .map_err(|error| RunError::Whole(Box::new(error)))?;
+        .map_err(|error| Error::Whole(Box::new(error)))?;
     Ok(PlanetaryOutcome { result, meshes })
 }
 

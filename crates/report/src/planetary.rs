@@ -1,30 +1,28 @@
 //! The result folder of a planetary set: a table of its meshes, and the folder of each.
 
-use std::fs;
 use std::path::Path;
 
 use asperity::planetary::{PlanetaryOutcome, PlanetaryResult};
+use asperity_storage::{check_folder, replace_folder};
 use maud::html;
 
 use crate::error::ReportError;
-use crate::folder::{Contents, check, write_folder, write_json, write_whole};
+use crate::folder::{Fields, fill, make_folder, write_json, write_text};
 use crate::html::page;
 use crate::tables;
 
 /// Folders of the meshes of sun and planet, and of planet and ring.
 const MESHES: [&str; 2] = ["sun_planet", "planet_ring"];
 
-const CONTENTS: Contents = Contents {
-    mark: "planetary.json",
-    files: &["meshes.csv", "report.html", MESHES[0], MESHES[1]],
-};
+/// Kind of the folder in messages.
+const KIND: &str = "planetary result";
 
 /// Whether a planetary result may be written as folder `target`, as for [`crate::check_place`].
 ///
 /// # Errors
 /// When something else is there.
 pub fn check_planetary_place(target: &Path) -> Result<(), ReportError> {
-    check(target, &CONTENTS)
+    Ok(check_folder(target, KIND)?)
 }
 
 /// Writes `outcome` as folder `target`: `planetary.json`, `meshes.csv`, `report.html` and a result folder for each
@@ -32,16 +30,21 @@ pub fn check_planetary_place(target: &Path) -> Result<(), ReportError> {
 ///
 /// # Errors
 /// When the system refuses, or `target` holds something else.
-pub fn write_planetary(outcome: &PlanetaryOutcome, target: &Path) -> Result<(), ReportError> {
-    write_whole(target, &CONTENTS, |folder| {
+pub fn write_planetary(
+    outcome: &PlanetaryOutcome,
+    target: &Path,
+    fields: &Fields,
+) -> Result<(), ReportError> {
+    replace_folder(target, KIND, |folder| {
         let result = &outcome.result;
-        write_json(&folder.join(CONTENTS.mark), result)?;
+        write_json(&folder.join("planetary.json"), result)?;
         tables::write(&folder.join("meshes.csv"), &result.meshes)?;
         for (mesh, name) in outcome.meshes.iter().zip(MESHES) {
-            write_folder(mesh, &folder.join(name))?;
+            let place = folder.join(name);
+            make_folder(&place)?;
+            fill(mesh, &place, fields)?;
         }
-        let file = folder.join("report.html");
-        fs::write(&file, summary_page(result)).map_err(ReportError::io(&file))
+        write_text(&folder.join("report.html"), &summary_page(result))
     })
 }
 

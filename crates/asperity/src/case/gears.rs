@@ -2,16 +2,18 @@
 
 use asperity_core::quantity::{Angle, Length};
 use asperity_gear::{
-    AmountDirection, EndRelief, GearError, GearPair, GearPairInput, LoadMap, LoadMapSettings,
-    MicroGeometry, Plane, Relief, ReliefExtent, ReliefShape, RootForm,
+    AmountDirection, EndRelief, GearError, GearPair, GearPairInput, LoadConditions,
+    LoadDistribution, LoadMapSettings, MicroGeometry, Plane, Relief, ReliefExtent, ReliefShape,
+    RootForm,
 };
 
 use super::defaults::Defaults;
+use super::domain::domain;
 use super::error::CaseError;
 use super::gear_input::{GearFlankInput, ReliefInput};
 use super::input::{CaseInput, Formulation};
 use super::key_names::key_of;
-use super::resolve::{Case, domain};
+use super::model::Model;
 use super::source::Source;
 
 /// Basic rack of ISO 53.
@@ -227,7 +229,12 @@ pub(super) fn load_settings(
 }
 
 /// Solves for the load once, so that a law or a number that these gears do not take is told with its place.
-pub(super) fn check_load(case: &Case, source: &Source) -> Result<(), CaseError> {
+pub(super) fn check_load(
+    mesh: &LoadConditions<'_>,
+    model: &Model,
+    formulation: Formulation,
+    source: &Source,
+) -> Result<(), CaseError> {
     let not_for = |key| {
         move |error| match error {
             GearError::Domain(_)
@@ -240,17 +247,12 @@ pub(super) fn check_load(case: &Case, source: &Source) -> Result<(), CaseError> 
             },
         }
     };
-    let map = LoadMap::new(
-        &case.gears,
-        case.torque,
-        &case.model.load_distribution,
-        &case.micro_geometry,
-        &case.materials,
-        &case.load_settings,
-    )
-    .map_err(not_for("model.load_distribution"))?;
-    if case.formulation == Formulation::Corrected {
-        map.cells(case.model.positions)
+    let map = model
+        .load_distribution
+        .load_map(mesh)
+        .map_err(not_for("model.load_distribution"))?;
+    if formulation == Formulation::Corrected {
+        map.cells(model.positions)
             .map_err(not_for("model.positions"))?;
     }
     Ok(())

@@ -14,6 +14,7 @@
 
 mod builder;
 mod defaults;
+mod domain;
 mod error;
 mod files;
 mod flanks;
@@ -24,7 +25,9 @@ mod key_names;
 mod known_keys;
 mod loaded;
 mod model;
+mod model_defaults;
 mod own_laws;
+mod place;
 mod plain_words;
 pub mod planetary;
 mod resolve;
@@ -43,6 +46,7 @@ pub use input::{
 };
 pub use loaded::{LoadedCase, Resolver, from_text, load, load_with};
 pub use model::Model;
+pub use place::Place;
 pub use resolve::{Case, resolve};
-pub use source::{Place, Source, Syntax};
+pub use source::{Source, Syntax};
 pub use trace::{Flank, Trace};

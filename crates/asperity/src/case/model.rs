@@ -9,15 +9,11 @@ use asperity_tribo_friction::{FrictionLaw, FrictionSettings, RoughnessReading};
 use serde::Serialize;
 
 use super::defaults::Defaults;
+use super::domain::domain;
 use super::error::CaseError;
 use super::input::{Formulation, ModelInput, NamedPoint, PathPoint};
-use super::resolve::domain;
+use super::model_defaults::ModelDefaults;
 use super::source::Source;
-
-/// Boundary friction of ground steel in oil; measured values lie between 0.065 and 0.13.
-const BOUNDARY_FRICTION: f64 = 0.1;
-/// Metal on metal as the 2022 paper takes it (its Table 2).
-const PAPER_BOUNDARY_FRICTION: f64 = 0.3;
 
 /// Choices of the model, all made.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -74,60 +70,36 @@ pub(super) fn model(
     source: &Source,
     defaults: &mut Defaults,
 ) -> Result<Model, CaseError> {
-    let paper = formulation == Formulation::Paper;
-    let point = match (paper, given.position) {
+    let own = ModelDefaults::of(formulation);
+    let point = match (own.one_position, given.position) {
         (true, given) => defaults.take("model.position", given, PathPoint::Named(NamedPoint::C)),
         (false, given) => given.unwrap_or(PathPoint::Named(NamedPoint::C)),
     };
-    let positions = match paper {
+    let positions = match own.one_position {
         true => 1,
         false => defaults.take("model.positions", given.positions, 16),
     };
     let model = Model {
         positions,
         position: point.fraction_of(gears.path()),
-        offsets: defaults.take("model.offsets", given.offsets, if paper { 1 } else { 16 }),
+        offsets: defaults.take("model.offsets", given.offsets, own.offsets),
         window: defaults.take("model.window", given.window, 3.0),
         load_distribution: defaults.take(
             "model.load_distribution",
             given.load_distribution.clone(),
-            if paper {
-                LoadLaw::MeanLength
-            } else {
-                LoadLaw::Elastic
-            },
+            own.load_distribution.clone(),
         ),
         friction: defaults.take("model.friction", given.friction, FrictionLaw::default()),
-        friction_settings: friction_settings(given, paper, defaults),
+        friction_settings: friction_settings(given, own.clamp_roughness, defaults),
         lubricant_factor: defaults.take("model.lubricant_factor", given.lubricant_factor, 1.0),
         friction_scale: defaults.take("model.friction_scale", given.friction_scale, 1.0),
         boundary_friction: defaults.take(
             "model.boundary_friction",
             given.boundary_friction,
-            if paper {
-                PAPER_BOUNDARY_FRICTION
-            } else {
-                BOUNDARY_FRICTION
-            },
+            own.boundary_friction,
         ),
-        film: defaults.take(
-            "model.film",
-            given.film,
-            if paper {
-                FilmLaw::HamrockDowson
-            } else {
-                FilmLaw::DowsonToyoda
-            },
-        ),
-        thermal: defaults.take(
-            "model.thermal",
-            given.thermal,
-            if paper {
-                ThermalLaw::None
-            } else {
-                ThermalLaw::Gupta
-            },
-        ),
+        film: defaults.take("model.film", given.film, own.film),
+        thermal: defaults.take("model.thermal", given.thermal, own.thermal),
         flash_feedback: defaults.take("model.flash_feedback", given.flash_feedback, false),
         load_share: defaults.take(
             "model.load_share",
@@ -137,11 +109,7 @@ pub(super) fn model(
         fluid_pressure: defaults.take(
             "model.fluid_pressure",
             given.fluid_pressure,
-            if paper {
-                FluidModel::Paper
-            } else {
-                FluidModel::ReynoldsCross
-            },
+            own.fluid_pressure,
         ),
         delta_step: defaults.take("model.delta_step", given.delta_step, Length::from_si(80e-9)),
         numerical_error: defaults
@@ -167,12 +135,20 @@ pub(super) fn model(
     Ok(model)
 }
 
-fn friction_settings(given: &ModelInput, paper: bool, defaults: &mut Defaults) -> FrictionSettings {
+fn friction_settings(
+    given: &ModelInput,
+    clamp_roughness: bool,
+    defaults: &mut Defaults,
+) -> FrictionSettings {
     let mut settings = FrictionSettings {
         constant: given.constant_friction,
         ..FrictionSettings::default()
     };
-    let clamp = defaults.take("model.clamp_roughness", given.clamp_roughness, !paper);
+    let clamp = defaults.take(
+        "model.clamp_roughness",
+        given.clamp_roughness,
+        clamp_roughness,
+    );
     settings.xu.roughness = if clamp {
         RoughnessReading::Clamped
     } else {

@@ -4,12 +4,13 @@ use asperity_core::lubricant::{Lubricant, LubricantError, LubricantState};
 use asperity_core::material::{Material, reduced_modulus};
 use asperity_core::quantity::{AngularSpeed, Length, Pressure, Quantity, Temperature, Torque};
 use asperity_core::{DomainError, OutOfRange};
-use asperity_gear::{GearPair, LoadMapSettings, MicroGeometry};
+use asperity_gear::{GearPair, LoadConditions, LoadMapSettings, MicroGeometry};
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::preparation::Preparation;
 
 use super::defaults::{DefaultUsed, Defaults};
+use super::domain::domain;
 use super::error::CaseError;
 use super::gears::{check_load, gears, load_settings, micro_geometry};
 use super::input::{CaseInput, Formulation};
@@ -95,7 +96,15 @@ pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
     let model = model(&input.model, formulation, &gears, source, &mut defaults)?;
     let is_elastic = model.load_distribution.is_elastic();
     let load_settings = load_settings(&input, is_elastic, &mut defaults);
-    let case = Case {
+    let mesh = LoadConditions {
+        pair: &gears,
+        torque: operation.torque,
+        micro: &micro_geometry,
+        materials: &materials,
+        settings: &load_settings,
+    };
+    check_load(&mesh, &model, formulation, source)?;
+    Ok(Case {
         title: input
             .title
             .clone()
@@ -118,9 +127,7 @@ pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
         laws: Laws::default(),
         input,
         defaults: defaults.into_list(),
-    };
-    check_load(&case, source)?;
-    Ok(case)
+    })
 }
 
 fn preparation(
@@ -159,18 +166,6 @@ fn check_not_zero<Q: Quantity>(
     )
     .map(|_| ())
     .map_err(domain(source, key))
-}
-
-pub(super) fn domain<'a>(
-    source: &'a Source,
-    key: &'static str,
-) -> impl Fn(DomainError) -> CaseError + use<'a> {
-    move |error| CaseError::Domain {
-        place: source.place_of(key),
-        key,
-        written: source.written(key).map(str::to_owned),
-        source: error,
-    }
 }
 
 fn lubricant_at(source: &Source) -> impl Fn(LubricantError) -> CaseError + use<'_> {

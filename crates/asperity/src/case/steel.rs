@@ -1,14 +1,14 @@
 //! Steel of the gears: what the case says, completed with a case-hardened steel.
 
-use asperity_contact::plasticity::FLOW_OVER_YIELD;
+use asperity_contact::plasticity::flow_pressure;
 use asperity_core::DomainError;
 use asperity_core::material::Material;
 use asperity_core::quantity::{Density, Pressure, Quantity, SpecificHeat, ThermalConductivity};
 
 use super::defaults::Defaults;
+use super::domain::domain;
 use super::error::CaseError;
 use super::input::{BodyInput, CaseInput};
-use super::resolve::domain;
 use super::source::Source;
 
 /// Young's modulus and Poisson's ratio of steel, as in the reference case of the 2022 paper.
@@ -82,12 +82,15 @@ fn body(
         conductivity: defaults.take(keys.conductivity, given.conductivity, STEEL_CONDUCTIVITY),
         heat_capacity: defaults.take(keys.heat_capacity, given.heat_capacity, STEEL_HEAT_CAPACITY),
     };
-    let flow = defaults.take(
-        keys.flow_pressure,
-        given.flow_pressure,
-        elastic_limit * FLOW_OVER_YIELD,
-    );
     positive("elastic limit", elastic_limit, source, keys.elastic_limit)?;
+    let flow = match given.flow_pressure {
+        Some(flow) => flow,
+        None => {
+            let soft = flow_pressure(&material, &material);
+            let soft = soft.map_err(domain(source, keys.elastic_limit))?;
+            defaults.take(keys.flow_pressure, None, soft)
+        }
+    };
     positive("flow pressure", flow, source, keys.flow_pressure)?;
     positive("Young's modulus", material.young, source, keys.young)?;
     positive("density", material.density, source, keys.density)?;

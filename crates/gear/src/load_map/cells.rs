@@ -14,7 +14,7 @@ use asperity_core::cite;
 use asperity_core::quantity::{Force, Length, LineLoad};
 use serde::Serialize;
 
-use super::{LoadMap, LoadSample, Model};
+use super::map::{LoadMap, LoadSample, Model};
 use crate::error::GearError;
 use crate::positions::spread;
 use crate::quadrature::breakpoints;

@@ -10,8 +10,8 @@ use asperity_core::cite;
 use asperity_core::quantity::Length;
 use serde::{Deserialize, Serialize};
 
+use super::map::{LoadMap, Model};
 use super::phases::Phase;
-use super::{LoadMap, Model};
 use crate::error::GearError;
 
 /// Even phases at which the error is taken.

@@ -5,7 +5,7 @@ use asperity::result::RunResult;
 
 use super::path::points;
 use crate::chart::{Axis, Chart, Contour, Drawing, Line, Series};
-use crate::tables::LoadMapRow;
+use crate::page_tables::PageTables;
 
 /// The line load along the path, of the map and of the cells that stand for it.
 pub(super) fn along_the_path(result: &RunResult, axis: Axis) -> Drawing {
@@ -56,7 +56,8 @@ pub(super) fn along_the_path(result: &RunResult, axis: Axis) -> Drawing {
 }
 
 /// The load over path and face; none where no load map was written.
-pub(super) fn map(rows: &[LoadMapRow], axis: Axis) -> Option<Drawing> {
+pub(super) fn map(tables: &PageTables, axis: Axis) -> Option<Drawing> {
+    let rows = &tables.load_map;
     let top = rows.first()?.y_mm;
     let stride = rows.iter().take_while(|row| row.y_mm == top).count();
     let columns: Vec<f64> = rows[..stride].iter().map(|row| row.s_mm).collect();
@@ -71,7 +72,7 @@ pub(super) fn map(rows: &[LoadMapRow], axis: Axis) -> Option<Drawing> {
     Some(Drawing::Contour(Contour {
         id: "load-map".to_owned(),
         title: "Load over the flank, from A to E and across the face".to_owned(),
-        source: "load_map.csv".to_owned(),
+        source: tables.source("load_map.csv"),
         x: axis,
         y: Axis::new("across the face", "mm"),
         value: "line load [N/mm]".to_owned(),

@@ -14,7 +14,7 @@ const SOURCE: &str = "path.csv";
 pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
     let mut drawings = drawings(result);
     drawings.insert(1, load::along_the_path(result, along()));
-    if let Some(map) = load::map(&tables.load_map, along()) {
+    if let Some(map) = load::map(tables, along()) {
         drawings.insert(2, map);
     }
     html! {

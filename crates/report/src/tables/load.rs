@@ -1,19 +1,14 @@
 //! Tables of the load over the flanks.
 
-use std::path::Path;
-
 use asperity::gear::{LoadMap, LoadSample};
 use serde::Serialize;
 
-use super::csv_table::{read, row};
-use crate::error::ReportError;
+use super::csv_table::row;
 
 /// Strips of the path in the table of the picture.
 const STRIPS_ALONG: usize = 48;
 /// Strips across the face of a load that varies over it.
 const STRIPS_ACROSS: usize = 32;
-/// Name of the table of the picture.
-const PICTURE: &str = "load_map.csv";
 
 row! {
     /// Row of `load_map.csv`: mean load in a cell of the flank, path by face.
@@ -96,14 +91,4 @@ pub fn load_map(map: &LoadMap) -> Vec<LoadMapRow> {
         }
     }
     rows
-}
-
-/// Writes the table of the picture.
-pub(crate) fn write_load_map(folder: &Path, rows: &[LoadMapRow]) -> Result<(), ReportError> {
-    super::write(&folder.join(PICTURE), rows)
-}
-
-/// Reads the table of the picture.
-pub(crate) fn read_load_map(folder: &Path) -> Result<Vec<LoadMapRow>, ReportError> {
-    read(&folder.join(PICTURE))
 }

@@ -5,12 +5,12 @@ mod csv_table;
 mod flanks;
 mod load;
 mod losses;
+mod thin;
 
 pub use contact::{
     ContactTables, ConvergenceRow, SubsurfaceRow, SurfaceRow, convergence, folder_of,
 };
-pub use csv_table::{Row, read, write};
+pub use csv_table::{Row, read, text, write};
 pub use flanks::{BODIES, FlankTables, MaterialRatioRow, SpectrumRow, TraceRow, files_of};
 pub use load::{LoadMapRow, LoadPointRow, load_map, load_points};
-pub(crate) use load::{read_load_map, write_load_map};
 pub use losses::{FrictionLawRow, LossRow, friction_laws, losses};
