@@ -1,18 +1,19 @@
 //! From solved positions to the result: rows, summary, warnings.
 
 use asperity_efficiency::{LossKind, MeshEfficiency, equivalent_friction};
-use asperity_gear::LossFactors;
 
 use crate::case::Case;
 use crate::comparison::friction_laws;
 use crate::error::PositionError;
 use crate::flank_record::FlankRecord;
+use crate::load_report::LoadReport;
 use crate::position::Position;
 use crate::result::{
-    Losses, OffsetRow, Outcome, PositionRow, Regime, RunResult, RunningIn, SCHEMA_VERSION, Summary,
+    Losses, OffsetRow, Outcome, PointRow, PositionRow, Regime, RunResult, RunningIn,
+    SCHEMA_VERSION, Summary,
 };
 use crate::solved::{Solved, mean};
-use crate::{attention, formulation};
+use crate::{attention, formulation, friction};
 
 impl Solved<'_> {
     /// Losses alone.
@@ -26,18 +27,25 @@ impl Solved<'_> {
     }
 
     /// The outcome of a run; what its equations are is noted by the caller.
-    pub(crate) fn outcome(self) -> Result<Outcome, PositionError> {
+    pub(crate) fn outcome(
+        self,
+        points: &[(&'static str, Position)],
+    ) -> Result<Outcome, PositionError> {
         let case = &self.loaded.case;
         let summary = self.summary()?;
         let mut warnings = self.loaded.warnings.clone();
+        let load = LoadReport::new(case, self.map)?;
         warnings.extend(attention::warnings(self.loaded, &self.positions, &summary)?);
+        attention::load(self.loaded, &self.positions, &load, &mut warnings);
         let result = RunResult {
             schema_version: SCHEMA_VERSION,
             program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
             title: case.title.clone(),
             formulation: case.formulation,
             friction_laws: friction_laws(&self, summary.efficiency)?,
+            load,
             path: self.path()?,
+            points: self.points(points)?,
             running_in: running_in(case, &self.meshes),
             summary,
             warnings,
@@ -57,6 +65,7 @@ impl Solved<'_> {
             result,
             offsets: offset_rows(&self.meshes),
             fields: fields.collect(),
+            load_map: self.map.clone(),
             traces: [0, 1].map(|body| self.loaded.flanks[body].trace.clone()),
         })
     }
@@ -73,10 +82,26 @@ impl Solved<'_> {
             .collect())
     }
 
+    fn points(&self, points: &[(&'static str, Position)]) -> Result<Vec<PointRow>, PositionError> {
+        let case = &self.loaded.case;
+        let forces = case.gears.forces(case.torque)?;
+        let per_width = forces.transverse_base.si() / case.gears.face_width.si();
+        points
+            .iter()
+            .map(|(point, position)| {
+                let rolling = friction::rolling(case, &position.station)?;
+                Ok(PointRow {
+                    point: (*point).into(),
+                    row: row(case, position, rolling, per_width),
+                })
+            })
+            .collect()
+    }
+
     fn summary(&self) -> Result<Summary, PositionError> {
         let case = &self.loaded.case;
         let (positions, meshes) = (&self.positions, &self.meshes);
-        let factors = self.laws.load_distribution.loss_factors(&case.gears)?;
+        let factors = [case.gears.ohlendorf_loss_factor(), self.map.loss_factor()];
         summary(positions, meshes, factors)
     }
 }
@@ -95,13 +120,13 @@ fn offset_rows(meshes: &[MeshEfficiency]) -> Vec<OffsetRow> {
 fn summary(
     positions: &[Position],
     meshes: &[MeshEfficiency],
-    factors: LossFactors,
+    [ohlendorf, local]: [f64; 2],
 ) -> Result<Summary, PositionError> {
     let efficiencies: Vec<f64> = meshes.iter().map(|mesh| mesh.flow.efficiency).collect();
     let efficiency = mean(efficiencies.iter().copied());
     let power = |kind| mean(meshes.iter().map(|mesh| mesh.breakdown.power(kind).si()));
     // One position stands for the mesh in the paper's reading; its loss factor is of the whole path.
-    let equivalent = equivalent_friction(efficiency, factors.local)?;
+    let equivalent = equivalent_friction(efficiency, local)?;
     let contacts = || {
         positions
             .iter()
@@ -131,9 +156,8 @@ fn summary(
         ],
         hysteresis_w: power(LossKind::Hysteresis),
         mu_equivalent: equivalent.value,
-        loss_factor: factors.ohlendorf,
-        loss_factor_local: factors.local,
-        loss_factor_phase_averaged: factors.local_phase_averaged,
+        loss_factor: ohlendorf,
+        loss_factor_local: local,
         mixed_share: mixed / total,
         positions: positions.len(),
         worst_load_error: contacts().map(|c| c.load_error).fold(0.0, f64::max),
@@ -191,7 +215,7 @@ fn row(case: &Case, position: &Position, rolling: f64, per_width: f64) -> Positi
         mu_film: over(|offset| offset.friction.mu),
         mu: force / station.load.si(),
         flash_k: over(|offset| offset.flash),
-        sliding_w_per_m: force * motion.sliding.si().abs(),
+        sliding_w_per_m: force * motion.sliding.si().abs() * station.sliding_factor,
         rolling_w_per_m: surfaces * rolling * motion.entrainment.si(),
         contact_fraction: touching(|contact| contact.contact_fraction),
         p_max_mpa: touching(|contact| contact.p_max * 1e-6),

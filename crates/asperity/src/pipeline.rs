@@ -1,6 +1,6 @@
 //! The one file that knows the order of the model, the paper's Fig. 2.
 //!
-//! At every mesh position, in parallel: motion and load, Hertz contact, smooth film; then at every
+//! The load over the flanks and the cells of the path; then at every mesh position, in parallel: motion and load, Hertz contact, smooth film; then at every
 //! offset of the traces: roughness under the contact, Λ* and with it the regime, load share, friction in
 //! the film, friction force. That is all that the losses need ([`losses`]). A run goes on: full film, or a
 //! rough contact that carries what the film does not ([`contacts`]), and at the first offset the fields and
@@ -11,19 +11,21 @@ use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity_core::provenance::Provenance;
+use asperity_gear::LoadMap;
 use rayon::prelude::*;
 
 use crate::case::LoadedCase;
 use crate::chosen_laws::ChosenLaws;
 use crate::detail::Detail;
 use crate::error::{Error, PositionError};
+use crate::formulation;
 use crate::friction;
 use crate::position::Position;
 use crate::provenance;
 use crate::result::{Losses, Outcome};
 use crate::solve::Run;
 use crate::solved::Solved;
-use crate::stations::stations_with;
+use crate::stations::{named_points, stations_with};
 
 pub use crate::stations::{station_at, stations};
 
@@ -54,8 +56,8 @@ pub fn contacts(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, 
 pub fn losses(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Losses, Error> {
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
-    let positions = positions(loaded, &laws, Detail::Losses, progress, &used)?;
-    let sums = || sums(loaded, &laws, positions)?.losses();
+    let (map, positions) = positions(loaded, &laws, Detail::Losses, progress, &used)?;
+    let sums = || sums(loaded, &laws, &map, positions)?.losses();
     let mut losses = used.collect(sums).map_err(Box::new)?;
     (losses.equations, _) = provenance::used(&tags(loaded, &used));
     Ok(losses)
@@ -64,8 +66,11 @@ pub fn losses(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Losses, Err
 fn outcome(loaded: &LoadedCase, detail: Detail, progress: Progress<'_>) -> Result<Outcome, Error> {
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
-    let positions = positions(loaded, &laws, detail, progress, &used)?;
-    let sums = || sums(loaded, &laws, positions)?.outcome();
+    let (map, positions) = positions(loaded, &laws, detail, progress, &used)?;
+    let sums = || {
+        let points = points(loaded, &laws, &map)?;
+        sums(loaded, &laws, &map, positions)?.outcome(&points)
+    };
     let mut outcome = used.collect(sums).map_err(Box::new)?;
     let result = &mut outcome.result;
     (result.equations, result.references) = provenance::used(&tags(loaded, &used));
@@ -85,9 +90,9 @@ fn positions(
     detail: Detail,
     progress: Progress<'_>,
     used: &Provenance,
-) -> Result<Vec<Position>, Error> {
+) -> Result<(LoadMap, Vec<Position>), Error> {
     let case = &loaded.case;
-    let stations = used
+    let (map, stations) = used
         .collect(|| stations_with(case, laws))
         .map_err(Box::new)?;
     let run = Run {
@@ -113,17 +118,41 @@ fn positions(
             source: Box::new(source),
         })
     };
-    solved.into_iter().enumerate().map(of_position).collect()
+    let positions: Result<_, _> = solved.into_iter().enumerate().map(of_position).collect();
+    Ok((map, positions?))
+}
+
+/// The points A to E of the path by the film's formulae, for display.
+fn points(
+    loaded: &LoadedCase,
+    laws: &ChosenLaws,
+    map: &LoadMap,
+) -> Result<Vec<(&'static str, Position)>, PositionError> {
+    let case = &loaded.case;
+    if formulation::of(case.formulation).takes_one_position() {
+        return Ok(Vec::new());
+    }
+    let run = Run {
+        case,
+        laws,
+        surfaces: &loaded.surfaces,
+        detail: Detail::Losses,
+    };
+    let stations = named_points(case, laws, map)?.into_iter();
+    stations
+        .map(|(name, station)| Ok((name, run.solve(station)?)))
+        .collect()
 }
 
 fn sums<'a>(
     loaded: &'a LoadedCase,
     laws: &'a ChosenLaws,
+    map: &'a LoadMap,
     positions: Vec<Position>,
 ) -> Result<Solved<'a>, PositionError> {
     let rolling = positions
         .iter()
         .map(|position| friction::rolling(&loaded.case, &position.station))
         .collect::<Result<Vec<_>, _>>()?;
-    Solved::new(loaded, laws, positions, rolling)
+    Solved::new(loaded, laws, map, positions, rolling)
 }

@@ -6,13 +6,13 @@ use crate::case::Case;
 use crate::chosen_laws::ChosenLaws;
 use crate::decision::{Decision, decide};
 use crate::detail::Detail;
-use crate::encounter::Encounter;
+use crate::encounter::{Encounter, meeting};
 use crate::error::PositionError;
 use crate::fields::fields;
 use crate::formulation::{self, Scene, Strategy};
 use crate::friction::{self, Rubbing};
 use crate::position::{ContactNumbers, Offset, Position};
-use crate::station::Station;
+use crate::station::{Resolution, Station};
 use crate::surfaces::Surfaces;
 
 /// Everything that is the same at all positions of a run.
@@ -35,7 +35,11 @@ impl Run<'_> {
 
     /// Solves `station` at every offset, in order.
     pub(crate) fn solve(&self, station: Station) -> Result<Position, PositionError> {
-        let count = self.surfaces.offsets(self.case.model.offsets);
+        let count = match station.resolution {
+            // Every offset would give the same.
+            Resolution::WholeTraces => 1,
+            _ => self.surfaces.offsets(self.case.model.offsets),
+        };
         let mut position = Position {
             offsets: Vec::with_capacity(count),
             fields: None,
@@ -59,14 +63,10 @@ impl Run<'_> {
     ) -> Result<Offset, PositionError> {
         let (case, laws) = (self.case, self.laws);
         let window = case.model.window;
-        let encounter = Encounter::new(self.surfaces, &position.station, window, k, count)?;
+        let (encounter, roughness) = meeting(self.surfaces, &position.station, window, k, count)?;
         if encounter.is_none() && self.strategy().needs_traces() {
             return Err(PositionError::NoProfile);
         }
-        let roughness = match &encounter {
-            Some(encounter) => encounter.roughness,
-            None => self.surfaces.roughness_of_values()?,
-        };
         let station = &position.station;
         let decision = decide(case, laws, station, &roughness, encounter.as_ref())?;
         let friction = friction::in_film(case, laws.friction.as_ref(), station, &roughness)?;

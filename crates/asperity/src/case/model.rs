@@ -3,7 +3,7 @@
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, Ratio};
 use asperity_ehl_regime::{FilmLaw, LoadShareLaw, ThermalLaw};
-use asperity_gear::{GearPair, LoadSharing, PositionRule};
+use asperity_gear::{GearPair, LoadLaw};
 use asperity_ns_film::FluidModel;
 use asperity_tribo_friction::{FrictionLaw, FrictionSettings, RoughnessReading};
 use serde::Serialize;
@@ -18,7 +18,7 @@ use super::source::Source;
 /// Choices of the model, all made.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Model {
-    /// Mesh positions along the path of contact.
+    /// Cells of the path of contact; one position in the paper's reading.
     pub positions: usize,
     /// The single position of the paper's reading, 0 at A and 1 at E.
     pub position: f64,
@@ -26,8 +26,8 @@ pub struct Model {
     pub offsets: usize,
     /// Half width of the contact window in Hertz half-widths.
     pub window: f64,
-    /// Load sharing of the pairs of teeth in contact.
-    pub load_sharing: LoadSharing,
+    /// Load over the teeth in contact.
+    pub load_distribution: LoadLaw,
     /// Friction coefficient in the film.
     pub friction: FrictionLaw,
     /// What the laws leave to choose.
@@ -77,17 +77,17 @@ pub(super) fn model(
     };
     let positions = match own.one_position {
         true => 1,
-        false => defaults.take("model.positions", given.positions, 32),
+        false => defaults.take("model.positions", given.positions, 16),
     };
     let model = Model {
         positions,
         position: point.fraction_of(gears.path()),
         offsets: defaults.take("model.offsets", given.offsets, own.offsets),
         window: defaults.take("model.window", given.window, 3.0),
-        load_sharing: defaults.take(
-            "model.load_sharing",
-            given.load_sharing.clone(),
-            LoadSharing::Uniform,
+        load_distribution: defaults.take(
+            "model.load_distribution",
+            given.load_distribution.clone(),
+            own.load_distribution.clone(),
         ),
         friction: defaults.take("model.friction", given.friction, FrictionLaw::default()),
         friction_settings: friction_settings(given, own.clamp_roughness, defaults),
@@ -131,7 +131,6 @@ pub(super) fn model(
         depths: defaults.take("model.depths", given.depths, 24),
     };
     check_model(&model, source)?;
-    check_against_gears(&model, own, gears, source)?;
     check_constant(given.constant_friction, model.friction, source)?;
     Ok(model)
 }
@@ -252,31 +251,6 @@ fn check_model(model: &Model, source: &Source) -> Result<(), CaseError> {
     for (key, name, value, holds, rule) in checks {
         DomainError::require(holds, name, value, "-", rule).map_err(domain(source, key))?;
     }
-    Ok(())
-}
-
-/// What only some gears take: positions fewer than the segments of the path, laws for spur gears.
-fn check_against_gears(
-    model: &Model,
-    own: &ModelDefaults,
-    gears: &GearPair,
-    source: &Source,
-) -> Result<(), CaseError> {
-    let refused = |key| {
-        move |error| CaseError::NotForTheseGears {
-            place: source.place_of(key),
-            key,
-            source: error,
-        }
-    };
-    if !own.one_position {
-        gears
-            .positions(model.positions, PositionRule::default())
-            .map_err(refused("model.positions"))?;
-    }
-    gears
-        .loss_factors(&model.load_sharing)
-        .map_err(refused("model.load_sharing"))?;
     Ok(())
 }
 

@@ -1,16 +1,18 @@
 //! Defaults of the model that hang on its reading.
 
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
+use asperity_gear::LoadLaw;
 use asperity_ns_film::FluidModel;
 
 use super::input::Formulation;
 
 /// What a formulation takes where the case says nothing.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct ModelDefaults {
     /// One position stands for the whole mesh.
     pub one_position: bool,
     pub offsets: usize,
+    pub load_distribution: LoadLaw,
     pub boundary_friction: f64,
     pub film: FilmLaw,
     pub thermal: ThermalLaw,
@@ -21,6 +23,7 @@ pub(super) struct ModelDefaults {
 const CORRECTED: ModelDefaults = ModelDefaults {
     one_position: false,
     offsets: 16,
+    load_distribution: LoadLaw::Elastic,
     // Ground steel in oil; measured values lie between 0.065 and 0.13.
     boundary_friction: 0.1,
     film: FilmLaw::DowsonToyoda,
@@ -32,6 +35,7 @@ const CORRECTED: ModelDefaults = ModelDefaults {
 const PAPER: ModelDefaults = ModelDefaults {
     one_position: true,
     offsets: 1,
+    load_distribution: LoadLaw::MeanLength,
     // Metal on metal as the 2022 paper takes it (its Table 2).
     boundary_friction: 0.3,
     film: FilmLaw::HamrockDowson,
