@@ -126,6 +126,9 @@ pub struct RunArgs {
     /// List every default that was used
     #[arg(long)]
     pub explain_defaults: bool,
+    /// Print the published friction laws beside, each applied whole
+    #[arg(long)]
+    pub laws: bool,
     /// Do not write a result folder
     #[arg(long, conflicts_with = "output")]
     pub no_output: bool,

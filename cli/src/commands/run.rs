@@ -45,6 +45,9 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
 
 fn text(result: &RunResult, args: &RunArgs, folder: Option<&Path>, begin: Instant) -> String {
     let mut text = report::summary(result);
+    if args.laws {
+        text.push_str(&report::published_laws(result));
+    }
     if args.explain_defaults {
         text.push_str("defaults used\n");
         for default in &result.defaults {

@@ -28,5 +28,5 @@ pub use folder::{
     write_unsolved, write_whole,
 };
 pub use page_tables::PageTables;
-pub use summary::summary;
+pub use summary::{published_laws, summary};
 pub use wrap::{COLUMNS, wrapped};

@@ -20,6 +20,7 @@ mod flanks;
 mod input;
 mod key_names;
 mod known_keys;
+mod law_names;
 mod loaded;
 mod model;
 mod own_laws;
@@ -37,6 +38,7 @@ pub use input::{
     BodyInput, CaseInput, FlankInput, Formulation, GearsInput, MaterialInput, ModelInput,
     NamedPoint, OneOrTwo, OperationInput, PathPoint, SurfaceInput, schema,
 };
+pub use law_names::{FilmFrictionLaw, LoadShareName};
 pub use loaded::{LoadedCase, Resolver, from_text, load, load_with};
 pub use model::Model;
 pub use resolve::{Case, resolve};

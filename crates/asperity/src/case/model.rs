@@ -2,20 +2,23 @@
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, Ratio};
-use asperity_ehl_regime::{FilmLaw, LoadShareLaw, ThermalLaw};
+use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay};
+use asperity_ehl_regime::{FilmLaw, ThermalLaw};
 use asperity_gear::{GearPair, LoadSharing, PositionRule};
 use asperity_ns_film::FluidModel;
-use asperity_tribo_friction::{FrictionLaw, FrictionSettings, RoughnessReading};
+use asperity_efficiency::swept::HYSTERESIS;
+use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION, BOUNDARY_LAYER};
+use asperity_tribo_friction::{FrictionSettings, PressureLaw, RoughnessReading};
 use serde::Serialize;
 
 use super::defaults::Defaults;
 use super::error::CaseError;
-use super::input::{Formulation, ModelInput, NamedPoint, PathPoint};
+use super::input::{Formulation, ModelInput, NamedPoint, OneOrTwo, PathPoint};
+use super::law_names::{FilmFrictionLaw, LoadShareName};
 use super::resolve::domain;
 use super::source::Source;
+use crate::load_share::SpotSpeed;
 
-/// Boundary friction of ground steel in oil; measured values lie between 0.065 and 0.13.
-const BOUNDARY_FRICTION: f64 = 0.1;
 /// Metal on metal as the 2022 paper takes it (its Table 2).
 const PAPER_BOUNDARY_FRICTION: f64 = 0.3;
 
@@ -32,16 +35,28 @@ pub struct Model {
     pub window: f64,
     /// Load sharing of the pairs of teeth in contact.
     pub load_sharing: LoadSharing,
-    /// Friction coefficient in the film.
-    pub friction: FrictionLaw,
+    /// Friction in the film.
+    pub film_friction: FilmFrictionLaw,
+    /// Viscosity over pressure in it.
+    pub film_pressure_law: PressureLaw,
     /// What the laws leave to choose.
     pub friction_settings: FrictionSettings,
     /// Factor on the coefficient.
     pub friction_scale: f64,
     /// Lubricant factor X_L.
     pub lubricant_factor: f64,
-    /// Friction coefficient of touching asperities.
+    /// Coefficient of boundary friction.
     pub boundary_friction: f64,
+    /// Height of the boundary layer on touching asperities.
+    pub boundary_layer: Length,
+    /// Lay of pinion and wheel.
+    pub lay: [Lay; 2],
+    /// Reading of the central film in film friction and load share.
+    pub central_film: CentralFilm,
+    /// Speed that carries oil into touching asperities.
+    pub spot_speed: SpotSpeed,
+    /// Factor on the solved share of the asperities.
+    pub asperity_share_factor: f64,
     /// Film thickness law.
     pub film: FilmLaw,
     /// Thermal reduction.
@@ -49,7 +64,7 @@ pub struct Model {
     /// Feed the flash temperature back.
     pub flash_feedback: bool,
     /// Share of the load that the film carries.
-    pub load_share: LoadShareLaw,
+    pub load_share: LoadShareName,
     /// Fluid pressure across the film.
     pub fluid_pressure: FluidModel,
     /// Step of the paper's marching.
@@ -83,6 +98,10 @@ pub(super) fn model(
         true => 1,
         false => defaults.take("model.positions", given.positions, 32),
     };
+    // The paper's reading has none of these; its list of defaults leaves them out.
+    let mut unused = Defaults::default();
+    let of_share = if paper { &mut unused } else { &mut *defaults };
+    let share_choices = ShareChoices::of(given, of_share);
     let model = Model {
         positions,
         position: point.fraction_of(gears.path()),
@@ -93,7 +112,23 @@ pub(super) fn model(
             given.load_sharing.clone(),
             LoadSharing::Uniform,
         ),
-        friction: defaults.take("model.friction", given.friction, FrictionLaw::default()),
+        film_friction: defaults.take(
+            "model.film_friction",
+            given.film_friction,
+            if paper {
+                FilmFrictionLaw::Xu
+            } else {
+                FilmFrictionLaw::Eyring
+            },
+        ),
+        film_pressure_law: match paper {
+            true => given.film_pressure_law.unwrap_or_default(),
+            false => defaults.take(
+                "model.film_pressure_law",
+                given.film_pressure_law,
+                PressureLaw::default(),
+            ),
+        },
         friction_settings: friction_settings(given, paper, defaults),
         lubricant_factor: defaults.take("model.lubricant_factor", given.lubricant_factor, 1.0),
         friction_scale: defaults.take("model.friction_scale", given.friction_scale, 1.0),
@@ -106,6 +141,11 @@ pub(super) fn model(
                 BOUNDARY_FRICTION
             },
         ),
+        boundary_layer: share_choices.boundary_layer,
+        lay: share_choices.lay,
+        central_film: share_choices.central_film,
+        spot_speed: share_choices.spot_speed,
+        asperity_share_factor: share_choices.factor,
         film: defaults.take(
             "model.film",
             given.film,
@@ -128,7 +168,11 @@ pub(super) fn model(
         load_share: defaults.take(
             "model.load_share",
             given.load_share,
-            LoadShareLaw::default(),
+            if paper {
+                LoadShareName::LambdaStar
+            } else {
+                LoadShareName::Solved
+            },
         ),
         fluid_pressure: defaults.take(
             "model.fluid_pressure",
@@ -154,14 +198,42 @@ pub(super) fn model(
             false,
         ),
         hysteresis: defaults
-            .take("model.hysteresis", given.hysteresis, Ratio::new(0.0))
+            .take(
+                "model.hysteresis",
+                given.hysteresis,
+                Ratio::new(if paper { 0.0 } else { HYSTERESIS }),
+            )
             .value(),
         depths: defaults.take("model.depths", given.depths, 24),
     };
     check_model(&model, source)?;
     check_against_gears(&model, formulation, gears, source)?;
-    check_constant(given.constant_friction, model.friction, source)?;
+    check_constant(given.constant_friction, model.film_friction, source)?;
     Ok(model)
+}
+
+/// Choices of the load share and of film friction.
+struct ShareChoices {
+    boundary_layer: Length,
+    lay: [Lay; 2],
+    central_film: CentralFilm,
+    spot_speed: SpotSpeed,
+    factor: f64,
+}
+
+impl ShareChoices {
+    fn of(given: &ModelInput, defaults: &mut Defaults) -> Self {
+        let lay = OneOrTwo::One(Lay::ACROSS);
+        let (speed, factor) = (given.spot_speed, given.asperity_share_factor);
+        let (layer, film) = (given.boundary_layer, given.central_film);
+        Self {
+            boundary_layer: defaults.take("model.boundary_layer", layer, BOUNDARY_LAYER),
+            lay: defaults.take("model.lay", given.lay, lay).both(),
+            central_film: defaults.take("model.central_film", film, CentralFilm::MassFlow),
+            spot_speed: defaults.take("model.spot_speed", speed, SpotSpeed::Entrainment),
+            factor: defaults.take("model.asperity_share_factor", factor, 1.0),
+        }
+    }
 }
 
 fn friction_settings(given: &ModelInput, paper: bool, defaults: &mut Defaults) -> FrictionSettings {
@@ -183,7 +255,7 @@ type Check = (&'static str, &'static str, f64, bool, &'static str);
 
 fn check_model(model: &Model, source: &Source) -> Result<(), CaseError> {
     let count = |n: usize| n as f64;
-    let checks: [Check; 12] = [
+    let checks: [Check; 14] = [
         (
             "model.positions",
             "positions",
@@ -239,6 +311,20 @@ fn check_model(model: &Model, source: &Source) -> Result<(), CaseError> {
             model.boundary_friction,
             (0.0..=2.0).contains(&model.boundary_friction),
             "must be 0 to 2",
+        ),
+        (
+            "model.boundary_layer",
+            "boundary layer",
+            model.boundary_layer.si(),
+            (0.0..=1e-6).contains(&model.boundary_layer.si()),
+            "must be 0 to 1 um",
+        ),
+        (
+            "model.asperity_share_factor",
+            "factor on the asperity share",
+            model.asperity_share_factor,
+            model.asperity_share_factor > 0.0 && model.asperity_share_factor <= 1.0,
+            "must be above 0 and at most 1",
         ),
         (
             "model.delta_step",
@@ -301,7 +387,11 @@ fn check_against_gears(
 }
 
 /// A constant coefficient is given with the law that uses it, and only with it.
-fn check_constant(given: Option<f64>, law: FrictionLaw, source: &Source) -> Result<(), CaseError> {
+fn check_constant(
+    given: Option<f64>,
+    law: FilmFrictionLaw,
+    source: &Source,
+) -> Result<(), CaseError> {
     let key = "model.constant_friction";
     let conflict = |rule| CaseError::Conflict {
         place: source.place_of(key),
@@ -309,11 +399,11 @@ fn check_constant(given: Option<f64>, law: FrictionLaw, source: &Source) -> Resu
         rule,
     };
     match (given, law) {
-        (None, FrictionLaw::Constant) => Err(conflict(
-            "is missing, and friction = \"constant\" needs it, as constant_friction = 0.05",
+        (None, FilmFrictionLaw::Constant) => Err(conflict(
+            "is missing, and film_friction = \"constant\" needs it, as constant_friction = 0.05",
         )),
-        (Some(_), law) if law != FrictionLaw::Constant => Err(conflict(
-            "is used with friction = \"constant\" only; leave it out or choose that law",
+        (Some(_), law) if law != FilmFrictionLaw::Constant => Err(conflict(
+            "is used with film_friction = \"constant\" only; leave it out or choose that law",
         )),
         (Some(value), _) => DomainError::require(
             (0.0..=2.0).contains(&value),
