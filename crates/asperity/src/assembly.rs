@@ -130,9 +130,9 @@ fn summary(
         parts.sum()
     };
     let share_of = |of: &dyn Fn(&Offset) -> f64| {
-        let shares = positions.iter().map(|position| {
-            position.station.weight * mean(position.offsets.iter().map(of))
-        });
+        let shares = positions
+            .iter()
+            .map(|position| position.station.weight * mean(position.offsets.iter().map(of)));
         shares.sum::<f64>() / total
     };
     Ok(Summary {

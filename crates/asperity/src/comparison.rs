@@ -85,9 +85,8 @@ fn applied(
         let force = |position: &Position, k: usize| forces[number(position)][k];
         meshes.push(efficiency_at(case, positions, &rolling, k, force)?);
     }
-    let sliding = |mesh: &asperity_efficiency::MeshEfficiency| {
-        mesh.breakdown.power(LossKind::Sliding).si()
-    };
+    let sliding =
+        |mesh: &asperity_efficiency::MeshEfficiency| mesh.breakdown.power(LossKind::Sliding).si();
     Ok(PublishedOutcome::Applied {
         loss_w: mean(meshes.iter().map(|mesh| mesh.flow.loss.si())),
         sliding_w: mean(meshes.iter().map(sliding)),

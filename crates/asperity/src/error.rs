@@ -289,9 +289,9 @@ impl PositionError {
                 | LoadShareError::NoRoot { .. },
             ) => "E301",
             Self::Contact(ContactError::LimitBelowMeanPressure { .. })
-            | Self::LoadShare(LoadShareError::Contact(
-                ContactError::LimitBelowMeanPressure { .. },
-            )) => "E302",
+            | Self::LoadShare(LoadShareError::Contact(ContactError::LimitBelowMeanPressure {
+                ..
+            })) => "E302",
             Self::LoadShare(LoadShareError::FlowPressureTooLow { .. }) => "E306",
             _ => "E305",
         }

@@ -64,8 +64,8 @@ pub mod surfaces;
 pub mod survey;
 
 pub use case::{Case, CaseInput, LoadedCase};
-pub use error::{Error, PositionError, RunError, UnsolvedContact};
 pub use contact_tables::ContactTables;
+pub use error::{Error, PositionError, RunError, UnsolvedContact};
 pub use pipeline::{contacts, losses, run};
 pub use result::{Outcome, RunResult};
 

@@ -16,12 +16,12 @@ use rayon::prelude::*;
 
 use crate::case::LoadedCase;
 use crate::chosen_laws::ChosenLaws;
+use crate::contact_tables::ContactTables;
 use crate::detail::Detail;
+use crate::encounter::Encounter;
 use crate::error::{PositionError, RunError};
 use crate::friction;
 use crate::position::Position;
-use crate::contact_tables::ContactTables;
-use crate::encounter::Encounter;
 use crate::provenance;
 use crate::result::{Losses, Outcome};
 use crate::rough_film;

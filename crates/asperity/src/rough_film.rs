@@ -87,7 +87,9 @@ impl<'a> RoughFilm<'a> {
         encounter: &Encounter,
         tables: Tables<'_>,
     ) -> Result<Checked<LoadShareSolution>, PositionError> {
-        let rms = self.traces.window_rms(encounter.starts, encounter.x.len())?;
+        let rms = self
+            .traces
+            .window_rms(encounter.starts, encounter.x.len())?;
         if let Tables::Made(table) = tables {
             return Ok(self.film.share(table, rms)?);
         }

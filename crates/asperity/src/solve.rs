@@ -5,6 +5,7 @@ use asperity_core::Checked;
 
 use crate::case::Case;
 use crate::chosen_laws::ChosenLaws;
+use crate::contact_tables::ContactTables;
 use crate::decision::{Decision, decide};
 use crate::detail::Detail;
 use crate::encounter::Encounter;
@@ -12,9 +13,8 @@ use crate::error::PositionError;
 use crate::fields::fields;
 use crate::formulation::{self, Scene, Strategy};
 use crate::friction::{self, InFilm, Rubbing};
-use crate::local_roughness::Roughness;
-use crate::contact_tables::ContactTables;
 use crate::load_share::LoadShareSolution;
+use crate::local_roughness::Roughness;
 use crate::position::{ContactNumbers, Offset, Position};
 use crate::rough_film::{RoughFilm, Tables};
 use crate::station::Station;

@@ -72,7 +72,14 @@ fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
                 _ => None,
             };
             let solved = solved.as_ref();
-            decisions.push(decide(case, &laws, &station, &roughness, met.as_ref(), solved)?);
+            decisions.push(decide(
+                case,
+                &laws,
+                &station,
+                &roughness,
+                met.as_ref(),
+                solved,
+            )?);
         }
         let n = count as f64;
         let known: Vec<f64> = decisions.iter().filter_map(|d| d.lambda_star).collect();

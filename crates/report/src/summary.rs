@@ -124,7 +124,11 @@ pub fn published_laws(result: &RunResult) -> String {
             PublishedOutcome::Applied { loss_w, .. } => watts(*loss_w),
             _ => "-".to_owned(),
         };
-        let asperities = if entry.includes_asperities { "in" } else { "out" };
+        let asperities = if entry.includes_asperities {
+            "in"
+        } else {
+            "out"
+        };
         let range = match (entry.inside_its_range, &entry.outcome) {
             (_, PublishedOutcome::Refused(why)) => why.clone(),
             (true, _) => "inside".to_owned(),
@@ -132,7 +136,11 @@ pub fn published_laws(result: &RunResult) -> String {
         };
         let line = format!("{:<15}  {loss:<8}  {asperities:<10}  {range}", entry.law);
         // Writing into a string cannot fail.
-        let _ = writeln!(text, "{}", wrapped(&line, "                                       "));
+        let _ = writeln!(
+            text,
+            "{}",
+            wrapped(&line, "                                       ")
+        );
     }
     text
 }

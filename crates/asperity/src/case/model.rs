@@ -2,11 +2,11 @@
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, Ratio};
+use asperity_efficiency::swept::HYSTERESIS;
 use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay};
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
 use asperity_gear::{GearPair, LoadSharing, PositionRule};
 use asperity_ns_film::FluidModel;
-use asperity_efficiency::swept::HYSTERESIS;
 use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION, BOUNDARY_LAYER};
 use asperity_tribo_friction::{FrictionSettings, PressureLaw, RoughnessReading};
 use serde::Serialize;

@@ -50,8 +50,8 @@ impl Case {
     #[must_use]
     pub fn film_friction(&self) -> Arc<dyn FilmFriction> {
         let own = self.laws.friction.clone();
-        own.unwrap_or_else(|| {
-            match (&self.rheology, self.model.film_friction.shear_law()) {
+        own.unwrap_or_else(
+            || match (&self.rheology, self.model.film_friction.shear_law()) {
                 (Some(rheology), Some(_)) => {
                     Arc::new(FilmAlone::new(rheology, self.model.central_film))
                 }
@@ -59,8 +59,8 @@ impl Case {
                     law: self.model.film_friction.published().unwrap_or_default(),
                     settings: self.model.friction_settings,
                 }),
-            }
-        })
+            },
+        )
     }
 
     /// The distribution of the load over the teeth in use.

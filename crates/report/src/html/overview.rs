@@ -164,10 +164,9 @@ fn laws(result: &RunResult) -> Drawing {
             false => ", outside its range",
         };
         let (value, text) = match &entry.outcome {
-            PublishedOutcome::Applied { loss_w, .. } => (
-                Some(*loss_w),
-                format!("{} W{range}", significant(*loss_w)),
-            ),
+            PublishedOutcome::Applied { loss_w, .. } => {
+                (Some(*loss_w), format!("{} W{range}", significant(*loss_w)))
+            }
             _ => (None, "cannot be used here".to_owned()),
         };
         let asperities = match entry.includes_asperities {
