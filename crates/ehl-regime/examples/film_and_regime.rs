@@ -18,7 +18,7 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
             modulus: "115.4 GPa".parse()?,
             viscosity: "10 mPa s".parse()?,
             pressure_viscosity: "15 1/GPa".parse()?,
-            contact_length: None,
+            contact_length: Some("50 mm".parse()?),
         };
         for law in [FilmLaw::DowsonToyoda, FilmLaw::HamrockDowson] {
             let film = law.film(&conditions)?;
