@@ -133,6 +133,9 @@ pub struct RunArgs {
     /// Write every point of the load map into the result folder, as map.csv
     #[arg(long, conflicts_with = "no_output")]
     pub load_map: bool,
+    /// Print the published friction laws beside, each applied whole
+    #[arg(long)]
+    pub laws: bool,
     /// Do not write a result folder
     #[arg(long, conflicts_with = "output")]
     pub no_output: bool,

@@ -127,6 +127,9 @@ fn text_of_set(result: &PlanetaryResult) -> String {
 
 fn text(result: &RunResult, args: &RunArgs, folder: Option<&Path>, begin: Instant) -> String {
     let mut text = report::summary(result);
+    if args.laws {
+        text.push_str(&report::published_laws(result));
+    }
     if args.explain_defaults {
         text.push_str("defaults used\n");
         for default in &result.defaults {

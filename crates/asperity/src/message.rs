@@ -112,6 +112,7 @@ explanations! {
     "E303" "a measured profile is needed": "The rough contact presses two profiles together, but a flank is given by roughness values only." => "Give surface.pinion.file and surface.wheel.file, or run the case in the corrected formulation.";
     "E304" "the marching did not reach the load": "Lowering the surfaces into each other step by step did not meet the load within the numerical error." => "Reduce model.delta_step or raise model.numerical_error.";
     "E305" "outside the model": "An equation refuses the numbers it is given at a mesh position." => "Check the value named against the ranges in docs/EQUATIONS.md, or choose another law in model.";
+    "E306" "the film alone would make the flank flow": "The flow pressure is below one and a half times the Hertz pressure, which the film carries without any asperity." => "Set material.pinion.flow_pressure to the indentation hardness: 6 to 8 GPa for case-hardened steel.";
     "E401" "a result cannot be written": "The system refused to write, or the place is taken by something that is not a result." => "Choose another place or name, make its folder, or free some space.";
     "E402" "not a result": "What was named is not a result of a run, or lacks what was asked of it." => "Name a result folder, as results/e-drive, or its result.json.";
     "E501" "internal fault": "The program contradicts itself. This is a fault of the program, not of the input." => "Please report it with the case file.";

@@ -30,8 +30,8 @@ pub struct RunResult {
     pub formulation: Formulation,
     /// Efficiency and losses.
     pub summary: Summary,
-    /// The same with other friction laws.
-    pub friction_laws: Vec<FrictionComparison>,
+    /// Published friction laws, each applied whole.
+    pub published_laws: Vec<PublishedLawRow>,
     /// Load over the teeth.
     pub load: LoadReport,
     /// One row per mesh position.
@@ -77,12 +77,24 @@ pub struct Summary {
     pub loss_w: f64,
     /// Sliding loss \[W\].
     pub sliding_w: f64,
-    /// Rolling loss \[W\].
+    /// Part of the sliding loss in the film \[W\].
+    pub film_w: f64,
+    /// Part of the sliding loss in touching asperities that are lubricated \[W\].
+    pub lubricated_asperity_w: f64,
+    /// Part of the sliding loss in the boundary layer of touching asperities \[W\].
+    pub boundary_w: f64,
+    /// Rolling loss, hysteresis of the steel included \[W\].
     pub rolling_w: f64,
     /// Deformation loss of pinion and wheel \[W\], where the formulation counts it.
     pub deformation_w: [f64; 2],
-    /// Elastic energy not given back \[W\].
+    /// Part of the rolling loss by hysteresis of the steel \[W\].
     pub hysteresis_w: f64,
+    /// Elastic work put into the flanks and given back, but for hysteresis \[W\]; no loss.
+    pub elastic_cycling_w: f64,
+    /// Share of the load on touching asperities, mean over mesh time.
+    pub asperity_share: f64,
+    /// Share of the load on their boundary layer, mean over mesh time.
+    pub boundary_share: f64,
     /// Friction coefficient that explains the loss with the local loss factor.
     pub mu_equivalent: f64,
     /// Loss factor of Ohlendorf.
@@ -99,23 +111,41 @@ pub struct Summary {
     pub worst_duality_gap: f64,
 }
 
-/// Efficiency with another friction law in the film, everything else equal.
+/// A published friction law applied whole: its coefficient times the load, instead of film and asperities.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
-pub struct FrictionComparison {
+pub struct PublishedLawRow {
     /// Name as in the case file.
     pub law: String,
-    /// Efficiency, or why there is none.
+    /// Whether the friction of asperities is in its coefficient.
+    pub includes_asperities: bool,
+    /// Whether it was made without the rolling loss, which is then that of this result.
+    pub excludes_rolling: bool,
+    /// What it was fitted to.
+    pub fitted_to: String,
+    /// Whether every input lies inside what it was fitted to.
+    pub inside_its_range: bool,
+    /// Inputs outside that, each once.
+    pub outside: Vec<String>,
+    /// Loss and efficiency, or why there are none.
     #[serde(flatten)]
-    pub outcome: ComparisonOutcome,
+    pub outcome: PublishedOutcome,
 }
 
-/// What a friction law gave.
+/// Loss by a published friction law.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum ComparisonOutcome {
-    /// Mesh efficiency with this law.
-    Efficiency(f64),
+#[non_exhaustive]
+pub enum PublishedOutcome {
+    /// Loss and efficiency of the mesh.
+    Applied {
+        /// All losses \[W\].
+        loss_w: f64,
+        /// Sliding loss \[W\].
+        sliding_w: f64,
+        /// Mesh efficiency.
+        efficiency: f64,
+    },
     /// Why the law cannot be used here.
     Refused(String),
 }
@@ -158,7 +188,7 @@ pub struct PositionRow {
     pub film_central_um: f64,
     /// Minimum film with thermal reduction \[µm\].
     pub film_minimum_um: f64,
-    /// Λ*; absent when the peaks of the flanks are not known.
+    /// Λ*, median over the offsets; absent when the peaks of the flanks are not known.
     pub lambda_star: Option<f64>,
     /// Minimum film over composite Rq; absent when both flanks are flat.
     pub film_ratio: Option<f64>,
@@ -166,8 +196,14 @@ pub struct PositionRow {
     pub mixed_share: f64,
     /// Regime of most offsets.
     pub regime: Regime,
-    /// Share of the load the film carries.
+    /// Share of the load the film carries; asperities carry the rest, φ.
     pub film_share: f64,
+    /// Share β of the asperities' load on the boundary layer; absent where nothing touches.
+    pub boundary_of_asperities: Option<f64>,
+    /// Share φβ of the load on the boundary layer.
+    pub boundary_share: f64,
+    /// Mean gap of the rough flanks \[µm\], of load shares that solve the contact.
+    pub mean_gap_um: Option<f64>,
     /// Friction coefficient in the film.
     pub mu_film: f64,
     /// Friction coefficient of the whole contact.
@@ -176,7 +212,13 @@ pub struct PositionRow {
     pub flash_k: f64,
     /// Sliding loss per metre of contact line, mean over that length \[W/m\].
     pub sliding_w_per_m: f64,
-    /// Rolling loss per metre of contact line \[W/m\].
+    /// Its part in the film \[W/m\].
+    pub film_w_per_m: f64,
+    /// Its part in lubricated asperities \[W/m\].
+    pub lubricated_asperity_w_per_m: f64,
+    /// Its part in the boundary layer \[W/m\].
+    pub boundary_w_per_m: f64,
+    /// Rolling loss per metre of contact line, hysteresis included \[W/m\].
     pub rolling_w_per_m: f64,
     /// Share of the window in solid contact (mixed offsets).
     pub contact_fraction: Option<f64>,

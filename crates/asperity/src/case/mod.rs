@@ -23,6 +23,7 @@ mod gears;
 mod input;
 mod key_names;
 mod known_keys;
+mod law_names;
 mod loaded;
 mod model;
 mod model_defaults;
@@ -44,6 +45,7 @@ pub use input::{
     BodyInput, CaseInput, FlankInput, Formulation, GearsInput, MaterialInput, ModelInput,
     NamedPoint, OneOrTwo, OperationInput, PathPoint, SurfaceInput, schema,
 };
+pub use law_names::{FilmFrictionLaw, LoadShareName};
 pub use loaded::{LoadedCase, Resolver, from_text, load, load_with};
 pub use model::Model;
 pub use place::Place;

@@ -7,6 +7,7 @@ use asperity_gear::{GearError, LoadConditions, LoadDistribution, LoadMap};
 use asperity_tribo_friction::{FilmFriction, NamedFriction};
 
 use super::resolve::Case;
+use crate::film_alone::FilmAlone;
 use crate::load_share_law::LoadShare;
 
 impl Case {
@@ -49,12 +50,17 @@ impl Case {
     #[must_use]
     pub fn film_friction(&self) -> Arc<dyn FilmFriction> {
         let own = self.laws.friction.clone();
-        own.unwrap_or_else(|| {
-            Arc::new(NamedFriction {
-                law: self.model.friction,
-                settings: self.model.friction_settings,
-            })
-        })
+        own.unwrap_or_else(
+            || match (&self.rheology, self.model.film_friction.shear_law()) {
+                (Some(rheology), Some(_)) => {
+                    Arc::new(FilmAlone::new(rheology, self.model.central_film))
+                }
+                _ => Arc::new(NamedFriction {
+                    law: self.model.film_friction.published().unwrap_or_default(),
+                    settings: self.model.friction_settings,
+                }),
+            },
+        )
     }
 
     /// The distribution of the load over the teeth in use.

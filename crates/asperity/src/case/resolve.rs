@@ -8,6 +8,7 @@ use asperity_gear::{GearPair, LoadConditions, LoadMapSettings, MicroGeometry};
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::preparation::Preparation;
+use asperity_tribo_friction::{FilmRheology, FrictionError, TractionConstants};
 
 use super::defaults::{DefaultUsed, Defaults};
 use super::domain::domain;
@@ -53,6 +54,8 @@ pub struct Case {
     pub lubricant: Lubricant,
     /// The oil at the bulk temperature.
     pub oil: LubricantState,
+    /// The oil in the film, where film friction or load share look at it.
+    pub rheology: Option<FilmRheology>,
     /// What about the oil was outside the range of its laws.
     pub oil_notes: Vec<OutOfRange>,
     /// How the traces are prepared.
@@ -104,6 +107,22 @@ pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
         settings: &load_settings,
     };
     check_load(&mesh, &model, formulation, source)?;
+    let mut oil_state = oil.value;
+    let rheology =
+        match model.film_friction.shear_law().is_some() || model.load_share.supply().is_some() {
+            false => None,
+            true => {
+                let rheology = rheology(&lubricant, &model, operation.temperature)
+                    .map_err(rheology_at(source))?;
+                // One film in the whole run: as thick as the film friction has it.
+                let state = rheology
+                    .state(operation.temperature)
+                    .map_err(rheology_at(source))?;
+                oil_state.pressure_viscosity = state.pressure_viscosity;
+                oil_state.thermal_conductivity = state.conductivity;
+                Some(rheology)
+            }
+        };
     Ok(Case {
         title: input
             .title
@@ -120,7 +139,8 @@ pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
         speed: operation.speed,
         temperature: operation.temperature,
         lubricant,
-        oil: oil.value,
+        oil: oil_state,
+        rheology,
         oil_notes: oil.outside,
         preparation,
         model,
@@ -128,6 +148,53 @@ pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
         input,
         defaults: defaults.into_list(),
     })
+}
+
+/// The oil in the film: constants of its family, α as given at the temperature of the case or by Gold.
+fn rheology(
+    lubricant: &Lubricant,
+    model: &Model,
+    bulk: Temperature,
+) -> Result<FilmRheology, RheologyError> {
+    let family = lubricant
+        .base_oil()
+        .ok_or(RheologyError::Oil(LubricantError::NoBaseOil))?
+        .into();
+    let mut constants = TractionConstants::of(family)?;
+    if let Some(given) = lubricant.given_thermal_conductivity() {
+        constants.conductivity = given;
+    }
+    let rheology = match lubricant.given_pressure_viscosity() {
+        Some(alpha) => FilmRheology::with_alpha(lubricant, constants, alpha, bulk)?,
+        None => FilmRheology::new(lubricant, family)?.with_constants(constants)?,
+    };
+    let shear = model.film_friction.shear_law().unwrap_or_default();
+    Ok(rheology.with_laws(shear, model.film_pressure_law))
+}
+
+/// Why there is no rheology of the oil.
+enum RheologyError {
+    Oil(LubricantError),
+    Friction(FrictionError),
+}
+
+impl From<FrictionError> for RheologyError {
+    fn from(error: FrictionError) -> Self {
+        Self::Friction(error)
+    }
+}
+
+fn rheology_at<E: Into<RheologyError>>(source: &Source) -> impl Fn(E) -> CaseError + use<'_, E> {
+    |error| match error.into() {
+        RheologyError::Oil(error) => lubricant_at(source)(error),
+        RheologyError::Friction(FrictionError::Domain(error)) => {
+            domain(source, key_of("lubricant", error.name))(error)
+        }
+        RheologyError::Friction(error) => CaseError::FilmFriction {
+            place: source.place_of_key("lubricant"),
+            source: error,
+        },
+    }
 }
 
 fn preparation(

@@ -11,7 +11,7 @@ use asperity_gear::{LoadCell, LoadMap};
 use super::strategy::{Scene, Strategy};
 use crate::branch::{Carried, Mixed, full_film, load_path, mixed};
 use crate::case::Case;
-use crate::deformation_losses::{hysteresis, running_in_power};
+use crate::deformation_losses::running_in_power;
 use crate::error::PositionError;
 use crate::friction::Rubbing;
 use crate::position::Position;
@@ -145,12 +145,9 @@ impl Strategy for Corrected {
         positions: &[Position],
         offset: usize,
     ) -> Result<Vec<(LossKind, Power)>, PositionError> {
-        Ok(vec![
-            (LossKind::Hysteresis, hysteresis(case, positions)?),
-            (
-                LossKind::RunningIn,
-                running_in_power(case, positions, offset)?,
-            ),
-        ])
+        Ok(vec![(
+            LossKind::RunningIn,
+            running_in_power(case, positions, offset)?,
+        )])
     }
 }
