@@ -4,7 +4,7 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::case::{LoadedCase, load, planetary};
+use asperity::case::{CaseInput, LoadedCase, load, planetary};
 use asperity::gear_report::gear_report;
 use asperity::planetary::run_planetary;
 use asperity::result::{Losses, RunResult};
@@ -16,10 +16,17 @@ fn fixtures() -> PathBuf {
 /// A shipped case with other keys.
 fn shipped(name: &str, keys: &[(&str, &str)]) -> LoadedCase {
     let path = fixtures().join("cases").join(name).with_extension("toml");
-    keys.iter()
-        .fold(load(&path, None).unwrap(), |case, (key, value)| {
-            case.with_key(key, value).unwrap()
-        })
+    changed(&load(&path, None).unwrap(), keys)
+}
+
+/// All keys at once: one without the other may be refused.
+fn changed(case: &LoadedCase, keys: &[(&str, &str)]) -> LoadedCase {
+    let set = |input: &mut CaseInput| {
+        for (key, value) in keys {
+            input.set(key, value).unwrap();
+        }
+    };
+    case.with(set).unwrap()
 }
 
 fn losses(case: &LoadedCase) -> Losses {
@@ -58,16 +65,15 @@ fn relieved(amount: &str, torque: &str) -> LoadedCase {
     let path = plain.case.gears.path();
     let length = (path.eps_alpha - 1.0) * path.base_pitch.si() * 1e3;
     let relief = format!("{{ amount = \"{amount}\", length = \"{length} mm\" }}");
-    [
-        ("operation.torque", torque),
-        ("gears.amounts", "normal"),
-        ("gears.pinion.tip_relief", &relief),
-        ("gears.wheel.tip_relief", &relief),
-    ]
-    .iter()
-    .fold(plain, |case, (key, value)| {
-        case.with_key(key, value).unwrap()
-    })
+    changed(
+        &plain,
+        &[
+            ("operation.torque", torque),
+            ("gears.amounts", "normal"),
+            ("gears.pinion.tip_relief", &relief),
+            ("gears.wheel.tip_relief", &relief),
+        ],
+    )
 }
 
 #[test]
@@ -125,11 +131,12 @@ fn mean_length_with_32_positions_is_the_loss_of_version_1() {
             ("model.load_distribution", "mean-length"),
             ("model.positions", "32"),
             ("model.offsets", "16"),
-            ("model.friction", "xu"),
+            ("model.film_friction", "xu"),
             ("model.load_share", "lambda-star"),
             ("model.film", "dowson-toyoda"),
             ("model.thermal", "gupta"),
             ("model.boundary_friction", "0.1"),
+            ("model.hysteresis", "0 %"),
         ],
     ));
     close(loss.summary.loss_w, 1132.0, 5e-3);
@@ -144,11 +151,11 @@ fn constant_friction_is_exact_over_any_number_of_cells() {
             &[
                 FEW,
                 ("model.positions", positions),
-                ("model.friction", "constant"),
+                ("model.film_friction", "constant"),
+                ("model.load_share", "lambda-star"),
                 ("model.constant_friction", "0.05"),
                 ("model.boundary_friction", "0.05"),
-            ]
-            .map(|pair| pair),
+            ],
         ))
         .summary;
         let expected = 0.05 * summary.loss_factor_local * summary.power_in_w;
