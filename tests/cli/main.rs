@@ -14,6 +14,7 @@ mod codes;
 mod contact;
 mod file_messages;
 mod fuzz;
+mod gear;
 mod instrument_files;
 mod kills;
 mod outside;
