@@ -1,17 +1,19 @@
 //! The command line.
 
 mod profile;
+mod values;
 
 use std::path::PathBuf;
 
 use asperity::case::PathPoint;
-use asperity_core::quantity::{Length, LineLoad, Pressure, QuantityError};
+use asperity_core::quantity::{Length, LineLoad, Pressure};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 pub use profile::{
     FormArg, PreparingArgs, ProfileCommand, ProfileConvertArgs, ProfileFilterArgs,
     ProfileGenerateArgs, ProfileInfoArgs, ProfilePart, ProfilePlotArgs, ReadingArgs, Wavelengths,
 };
+pub use values::name_of;
 
 /// Mesh efficiency of a gear pair from the measured roughness of its tooth flanks.
 #[derive(Debug, Parser)]
@@ -132,6 +134,24 @@ pub struct RunArgs {
     /// Do not write a result folder
     #[arg(long, conflicts_with = "output")]
     pub no_output: bool,
+    /// Keep the fields along the contact of these positions as tables: all, or numbers as 1,5 [default:
+    /// some 400 points of the position with the highest pressure, in the page]
+    #[arg(long, value_name = "all|N,N", conflicts_with = "no_output")]
+    pub fields: Option<String>,
+    /// Limits of the work.
+    #[command(flatten)]
+    pub work: WorkArgs,
+}
+
+/// Limits of the work, above which nothing is begun.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct WorkArgs {
+    /// Refuse work that is estimated to take longer
+    #[arg(long, value_name = "HOURS", default_value_t = 2.0)]
+    pub max_hours: f64,
+    /// Refuse work that is estimated to hold more memory
+    #[arg(long, value_name = "GB", default_value_t = 8.0)]
+    pub max_gb: f64,
 }
 
 /// A result and what to show of it.
@@ -162,6 +182,9 @@ pub struct CompareArgs {
     /// Folder of the comparison [default: results/<name of the case>-compare]
     #[arg(long, short)]
     pub output: Option<PathBuf>,
+    /// Limits of the work.
+    #[command(flatten)]
+    pub work: WorkArgs,
 }
 
 /// A finish as the user names it.
@@ -374,27 +397,4 @@ pub struct EquationsArgs {
     /// Print the page docs/EQUATIONS.md
     #[arg(long, conflicts_with = "tag")]
     pub markdown: bool,
-}
-
-/// Reads a choice by its name in the case file.
-fn choice<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, serde::de::value::Error> {
-    use serde::de::IntoDeserializer;
-    T::deserialize(text.into_deserializer())
-}
-
-/// Reads a cut-off; `none` is a cut-off of zero.
-fn cutoff(text: &str) -> Result<Length, QuantityError> {
-    if text.trim() == "none" {
-        return Ok(Length::from_si(0.0));
-    }
-    text.parse()
-}
-
-/// The name of a choice in the case file.
-pub fn name_of<T: serde::Serialize>(choice: &T) -> String {
-    match serde_json::to_value(choice) {
-        Ok(serde_json::Value::String(name)) => name,
-        Ok(other) => other.to_string(),
-        Err(_) => String::new(),
-    }
 }

@@ -35,7 +35,7 @@ impl Failure {
     pub fn new(code: &'static str, message: impl Into<String>) -> Self {
         Self {
             code,
-            message: message.into(),
+            message: asperity_storage::printable(&message.into()).into_owned(),
             place: None,
             remedy: Remedy::none(),
             snippet: None,
@@ -82,7 +82,8 @@ impl Failure {
         };
         Self {
             code: error.code(),
-            message: words::with_keys(message, &remedy, flank),
+            message: asperity_storage::printable(&words::with_keys(message, &remedy, flank))
+                .into_owned(),
             place: place.cloned(),
             remedy,
             snippet: snippet(),
@@ -93,7 +94,7 @@ impl Failure {
 
     /// The same error with more told at its end.
     pub fn adding(mut self, more: &str) -> Self {
-        self.message.push_str(more);
+        self.message.push_str(&asperity_storage::printable(more));
         self
     }
 

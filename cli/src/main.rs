@@ -9,15 +9,23 @@ mod words;
 use std::panic::AssertUnwindSafe;
 use std::process::ExitCode;
 
-use args::{Cli, Command};
+use args::{Cli, Command, Common};
 use clap::Parser;
 use failure::Failure;
 
+/// Exit status of a process that was interrupted.
+const INTERRUPTED: i32 = 130;
+
 fn main() -> ExitCode {
     let cli = Cli::parse();
+    // Ctrl-C and SIGTERM leave nothing behind. Without the handler the next start would clear up.
+    let _ = ctrlc::set_handler(|| {
+        asperity_storage::abandon();
+        std::process::exit(INTERRUPTED);
+    });
     // A panic unwinds to here, so that drafts of files are removed on the way.
     let done = std::panic::catch_unwind(AssertUnwindSafe(|| {
-        start_threads(cli.common.threads).and_then(|()| dispatch(&cli))
+        start_threads(&cli.common).and_then(|()| dispatch(&cli))
     }));
     match done {
         Ok(Ok(())) => ExitCode::SUCCESS,
@@ -30,12 +38,20 @@ fn main() -> ExitCode {
     }
 }
 
-fn start_threads(threads: Option<u16>) -> Result<(), Failure> {
-    let Some(threads) = threads else {
+/// Starts as many threads as asked for, at most one for each core: the result does not depend on it.
+fn start_threads(common: &Common) -> Result<(), Failure> {
+    let Some(wanted) = common.threads.map(usize::from) else {
         return Ok(());
     };
+    let cores = std::thread::available_parallelism().map_or(wanted, usize::from);
+    let threads = wanted.min(cores);
+    if threads < wanted && !common.quiet {
+        output::note(&format!(
+            "--threads {wanted}: this machine has {cores} cores; {threads} threads are used"
+        ));
+    }
     rayon::ThreadPoolBuilder::new()
-        .num_threads(threads.into())
+        .num_threads(threads)
         .build_global()
         .map_err(|error| Failure::new("E501", format!("cannot start {threads} threads: {error}")))
 }

@@ -16,6 +16,9 @@ fn option(setting: Setting) -> &'static str {
         Setting::Encoding => "--encoding",
         Setting::Gaps => "--gaps",
         Setting::Row => "--row",
+        Setting::Abscissa => "--abscissa",
+        Setting::BaseRadius => "--base-radius",
+        Setting::Uneven => "--uneven",
         Setting::Form => "--form",
         Setting::Cutoff => "--lambda-c",
         Setting::NoiseCutoff => "--lambda-s",
@@ -82,9 +85,10 @@ fn in_options(action: &Action) -> String {
 fn argument(settings: &[Setting], value: &str) -> String {
     match (settings, value) {
         ([Setting::Cutoff | Setting::NoiseCutoff], "0 mm") => "none".to_owned(),
-        ([Setting::Spacing | Setting::Cutoff | Setting::NoiseCutoff], value) => {
-            value.replace(' ', "")
-        }
+        (
+            [Setting::Spacing | Setting::BaseRadius | Setting::Cutoff | Setting::NoiseCutoff],
+            value,
+        ) => value.replace(' ', ""),
         (_, value) => value.to_owned(),
     }
 }

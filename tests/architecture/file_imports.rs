@@ -24,6 +24,10 @@ struct Source {
     imports: Vec<(Vec<String>, String, bool)>,
     /// Paths written out where they are used.
     mentions: Vec<Vec<String>>,
+    /// Macros used by a path.
+    macros: BTreeSet<String>,
+    /// Macros defined here.
+    own_macros: BTreeSet<String>,
 }
 
 /// Groups of files that import each other in a circle, of the crate with these `sources`.
@@ -167,6 +171,9 @@ fn parse(tokens: &[String]) -> Source {
             "mod" if word(i + 2) == "{" => {
                 source.inline.insert(word(i + 1).to_owned());
             }
+            "macro_rules" => {
+                source.own_macros.insert(word(i + 2).to_owned());
+            }
             "use" if i == 0 || matches!(word(i - 1), ";" | "}" | "{" | "]" | "pub" | ")") => {
                 let public = i > 0 && matches!(word(i - 1), "pub" | ")");
                 let end = i + tokens[i..].iter().take_while(|token| *token != ";").count();
@@ -182,7 +189,11 @@ fn parse(tokens: &[String]) -> Source {
                     path.push(word(i + 2).to_owned());
                     i += 2;
                 }
-                source.mentions.push(path);
+                // A macro is found by its name wherever it is defined.
+                match word(i + 1) {
+                    "!" => source.macros.extend(path.pop()),
+                    _ => source.mentions.push(path),
+                }
             }
             _ => {}
         }
@@ -237,10 +248,15 @@ fn expand(tree: &[String], before: &[String], found: &mut Vec<(Vec<String>, Stri
 /// Files that the items named in `source` are defined in, but for its own.
 fn targets(files: &BTreeMap<Module, Source>, module: &Module, source: &Source) -> BTreeSet<String> {
     let imports = source.imports.iter().map(|(path, _, _)| path);
+    let of_macros = files
+        .values()
+        .filter(|file| !file.own_macros.is_disjoint(&source.macros))
+        .map(|file| file.file.clone());
     imports
         .chain(&source.mentions)
         .filter_map(|path| absolute(module, source, path))
         .map(|path| files[&definition(files, &path, 0)].file.clone())
+        .chain(of_macros)
         .filter(|file| *file != source.file)
         .collect()
 }
@@ -359,6 +375,16 @@ fn parents_that_list_their_children_and_tests_close_no_circle() {
         ("c.rs", "use crate::{One as Uno, a::two::{self, Two}};"),
     ]);
     assert!(circles(house.path()).is_empty());
+}
+
+#[test]
+fn a_macro_is_of_the_file_that_defines_it() {
+    let house = house(&[
+        ("lib.rs", "mod a; mod b; pub use a::one;"),
+        ("a.rs", "pub fn one() { crate::note!() }"),
+        ("b.rs", "macro_rules! note { () => { $crate::one() } }"),
+    ]);
+    assert_eq!(circles(house.path()), [["a.rs", "b.rs"]]);
 }
 
 #[test]

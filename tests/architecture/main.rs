@@ -1,6 +1,8 @@
 //! Arrows between the crates point down only, and the files of a crate import each other without circles.
 
 mod file_imports;
+mod size;
+mod words;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -8,10 +10,12 @@ use std::path::Path;
 /// What each crate may use of the workspace. The physics crates stand apart from each other.
 const ALLOWED: &[(&str, &[&str])] = &[
     ("crates/core", &[]),
+    ("crates/storage", &[]),
     ("crates/profile-io", &["asperity-core"]),
     ("crates/roughness", &["asperity-core"]),
     ("crates/gear", &["asperity-core"]),
     ("crates/contact", &["asperity-core"]),
+    ("crates/ehl", &["asperity-core", "asperity-contact"]),
     ("crates/ehl-regime", &["asperity-core"]),
     ("crates/tribo-friction", &["asperity-core"]),
     ("crates/ns-film", &["asperity-core"]),
@@ -24,6 +28,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "asperity-roughness",
             "asperity-gear",
             "asperity-contact",
+            "asperity-ehl",
             "asperity-ehl-regime",
             "asperity-tribo-friction",
             "asperity-ns-film",
@@ -32,11 +37,17 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ),
     (
         "crates/report",
-        &["asperity", "asperity-core", "asperity-roughness"],
+        &[
+            "asperity-storage",
+            "asperity",
+            "asperity-core",
+            "asperity-roughness",
+        ],
     ),
     (
         "crates/studies",
         &[
+            "asperity-storage",
             "asperity-report",
             "asperity",
             "asperity-core",
@@ -48,6 +59,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     (
         "cli",
         &[
+            "asperity-storage",
             "asperity-studies",
             "asperity-report",
             "asperity",

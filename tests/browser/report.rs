@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use asperity::case::Formulation;
+use asperity_report::Fields;
 use serde_json::Value;
 
 use crate::chromium::{self, Opened};
@@ -20,7 +21,7 @@ fn folder(case: &str, formulation: Option<Formulation>) -> (tempfile::TempDir, s
     let outcome = asperity::run(&loaded, &|_, _| {}).unwrap();
     let place = tempfile::tempdir().unwrap();
     let target = place.path().join("result");
-    asperity_report::write_folder(&outcome, &target).unwrap();
+    asperity_report::write_folder(&outcome, &target, &Fields::All).unwrap();
     (place, target)
 }
 
@@ -169,24 +170,27 @@ fn a_report_is_drawn_anew_from_its_folder_with_another_position() {
     assert!(
         std::fs::read_to_string(&page)
             .unwrap()
-            .contains("position_32/surface.csv")
+            .contains("Position 32 of 32")
     );
     assert!(asperity_report::redraw(&folder, Some(33)).is_err());
 }
 
 #[test]
 fn a_trace_of_a_hundred_thousand_points_makes_a_page_that_still_opens_quickly() {
-    // Pages are decimated for display: a long trace must not make a page of its size.
-    let (_keep, folder) = folder("table2.toml", Some(Formulation::Paper));
-    let mut rows = String::from("x_um,measured_um,form_removed_um,roughness_um\n");
-    for i in 0..100_000 {
-        let z = (f64::from(i) * 0.37).sin();
-        rows.push_str(&format!("{},{z},{z},{z}\n", f64::from(i) * 0.5));
-    }
-    std::fs::write(folder.join("flank_pinion.csv"), rows).unwrap();
-    let page = asperity_report::redraw(&folder, None).unwrap();
-    /// The page with the short trace is about 1 MB.
-    const LARGEST: u64 = 4_000_000;
+    // Tables are thinned for display: a long trace must not make a page of its size.
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases/table2.toml");
+    let loaded = asperity::case::load(&path, Some(Formulation::Paper)).unwrap();
+    let mut outcome = asperity::run(&loaded, &|_, _| {}).unwrap();
+    let heights = (0..100_000).map(|i| 1e-7 * (f64::from(i) * 0.37).sin());
+    let spacing = "0.5 um".parse().unwrap();
+    let long = asperity_core::Profile::new(spacing, heights.collect()).unwrap();
+    outcome.traces[0] = Some(long);
+    let place = tempfile::tempdir().unwrap();
+    let target = place.path().join("result");
+    asperity_report::write_folder(&outcome, &target, &Fields::Page).unwrap();
+    let page = target.join("report.html");
+    /// Bytes of the page, whatever the length of the trace.
+    const LARGEST: u64 = 1_000_000;
     assert!(std::fs::metadata(&page).unwrap().len() < LARGEST);
     if let Some(browser) = chromium::find() {
         assert_sound(&chromium::open(browser, &page, 1000));

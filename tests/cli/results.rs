@@ -100,7 +100,8 @@ fn quiet_says_nothing_but_errors() {
 #[test]
 fn an_older_result_is_replaced_as_a_whole() {
     let bench = small_case();
-    bench.run(&["run", "case.toml", "-o", "out", "-q"]).well();
+    let run = ["run", "case.toml", "-o", "out", "-q", "--fields", "all"];
+    bench.run(&run).well();
     assert!(bench.path("out/position_04").is_dir());
     bench.write(
         "case.toml",

@@ -41,6 +41,8 @@ fn every_file_of_a_result_is_the_same_on_one_thread_and_on_three() {
                 "run",
                 "case.toml",
                 "-q",
+                "--fields",
+                "all",
                 "-o",
                 threads,
                 "--threads",

@@ -47,9 +47,7 @@ fn values(result: &RunResult) -> Map<String, Value> {
 }
 
 fn computed(case: &Path, formulation: Formulation) -> Map<String, Value> {
-    let loaded = load(case, Some(formulation))
-        .map_err(|(error, _)| error)
-        .unwrap();
+    let loaded = load(case, Some(formulation)).unwrap();
     values(&run(&loaded).result)
 }
 

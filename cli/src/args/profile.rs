@@ -3,11 +3,13 @@
 use std::path::PathBuf;
 
 use asperity_core::quantity::Length;
-use asperity_profile_io::read::{Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator};
+use asperity_profile_io::read::{
+    Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator, Uneven,
+};
 use asperity_roughness::gaussian_filter::Ends;
 use clap::{Args, Subcommand, ValueEnum};
 
-use super::{choice, cutoff};
+use super::values::{choice, cutoff};
 
 /// What to do with a profile.
 #[derive(Debug, Subcommand)]
@@ -35,7 +37,7 @@ pub enum ProfileCommand {
 /// One profile and its picture.
 #[derive(Debug, Args)]
 pub struct ProfilePlotArgs {
-    /// Profile file
+    /// Profile file, or - for standard input
     pub file: PathBuf,
     /// SVG file to write [default: the name of the profile with .svg]
     #[arg(long, short)]
@@ -51,7 +53,7 @@ pub struct ProfilePlotArgs {
 /// One profile into another format.
 #[derive(Debug, Args)]
 pub struct ProfileConvertArgs {
-    /// Profile file
+    /// Profile file, or - for standard input
     pub file: PathBuf,
     /// File to write; its extension (csv, x3p, smd) chooses the format
     pub output: PathBuf,
@@ -61,6 +63,9 @@ pub struct ProfileConvertArgs {
     /// Replace spikes of up to six points farther than K robust deviations from the running median
     #[arg(long, value_name = "K", allow_hyphen_values = true)]
     pub outliers: Option<f64>,
+    /// Base radius of the gear, for files against roll length, as "50 mm"
+    #[arg(long, value_name = "R_B", allow_hyphen_values = true)]
+    pub base_radius: Option<Length>,
     /// How it is read.
     #[command(flatten)]
     pub reading: ReadingArgs,
@@ -69,7 +74,7 @@ pub struct ProfileConvertArgs {
 /// One profile through form removal and filters.
 #[derive(Debug, Args)]
 pub struct ProfileFilterArgs {
-    /// Profile file
+    /// Profile file, or - for standard input
     pub file: PathBuf,
     /// File to write; its extension (csv, x3p, smd) chooses the format
     pub output: PathBuf,
@@ -130,7 +135,7 @@ pub struct ProfileGenerateArgs {
 /// Profiles and how to read and prepare them.
 #[derive(Debug, Args)]
 pub struct ProfileInfoArgs {
-    /// Profile files
+    /// Profile files; - is standard input
     #[arg(required = true)]
     pub files: Vec<PathBuf>,
     /// Wavelengths of the Hurst fit, as 200um:8um [default: lambda_c/3 to 5 lambda_s]
@@ -204,7 +209,7 @@ pub struct PreparingArgs {
     /// Form removed [default: level]
     #[arg(long, value_enum, value_name = "FORM")]
     pub form: Option<FormArg>,
-    /// Base radius of the gear, for --form involute, as "50 mm"
+    /// Base radius of the gear, for --form involute and for files against roll length, as "50 mm"
     #[arg(long, value_name = "R_B", allow_hyphen_values = true)]
     pub base_radius: Option<Length>,
     /// Roll length (radius of curvature) at the middle of the trace, for --form involute: where the
@@ -214,10 +219,10 @@ pub struct PreparingArgs {
     /// The trace runs from tip to root, for --form involute
     #[arg(long)]
     pub towards_root: bool,
-    /// Cut-off lambda_c, or none [default: 0.8 mm]
+    /// Cut-off lambda_c, or none [default: as the file states, else 0.8 mm]
     #[arg(long, value_parser = cutoff, allow_hyphen_values = true)]
     pub lambda_c: Option<Length>,
-    /// Cut-off lambda_s, or none [default: 2.5 um]
+    /// Cut-off lambda_s, or none [default: as the file states, else 2.5 um]
     #[arg(long, value_parser = cutoff, allow_hyphen_values = true)]
     pub lambda_s: Option<Length>,
     /// What the filter does at the ends: cut, reg0, reg1, reflect
@@ -235,10 +240,10 @@ pub struct PreparingArgs {
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Reading the file")]
 pub struct ReadingArgs {
-    /// Unit of the positions: um, mm, nm, m
+    /// Unit of the positions: um, mm, nm, m, inch, mil, uin
     #[arg(long)]
     pub x_unit: Option<LengthUnit>,
-    /// Unit of the heights: um, mm, nm, m
+    /// Unit of the heights: um, mm, nm, m, inch, mil, uin
     #[arg(long)]
     pub z_unit: Option<LengthUnit>,
     /// Spacing of the points, as "0.5 um"
@@ -262,4 +267,11 @@ pub struct ReadingArgs {
     /// Which profile of a file that holds several, from 1
     #[arg(long)]
     pub row: Option<usize>,
+    /// What the positions are: distance, roll-length, roll-degrees, roll-radians [default: as the
+    /// header says, else distance]
+    #[arg(long)]
+    pub abscissa: Option<Abscissa>,
+    /// Positions off an even grid: refuse or resample
+    #[arg(long)]
+    pub uneven: Option<Uneven>,
 }

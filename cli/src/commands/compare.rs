@@ -6,6 +6,7 @@ use std::time::Instant;
 use asperity::case::{self, CaseInput, FlankInput, LoadedCase};
 use asperity_studies::compare::{self, Finish};
 
+use super::work::check_work;
 use crate::args::{Common, CompareArgs, FinishArg};
 use crate::failure::Failure;
 use crate::output::{PATIENCE, print_json, print_text, progress};
@@ -39,6 +40,15 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
             })
         })
         .collect::<Result<Vec<_>, Failure>>()?;
+    if let Some(first) = finishes.first() {
+        check_work(&args.work, &first.case, finishes.len())?;
+    }
+    let folder = args.output.clone().unwrap_or_else(|| {
+        let stem = args.case.file_stem().unwrap_or_default().to_string_lossy();
+        Path::new("results").join(format!("{stem}-compare"))
+    });
+    // Told before the work, not after it.
+    compare::check_place(&folder).map_err(|error| Failure::new("E401", error.to_string()))?;
     let begin = Instant::now();
     let bar = progress(common.quiet);
     bar.set_message("finishes");
@@ -50,10 +60,6 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
     });
     bar.finish_and_clear();
     let found = found.map_err(|error| Failure::about(&args.case, &error))?;
-    let folder = args.output.clone().unwrap_or_else(|| {
-        let stem = args.case.file_stem().unwrap_or_default().to_string_lossy();
-        Path::new("results").join(format!("{stem}-compare"))
-    });
     compare::write(&found, &folder).map_err(|error| Failure::new("E401", error.to_string()))?;
     if common.json {
         return print_json(&found);

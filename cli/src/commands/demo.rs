@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use asperity_fixtures::TextFile;
+use asperity_storage::{StorageError, new_folder};
 use serde_json::json;
 
 use crate::args::Common;
@@ -20,8 +21,7 @@ pub fn demo(folder: &Path, common: &Common) -> Result<(), Failure> {
     }
     let files = asperity_fixtures::demo::files()
         .map_err(|error| Failure::new("E501", format!("the demo cannot be made: {error}")))?;
-    write(&files, folder)
-        .map_err(|error| Failure::new("E401", format!("{name}: cannot be written: {error}")))?;
+    write(&files, folder).map_err(|error| Failure::new("E401", error.to_string()))?;
     if common.json {
         let names: Vec<&str> = files.iter().map(|file| file.name).collect();
         return print_json(&json!({ "folder": folder, "files": names }));
@@ -35,18 +35,15 @@ pub fn demo(folder: &Path, common: &Common) -> Result<(), Failure> {
     )
 }
 
-/// Writes beside the place and renames, so that an interruption leaves no half folder.
-fn write(files: &[TextFile], folder: &Path) -> std::io::Result<()> {
-    let parent = match folder.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
-    std::fs::create_dir_all(parent)?;
-    let draft = asperity_report::draft_folder(parent)?;
-    let made = draft.path().join("demo");
-    std::fs::create_dir(&made)?;
-    for file in files {
-        std::fs::write(made.join(file.name), &file.content)?;
-    }
-    std::fs::rename(&made, folder)
+fn write(files: &[TextFile], folder: &Path) -> Result<(), StorageError> {
+    new_folder(folder, |made| {
+        for file in files {
+            let place = made.join(file.name);
+            std::fs::write(&place, &file.content).map_err(|source| StorageError::Io {
+                path: place.clone(),
+                source,
+            })?;
+        }
+        Ok(())
+    })
 }

@@ -11,6 +11,7 @@ pub mod reference;
 pub mod regime;
 pub mod report;
 pub mod run;
+mod work;
 
 use std::path::Path;
 

@@ -21,7 +21,9 @@ fn refused(error: &ReportError) -> Failure {
         | ReportError::Damaged { .. }
         | ReportError::BadTable { .. }
         | ReportError::NoValue { .. }
+        | ReportError::NoFields { .. }
         | ReportError::NoSuchPosition { .. } => "E402",
+        ReportError::NotFinite { .. } => "E501",
         _ => "E401",
     };
     Failure::new(code, error.to_string())

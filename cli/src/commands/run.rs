@@ -5,9 +5,10 @@ use std::time::Instant;
 
 use asperity::result::RunResult;
 use asperity::{Error, pipeline};
-use asperity_report::{self as report, ReportError};
+use asperity_report::{self as report, Fields, ReportError};
 
 use super::load_case;
+use super::work::check_work;
 use crate::args::{Common, RunArgs};
 use crate::failure::Failure;
 use crate::output::{PATIENCE, print_json, print_text, progress};
@@ -15,7 +16,9 @@ use crate::output::{PATIENCE, print_json, print_text, progress};
 /// `asperity run`
 pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
+    let fields = fields(args)?;
     let loaded = load_case(&args.case, args.formulation)?;
+    check_work(&args.work, &loaded, 1)?;
     let folder = (!args.no_output).then(|| result_folder(args));
     if let Some(folder) = &folder {
         // Told before the work, not after it.
@@ -32,7 +35,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     bar.finish_and_clear();
     let outcome = outcome.map_err(|error| failed(&error, args, folder.as_deref()))?;
     if let Some(folder) = &folder {
-        report::write_folder(&outcome, folder).map_err(|error| not_written(&error))?;
+        report::write_folder(&outcome, folder, &fields).map_err(|error| not_written(&error))?;
     }
     if common.json {
         return print_json(&outcome.result);
@@ -75,7 +78,30 @@ fn text(result: &RunResult, args: &RunArgs, folder: Option<&Path>, begin: Instan
 }
 
 fn not_written(error: &ReportError) -> Failure {
-    Failure::new("E401", error.to_string())
+    let code = match error {
+        ReportError::NoSuchPosition { .. } | ReportError::NoFields { .. } => "E402",
+        ReportError::NotFinite { .. } => "E501",
+        _ => "E401",
+    };
+    Failure::new(code, error.to_string())
+}
+
+/// The fields to keep, as `all` or as numbers of positions.
+fn fields(args: &RunArgs) -> Result<Fields, Failure> {
+    let Some(text) = args.fields.as_deref() else {
+        return Ok(Fields::Page);
+    };
+    if text.trim() == "all" {
+        return Ok(Fields::All);
+    }
+    let numbers = text.split(',').map(|number| number.trim().parse());
+    match numbers.collect::<Result<Vec<usize>, _>>() {
+        Ok(numbers) if !numbers.contains(&0) => Ok(Fields::Positions(numbers)),
+        _ => Err(Failure::new(
+            "E209",
+            format!("--fields {text}: must be all, or numbers of positions as 1,5"),
+        )),
+    }
 }
 
 /// The error of a run; a contact without solution is saved beside the result folders.

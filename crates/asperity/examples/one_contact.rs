@@ -6,6 +6,7 @@
 
 use asperity::contact::{Boundary, ContactProblem, Control, SolverSettings, solve};
 
+/// Prints one rough contact.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     // Radius 3 mm, waves of 50 nm; gap in metres at points 0.6 µm apart.
     let gap: Vec<f64> = (0..1000)

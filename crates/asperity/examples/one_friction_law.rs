@@ -6,6 +6,7 @@
 
 use asperity::tribo_friction::xu::{XuConditions, XuLaw};
 
+/// Prints one friction coefficient.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     for slide_to_roll in [0.05, 0.1, 0.2, 0.5, 1.0] {
         let found = XuLaw::default().coefficient(&XuConditions {

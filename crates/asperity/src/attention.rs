@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use asperity_contact::plasticity::{FIRST_YIELD, first_yield_pressure};
 use asperity_core::OutOfRange;
 use asperity_efficiency::equivalent_friction;
 
@@ -13,10 +14,6 @@ use crate::message::Warning;
 use crate::position::Position;
 use crate::result::{Regime, Summary};
 use crate::surfaces::Texture;
-
-/// p₀ at which a Hertz line contact begins to yield below its surface, over the elastic limit in
-/// tension (Johnson 1985, von Mises, ν = 0.3).
-const YIELD_BELOW: f64 = 1.79;
 
 /// Warnings about the positions and the summary.
 pub(crate) fn warnings(
@@ -46,7 +43,7 @@ pub(crate) fn warnings(
         ));
     }
     no_sliding(loaded, positions, &mut found);
-    stress(loaded, positions, &mut found);
+    stress(loaded, positions, &mut found)?;
     roughness(loaded, positions, &mut found);
     Ok(found)
 }
@@ -142,8 +139,13 @@ fn no_sliding(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warni
 }
 
 /// W405, W409, W410: yield below the surface, and flow of the asperities.
-fn stress(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warning>) {
+fn stress(
+    loaded: &LoadedCase,
+    positions: &[Position],
+    found: &mut Vec<Warning>,
+) -> Result<(), PositionError> {
     let materials = &loaded.case.materials;
+    let bearable = first_yield_pressure(&materials[0], &materials[1])?.si();
     let limit = materials[0]
         .elastic_limit
         .si()
@@ -152,11 +154,11 @@ fn stress(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warning>)
         .iter()
         .map(|position| position.station.hertz.max_pressure.si())
         .fold(0.0, f64::max);
-    if highest > YIELD_BELOW * limit {
+    if highest > bearable {
         found.push(Warning::new(
             "W405",
             format!(
-                "p0 {:.0} MPa passes {YIELD_BELOW} x the elastic limit {:.0} MPa: the flanks yield below the surface, which is not modelled",
+                "p0 {:.0} MPa passes {FIRST_YIELD} x the elastic limit {:.0} MPa: the flanks yield below the surface, which is not modelled",
                 highest * 1e-6,
                 limit * 1e-6
             ),
@@ -184,7 +186,7 @@ fn stress(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warning>)
                 .is_some_and(|(stress, _)| stress.si() > limit)
         })
         .count();
-    if strained > 0 && highest <= YIELD_BELOW * limit {
+    if strained > 0 && highest <= bearable {
         found.push(Warning::new(
             "W410",
             format!(
@@ -194,6 +196,7 @@ fn stress(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warning>)
             ),
         ));
     }
+    Ok(())
 }
 
 /// W406, W407, W408, W411: what the traces do not tell.

@@ -7,7 +7,7 @@ use asperity_core::quantity::Length;
 use crate::branch::{Mixed, mixed};
 use crate::case::LoadedCase;
 use crate::encounter::Encounter;
-use crate::error::{PositionError, RunError};
+use crate::error::{Error, PositionError};
 use crate::stations::station_at;
 
 /// A dry rough contact.
@@ -30,8 +30,8 @@ pub struct DryContact {
 ///
 /// # Errors
 /// When a flank has no trace, or the contact no solution.
-pub fn dry_contact(loaded: &LoadedCase, path_fraction: f64) -> Result<DryContact, RunError> {
-    solve(loaded, path_fraction).map_err(|error| RunError::Whole(Box::new(error)))
+pub fn dry_contact(loaded: &LoadedCase, path_fraction: f64) -> Result<DryContact, Error> {
+    solve(loaded, path_fraction).map_err(|error| Error::Whole(Box::new(error)))
 }
 
 fn solve(loaded: &LoadedCase, path_fraction: f64) -> Result<DryContact, PositionError> {

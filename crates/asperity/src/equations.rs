@@ -5,10 +5,12 @@ use asperity_core::{Equation, Reference};
 /// Every equation, those of the 2022 paper first and by number, the others by tag.
 pub fn all() -> Vec<&'static Equation> {
     let mut equations: Vec<&'static Equation> = asperity_core::equations()
+        .chain(asperity_profile_io::equations::EQUATIONS)
         .chain(asperity_roughness::equations::EQUATIONS)
         .chain(asperity_gear::equations::EQUATIONS)
         .chain(asperity_contact::equations::equations())
         .chain(asperity_ehl_regime::equations::EQUATIONS)
+        .chain(asperity_ehl::equations::EQUATIONS)
         .chain(asperity_tribo_friction::equations::EQUATIONS)
         .chain(asperity_ns_film::equations::EQUATIONS)
         .chain(asperity_efficiency::equations::EQUATIONS)
@@ -54,7 +56,7 @@ pub fn markdown() -> String {
         "# Equations\n\n\
         Where each equation lives, what it says as used, and the test that proves it. Tags `P1` to `P37` are the\n\
         numbers of the 2022 paper; the others come from the sources named. This page is written by\n\
-        `asperity equations --markdown`; `asperity equations P7` prints one row.\n\n\
+        the command `equations`, and `asperity equations P7` prints one row.\n\n\
         | tag | gives | formula as used | file | test | sources |\n|---|---|---|---|---|---|\n",
     );
     for equation in &equations {

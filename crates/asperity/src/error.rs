@@ -177,9 +177,6 @@ pub enum Error {
     Whole(#[from] Box<PositionError>),
 }
 
-/// The error of a run.
-pub type RunError = Error;
-
 impl From<CaseError> for Error {
     fn from(error: CaseError) -> Self {
         Self::Case(Box::new(error))

@@ -29,7 +29,7 @@
 //! loaded.case = loaded.case.with_film_friction(Arc::new(Limit));
 //! let losses = asperity::losses(&loaded, &|_, _| {})?;
 //! assert!(losses.path.iter().all(|row| row.mu_film > 0.03));
-//! # Ok::<(), asperity::RunError>(())
+//! # Ok::<(), asperity::Error>(())
 //! ```
 
 use std::sync::Arc;

@@ -65,7 +65,7 @@ pub mod survey;
 
 pub use case::{Case, CaseInput, LoadedCase};
 pub use contact_tables::ContactTables;
-pub use error::{Error, PositionError, RunError, UnsolvedContact};
+pub use error::{Error, PositionError, UnsolvedContact};
 pub use pipeline::{contacts, losses, run};
 pub use result::{Outcome, RunResult};
 

@@ -80,12 +80,12 @@ explanations! {
     "E106" "too few points": "Fewer points than a roughness needs (100), or a contact." => "Export the whole trace.";
     "E107" "missing points": "Some heights are missing or not numbers. A missing point is never filled in silence." => "Let the gaps be interpolated, which bridges them by straight lines; the result records how many." [Gaps];
     "E108" "format known but not read": "The file is of a format that this version does not read." => "Export the profile as text or CSV from the instrument's software.";
-    "E109" "uneven spacing": "The positions are not evenly spaced within what rounding explains." => "Resample the trace in the instrument's software, or state the spacing to leave the positions out." [Spacing];
+    "E109" "uneven spacing": "The positions are not evenly spaced within what rounding explains." => "Let the trace be resampled by straight lines, or state the spacing to leave the positions out." [Uneven, Spacing];
     "E110" "spacing not known": "The file holds heights alone, so the distance of the points must be stated." => "State the spacing of the points, as 0.5 um." [Spacing];
     "E111" "a row of another width": "A line has more or fewer columns than the others." => "Correct or remove the line.";
     "E112" "columns not clear": "Several columns and no header that tells which are position and height." => "State the columns of position and height." [Columns];
     "E113" "commas not clear": "The commas may separate columns or be decimal signs, and both readings make sense." => "State the separator and the decimal sign, or export with semicolons." [Separator, Decimal];
-    "E114" "unit not known": "The header names a unit that is not one of m, mm, um, nm." => "Convert the file, or state the unit if the header is wrong." [ZUnit, XUnit];
+    "E114" "unit not known": "The header names a unit that is not one of m, mm, um, nm, inch, mil, uin." => "Convert the file, or state the unit if the header is wrong." [ZUnit, XUnit];
     "E115" "separator does not fit": "The file does not read with the separator that was stated." => "Leave the separator out, or state what separates the columns." [Separator];
     "E116" "impossible trace": "The numbers make no profile: no extent, or beyond all measure." => "Check units, columns and spacing." [ZUnit, XUnit, Columns, Spacing];
     "E117" "damaged file": "The file breaks the rules of its own format: a header that cannot be read, or fewer heights than it says." => "Export it again, or as text; a file that was cut off in transfer is the usual cause.";
@@ -94,6 +94,8 @@ explanations! {
     "E120" "the trace cannot be prepared": "Form removal or filtering is not possible on this trace, mostly because it is shorter than the cut-off or too coarse for it." => "Choose another cut-off; 0.25 mm is usual on gears." [Cutoff, NoiseCutoff];
     "E121" "spacing too coarse for the contact": "Fewer than 20 points fall on one Hertz half-width, so the contact cannot be resolved." => "Measure with a finer spacing; with a stylus 0.5 um is usual.";
     "E122" "trace shorter than the contact window": "The prepared trace does not cover the window of the contact." => "Measure a longer trace, choose a shorter cut-off (the filter drops its ends), or reduce model.window.";
+    "E130" "positions are roll lengths": "The positions are roll lengths or roll angles of an involute checker, which are no distances along the flank." => "State the base radius of the gear, d_b/2, with which they are converted." [BaseRadius, Abscissa];
+    "E131" "heights that no flank has": "The slopes of the trace are above 2 root mean square, or a single step is steeper than 5: a wrong unit, or a mark for missing points." => "State the unit of the heights, or write NaN where the mark stands." [ZUnit, Gaps];
     "E201" "the case file cannot be opened": "The system refused to open the case file." => "Check the path.";
     "E202" "the case file is not TOML": "The text breaks the rules of TOML (or of JSON, for a .json file), or is not text in UTF-8." => "Look at the line named: a line is key = value, text stands in quotation marks, the encoding is UTF-8.";
     "E203" "unknown key": "The case file has a key that means nothing." => "Correct the spelling or remove the key.";
@@ -127,6 +129,11 @@ explanations! {
     "W121" "trace aborted": "The header states a nominal length that was not traced. The spacing follows from what was traced." => "Measure again if the whole length is needed.";
     "W122" "spacing from line 1": "Line 1 is written unlike the rest and is taken as the spacing in um, as in NPL text profiles." => "State the spacing to be sure." [Spacing];
     "W123" "length rounded": "The spacing follows from a length that is printed with few digits." => "State the spacing to be exact." [Spacing];
+    "W124" "heights that no flank has": "The slopes of the trace are above 2 root mean square, or a single step is steeper than 5: a wrong unit, or a mark for missing points. A case refuses such a flank." => "State the unit of the heights, or write NaN where the mark stands." [ZUnit, Gaps];
+    "W125" "uneven spacing": "The positions are off an even grid by 2 to 25 % of a spacing; the points were taken as even, so slopes are off by as much." => "Let the trace be resampled." [Uneven];
+    "W126" "trace resampled": "The positions were not even; the heights were put on an even grid by straight lines, as asked for." => "Nothing, unless the shortest waves matter.";
+    "W127" "roll lengths converted": "The positions were roll lengths or angles and are now distances along the involute." => "Check the base radius.";
+    "W128" "another involute": "A parabola or cubic is left after the involute came off: the flank is crowned, or its base radius or roll length is another." => "Check base radius and roll length; the roll length that fits best is named.";
     "W401" "outside a fitted range": "A correlation was used outside the data it was fitted to; its value may be wrong." => "Compare the other friction laws printed, or choose another law.";
     "W402" "equivalent friction implausible": "The mean friction coefficient that explains the loss is outside 0.01 to 0.12, which lubricated steel does not do." => "Check the roughness (form removed? units?) and the oil. In the paper formulation look at model.position: at the pitch point C nothing slides.";
     "W403" "roughness clamped in Xu's law": "The term exp(exp S) of Xu's law explodes above S = 0.6 um; the roughness was held there." => "Choose another friction law for rough flanks, or model.clamp_roughness = false to see the law as printed.";

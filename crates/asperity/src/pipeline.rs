@@ -19,7 +19,7 @@ use crate::chosen_laws::ChosenLaws;
 use crate::contact_tables::ContactTables;
 use crate::detail::Detail;
 use crate::encounter::Encounter;
-use crate::error::{PositionError, RunError};
+use crate::error::{Error, PositionError};
 use crate::friction;
 use crate::position::Position;
 use crate::provenance;
@@ -38,7 +38,7 @@ pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 ///
 /// # Errors
 /// When a position has no solution; the first one along the path is named.
-pub fn run(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, RunError> {
+pub fn run(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, Error> {
     outcome(loaded, Detail::Fields, progress)
 }
 
@@ -46,7 +46,7 @@ pub fn run(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, RunEr
 ///
 /// # Errors
 /// As [`run`].
-pub fn contacts(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, RunError> {
+pub fn contacts(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, Error> {
     outcome(loaded, Detail::Contacts, progress)
 }
 
@@ -56,7 +56,7 @@ pub fn contacts(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, 
 ///
 /// # Errors
 /// As [`run`].
-pub fn losses(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Losses, RunError> {
+pub fn losses(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Losses, Error> {
     losses_of(loaded, None, progress)
 }
 
@@ -84,7 +84,7 @@ pub fn losses_with(
     tables: &ContactTables,
     loaded: &LoadedCase,
     progress: Progress<'_>,
-) -> Result<Losses, RunError> {
+) -> Result<Losses, Error> {
     let checked = tables.check(&loaded.case, &loaded.surfaces);
     checked.map_err(Box::new)?;
     losses_of(loaded, Some(tables), progress)
@@ -94,7 +94,7 @@ pub fn losses_with(
 ///
 /// # Errors
 /// When a contact has no solution.
-pub fn contact_tables(loaded: &LoadedCase) -> Result<ContactTables, RunError> {
+pub fn contact_tables(loaded: &LoadedCase) -> Result<ContactTables, Error> {
     let (case, surfaces) = (&loaded.case, &loaded.surfaces);
     let stations = stations_with(case, &ChosenLaws::of(case)).map_err(Box::new)?;
     let count = surfaces.offsets(case.model.offsets);
@@ -122,7 +122,7 @@ fn losses_of(
     loaded: &LoadedCase,
     tables: Option<&ContactTables>,
     progress: Progress<'_>,
-) -> Result<Losses, RunError> {
+) -> Result<Losses, Error> {
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
     let positions = positions(loaded, &laws, (Detail::Losses, tables), progress, &used)?;
@@ -132,11 +132,7 @@ fn losses_of(
     Ok(losses)
 }
 
-fn outcome(
-    loaded: &LoadedCase,
-    detail: Detail,
-    progress: Progress<'_>,
-) -> Result<Outcome, RunError> {
+fn outcome(loaded: &LoadedCase, detail: Detail, progress: Progress<'_>) -> Result<Outcome, Error> {
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
     let positions = positions(loaded, &laws, (detail, None), progress, &used)?;
@@ -160,7 +156,7 @@ fn positions(
     (detail, tables): (Detail, Option<&ContactTables>),
     progress: Progress<'_>,
     used: &Provenance,
-) -> Result<Vec<Position>, RunError> {
+) -> Result<Vec<Position>, Error> {
     let case = &loaded.case;
     let stations = used
         .collect(|| stations_with(case, laws))
@@ -183,7 +179,7 @@ fn positions(
         })
         .collect();
     let of_position = |(index, solved): (usize, Result<Position, PositionError>)| {
-        solved.map_err(|source| RunError::Position {
+        solved.map_err(|source| Error::Position {
             number: index + 1,
             count,
             source: Box::new(source),

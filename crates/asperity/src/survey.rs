@@ -9,7 +9,7 @@ use crate::case::LoadedCase;
 use crate::chosen_laws::ChosenLaws;
 use crate::decision::decide;
 use crate::encounter::Encounter;
-use crate::error::{PositionError, RunError};
+use crate::error::{Error, PositionError};
 use crate::fluid::film_at;
 use crate::result::Regime;
 use crate::rough_film::{RoughFilm, Tables};
@@ -36,8 +36,8 @@ pub struct RegimeRow {
     pub thermal_reduction: f64,
     /// Λ*; absent when the peaks of the flanks are not known.
     pub lambda_star: Option<f64>,
-    /// Minimum film over composite Rq.
-    pub film_ratio: f64,
+    /// Minimum film over composite Rq; absent between flat flanks.
+    pub film_ratio: Option<f64>,
     /// Share of the load the film carries.
     pub film_share: f64,
     /// Share of the offsets in the mixed regime.
@@ -48,8 +48,8 @@ pub struct RegimeRow {
 ///
 /// # Errors
 /// When an equation refuses the numbers at a position.
-pub fn survey(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, RunError> {
-    rows(loaded).map_err(|error| RunError::Whole(Box::new(error)))
+pub fn survey(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, Error> {
+    rows(loaded).map_err(|error| Error::Whole(Box::new(error)))
 }
 
 fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
@@ -93,7 +93,8 @@ fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
             film_minimum_um: station.film.minimum.si() * 1e6,
             thermal_reduction: station.thermal_reduction,
             lambda_star: median(known),
-            film_ratio: decisions.iter().map(|d| d.film_ratio).sum::<f64>() / n,
+            film_ratio: Some(decisions.iter().map(|d| d.film_ratio).sum::<f64>() / n)
+                .filter(|ratio| ratio.is_finite()),
             film_share: decisions.iter().map(|d| d.shared.film_share).sum::<f64>() / n,
             mixed_share: decisions
                 .iter()
@@ -138,8 +139,8 @@ pub struct FilmSurvey {
 ///
 /// # Errors
 /// When an equation refuses the numbers there.
-pub fn film(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, RunError> {
-    film_rows(loaded, place).map_err(|error| RunError::Whole(Box::new(error)))
+pub fn film(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, Error> {
+    film_rows(loaded, place).map_err(|error| Error::Whole(Box::new(error)))
 }
 
 fn film_rows(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, PositionError> {

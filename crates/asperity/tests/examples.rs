@@ -4,8 +4,6 @@
 
 #[path = "../examples/case_without_files.rs"]
 mod case_without_files;
-#[path = "../examples/load_run_report.rs"]
-mod load_run_report;
 #[path = "../examples/one_contact.rs"]
 mod one_contact;
 #[path = "../examples/one_film_law.rs"]
@@ -16,7 +14,6 @@ mod one_friction_law;
 #[test]
 fn every_example_runs() {
     case_without_files::main().unwrap();
-    load_run_report::main().unwrap();
     one_contact::main().unwrap();
     one_film_law::main().unwrap();
     one_friction_law::main().unwrap();

@@ -143,8 +143,12 @@ pub(crate) fn cell_compliance(spacing: Length, modulus: Pressure) -> Result<f64,
     Ok(0.5 * dx / (PI * e))
 }
 
-/// Notes the equation of the kernel that displacements with these ends rest on: a kept operator
-/// does not evaluate it again.
+/// Notes the equation of the kernel that displacements with these ends rest on, which a kept operator
+/// does not evaluate again:
+///
+/// free ends: C(x) of a strip                                                            `[P2]`
+/// periodic ends: C(x) of a strip and all its images                                     `[Periodic-1]`
+/// or of a wave, u_q = 2·p_q/(E*·|q|)                                                    `[Periodic-2]`
 pub(crate) fn cite_kernel(boundary: Boundary) {
     match boundary {
         Boundary::FreeEnds => cite!("P2"),

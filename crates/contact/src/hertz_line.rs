@@ -18,7 +18,7 @@
 use std::f64::consts::{FRAC_PI_4, PI};
 
 use asperity_core::material::JOHNSON_1985;
-use asperity_core::quantity::{Length, LineLoad, Pressure};
+use asperity_core::quantity::{Length, LineEnergy, LineLoad, Pressure};
 use asperity_core::{DomainError, Equation, cite};
 use serde::Serialize;
 
@@ -61,6 +61,24 @@ pub const EQUATIONS: &[Equation] = &[
         formula: "δ(D) = w/(π·E*)·(2·ln(2·D/b) + 1)",
         file: FILE,
         test: "the_approach_of_the_benchmark_cylinder_is_reproduced",
+        references: &[JOHNSON_1985],
+        misprint: None,
+    },
+    Equation {
+        tag: "Hertz-5",
+        title: "Displacement of a Hertz line contact from its edge",
+        formula: "u(x) = (b² − x²)/(2·R) for |x| < b, else 0",
+        file: FILE,
+        test: "the_energy_from_the_edge_is_the_sum_of_pressure_times_displacement",
+        references: &[JOHNSON_1985],
+        misprint: None,
+    },
+    Equation {
+        tag: "Hertz-6",
+        title: "Elastic energy of a Hertz line contact, displacement from its edge",
+        formula: "E = ½·∫ p·u dx = 3·w·b²/(16·R)",
+        file: FILE,
+        test: "the_energy_from_the_edge_is_the_sum_of_pressure_times_displacement",
         references: &[JOHNSON_1985],
         misprint: None,
     },
@@ -224,6 +242,54 @@ impl HertzLine {
     pub fn load(&self) -> LineLoad {
         LineLoad::from_si(0.5 * PI * self.max_pressure.si() * self.half_width.si())
     }
+
+    /// u(x) = (b² − x²)/(2·R) for |x| < b, else 0                               [Hertz-5]
+    ///
+    /// Displacement of both bodies together, measured from the edge of the contact so that it
+    /// depends on no datum; R is the `radius` of the contact.
+    ///
+    /// # Errors
+    /// When the position is not finite or the radius is not positive.
+    ///
+    /// ```
+    /// use asperity_contact::hertz_line::HertzLine;
+    /// let contact = HertzLine { half_width: "100 um".parse()?, max_pressure: "1 GPa".parse()? };
+    /// let u = contact.displacement_from_edge("0 um".parse()?, "10 mm".parse()?)?;
+    /// assert!((u.si() - 0.5e-6).abs() < 1e-18);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn displacement_from_edge(
+        &self,
+        position: Length,
+        radius: Length,
+    ) -> Result<Length, ContactError> {
+        cite!("Hertz-5");
+        let x = DomainError::finite("position", position)?;
+        let r = DomainError::positive("relative radius", radius)?;
+        let b = self.half_width.si();
+        Ok(Length::from_si((b * b - x * x).max(0.0) / (2.0 * r)))
+    }
+
+    /// E = ½·∫ p·u dx = 3·w·b²/(16·R)                                           [Hertz-6]
+    ///
+    /// Energy per metre of face that the displacement from the edge stores under the contact.
+    ///
+    /// # Errors
+    /// When the radius is not positive.
+    ///
+    /// ```
+    /// use asperity_contact::hertz_line::HertzLine;
+    /// let contact = HertzLine { half_width: "100 um".parse()?, max_pressure: "1 GPa".parse()? };
+    /// let energy = contact.energy_from_edge("10 mm".parse()?)?;
+    /// assert!((energy.si() / 0.029452431 - 1.0).abs() < 1e-8);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn energy_from_edge(&self, radius: Length) -> Result<LineEnergy, ContactError> {
+        cite!("Hertz-6");
+        let r = DomainError::positive("relative radius", radius)?;
+        let (w, b) = (self.load().si(), self.half_width.si());
+        Ok(LineEnergy::from_si(3.0 * w * b * b / (16.0 * r)))
+    }
 }
 
 #[cfg(test)]
@@ -281,6 +347,26 @@ mod tests {
         assert!((sum / 2e5 - 1.0).abs() < 1e-6);
         let mean = contact.mean_pressure().si() * 2.0 * contact.half_width.si();
         assert!((mean / 2e5 - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn the_energy_from_the_edge_is_the_sum_of_pressure_times_displacement() {
+        let (contact, radius) = (line(2e5, 5e-3, 115e9), Length::from_si(5e-3));
+        let n = 2000;
+        let dx = 2.0 * contact.half_width.si() / f64::from(n);
+        let sum: f64 = (0..n)
+            .map(|i| Length::from_si((f64::from(i) + 0.5) * dx - contact.half_width.si()))
+            .map(|x| {
+                let u = contact.displacement_from_edge(x, radius).unwrap().si();
+                0.5 * contact.pressure(x).unwrap().si() * u * dx
+            })
+            .sum();
+        let energy = contact.energy_from_edge(radius).unwrap().si();
+        // Midpoint rule on (1 − x²)^(3/2): error O(n^-5/2) = 5e-9.
+        assert!((sum / energy - 1.0).abs() < 2e-8);
+        let outside = contact.displacement_from_edge(contact.half_width * 1.5, radius);
+        assert_eq!(outside.unwrap().si(), 0.0);
+        assert!(contact.energy_from_edge(Length::from_si(0.0)).is_err());
     }
 
     #[test]

@@ -25,6 +25,10 @@ use crate::error::ContactError;
 /// (Tabor 1951).
 pub const FLOW_OVER_YIELD: f64 = 3.0;
 
+/// Largest pressure of a Hertz line contact at its first yield, over the elastic limit in tension
+/// (Johnson 1985, von Mises, ν = 0.3).
+pub const FIRST_YIELD: f64 = 1.79;
+
 /// σ_pl = max(0, σ_VM − σ_y)                                                                  `[P6]`
 ///
 /// The part of a von Mises stress beyond the elastic limit.
@@ -52,11 +56,44 @@ pub fn plastic_stress(
 ///
 /// # Errors
 /// When an elastic limit is not positive.
-pub fn flow_pressure(first: &Material, second: &Material) -> Result<Pressure, ContactError> {
+pub fn flow_pressure(first: &Material, second: &Material) -> Result<Pressure, DomainError> {
     cite!("Tabor-1");
     let one = DomainError::positive("elastic limit", first.elastic_limit)?;
     let other = DomainError::positive("elastic limit", second.elastic_limit)?;
     Ok(Pressure::from_si(FLOW_OVER_YIELD * one.min(other)))
+}
+
+/// p_flow = min(p_flow,1, p_flow,2)                                                      [Tabor-2]
+///
+/// Pressure at which a contact of two bodies flows: that of the softer one.
+///
+/// # Errors
+/// When a flow pressure is not positive.
+///
+/// ```
+/// use asperity_contact::plasticity::softer_flow_pressure;
+/// let softer = softer_flow_pressure("7 GPa".parse()?, "4.5 GPa".parse()?)?;
+/// assert_eq!(softer, "4.5 GPa".parse()?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn softer_flow_pressure(first: Pressure, second: Pressure) -> Result<Pressure, DomainError> {
+    cite!("Tabor-2");
+    let one = DomainError::positive("flow pressure", first)?;
+    let other = DomainError::positive("flow pressure", second)?;
+    Ok(Pressure::from_si(one.min(other)))
+}
+
+/// p₀ = 1.79·σ_y of the softer body                                                      [Yield-1]
+///
+/// Largest pressure of a Hertz line contact at which a body begins to yield below its surface.
+///
+/// # Errors
+/// When an elastic limit is not positive.
+pub fn first_yield_pressure(first: &Material, second: &Material) -> Result<Pressure, DomainError> {
+    cite!("Yield-1");
+    let one = DomainError::positive("elastic limit", first.elastic_limit)?;
+    let other = DomainError::positive("elastic limit", second.elastic_limit)?;
+    Ok(Pressure::from_si(FIRST_YIELD * one.min(other)))
 }
 
 /// w = max(−g, 0) where p = p_flow, else 0                                             [Plastic-1]
@@ -147,6 +184,8 @@ mod tests {
     use asperity_core::quantity::{Density, SpecificHeat, ThermalConductivity};
 
     use super::*;
+    use crate::hertz_line::HertzLine;
+    use crate::subsurface::hertz_stress;
 
     fn steel(elastic_limit: f64) -> Material {
         Material {
@@ -197,6 +236,33 @@ mod tests {
             Ok(900e6)
         );
         assert!(flow_pressure(&steel(900e6), &steel(f64::NAN)).is_err());
+    }
+
+    #[test]
+    fn a_contact_flows_at_the_pressure_of_the_softer_body() {
+        let softer = |one: f64, other: f64| {
+            softer_flow_pressure(Pressure::from_si(one), Pressure::from_si(other)).map(Pressure::si)
+        };
+        assert_eq!((softer(7e9, 4e9), softer(4e9, 7e9)), (Ok(4e9), Ok(4e9)));
+        assert!(softer(7e9, 0.0).is_err() && softer(f64::NAN, 7e9).is_err());
+    }
+
+    #[test]
+    fn a_contact_first_yields_where_its_von_mises_stress_meets_the_elastic_limit() {
+        let (hard, soft) = (steel(900e6), steel(300e6));
+        let onset = first_yield_pressure(&hard, &soft).unwrap();
+        let contact = HertzLine {
+            half_width: Length::from_si(1e-4),
+            max_pressure: onset,
+        };
+        let on_axis = (0..400).map(|k| {
+            let depth = Length::from_si(f64::from(k) * 0.5e-6);
+            let stress = hertz_stress(&contact, 0.0, Length::from_si(0.0), depth).unwrap();
+            stress.von_mises(0.3).unwrap().si()
+        });
+        // The factor has three digits.
+        assert!((on_axis.fold(0.0, f64::max) / 300e6 - 1.0).abs() < 3e-3);
+        assert!(first_yield_pressure(&hard, &steel(0.0)).is_err());
     }
 
     #[test]

@@ -22,62 +22,13 @@ use std::f64::consts::PI;
 mod error;
 mod ratio;
 mod text;
+mod unit;
 
 pub use error::QuantityError;
 pub use ratio::Ratio;
+pub use unit::{Description, Quantity, Scale, Unit};
 
 use text::{QuantityVisitor, accepted, parse, print};
-
-/// How a unit relates to the SI unit of its quantity.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Scale {
-    /// 10 to this power SI units; conversion of text is exact.
-    Decimal(i32),
-    /// This many SI units.
-    Factor(f64),
-    /// Degrees Celsius: SI = value + 273.15.
-    Celsius,
-}
-
-/// A unit that a quantity accepts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Unit {
-    /// As printed in messages.
-    pub symbol: &'static str,
-    /// Other spellings, already without blanks, dots and brackets.
-    pub spellings: &'static [&'static str],
-    /// Relation to the SI unit.
-    pub scale: Scale,
-    /// Whether values may be printed in this unit.
-    pub prints: bool,
-}
-
-/// A physical quantity: a number with a dimension.
-pub trait Quantity:
-    Copy + PartialOrd + std::fmt::Debug + std::fmt::Display + std::str::FromStr
-{
-    /// Name in messages: "torque".
-    const NAME: &'static str;
-    /// SI unit in messages: "N m".
-    const SI_UNIT: &'static str;
-    /// Accepted units; those that print are tried from the first, the largest first.
-    const UNITS: &'static [Unit];
-    /// The value in SI units.
-    fn si(self) -> f64;
-    /// The quantity of this SI value.
-    fn from_si(value: f64) -> Self;
-}
-
-/// What a quantity is called and which units it reads.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Description {
-    /// Name in messages: "torque".
-    pub name: &'static str,
-    /// SI unit.
-    pub si_unit: &'static str,
-    /// Accepted units.
-    pub units: &'static [Unit],
-}
 
 macro_rules! quantities {
     ($($(#[$doc:meta])* $type:ident, $name:literal, $si:literal: [$($unit:expr),+ $(,)?];)+) => {

@@ -31,6 +31,12 @@ pub enum Setting {
     Gaps,
     /// Which profile of a file that holds several.
     Row,
+    /// What the column of positions holds.
+    Abscissa,
+    /// Base radius of the gear, for positions that are roll lengths.
+    BaseRadius,
+    /// What to do about uneven positions.
+    Uneven,
     /// Form removed from a trace.
     Form,
     /// Cut-off λc.
@@ -54,6 +60,9 @@ impl Setting {
             Self::Encoding => "encoding",
             Self::Gaps => "gaps",
             Self::Row => "row",
+            Self::Abscissa => "abscissa",
+            Self::BaseRadius => "base_radius",
+            Self::Uneven => "uneven",
             Self::Form => "form",
             Self::Cutoff => "cutoff",
             Self::NoiseCutoff => "noise_cutoff",

@@ -6,7 +6,8 @@ use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
 use serde::{Deserialize, Serialize};
 
-use crate::read::options::{Axis, LengthUnit};
+use crate::read::options::{Abscissa, Axis, LengthUnit};
+use crate::read::steepness::Steepness;
 
 /// A note that goes with a reading, under a stable code.
 ///
@@ -95,6 +96,43 @@ pub enum Warning {
         /// Relative uncertainty of the spacing.
         uncertainty: f64,
     },
+    /// Heights that no flank has; for computing with them see
+    /// [`Reading::check_heights`](crate::read::Reading::check_heights).
+    #[error("{steepness}")]
+    ImplausibleHeights {
+        /// Slopes and what they point at.
+        steepness: Steepness,
+    },
+    /// The points are read as if they were even, and are not.
+    #[error(
+        "x is up to {:.1} % of a spacing off an even grid, so slopes are off by up to {:.1} %", 100.0 * off, 100.0 * slopes
+    )]
+    UnevenSpacing {
+        /// Largest distance from the even grid over the spacing.
+        off: f64,
+        /// Largest relative difference of a single step from the spacing.
+        slopes: f64,
+    },
+    /// An uneven trace was resampled on request.
+    #[error("x was up to {:.1} % of a spacing off an even grid; resampled by straight lines to {spacing:.4}", 100.0 * off)]
+    Resampled {
+        /// Largest distance from the even grid over the spacing.
+        off: f64,
+        /// Spacing after.
+        spacing: Length,
+    },
+    /// x was a roll length or angle and is now the distance along the involute.
+    #[error(
+        "x is a {abscissa}; converted with the base radius {base_radius} to the distance along the involute and resampled to {spacing:.4}"
+    )]
+    RollLengthConverted {
+        /// What x was.
+        abscissa: Abscissa,
+        /// Base radius.
+        base_radius: Length,
+        /// Spacing along the involute after.
+        spacing: Length,
+    },
 }
 
 impl Warning {
@@ -109,6 +147,10 @@ impl Warning {
             Self::AlreadyFiltered => Remedy::set(Setting::Cutoff, Value::This("0 mm".into())),
             Self::SpacingFromFirstLine { .. } => dx("to be sure"),
             Self::LengthRounded { .. } => dx("to be exact"),
+            Self::UnevenSpacing { .. } => {
+                Remedy::set(Setting::Uneven, Value::This("resample".into()))
+            }
+            Self::ImplausibleHeights { steepness } => steepness.suspicion.remedy(),
             _ => Remedy::none(),
         }
     }
@@ -125,6 +167,10 @@ impl Warning {
             Self::TraceAborted { .. } => "W121",
             Self::SpacingFromFirstLine { .. } => "W122",
             Self::LengthRounded { .. } => "W123",
+            Self::ImplausibleHeights { .. } => "W124",
+            Self::UnevenSpacing { .. } => "W125",
+            Self::Resampled { .. } => "W126",
+            Self::RollLengthConverted { .. } => "W127",
         }
     }
 }

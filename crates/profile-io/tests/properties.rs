@@ -9,8 +9,8 @@ use std::io::Cursor;
 
 use asperity_core::quantity::Length;
 use asperity_profile_io::read::{
-    Columns, DecimalSign, Encoding, Gaps, LengthUnit, ReadOptions, Separator, read_bytes,
-    read_stream,
+    Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, ReadOptions, Separator, Uneven,
+    read_bytes, read_stream,
 };
 use drops::Drops;
 use proptest::prelude::*;
@@ -54,6 +54,12 @@ fn any_options() -> impl Strategy<Value = ReadOptions> {
         prop_oneof![Just(0.5e-6), Just(0.0), Just(f64::NAN), Just(1e300)],
     );
     let gaps = prop_oneof![Just(Gaps::Refuse), Just(Gaps::Interpolate)];
+    let roll = weighted(
+        0.2,
+        prop_oneof![Just(Abscissa::RollLength), Just(Abscissa::RollDegrees)],
+    );
+    let base_radius = weighted(0.3, prop_oneof![Just(50e-3), Just(0.0), Just(f64::NAN)]);
+    let uneven = prop_oneof![Just(Uneven::Refuse), Just(Uneven::Resample)];
     (
         unit(),
         unit(),
@@ -63,9 +69,20 @@ fn any_options() -> impl Strategy<Value = ReadOptions> {
         encoding,
         dx,
         gaps,
+        (roll, base_radius, uneven),
     )
         .prop_map(
-            |(x_unit, z_unit, columns, separator, decimal, encoding, dx, gaps)| ReadOptions {
+            |(
+                x_unit,
+                z_unit,
+                columns,
+                separator,
+                decimal,
+                encoding,
+                dx,
+                gaps,
+                (abscissa, base_radius, uneven),
+            )| ReadOptions {
                 x_unit,
                 z_unit,
                 dx: dx.map(Length::from_si),
@@ -75,6 +92,9 @@ fn any_options() -> impl Strategy<Value = ReadOptions> {
                 encoding,
                 gaps,
                 row: None,
+                abscissa,
+                base_radius: base_radius.map(Length::from_si),
+                uneven,
             },
         )
 }

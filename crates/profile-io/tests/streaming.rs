@@ -14,7 +14,7 @@ const POINTS: usize = 25_000;
 
 /// Height of point `i` in um, to the four decimals that are written.
 fn height(i: usize) -> f64 {
-    (((0.37 * i as f64).sin() * 6.0) * 1e4).round() / 1e4
+    (((0.037 * i as f64).sin() * 6.0) * 1e4).round() / 1e4
 }
 
 fn row(i: usize) -> String {

@@ -3,29 +3,22 @@
 use std::path::{Path, PathBuf};
 
 use asperity_roughness::RoughnessError;
+use asperity_storage::{NotFinite, StorageError};
 
 /// Reason why a result was not written or not read; nothing is left half-written.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReportError {
-    /// The system refused.
-    #[error("{path}: cannot be written: {source}")]
-    Io {
-        /// The file or folder.
+    /// The place or the system refused.
+    #[error(transparent)]
+    Storage(#[from] StorageError),
+    /// A number that is not finite, which is never written.
+    #[error("{path}: not written: {source}")]
+    NotFinite {
+        /// The file.
         path: PathBuf,
-        /// Reason given by the system.
-        source: std::io::Error,
-    },
-    /// A file or folder is in the place that is not an older result.
-    #[error(
-        "{path}: exists and is not a result folder{}; choose another with -o, or remove it",
-        entry.as_ref().map(|name| format!(" ({name} is no part of a result)")).unwrap_or_default()
-    )]
-    NotOurs {
-        /// The place.
-        path: PathBuf,
-        /// Entry of the folder that is foreign to a result.
-        entry: Option<String>,
+        /// The number.
+        source: NotFinite,
     },
     /// A result that is not there or not one of ours.
     #[error("{path}: not a result of asperity run: {reason}")]
@@ -66,6 +59,14 @@ pub enum ReportError {
         number: usize,
         /// Number of positions.
         count: usize,
+    },
+    /// A position whose fields were not kept.
+    #[error("the fields of position {number} were not kept{}", place.as_ref().map(|place| format!(" in {}", place.display())).unwrap_or_default())]
+    NoFields {
+        /// Number asked for.
+        number: usize,
+        /// The result folder, where there is one.
+        place: Option<PathBuf>,
     },
     /// A trace that cannot be prepared again.
     #[error(transparent)]
@@ -110,7 +111,18 @@ impl ReportError {
     /// Error of the system at `path`.
     pub(crate) fn io(path: &Path) -> impl Fn(std::io::Error) -> Self {
         let path = path.to_owned();
-        move |source| Self::Io {
+        move |source| {
+            Self::Storage(StorageError::Io {
+                path: path.clone(),
+                source,
+            })
+        }
+    }
+
+    /// Error of a number at `path`.
+    pub(crate) fn not_finite(path: &Path) -> impl Fn(NotFinite) -> Self {
+        let path = path.to_owned();
+        move |source| Self::NotFinite {
             path: path.clone(),
             source,
         }

@@ -5,104 +5,81 @@ use std::path::{Path, PathBuf};
 
 use asperity::UnsolvedContact;
 use asperity::result::{Outcome, RunResult};
+use asperity_storage::{check_finite, check_folder, replace_folder, save, write_among};
 use serde::Serialize;
+use serde::de::DeserializeOwned;
 
-use crate::draft::{draft_file, draft_folder, parent_of};
 use crate::error::ReportError;
 use crate::html;
-use crate::page_tables::PageTables;
+use crate::page_tables::{PageTables, shown_position};
 use crate::tables::{self, ContactTables, folder_of};
-
-/// Contents of a folder that is written as a whole.
-#[derive(Debug, Clone, Copy)]
-pub struct Contents {
-    /// The file that marks it as ours.
-    pub mark: &'static str,
-    /// The other files.
-    pub files: &'static [&'static str],
-}
 
 /// The file that marks a folder as a result.
 const MARK: &str = "result.json";
 /// The page of a result.
 const PAGE: &str = "report.html";
+/// Thinned tables that the page is drawn from.
+const PAGE_TABLES: &str = "page.json";
+/// Kind of the folder in messages.
+const KIND: &str = "result";
 
-/// A result; beside its files are the folders of the positions.
-const RESULT: Contents = Contents {
-    mark: MARK,
-    files: &FILES,
-};
+/// Fields along the contact that a result folder keeps beside its page.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum Fields {
+    /// Those that the page shows, thinned.
+    #[default]
+    Page,
+    /// All of these positions, from 1 at A, and the tables of the flanks.
+    Positions(Vec<usize>),
+    /// All of every position, and the tables of the flanks.
+    All,
+}
 
-const FILES: [&str; 12] = [
-    "path.csv",
-    "offsets.csv",
-    "convergence.csv",
-    "losses.csv",
-    "friction_laws.csv",
-    "flank_pinion.csv",
-    "flank_wheel.csv",
-    "abbott_pinion.csv",
-    "abbott_wheel.csv",
-    "psd_pinion.csv",
-    "psd_wheel.csv",
-    PAGE,
-];
-
-/// Statement of the mark about its writer.
-const WRITER: &str = "\"program\": \"asperity ";
+impl Fields {
+    fn keep(&self, position: usize) -> bool {
+        match self {
+            Self::Page => false,
+            Self::Positions(wanted) => wanted.contains(&position),
+            Self::All => true,
+        }
+    }
+}
 
 /// Whether a result may be written as folder `target`: nothing is there, or an empty folder, or an
-/// older result and nothing else, since it is replaced as a whole.
+/// older result as it was written and nothing else, since it is replaced as a whole.
 ///
 /// # Errors
 /// When something else is there.
 pub fn check_place(target: &Path) -> Result<(), ReportError> {
-    check(target, &RESULT)
+    Ok(check_folder(target, KIND)?)
 }
 
-fn check(target: &Path, contents: &Contents) -> Result<(), ReportError> {
-    let foreign = |entry: Option<String>| ReportError::NotOurs {
-        path: target.to_owned(),
-        entry,
-    };
-    if !target.exists() {
-        return Ok(());
-    }
-    if !target.is_dir() {
-        return Err(foreign(None));
-    }
-    let mut names = Vec::new();
-    for entry in fs::read_dir(target).map_err(ReportError::io(target))? {
-        let entry = entry.map_err(ReportError::io(target))?;
-        names.push(entry.file_name().to_string_lossy().into_owned());
-    }
-    let is_ours = |name: &&String| {
-        *name == contents.mark
-            || contents.files.contains(&name.as_str())
-            || name.starts_with("position_")
-    };
-    if let Some(name) = names.iter().find(|name| !is_ours(name)) {
-        return Err(foreign(Some(name.clone())));
-    }
-    // Many programs write a result.json.
-    let is_marked =
-        || fs::read_to_string(target.join(contents.mark)).is_ok_and(|text| text.contains(WRITER));
-    if names.is_empty() || is_marked() {
-        Ok(())
-    } else {
-        Err(foreign(None))
-    }
-}
-
-/// Writes `outcome` as folder `target`: `result.json`, `path.csv`, `convergence.csv` where a
-/// rough contact was solved, tables of losses, friction laws and flanks, a folder `position_NN` with the
-/// fields of each position, and `report.html`. An older result there is replaced; anything else there
-/// is left alone and reported.
+/// Writes `outcome` as folder `target`: `result.json`, `path.csv`, tables of losses, friction laws and
+/// offsets, and `report.html` with the thinned tables it is drawn from; with `fields` also tables of the
+/// flanks, `convergence.csv`, and a folder `position_NN` for each position that is kept. An older result
+/// there is replaced; anything else there is left alone and reported.
 ///
 /// # Errors
-/// When the system refuses, or `target` holds something else.
-pub fn write_folder(outcome: &Outcome, target: &Path) -> Result<(), ReportError> {
-    write_whole(target, &RESULT, |folder| fill(outcome, folder))
+/// When the system refuses, a position of `fields` does not exist, a number is not finite, or `target`
+/// holds something else.
+pub fn write_folder(outcome: &Outcome, target: &Path, fields: &Fields) -> Result<(), ReportError> {
+    if let Fields::Positions(wanted) = fields {
+        for &number in wanted {
+            shown_position(&outcome.result, Some(number))?;
+            if outcome
+                .fields
+                .iter()
+                .all(|fields| fields.position != number)
+            {
+                return Err(ReportError::NoFields {
+                    number,
+                    place: None,
+                });
+            }
+        }
+    }
+    replace_folder(target, KIND, |folder| fill(outcome, folder, fields))
 }
 
 /// Writes the gap of a contact without solution as CSV, in the form `asperity contact --gap` reads.
@@ -110,87 +87,61 @@ pub fn write_folder(outcome: &Outcome, target: &Path) -> Result<(), ReportError>
 /// # Errors
 /// When the system refuses.
 pub fn write_unsolved(contact: &UnsolvedContact, file: &Path) -> Result<(), ReportError> {
-    #[derive(Serialize)]
-    struct Row {
-        x_m: f64,
-        h_m: f64,
+    let mut text = String::from("x_m,h_m\n");
+    for (x, h) in contact.x.iter().zip(&contact.gap) {
+        text.push_str(&format!("{x:e},{h:e}\n"));
     }
-    let parent = parent_of(file);
-    fs::create_dir_all(parent).map_err(ReportError::io(parent))?;
-    let draft = draft_file(parent).map_err(ReportError::io(parent))?;
-    let rows = contact.x.iter().zip(&contact.gap);
-    tables::write(draft.path(), rows.map(|(&x_m, &h_m)| Row { x_m, h_m }))?;
-    draft
-        .persist(file)
-        .map(|_| ())
-        .map_err(|error| ReportError::io(file)(error.error))
+    if let Some(parent) = file.parent() {
+        make_folder(parent)?;
+    }
+    Ok(save(file, text.as_bytes())?)
 }
 
-/// Fills a folder beside its place and moves it there.
-///
-/// # Errors
-/// When the system or `fill` refuses, or `target` holds anything else than such a folder.
-pub fn write_whole<E: From<ReportError>>(
-    target: &Path,
-    contents: &Contents,
-    fill: impl FnOnce(&Path) -> Result<(), E>,
-) -> Result<(), E> {
-    check(target, contents)?;
-    let parent = parent_of(target);
-    fs::create_dir_all(parent).map_err(ReportError::io(parent))?;
-    // Removed with everything in it when anything below fails.
-    let draft = draft_folder(parent).map_err(ReportError::io(parent))?;
-    let made = draft.path().join("result");
-    fs::create_dir(&made).map_err(ReportError::io(&made))?;
-    fill(&made)?;
-    if target.exists() {
-        let old = draft.path().join("old");
-        fs::rename(target, &old).map_err(ReportError::io(target))?;
-        if let Err(source) = fs::rename(&made, target) {
-            // Put the older result back rather than lose it; the first error is the one to tell.
-            let _ = fs::rename(&old, target);
-            return Err(ReportError::io(target)(source).into());
-        }
-        return Ok(());
-    }
-    fs::rename(&made, target).map_err(ReportError::io(target))?;
-    Ok(())
-}
-
-fn fill(outcome: &Outcome, folder: &Path) -> Result<(), ReportError> {
+fn fill(outcome: &Outcome, folder: &Path, fields: &Fields) -> Result<(), ReportError> {
     let result = &outcome.result;
     write_json(&folder.join(MARK), result)?;
     tables::write(&folder.join("path.csv"), &result.path)?;
-    let steps: Vec<_> = outcome
-        .fields
-        .iter()
-        .flat_map(tables::convergence)
-        .collect();
-    if !steps.is_empty() {
-        tables::write(&folder.join("convergence.csv"), &steps)?;
-    }
     tables::write(&folder.join("offsets.csv"), &outcome.offsets)?;
     tables::write(&folder.join("losses.csv"), tables::losses(result))?;
     tables::write(
         &folder.join("friction_laws.csv"),
         tables::friction_laws(result),
     )?;
-    for fields in &outcome.fields {
-        let rows = &result.path;
-        if let Some(row) = rows.iter().find(|row| row.position == fields.position) {
-            let place = folder.join(folder_of(fields.position));
-            fs::create_dir(&place).map_err(ReportError::io(&place))?;
-            write_position(&ContactTables::new(fields, row), &place)?;
-        }
+    let whole = PageTables::of(outcome, None)?;
+    if *fields != Fields::Page {
+        write_fields(outcome, &whole, folder, fields)?;
     }
-    let shown = PageTables::of(outcome, None)?;
-    for (body, flank) in shown.flanks.iter().enumerate() {
+    let shown = whole.thinned(result, PAGE_TABLES)?;
+    check_finite(&shown).map_err(ReportError::not_finite(Path::new(PAGE_TABLES)))?;
+    let text = serde_json::to_string(&shown)?;
+    write_text(&folder.join(PAGE_TABLES), &text)?;
+    write_text(&folder.join(PAGE), &html::render(result, &shown)?)
+}
+
+fn write_fields(
+    outcome: &Outcome,
+    whole: &PageTables,
+    folder: &Path,
+    fields: &Fields,
+) -> Result<(), ReportError> {
+    for (body, flank) in whole.flanks.iter().enumerate() {
         if let Some(flank) = flank {
             flank.write(folder, body)?;
         }
     }
-    let page = folder.join(PAGE);
-    fs::write(&page, html::render(result, &shown)?).map_err(ReportError::io(&page))
+    let kept = || outcome.fields.iter().filter(|at| fields.keep(at.position));
+    let steps: Vec<_> = kept().flat_map(tables::convergence).collect();
+    if !steps.is_empty() {
+        tables::write(&folder.join("convergence.csv"), &steps)?;
+    }
+    for fields in kept() {
+        if let Some(row) = shown_position(&outcome.result, Some(fields.position))? {
+            let place = folder.join(folder_of(fields.position));
+            make_folder(&place)?;
+            write_position(&ContactTables::new(fields, row), &place)?;
+        }
+    }
+    Ok(())
 }
 
 fn write_position(contact: &ContactTables, place: &Path) -> Result<(), ReportError> {
@@ -204,14 +155,15 @@ fn write_position(contact: &ContactTables, place: &Path) -> Result<(), ReportErr
 /// Writes `value` as JSON that ends with a line feed.
 ///
 /// # Errors
-/// When the system refuses or JSON cannot hold the value.
+/// When the system refuses, a number is not finite, or JSON cannot hold the value.
 pub fn write_json<T: Serialize>(file: &Path, value: &T) -> Result<(), ReportError> {
+    check_finite(value).map_err(ReportError::not_finite(file))?;
     let mut text = serde_json::to_string_pretty(value)?;
     text.push('\n');
-    fs::write(file, text).map_err(ReportError::io(file))
+    write_text(file, &text)
 }
 
-/// Writes `text`.
+/// Writes `text` into a folder that is being made.
 ///
 /// # Errors
 /// When the system refuses.
@@ -236,37 +188,70 @@ pub fn read_result(path: &Path) -> Result<(PathBuf, RunResult), ReportError> {
         true => path.join(MARK),
         false => path.to_owned(),
     };
-    let folder = parent_of(&file).to_owned();
+    let folder = match file.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
+        _ => PathBuf::from("."),
+    };
+    let result = read_json(&file)?;
+    Ok((folder, result))
+}
+
+fn read_json<T: DeserializeOwned>(file: &Path) -> Result<T, ReportError> {
     let refused = |reason| ReportError::NotAResult {
-        path: file.clone(),
+        path: file.to_owned(),
         reason,
     };
-    let text = fs::read_to_string(&file).map_err(|_| refused("there is no such file"))?;
+    let text = fs::read_to_string(file).map_err(|_| refused("there is no such file"))?;
     let mut reader = serde_json::Deserializer::from_str(&text);
     let found = serde_path_to_error::deserialize(&mut reader);
-    let result: RunResult = found.map_err(|error| {
+    let value = found.map_err(|error| {
         if error.inner().is_syntax() || error.inner().is_eof() {
             return refused("it is not JSON");
         }
         ReportError::Damaged {
-            path: file.clone(),
+            path: file.to_owned(),
             key: error.path().to_string(),
             source: error.into_inner(),
         }
     })?;
     reader.end().map_err(|_| refused("it is not JSON"))?;
-    Ok((folder, result))
+    Ok(value)
 }
 
 /// Draws `report.html` anew beside the `result.json` at `path` (or in the folder `path`) and gives its
 /// place. Fields are shown at `position`, or where the pressure is highest.
 ///
 /// # Errors
-/// When the result cannot be read or the page not be written.
+/// When the result cannot be read, the fields of `position` were not kept, or the page not be written.
 pub fn redraw(path: &Path, position: Option<usize>) -> Result<PathBuf, ReportError> {
     let (folder, result) = read_result(path)?;
-    let shown = PageTables::read(&folder, &result, position)?;
-    let file = folder.join(PAGE);
-    fs::write(&file, html::render(&result, &shown)?).map_err(ReportError::io(&file))?;
-    Ok(file)
+    let mut shown: PageTables = read_json(&folder.join(PAGE_TABLES))?;
+    let wanted = shown_position(&result, position)?;
+    let is_there = |number: usize| {
+        shown
+            .contact
+            .as_ref()
+            .is_some_and(|at| at.position == number)
+    };
+    if let Some(row) = wanted.filter(|row| !is_there(row.position)) {
+        let found = ContactTables::read(&folder, row.position)?;
+        shown.contact = match (found, position) {
+            (Some(contact), _) => Some(contact),
+            (None, None) => None,
+            (None, Some(number)) => {
+                return Err(ReportError::NoFields {
+                    number,
+                    place: Some(folder),
+                });
+            }
+        };
+        let whole = PageTables {
+            flanks: [None, None],
+            ..shown.clone()
+        };
+        shown.contact = whole.thinned(&result, PAGE_TABLES)?.contact;
+    }
+    let page = html::render(&result, &shown)?;
+    write_among(&folder, &[(PAGE.to_owned(), page.into_bytes())])?;
+    Ok(folder.join(PAGE))
 }

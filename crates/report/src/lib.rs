@@ -11,7 +11,6 @@
 //! | print it in 80 columns | [`summary`] |
 
 pub mod chart;
-mod draft;
 mod error;
 mod folder;
 pub mod html;
@@ -21,11 +20,10 @@ pub mod tables;
 pub mod units;
 mod wrap;
 
-pub use draft::{draft_folder, save};
 pub use error::{ReportError, TableFault};
 pub use folder::{
-    Contents, check_place, make_folder, read_result, redraw, write_folder, write_json, write_text,
-    write_unsolved, write_whole,
+    Fields, check_place, make_folder, read_result, redraw, write_folder, write_json, write_text,
+    write_unsolved,
 };
 pub use page_tables::PageTables;
 pub use summary::{published_laws, summary};

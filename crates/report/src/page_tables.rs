@@ -1,68 +1,85 @@
 //! Tables that a page shows beside the result.
 
-use std::path::Path;
-
 use asperity::result::{Outcome, PositionRow, RunResult};
+use serde::{Deserialize, Serialize};
 
 use crate::error::ReportError;
 use crate::tables::{ContactTables, FlankTables};
 
+/// Rows of a table that a page keeps.
+const ROWS: usize = 400;
+
 /// Tables of both flanks and of one mesh position.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PageTables {
     /// Pinion and wheel; none for a flank without a trace.
     pub flanks: [Option<FlankTables>; 2],
-    /// The mesh position shown; none where no fields were kept.
+    /// The mesh position shown; none where no rough contact was solved.
     pub contact: Option<ContactTables>,
+    /// File that holds the tables, where they have no files of their own.
+    pub file: Option<String>,
 }
 
 impl PageTables {
     /// Tables of a run, with the fields of `position`, or of the highest pressure.
     ///
     /// # Errors
-    /// When there is no such position or a trace cannot be prepared again.
+    /// When there is no such position, it has no fields, or a trace cannot be prepared again.
     pub fn of(outcome: &Outcome, position: Option<usize>) -> Result<Self, ReportError> {
         let flank = |body: usize| {
             let record = &outcome.result.flanks[body];
             FlankTables::new(record, outcome.traces[body].as_ref())
         };
         let shown = shown_position(&outcome.result, position)?;
-        let fields = |row: &PositionRow| {
+        let contact = shown.and_then(|row| {
             let mut all = outcome.fields.iter();
-            all.find(|fields| fields.position == row.position)
-        };
-        Ok(Self {
-            flanks: [flank(0)?, flank(1)?],
-            contact: shown.and_then(|row| Some(ContactTables::new(fields(row)?, row))),
-        })
-    }
-
-    /// Reads the tables in a result folder, with the fields of `position`, or of the highest pressure.
-    ///
-    /// # Errors
-    /// When there is no such position, or a table is missing or damaged.
-    pub fn read(
-        folder: &Path,
-        result: &RunResult,
-        position: Option<usize>,
-    ) -> Result<Self, ReportError> {
-        let contact = match shown_position(result, position)? {
-            Some(row) => ContactTables::read(folder, row.position)?,
-            None => None,
-        };
-        let flank = |body: usize| match result.flanks[body].preparation {
-            Some(_) => FlankTables::read(folder, body).map(Some),
-            None => Ok(None),
-        };
+            let fields = all.find(|fields| fields.position == row.position)?;
+            Some(ContactTables::new(fields, row))
+        });
+        if let (Some(number), None) = (position, &contact) {
+            return Err(ReportError::NoFields {
+                number,
+                place: None,
+            });
+        }
         Ok(Self {
             flanks: [flank(0)?, flank(1)?],
             contact,
+            file: None,
         })
+    }
+
+    /// The tables thinned for display, to be kept in `file`.
+    ///
+    /// # Errors
+    /// When `result` does not have the position.
+    pub fn thinned(&self, result: &RunResult, file: &str) -> Result<Self, ReportError> {
+        let flank = |body: usize| {
+            let flank: Option<&FlankTables> = self.flanks[body].as_ref();
+            flank.map(|flank| flank.thinned(ROWS))
+        };
+        let contact = match &self.contact {
+            Some(contact) => {
+                let row = shown_position(result, Some(contact.position))?;
+                row.map(|row| contact.thinned(row, ROWS))
+            }
+            None => None,
+        };
+        Ok(Self {
+            flanks: [flank(0), flank(1)],
+            contact,
+            file: Some(file.to_owned()),
+        })
+    }
+
+    /// Name of the file that a chart is drawn from, where the table `own` is kept.
+    pub(crate) fn source(&self, own: &str) -> String {
+        self.file.as_deref().unwrap_or(own).to_owned()
     }
 }
 
 /// The position asked for, or the one with the highest pressure.
-fn shown_position(
+pub(crate) fn shown_position(
     result: &RunResult,
     wanted: Option<usize>,
 ) -> Result<Option<&PositionRow>, ReportError> {

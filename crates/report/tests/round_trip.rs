@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use asperity::case::{Formulation, load_with};
 use asperity::result::{Outcome, RunResult};
-use asperity_report::{ReportError, read_result, redraw, write_folder};
+use asperity_report::{Fields, ReportError, read_result, redraw, write_folder};
 
 fn cases() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases");
@@ -23,7 +23,7 @@ fn outcome(case: &Path, formulation: Formulation) -> Outcome {
     let loaded = load_with(case, &|input| {
         input.formulation = Some(formulation);
         if formulation == Formulation::Corrected {
-            input.model.positions = Some(3);
+            input.model.positions = Some(4);
         }
         input.model.offsets = Some(2);
         input.model.depths = Some(8);
@@ -53,7 +53,7 @@ fn a_page_drawn_from_the_folder_is_the_page_drawn_from_the_run() {
     let place = tempfile::tempdir().unwrap();
     let folder = place.path().join("result");
     let outcome = smallest();
-    write_folder(&outcome, &folder).unwrap();
+    write_folder(&outcome, &folder, &Fields::Page).unwrap();
     let page = fs::read_to_string(folder.join("report.html")).unwrap();
     let (found, result) = read_result(&folder.join("result.json")).unwrap();
     assert_eq!((found, result), (folder.clone(), outcome.result));
@@ -66,7 +66,7 @@ fn a_page_drawn_from_the_folder_is_the_page_drawn_from_the_run() {
 fn a_value_that_is_missing_or_damaged_is_named_with_its_place() {
     let place = tempfile::tempdir().unwrap();
     let folder = place.path().join("result");
-    write_folder(&smallest(), &folder).unwrap();
+    write_folder(&smallest(), &folder, &Fields::All).unwrap();
     let file = folder.join("result.json");
     let text = fs::read_to_string(&file).unwrap();
     for (seen, instead, key) in [
@@ -99,36 +99,99 @@ fn a_value_that_is_missing_or_damaged_is_named_with_its_place() {
     }
 }
 
+/// A position whose contact the page does not show.
+fn hidden(folder: &Path) -> String {
+    let page = fs::read_to_string(folder.join("report.html")).unwrap();
+    let shown = |name: &&str| page.contains(&format!("Position {} of", &name[9..]));
+    let names = ["position_1", "position_2", "position_3", "position_4"];
+    let hidden = names.iter().find(|name| !shown(name)).unwrap();
+    hidden[9..].to_owned()
+}
+
 #[test]
 fn a_table_that_is_missing_or_damaged_is_refused() {
     let place = tempfile::tempdir().unwrap();
     let folder = place.path().join("result");
-    write_folder(&smallest(), &folder).unwrap();
+    write_folder(&smallest(), &folder, &Fields::All).unwrap();
     let page = fs::read(folder.join("report.html")).unwrap();
-    let file = folder.join("psd_wheel.csv");
+    let number: usize = hidden(&folder).parse().unwrap();
+    let file = folder.join(format!("position_{number:02}/surface.csv"));
     let text = fs::read_to_string(&file).unwrap();
     let (header, rows) = text.split_once('\n').unwrap();
     let first = rows.lines().next().unwrap();
+    let cells = "1,".repeat(10);
     for damaged in [
         format!("{header}\n"),
-        text.replacen("density_um3", "density", 1),
-        text.replacen(first, "NaN,1,1", 1),
-        text.replacen(first, "inf,1,1", 1),
+        text.replacen("gap_um", "gap", 1),
+        text.replacen(first, &format!("NaN,{cells}1"), 1),
+        text.replacen(first, &format!("inf,{cells}1"), 1),
         text.replacen(first, "1,1", 1),
-        text.replacen(first, "one,1,1", 1),
+        text.replacen(first, &format!("one,{cells}1"), 1),
     ] {
         fs::write(&file, &damaged).unwrap();
-        let refused = redraw(&folder, None);
+        let refused = redraw(&folder, Some(number));
         assert!(
             matches!(refused, Err(ReportError::BadTable { .. })),
             "{refused:?}"
         );
     }
     fs::remove_file(&file).unwrap();
-    assert!(redraw(&folder, None).is_err());
-    assert_eq!(
-        fs::read(folder.join("report.html")).unwrap(),
-        page,
-        "the old page stays"
+    let refused = redraw(&folder, Some(number));
+    assert!(
+        matches!(refused, Err(ReportError::NoFields { .. })),
+        "{refused:?}"
     );
+    fs::write(folder.join("page.json"), "{}").unwrap();
+    let refused = redraw(&folder, None);
+    assert!(
+        matches!(refused, Err(ReportError::Damaged { .. })),
+        "{refused:?}"
+    );
+    let kept = fs::read(folder.join("report.html")).unwrap();
+    assert_eq!(kept, page, "the old page stays");
+}
+
+#[test]
+fn a_folder_keeps_the_fields_that_were_asked_for() {
+    let place = tempfile::tempdir().unwrap();
+    let folder = place.path().join("result");
+    let outcome = smallest();
+    let of = |fields: &Fields| {
+        write_folder(&outcome, &folder, fields).unwrap();
+        (1..=4)
+            .map(|n| folder.join(format!("position_{n:02}")).is_dir())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(of(&Fields::All), [true; 4]);
+    assert_eq!(of(&Fields::Positions(vec![2])), [false, true, false, false]);
+    assert_eq!(of(&Fields::Page), [false; 4]);
+    let size: u64 = fs::read_dir(&folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().metadata().unwrap().len())
+        .sum();
+    /// Bytes of a folder with every field are about ten times this.
+    const MOST: u64 = 2_500_000;
+    assert!(size < MOST, "{size} bytes");
+    let none = write_folder(&outcome, &folder, &Fields::Positions(vec![9]));
+    assert!(matches!(none, Err(ReportError::NoSuchPosition { .. })));
+}
+
+#[test]
+fn a_number_that_is_not_finite_is_never_written() {
+    let place = tempfile::tempdir().unwrap();
+    let folder = place.path().join("result");
+    for bad in [f64::NAN, f64::INFINITY] {
+        let mut outcome = smallest();
+        outcome.result.summary.loss_w = bad;
+        let refused = write_folder(&outcome, &folder, &Fields::Page);
+        match refused {
+            Err(ReportError::NotFinite { source, .. }) => assert_eq!(source.path, "summary.loss_w"),
+            other => panic!("{other:?}"),
+        }
+        assert_eq!(
+            fs::read_dir(place.path()).unwrap().count(),
+            0,
+            "nothing is left"
+        );
+    }
 }

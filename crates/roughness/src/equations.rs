@@ -403,6 +403,14 @@ pub const EQUATIONS: &[Equation] = &[
         [LITVIN_2004]
     ),
     equation!(
+        "Form-4",
+        "Roll length fitted to a trace",
+        "ρ̂ = argmin Σ (zᵢ − z(xᵢ; ρ₀, r_b) − line)²",
+        "involute.rs",
+        "a_wrong_roll_length_is_named_with_the_fitted_one",
+        [LITVIN_2004]
+    ),
+    equation!(
         "NonGaussian-1",
         "Heights and spectrum in turn",
         "z ← h_(rank z) after |F z| ← √C",

@@ -10,13 +10,16 @@
 //! | c_k | coefficient of the polynomial of degree k | m |
 //! | R | radius of the circle | m |
 
-use asperity_core::Profile;
 use asperity_core::cite;
 use asperity_core::quantity::Length;
+use asperity_core::{DomainError, Profile};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::RoughnessError;
+
+/// Highest degree of a polynomial fitted.
+const HIGHEST_DEGREE: usize = 2;
 
 /// The form to remove.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
@@ -79,10 +82,10 @@ fn mean_square(n: usize) -> f64 {
 
 /// min over c of Σ (zᵢ − Σₖ cₖ pₖ(tᵢ))², pₖ orthogonal                           [Form-1]
 ///
-/// c_k = Σ zᵢ pₖ(tᵢ) / Σ pₖ(tᵢ)²; `degree` is 0, 1 or 2 (more is taken as 2).
+/// c_k = Σ zᵢ pₖ(tᵢ) / Σ pₖ(tᵢ)²; `degree` is 0, 1 or 2.
 ///
 /// # Errors
-/// When there are no more points than the degree.
+/// When the degree is above 2, or there are no more points than the degree.
 ///
 /// ```
 /// use asperity_roughness::form::fit;
@@ -93,7 +96,13 @@ fn mean_square(n: usize) -> f64 {
 pub fn fit(heights: &[f64], degree: usize) -> Result<Polynomial, RoughnessError> {
     cite!("Form-1");
     let n = heights.len();
-    let degree = degree.min(2);
+    DomainError::require(
+        degree <= HIGHEST_DEGREE,
+        "degree",
+        degree as f64,
+        "-",
+        "must be 0, 1 or 2",
+    )?;
     if n <= degree {
         return Err(RoughnessError::TooFewPoints {
             points: n,
@@ -235,6 +244,12 @@ mod tests {
         let largest = left.heights().iter().fold(0.0_f64, |m, z| m.max(z.abs()));
         // Heights of 0.1 m carry an error of 1.4e-17 each.
         assert!(largest < 1e-15, "{largest:e}");
+    }
+
+    #[test]
+    fn a_degree_above_two_is_refused() {
+        assert!(fit(&[1.0; 20], 2).is_ok());
+        assert!(matches!(fit(&[1.0; 20], 3), Err(RoughnessError::Domain(_))));
     }
 
     #[test]

@@ -138,7 +138,7 @@ pub fn sections_in(profile: &Profile, section_length: Length) -> Result<usize, R
 /// The parameters of a filtered profile cut into `sections` equal sections.
 ///
 /// # Errors
-/// When a section has fewer than the seven points that a slope takes.
+/// When there is no section, or one has fewer than the seven points that a slope takes.
 ///
 /// ```
 /// use asperity_core::{Profile, quantity::Length};
@@ -157,7 +157,8 @@ pub fn in_sections(
 ) -> Result<HeightParameters, RoughnessError> {
     const LEAST: usize = 7;
     let z = profile.heights();
-    let n = sections.max(1);
+    let n = sections;
+    DomainError::require(n > 0, "sections", 0.0, "-", "must be at least one")?;
     if z.len() / n < LEAST {
         return Err(RoughnessError::TooFewPoints {
             points: z.len() / n,

@@ -18,6 +18,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::RoughnessError;
 use crate::form::fit;
+use crate::warning::Warning;
 
 /// Where on an involute a trace lies.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -49,22 +50,23 @@ pub struct Involute {
 /// ```
 pub fn heights(flank: &Involute, x: &[f64]) -> Result<Vec<f64>, RoughnessError> {
     cite!("Form-3");
-    // A step of the roll angle that moves x by less than a rounding error.
-    const SETTLED: f64 = 1e-15;
+    // Newton's steps shrink to the rounding of x(θ), 1e-16/ξ, and no further: near the root ξ is a hundredth.
+    // A step of 1e-12 moves x by less than a picometre on any gear, and the next would be its square.
+    const SETTLED: f64 = 1e-12;
     const MOST: usize = 50;
     let rb = DomainError::positive("base radius", flank.base_radius)?;
     let roll = DomainError::positive("roll length", flank.roll_length)?;
     let start = roll / rb;
     let at = |x: f64| -> Result<f64, RoughnessError> {
-        // Arc length along the involute is r_b ξ²/2, and x is nearly that.
-        let squared = start * start + 2.0 * x / rb;
         DomainError::require(
-            squared > 0.0,
+            x > rb * (start.cos() - 1.0),
             "roll length",
             roll,
             "m",
             "is too short: the trace reaches below the base circle",
         )?;
+        // Arc length along the involute is r_b ξ²/2, and x is nearly that.
+        let squared = (start * start + 2.0 * x / rb).max(1e-6 * start * start);
         let mut theta = squared.sqrt() - start;
         let mut step = f64::INFINITY;
         for _ in 0..MOST {
@@ -72,6 +74,8 @@ pub fn heights(flank: &Involute, x: &[f64]) -> Result<Vec<f64>, RoughnessError> 
             let found = rb * (theta.cos() + xi * theta.sin() - 1.0);
             // dx/dθ = r_b ξ cos θ.
             step = (x - found) / (rb * xi * theta.cos());
+            // Not below the base circle, where there is no flank.
+            step = step.max(-0.5 * xi);
             theta += step;
             if step.abs() <= SETTLED * (1.0 + theta.abs()) {
                 let xi = start + theta;
@@ -102,23 +106,217 @@ pub fn heights(flank: &Involute, x: &[f64]) -> Result<Vec<f64>, RoughnessError> 
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn remove(profile: &Profile, flank: &Involute) -> Result<Profile, RoughnessError> {
-    let n = profile.len();
+    let level = level(profile.heights(), profile.spacing().si(), flank)?;
+    Ok(Profile::new(profile.spacing(), level)?)
+}
+
+/// Heights `z` spaced by `dx` without the involute and without the line that is left.
+fn level(z: &[f64], dx: f64, flank: &Involute) -> Result<Vec<f64>, RoughnessError> {
+    let n = z.len();
     let middle = 0.5 * (n.max(1) - 1) as f64;
     let sign = if flank.towards_root { -1.0 } else { 1.0 };
-    let dx = profile.spacing().si();
     let x: Vec<f64> = (0..n).map(|i| sign * dx * (i as f64 - middle)).collect();
     let form = heights(flank, &x)?;
-    let rest: Vec<f64> = profile
+    let rest: Vec<f64> = z.iter().zip(&form).map(|(z, f)| z - f).collect();
+    let line = fit(&rest, 1)?;
+    let rest = rest.iter().enumerate();
+    Ok(rest.map(|(i, z)| z - line.at(i)).collect())
+}
+
+/// ρ̂ = argmin over ρ₀ of Σ (zᵢ − z(xᵢ; ρ₀, r_b) − line)²                        `[Form-4]`
+///
+/// Roll length at the middle that fits `profile` best with the base radius of `flank`. Golden section in
+/// 1/ρ₀, on at most two thousand of the points: an involute is as smooth as that.
+///
+/// # Errors
+/// When the profile has too few points, or a length of `flank` is not positive.
+///
+/// ```
+/// use asperity_core::{Profile, quantity::Length};
+/// use asperity_roughness::involute::{Involute, fitted_roll_length, heights};
+/// let flank = Involute { base_radius: Length::from_si(50e-3), roll_length: Length::from_si(15e-3), towards_root: false };
+/// let x: Vec<f64> = (0..2001).map(|i| 1e-6 * (f64::from(i) - 1000.0)).collect();
+/// let profile = Profile::new(Length::from_si(1e-6), heights(&flank, &x)?)?;
+/// let wrong = Involute { roll_length: Length::from_si(17e-3), ..flank };
+/// assert!((fitted_roll_length(&profile, &wrong)?.si() / 15e-3 - 1.0).abs() < 1e-6);
+/// # Ok::<(), asperity_roughness::RoughnessError>(())
+/// ```
+pub fn fitted_roll_length(profile: &Profile, flank: &Involute) -> Result<Length, RoughnessError> {
+    cite!("Form-4");
+    const POINTS: usize = 2000;
+    const STEPS: usize = 80;
+    // Longest roll length looked at, over the one given.
+    const LONGEST: f64 = 20.0;
+    let stride = profile.len().div_ceil(POINTS);
+    let z: Vec<f64> = profile.heights().iter().copied().step_by(stride).collect();
+    let dx = profile.spacing().si() * stride as f64;
+    let half = 0.5 * dx * (z.len() - 1) as f64;
+    // The trace must not reach below the base circle: ρ₀² > 2 r_b x.
+    let base = DomainError::positive("base radius", flank.base_radius)?;
+    let given = DomainError::positive("roll length", flank.roll_length)?;
+    let shortest = 1.001 * (2.0 * base * half).sqrt();
+    let square = |curvature: f64| -> Result<f64, RoughnessError> {
+        let roll_length = Length::from_si(1.0 / curvature);
+        let tried = Involute {
+            roll_length,
+            ..*flank
+        };
+        let rest = level(&z, dx, &tried)?;
+        Ok(rest.iter().map(|z| z * z).sum())
+    };
+    let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+    let (mut low, mut high) = (1.0 / (LONGEST * given.max(shortest)), 1.0 / shortest);
+    let mut inner = [high - golden * (high - low), low + golden * (high - low)];
+    let mut squares = [square(inner[0])?, square(inner[1])?];
+    for _ in 0..STEPS {
+        if squares[0] < squares[1] {
+            high = inner[1];
+            inner = [high - golden * (high - low), inner[0]];
+            squares = [square(inner[0])?, squares[0]];
+        } else {
+            low = inner[0];
+            inner = [inner[1], low + golden * (high - low)];
+            squares = [squares[1], square(inner[1])?];
+        }
+    }
+    Ok(Length::from_si(2.0 / (low + high)))
+}
+
+/// The warning that a parabola or a cubic is left in `profile` after the involute `flank` came off: the
+/// flank is crowned, or its base radius or roll length is another.
+///
+/// # Errors
+/// As [`fitted_roll_length`].
+///
+/// ```
+/// use asperity_core::{Profile, quantity::Length};
+/// use asperity_roughness::involute::{Involute, form_left, heights};
+/// let flank = Involute { base_radius: Length::from_si(50e-3), roll_length: Length::from_si(15e-3), towards_root: false };
+/// let x: Vec<f64> = (0..2001).map(|i| 1e-6 * (f64::from(i) - 1000.0)).collect();
+/// let mut z = heights(&flank, &x)?;
+/// z.iter_mut().enumerate().for_each(|(i, z)| *z += 0.3e-6 * (0.3 * i as f64).sin());
+/// let profile = Profile::new(Length::from_si(1e-6), z)?;
+/// assert!(form_left(&profile, &flank)?.is_none());
+/// let wrong = Involute { roll_length: Length::from_si(17e-3), ..flank };
+/// assert!(form_left(&profile, &wrong)?.unwrap().to_string().contains("a roll length of 15"));
+/// # Ok::<(), asperity_roughness::RoughnessError>(())
+/// ```
+pub fn form_left(profile: &Profile, flank: &Involute) -> Result<Option<Warning>, RoughnessError> {
+    // Long waves of the roughness itself make up to about one Rq of parabola.
+    const NOTICEABLE: f64 = 1.0;
+    let rest = level(profile.heights(), profile.spacing().si(), flank)?;
+    let parabola = fit(&rest, 2)?;
+    let n = rest.len() as f64;
+    let position = |i: usize| (2 * i) as f64 / (n - 1.0).max(1.0) - 1.0;
+    // t³ − t ⟨t⁴⟩/⟨t²⟩ is orthogonal to the line and, being odd, to the parabola.
+    let even = |power: i32| {
+        (0..rest.len())
+            .map(|i| position(i).powi(power))
+            .sum::<f64>()
+            / n
+    };
+    let share = even(4) / even(2);
+    let cubic = |i: usize| position(i).powi(3) - share * position(i);
+    let (product, norm) = rest.iter().enumerate().fold((0.0, 0.0), |(p, s), (i, z)| {
+        let c = cubic(i);
+        (p + z * c, s + c * c)
+    });
+    let coefficient = if norm > 0.0 { product / norm } else { 0.0 };
+    let (mut form, mut left) = (0.0, 0.0);
+    for (i, z) in rest.iter().enumerate() {
+        let smooth = parabola.at(i) + coefficient * cubic(i);
+        form += smooth * smooth;
+        left += (z - smooth).powi(2);
+    }
+    let (form, left) = ((form / n).sqrt(), (left / n).sqrt());
+    // Rounding of heights under a large offset is no form.
+    let largest = profile
         .heights()
         .iter()
-        .zip(&form)
-        .map(|(z, f)| z - f)
-        .collect();
-    let line = fit(&rest, 1)?;
-    let level = rest
-        .iter()
-        .enumerate()
-        .map(|(i, z)| z - line.at(i))
-        .collect();
-    Ok(Profile::new(profile.spacing(), level)?)
+        .fold(0.0_f64, |m, z| m.max(z.abs()));
+    if form <= NOTICEABLE * left + 1e3 * f64::EPSILON * largest {
+        return Ok(None);
+    }
+    Ok(Some(Warning::InvoluteLeft {
+        form: Length::from_si(form),
+        roughness: Length::from_si(left),
+        parabola: parabola.sag(),
+        given: flank.roll_length,
+        fitted: fitted_roll_length(profile, flank)?,
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An involute with roughness on it, spaced by 0.5 um, about its middle.
+    fn rough(flank: &Involute, points: usize) -> Profile {
+        let middle = 0.5 * (points - 1) as f64;
+        let sign = if flank.towards_root { -1.0 } else { 1.0 };
+        let x: Vec<f64> = (0..points)
+            .map(|i| sign * 0.5e-6 * (i as f64 - middle))
+            .collect();
+        let mut z = heights(flank, &x).unwrap();
+        for (i, z) in z.iter_mut().enumerate() {
+            *z += 0.4e-6 * (0.21 * i as f64).sin() + 0.2e-6 * (0.033 * i as f64).cos();
+        }
+        Profile::new(Length::from_si(0.5e-6), z).unwrap()
+    }
+
+    fn flank(base: f64, roll: f64) -> Involute {
+        Involute {
+            base_radius: Length::from_si(base),
+            roll_length: Length::from_si(roll),
+            towards_root: false,
+        }
+    }
+
+    #[test]
+    fn traces_near_the_root_converge() {
+        // Down to a roll angle of a fiftieth of a radian, the trace from almost the base circle on.
+        for (base, roll) in [
+            (50e-3_f64, 15e-3_f64),
+            (50e-3, 1e-3),
+            (20e-3, 0.4e-3),
+            (300e-3, 6e-3),
+        ] {
+            let longest = base * (1.0 - (roll / base).cos());
+            let x: Vec<f64> = (0..4001)
+                .map(|i| 0.999 * longest * (f64::from(i) / 2000.0 - 1.0))
+                .collect();
+            let z = heights(&flank(base, roll), &x).unwrap();
+            assert!(z.iter().all(|z| z.is_finite()));
+        }
+    }
+
+    #[test]
+    fn a_wrong_roll_length_is_named_with_the_fitted_one() {
+        for towards_root in [false, true] {
+            let right = Involute {
+                towards_root,
+                ..flank(50e-3, 15e-3)
+            };
+            let profile = rough(&right, 4001);
+            assert_eq!(form_left(&profile, &right).unwrap(), None);
+            let wrong = Involute {
+                roll_length: Length::from_si(12e-3),
+                ..right
+            };
+            let Some(Warning::InvoluteLeft {
+                form,
+                roughness,
+                fitted,
+                ..
+            }) = form_left(&profile, &wrong).unwrap()
+            else {
+                panic!("nothing found");
+            };
+            // The difference of two parabolas over ±1 mm is 1/2 (1/12 − 1/15) mm high, √(4/45) of it as rms; the
+            // higher orders of the involute add a tenth.
+            assert!((form.si() / 2.5e-6 - 1.0).abs() < 0.15, "{form}");
+            assert!((roughness.si() / 0.316e-6 - 1.0).abs() < 0.2, "{roughness}");
+            assert!((fitted.si() / 15e-3 - 1.0).abs() < 1e-3, "{fitted}");
+        }
+    }
 }

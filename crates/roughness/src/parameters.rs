@@ -73,7 +73,7 @@ impl Parameters {
     /// The parameters of `profile` cut into `sections` equal sections, however long.
     ///
     /// # Errors
-    /// When the profile has too few points.
+    /// When there is no section, or the profile has too few points.
     pub fn with_sections(
         profile: &Profile,
         mode: Mode,
@@ -84,7 +84,7 @@ impl Parameters {
             heights: in_sections(profile, mode, sections)?,
             material: rk_parameters(profile.heights())?,
             spectral: moments(profile)?,
-            lambda_c: evaluation_length / sections.max(1) as f64,
+            lambda_c: evaluation_length / sections as f64,
             evaluation_length,
             warnings: Vec::new(),
         })

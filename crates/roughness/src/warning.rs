@@ -53,6 +53,22 @@ pub enum Warning {
         /// Evaluation length.
         length: Length,
     },
+    /// The involute that came off is not that of the trace.
+    #[error(
+        "a parabola or cubic of {form:.3} root mean square is left after the involute, over {roughness:.3} of roughness: the flank is crowned, or its base radius or roll length is another. With this base radius a roll length of {fitted:.4} fits best, not {given:.4}"
+    )]
+    InvoluteLeft {
+        /// Root mean square of the parabola and cubic left.
+        form: Length,
+        /// Root mean square of the rest.
+        roughness: Length,
+        /// Height of the parabola between its apex and the ends.
+        parabola: Length,
+        /// Roll length that was given.
+        given: Length,
+        /// Roll length that fits best with the base radius given.
+        fitted: Length,
+    },
 }
 
 impl Warning {
@@ -63,6 +79,9 @@ impl Warning {
             Self::CoarseForLambdaS { .. } => Remedy::act("measure finer")
                 .or_set(Setting::NoiseCutoff, Value::Any)
                 .because("to a longer lambda_s"),
+            Self::InvoluteLeft { .. } => {
+                Remedy::act("check base radius and roll length").or_do("take it as crowning")
+            }
             _ => Remedy::none(),
         }
     }
@@ -73,6 +92,7 @@ impl Warning {
             Self::FormNotRemoved { .. } => "W112",
             Self::CoarseForLambdaS { .. } => "W113",
             Self::FewSections { .. } => "W114",
+            Self::InvoluteLeft { .. } => "W128",
         }
     }
 }

@@ -16,8 +16,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let case = asperity::case::load_with(&cases.join(file), &|input| {
             input.model.positions = Some(8);
             input.model.offsets = Some(4);
-        })
-        .map_err(|(error, _)| error)?;
+        })?;
         finishes.push(Finish {
             name: name.to_owned(),
             case,

@@ -2,4 +2,5 @@
 //! the figures of the 2022 paper.
 
 pub mod compare;
+pub mod estimate;
 pub mod figures;

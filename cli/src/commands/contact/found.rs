@@ -143,18 +143,7 @@ fn cycle_json(cycle: &Cycle) -> Value {
     })
 }
 
-/// Writes `text` to a file, whose folder is made.
+/// Writes `text` to a file.
 pub fn save(path: &Path, text: &str) -> Result<(), Failure> {
-    let refused = |error: &dyn std::fmt::Display| {
-        Failure::new(
-            "E401",
-            format!("{}: cannot be written: {error}", path.display()),
-        )
-    };
-    let folder = match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    std::fs::create_dir_all(folder).map_err(|error| refused(&error))?;
-    asperity_report::save(path, text.as_bytes()).map_err(|error| refused(&error))
+    crate::output::save(path, text.as_bytes())
 }

@@ -14,13 +14,17 @@ use asperity_core::quantity::Length;
 use super::{load_case, on_the_path};
 use crate::args::{Common, ContactArgs};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text};
+use crate::output::{beside, print_json, print_text};
 use found::Found;
 use stress::stress;
 
 /// `asperity contact`
 pub fn contact(args: &ContactArgs, common: &Common) -> Result<(), Failure> {
     check_tolerance(args.tolerance)?;
+    let common = &match &args.output {
+        Some(output) => beside(output, common)?,
+        None => common.clone(),
+    };
     let found = match (&args.gap, &args.flanks, &args.case) {
         (Some(gap), _, _) => bare::of_gap(gap, args)?,
         (None, Some(flanks), _) => bare::of_flanks(flanks, args)?,

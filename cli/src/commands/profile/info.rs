@@ -1,7 +1,7 @@
 //! `asperity profile info` and `compare`: one report, or a table of many.
 
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use asperity_report::wrapped;
 
@@ -25,50 +25,50 @@ pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
             ),
         };
     }
-    let all: Vec<_> = args
-        .files
-        .iter()
-        .map(|file| evaluated(file, args))
-        .collect();
-    if common.json {
-        let entry = |(file, found): (&PathBuf, &Result<Evaluated, Failure>)| match found {
-            Ok(found) => as_json(found, args),
+    let (mut entries, mut good, mut failures) = (Vec::new(), Vec::new(), Vec::new());
+    for file in &args.files {
+        match evaluated(file, args) {
+            Ok(found) if common.json => entries.push(as_json(&found, args)),
+            Ok(found) => good.push(Row::of(&found)),
             Err(failure) => {
-                let mut entry = failure.json();
-                entry["file"] = serde_json::json!(file.display().to_string());
-                entry
-            }
-        };
-        let entries: Vec<_> = args.files.iter().zip(&all).map(entry).collect();
-        print_json(&entries)?;
-    }
-    let mut refused = None;
-    let mut good = Vec::new();
-    for found in all {
-        match found {
-            Ok(found) => good.push(found),
-            Err(failure) => {
-                failure.tell();
-                refused = refused.or(Some(failure));
+                if common.json {
+                    entries.push(refused_entry(file, &failure));
+                }
+                failures.push(failure);
             }
         }
     }
-    if !common.json && !good.is_empty() {
+    if common.json {
+        print_json(&entries)?;
+    }
+    for failure in &failures {
+        failure.tell();
+    }
+    if !good.is_empty() {
         print_text(common, &table(&good))?;
     }
-    refused.map_or(Ok(()), |failure| Err(failure.told()))
+    let first = failures.into_iter().next();
+    first.map_or(Ok(()), |failure| Err(failure.told()))
 }
 
 /// `asperity profile compare`
 pub fn compare(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
     check(args, common)?;
     let all = args.files.iter().map(|file| evaluated(file, args));
-    let found = all.collect::<Result<Vec<_>, _>>()?;
     if common.json {
-        let reports: Vec<_> = found.iter().map(|found| as_json(found, args)).collect();
-        return print_json(&reports);
+        let reports = all.map(|found| Ok(as_json(&found?, args)));
+        return print_json(&reports.collect::<Result<Vec<_>, Failure>>()?);
     }
-    print_text(common, &(table(&found) + &ratios(&found)))
+    // Of each file its row alone is kept.
+    let rows = all.map(|found| Ok(Row::of(&found?)));
+    let rows = rows.collect::<Result<Vec<_>, Failure>>()?;
+    print_text(common, &(table(&rows) + &ratios(&rows)))
+}
+
+fn refused_entry(file: &Path, failure: &Failure) -> serde_json::Value {
+    let mut entry = failure.json();
+    entry["file"] = serde_json::json!(file.display().to_string());
+    entry
 }
 
 fn check(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
@@ -102,35 +102,56 @@ const COLUMNS: [Column; 9] = [
     ("Rvk", |e| um(e.iso4287.material.rvk)),
 ];
 
+/// A file in the table.
+struct Row {
+    name: String,
+    points: usize,
+    dx_um: f64,
+    values: [f64; COLUMNS.len()],
+    notes: Vec<String>,
+}
+
+impl Row {
+    fn of(found: &Evaluated) -> Self {
+        let name = shortened(&found.reading.name);
+        let warnings = found.warnings();
+        let notes = warnings.iter().map(|warning| {
+            let note = format!("{name}: {} {warning}", warning.code());
+            wrapped(&note, "    ")
+        });
+        Self {
+            points: found.reading.points,
+            dx_um: um(found.reading.spacing),
+            values: COLUMNS.map(|(_, value)| value(found)),
+            notes: notes.collect(),
+            name,
+        }
+    }
+}
+
 /// A row a file, ISO 4287, in um.
-fn table(found: &[Evaluated]) -> String {
+fn table(rows: &[Row]) -> String {
     let mut text = format!("{:24} {:>8} {:>9}", "ISO 4287, um", "n", "dx");
     for (name, _) in COLUMNS {
         let _ = write!(text, " {name:>8}");
     }
     text.push('\n');
-    for found in found {
-        let name = shortened(&found.reading.name);
-        let (n, dx) = (found.reading.points, um(found.reading.spacing));
-        let _ = write!(text, "{name:24} {n:>8} {dx:>9.5}");
-        for (_, value) in COLUMNS {
-            let _ = write!(text, " {:>8}", number(value(found)));
+    for row in rows {
+        let _ = write!(text, "{:24} {:>8} {:>9.5}", row.name, row.points, row.dx_um);
+        for value in row.values {
+            let _ = write!(text, " {:>8}", number(value));
         }
         text.push('\n');
     }
-    for found in found {
-        for warning in found.warnings() {
-            let name = shortened(&found.reading.name);
-            let note = format!("{name}: {} {}", warning.code(), warning);
-            let _ = writeln!(text, "{}", wrapped(&note, "    "));
-        }
+    for note in rows.iter().flat_map(|row| &row.notes) {
+        let _ = writeln!(text, "{note}");
     }
     text
 }
 
 /// Every parameter over that of the first file.
-fn ratios(found: &[Evaluated]) -> String {
-    let Some(first) = found.first() else {
+fn ratios(rows: &[Row]) -> String {
+    let Some(first) = rows.first() else {
         return String::new();
     };
     let mut text = format!("{:43}", "relative to the first");
@@ -138,10 +159,10 @@ fn ratios(found: &[Evaluated]) -> String {
         let _ = write!(text, " {name:>8}");
     }
     text.push('\n');
-    for found in found {
-        let _ = write!(text, "{:43}", shortened(&found.reading.name));
-        for (_, value) in COLUMNS {
-            let _ = write!(text, " {:>8}", number(value(found) / value(first)));
+    for row in rows {
+        let _ = write!(text, "{:43}", row.name);
+        for (value, of_first) in row.values.iter().zip(first.values) {
+            let _ = write!(text, " {:>8}", number(value / of_first));
         }
         text.push('\n');
     }

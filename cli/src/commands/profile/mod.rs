@@ -24,6 +24,7 @@ use asperity_roughness::{Parameters, RoughnessError, Warning};
 use self::plan::Plan;
 use crate::args::{Common, PreparingArgs, ProfileCommand, ReadingArgs};
 use crate::failure::Failure;
+use crate::output;
 use crate::words;
 
 /// Runs one of the subcommands.
@@ -44,6 +45,8 @@ struct Evaluated {
     plan: Plan,
     /// What the recipe of the plan started from, where that is not what was read.
     without_involute: Option<Profile>,
+    /// That the involute was another, where it seems so.
+    involute_left: Option<Warning>,
     parts: Profiles,
     iso4287: Parameters,
     iso21920: Parameters,
@@ -55,10 +58,11 @@ struct Evaluated {
 
 impl Evaluated {
     fn of(file: &Path, preparing: &PreparingArgs, reading: &ReadingArgs) -> Result<Self, Failure> {
-        let plan = Plan::of(preparing)?;
-        let reading = opened(file, reading)?;
+        let reading = opened(file, reading, preparing.base_radius)?;
+        let plan = Plan::for_reading(preparing, &reading)?;
         let refused = |error| refusal(&reading, &plan, &error);
         let without_involute = plan.without_involute(&reading.profile).map_err(refused)?;
+        let involute_left = plan.involute_left(&reading.profile).map_err(refused)?;
         let trace = without_involute.as_ref().unwrap_or(&reading.profile);
         let parts = profiles(trace, &plan.recipe, plan.filter).map_err(refused)?;
         let rough = &parts.roughness.profile;
@@ -77,6 +81,7 @@ impl Evaluated {
             reading,
             plan,
             without_involute,
+            involute_left,
             parts,
             iso4287,
             iso21920,
@@ -96,7 +101,7 @@ impl Evaluated {
         };
         let read = self.reading.warnings.iter().filter(|w| !is_idle(w));
         let evaluated = [&self.parts.roughness.warnings, &self.iso4287.warnings];
-        let evaluated = evaluated.into_iter().flatten();
+        let evaluated = evaluated.into_iter().flatten().chain(&self.involute_left);
         let mut all = Vec::new();
         for note in read.map(Note::Read).chain(evaluated.map(Note::Evaluated)) {
             if !all.contains(&note) {
@@ -136,7 +141,11 @@ impl std::fmt::Display for Note<'_> {
 }
 
 /// Reads a file as the options say.
-fn opened(file: &Path, args: &ReadingArgs) -> Result<Reading, Failure> {
+fn opened(
+    file: &Path,
+    args: &ReadingArgs,
+    base_radius: Option<Length>,
+) -> Result<Reading, Failure> {
     let options = ReadOptions {
         x_unit: args.x_unit,
         z_unit: args.z_unit,
@@ -147,13 +156,17 @@ fn opened(file: &Path, args: &ReadingArgs) -> Result<Reading, Failure> {
         encoding: args.encoding,
         gaps: args.gaps.unwrap_or_default(),
         row: args.row,
+        abscissa: args.abscissa,
+        base_radius,
+        uneven: args.uneven.unwrap_or_default(),
     };
     let reading = read(file, &options).map_err(|error| {
         let message = words::with_options(&error.to_string(), &error.remedy());
         Failure::new(error.code(), message)
     })?;
     let row = args.row.unwrap_or(1);
-    if row > 1 && !matches!(reading.format, Format::X3p | Format::SdfAscii) {
+    let several = [Format::X3p, Format::SdfAscii, Format::TextMatrix];
+    if row > 1 && !several.contains(&reading.format) {
         let name = &reading.name;
         let text = format!("{name}: the file holds a single profile, row {row} is not in it");
         return Err(Failure::new("E119", text));
@@ -174,10 +187,15 @@ fn refusal(reading: &Reading, plan: &Plan, error: &RoughnessError) -> Failure {
     Failure::new("E120", format!("{name}: {error}{advice}"))
 }
 
+/// The format that a file's name asks for; standard output gets the text format.
+fn of_name(name: &str) -> Option<WrittenFormat> {
+    WrittenFormat::of_name(if name == "-" { "-.csv" } else { name })
+}
+
 /// Writes a profile in the format its name asks for; an interrupted run leaves nothing half-written.
 fn save(output: &Path, profile: &Profile, metadata: &Metadata) -> Result<(), Failure> {
     let name = output.display().to_string();
-    let format = WrittenFormat::of_name(&name).ok_or_else(|| {
+    let format = of_name(&name).ok_or_else(|| {
         Failure::new(
             "E401",
             format!("{name}: cannot be written; name it .csv, .x3p or .smd"),
@@ -185,15 +203,7 @@ fn save(output: &Path, profile: &Profile, metadata: &Metadata) -> Result<(), Fai
     })?;
     let bytes = write(profile, metadata, format)
         .map_err(|error| Failure::new("E401", format!("{name}: cannot be written: {error}")))?;
-    save_bytes(output, &bytes)
-}
-
-/// Writes `bytes`, all or nothing.
-fn save_bytes(output: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    asperity_report::save(output, bytes).map_err(|error| {
-        let text = format!("{}: cannot be written: {error}", output.display());
-        Failure::new("E401", text)
-    })
+    output::save(output, &bytes)
 }
 
 fn um(length: Length) -> f64 {

@@ -2,12 +2,13 @@
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
+use asperity_profile_io::Warning as ReadWarning;
 use asperity_profile_io::read::{FilterState, Reading};
-use asperity_roughness::RoughnessError;
 use asperity_roughness::ambiguity::Sections;
 use asperity_roughness::form::Form;
-use asperity_roughness::involute::{Involute, remove};
+use asperity_roughness::involute::{Involute, form_left, remove};
 use asperity_roughness::preparation::{Preparation, PreparationRecord, RoughnessFilter};
+use asperity_roughness::{RoughnessError, Warning};
 use serde_json::{Value, json};
 
 use crate::args::{FormArg, PreparingArgs, name_of};
@@ -15,6 +16,9 @@ use crate::failure::Failure;
 
 /// Sections of a trace that is not filtered.
 const SECTIONS: usize = 5;
+
+/// Why a place on an involute is refused where none comes off.
+const INVOLUTE_ONLY: &str = "--base-radius, --roll-length and --towards-root go with --form involute only, and --base-radius with files against roll length";
 
 /// Form removal, filters and sections.
 #[derive(Debug, Clone, Copy)]
@@ -30,15 +34,42 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// The plan that the options make.
+    /// The plan that the options make, for any file.
     pub fn of(args: &PreparingArgs) -> Result<Self, Failure> {
+        Self::with(args, None)
+    }
+
+    /// The plan that the options make for a file, whose own cut-offs are the default.
+    pub fn for_reading(args: &PreparingArgs, reading: &Reading) -> Result<Self, Failure> {
+        let converts =
+            |warning: &ReadWarning| matches!(warning, ReadWarning::RollLengthConverted { .. });
+        if args.base_radius.is_some()
+            && args.form != Some(FormArg::Involute)
+            && !reading.warnings.iter().any(converts)
+        {
+            return Err(Failure::new("E205", INVOLUTE_ONLY));
+        }
+        Self::with(args, Some(reading))
+    }
+
+    fn with(args: &PreparingArgs, reading: Option<&Reading>) -> Result<Self, Failure> {
         let usual = match args.as_is || args.level {
             true => Preparation {
                 lambda_s: None,
                 lambda_c: None,
                 ..Preparation::default()
             },
-            false => Preparation::default(),
+            false => {
+                let usual = Preparation::default();
+                // What was filtered before has been filtered with them.
+                let unfiltered = reading.filter(|r| r.filter_state != FilterState::Roughness);
+                let stated = unfiltered.map(|reading| &reading.metadata);
+                Preparation {
+                    lambda_s: stated.and_then(|s| s.lambda_s).or(usual.lambda_s),
+                    lambda_c: stated.and_then(|s| s.lambda_c).or(usual.lambda_c),
+                    ..usual
+                }
+            }
         };
         let asked = |given: Option<Length>, usual: Option<Length>| match given {
             None => usual,
@@ -73,6 +104,13 @@ impl Plan {
     pub fn without_involute(&self, profile: &Profile) -> Result<Option<Profile>, RoughnessError> {
         let flank = self.involute.as_ref();
         flank.map(|flank| remove(profile, flank)).transpose()
+    }
+
+    /// The warning that the involute was another than that of the trace.
+    pub fn involute_left(&self, profile: &Profile) -> Result<Option<Warning>, RoughnessError> {
+        let flank = self.involute.as_ref();
+        let left = flank.map(|flank| form_left(profile, flank));
+        Ok(left.transpose()?.flatten())
     }
 
     /// Options for a trace that is too short for the filters: what it is, and what it is long enough
@@ -154,10 +192,8 @@ fn involute(args: &PreparingArgs) -> Result<Option<Involute>, Failure> {
     let contradiction = |text: &str| Err(Failure::new("E205", text));
     let given = [args.base_radius, args.roll_length];
     if args.form != Some(FormArg::Involute) {
-        if args.towards_root || given.iter().any(Option::is_some) {
-            return contradiction(
-                "--base-radius, --roll-length and --towards-root go with --form involute only",
-            );
+        if args.towards_root || args.roll_length.is_some() {
+            return contradiction(INVOLUTE_ONLY);
         }
         return Ok(None);
     }

@@ -5,10 +5,10 @@ use asperity_roughness::material_ratio::{RkParameters, abbott_curve};
 use asperity_roughness::spectral::power_spectrum;
 
 use super::svg::{Curve, Panel, document};
-use super::{Evaluated, refusal, save_bytes, um};
+use super::{Evaluated, refusal, um};
 use crate::args::{Common, ProfilePlotArgs};
 use crate::failure::Failure;
-use crate::output::print_text;
+use crate::output::{beside, print_text, save};
 
 const GREY: &str = "#777777";
 const BLUE: &str = "#1f5fa8";
@@ -51,7 +51,8 @@ pub fn plot(args: &ProfilePlotArgs, common: &Common) -> Result<(), Failure> {
             ),
         ],
     );
-    save_bytes(&output, svg.as_bytes())?;
+    let common = &beside(&output, common)?;
+    save(&output, svg.as_bytes())?;
     print_text(common, &format!("{}\n", output.display()))
 }
 

@@ -112,11 +112,20 @@ fn stated_cutoffs(page: &mut Page, found: &Evaluated) {
             "to take it as the instrument filtered it, pass {options}"
         ));
     }
+    let stated = [facts.lambda_c, facts.lambda_s];
+    let used = [recipe.lambda_c, recipe.lambda_s];
+    let taken = stated
+        .iter()
+        .zip(&used)
+        .all(|(stated, used)| stated.is_none() || stated == used);
+    if state != FilterState::Roughness && taken && stated.iter().any(Option::is_some) {
+        page.line("cut-offs as the file states them");
+    }
     let differs = |stated: Option<Length>, used: Option<Length>| {
         let used = used.unwrap_or_default().si();
         stated.is_some_and(|stated| (stated.si() - used).abs() > 1e-9 * stated.si())
     };
-    if state != FilterState::Primary
+    if state == FilterState::Roughness
         || !(differs(facts.lambda_c, recipe.lambda_c) || differs(facts.lambda_s, recipe.lambda_s))
     {
         return;
@@ -125,7 +134,7 @@ fn stated_cutoffs(page: &mut Page, found: &Evaluated) {
         length.map_or(String::new(), |length| format!(" --{name} \"{length}\""))
     };
     page.line(&format!(
-        "to filter as the instrument did, pass{}{}",
+        "the file's own cut-offs are overridden; to filter as the instrument did, pass{}{}",
         option("lambda-c", facts.lambda_c),
         option("lambda-s", facts.lambda_s)
     ));

@@ -14,14 +14,15 @@ use crate::args::{
     Common, ProfileConvertArgs, ProfileFilterArgs, ProfileGenerateArgs, ProfilePart,
 };
 use crate::failure::Failure;
-use crate::output::{print_json, print_text};
+use crate::output::{beside, print_json, print_text};
 
 /// Points on either side in the running median of `--outliers`.
 const HALF_WINDOW: usize = 6;
 
 /// `asperity profile convert`
 pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure> {
-    let reading = opened(&args.file, &args.reading)?;
+    let common = &beside(&args.output, common)?;
+    let reading = opened(&args.file, &args.reading, args.base_radius)?;
     let mut profile = reading.profile.clone();
     let mut outliers = None;
     if let Some(deviations) = args.outliers {
@@ -70,8 +71,9 @@ pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure
 
 /// `asperity profile filter`
 pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> {
-    let plan = Plan::of(&args.preparing)?;
-    let reading = opened(&args.file, &args.reading)?;
+    let common = &beside(&args.output, common)?;
+    let reading = opened(&args.file, &args.reading, args.preparing.base_radius)?;
+    let plan = Plan::for_reading(&args.preparing, &reading)?;
     let refused = |error| refusal(&reading, &plan, &error);
     let without_involute = plan.without_involute(&reading.profile).map_err(refused)?;
     let trace = without_involute.as_ref().unwrap_or(&reading.profile);
@@ -113,6 +115,7 @@ pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> 
 
 /// `asperity profile generate`
 pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failure> {
+    let common = &beside(&args.output, common)?;
     let recipe = match &args.recipe {
         None => Recipe::of(Surface::SelfAffine(SelfAffine {
             points: args.points,

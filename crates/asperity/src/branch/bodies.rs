@@ -3,6 +3,7 @@
 use asperity_contact::ContactSolution;
 use asperity_contact::plasticity::{elastic_shares, plastic_shares};
 use asperity_core::material::Material;
+use asperity_core::quantity::Length;
 
 use crate::case::Case;
 use crate::error::PositionError;
@@ -70,13 +71,16 @@ impl Bodies {
 
     /// Displacement of smooth bodies under Hertz's pressure, (a² − x²)/2R from the edge.
     pub(crate) fn hertz(case: &Case, station: &Station, x: &[f64]) -> Result<Self, PositionError> {
-        let a = station.hertz.half_width.si();
-        let r = station.motion.radius.si();
         let shares = elastic_shares(&case.materials[0], &case.materials[1])?;
-        let elastic = shares.map(|share| {
-            let depth = |x: &f64| share * (a * a - x * x).max(0.0) / (2.0 * r);
-            x.iter().map(depth).collect()
-        });
+        let radius = station.motion.radius;
+        let both = x
+            .iter()
+            .map(|&x| {
+                let place = Length::from_si(x);
+                Ok(station.hertz.displacement_from_edge(place, radius)?.si())
+            })
+            .collect::<Result<Vec<f64>, PositionError>>()?;
+        let elastic = shares.map(|share| both.iter().map(|u| share * u).collect());
         Ok(Self {
             elastic,
             plastic: [vec![0.0; x.len()], vec![0.0; x.len()]],

@@ -107,7 +107,7 @@ impl March<'_> {
                 datum: self.datum,
             },
             prescribed_pressure: None,
-            pressure_limit: Some(softer(self.case)),
+            pressure_limit: Some(softer(self.case)?),
             start,
         };
         let solids = self.solver.solve(&problem, &settings(self.case))?;

@@ -49,7 +49,7 @@ impl Mixed<'_> {
             boundary: Boundary::FreeEnds,
             control: Control::Load(LineLoad::from_si(load)),
             prescribed_pressure: Some(fluid),
-            pressure_limit: Some(softer(self.case)),
+            pressure_limit: Some(softer(self.case)?),
             start,
         };
         Ok(solver.solve(&problem, &settings(self.case))?)

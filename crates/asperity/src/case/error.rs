@@ -4,7 +4,7 @@ use asperity_core::DomainError;
 use asperity_core::remedy::{Remedy, Setting};
 use asperity_profile_io::read::ReadError;
 
-use super::source::Place;
+use super::place::Place;
 
 /// A case that cannot be run.
 #[derive(Debug, thiserror::Error)]

@@ -7,18 +7,20 @@ use asperity_core::quantity::Length;
 use asperity_core::remedy::Remedy;
 use asperity_core::{DomainError, Profile};
 use asperity_profile_io::Warning as ReadWarning;
-use asperity_profile_io::read::{Format, ReadOptions, Reading, read_bytes};
+use asperity_profile_io::read::steepness::implausible;
+use asperity_profile_io::read::{Format, LengthUnit, ReadError, ReadOptions, Reading, read_bytes};
 use asperity_roughness::Parameters;
 use asperity_roughness::composite::resampled;
 use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::preparation::prepare;
 use sha2::{Digest, Sha256};
 
+use super::domain::domain;
 use super::error::CaseError;
 use super::files::{Content, FILE_OF_PINION, FILE_OF_WHEEL, Files};
 use super::input::FlankInput;
 use super::key_names::key_of;
-use super::resolve::{Case, domain};
+use super::resolve::Case;
 use super::source::Source;
 use crate::message::Warning;
 use crate::surfaces::{FlankReport, Surfaces, Texture};
@@ -227,6 +229,13 @@ fn read_trace(
     let bytes = match given.files.open(file, source, key)? {
         Content::Bytes(bytes) => bytes,
         Content::Heights(profile) => {
+            if let Some(steepness) = implausible(&profile, LengthUnit::Metre) {
+                let file = file.display().to_string();
+                return Err(CaseError::Profile {
+                    place: source.place_of(key),
+                    source: Box::new(ReadError::ImplausibleHeights { file, steepness }),
+                });
+            }
             return Ok(ReadTrace {
                 profile: profile.as_ref().clone(),
                 reading: None,
@@ -235,13 +244,18 @@ fn read_trace(
         }
     };
     let options = read_options(input);
-    let reading = read_bytes(&file.display().to_string(), &bytes, &options).map_err(|error| {
-        CaseError::Profile {
-            place: source.place_of(key),
-            source: Box::new(error),
-        }
+    let read = read_bytes(&file.display().to_string(), &bytes, &options);
+    let plausible = read.and_then(|reading| reading.check_heights().map(|()| reading));
+    let reading = plausible.map_err(|error| CaseError::Profile {
+        place: source.place_of(key),
+        source: Box::new(error),
     })?;
-    if input.row.unwrap_or(1) > 1 && !matches!(reading.format, Format::X3p | Format::SdfAscii) {
+    if input.row.unwrap_or(1) > 1
+        && !matches!(
+            reading.format,
+            Format::X3p | Format::SdfAscii | Format::TextMatrix
+        )
+    {
         return Err(CaseError::Conflict {
             place: source.place_of(key),
             key,
@@ -267,6 +281,9 @@ fn read_options(input: &FlankInput) -> ReadOptions {
         encoding: input.encoding,
         gaps: input.gaps.unwrap_or_default(),
         row: input.row,
+        abscissa: input.abscissa,
+        base_radius: input.base_radius,
+        uneven: input.uneven.unwrap_or_default(),
     }
 }
 

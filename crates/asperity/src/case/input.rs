@@ -14,7 +14,9 @@ use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay};
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
 use asperity_gear::{LoadSharing, PathOfContact, Plane};
 use asperity_ns_film::FluidModel;
-use asperity_profile_io::read::{Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator};
+use asperity_profile_io::read::{
+    Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator, Uneven,
+};
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
 use asperity_tribo_friction::PressureLaw;
@@ -232,6 +234,12 @@ pub struct FlankInput {
     pub gaps: Option<Gaps>,
     /// Which profile of a file that holds several (a row of a surface), from 1.
     pub row: Option<usize>,
+    /// What the positions are: `distance`, `roll-length`, `roll-degrees`, `roll-radians`; default as the header says.
+    pub abscissa: Option<Abscissa>,
+    /// Base radius of the gear, for positions that are roll lengths or roll angles.
+    pub base_radius: Option<Length>,
+    /// Positions off an even grid: `refuse` (default) or `resample`.
+    pub uneven: Option<Uneven>,
     /// Rq of a flank without a file; the rough contact is then not computed.
     pub rq: Option<Length>,
     /// Ra of a flank without a file; default Rq·√(2/π), a Gaussian surface.

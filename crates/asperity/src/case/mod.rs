@@ -14,6 +14,7 @@
 
 mod builder;
 mod defaults;
+mod domain;
 mod error;
 mod files;
 mod flanks;
@@ -23,7 +24,9 @@ mod known_keys;
 mod law_names;
 mod loaded;
 mod model;
+mod model_defaults;
 mod own_laws;
+mod place;
 mod plain_words;
 mod resolve;
 mod set;
@@ -41,6 +44,7 @@ pub use input::{
 pub use law_names::{FilmFrictionLaw, LoadShareName};
 pub use loaded::{LoadedCase, Resolver, from_text, load, load_with};
 pub use model::Model;
+pub use place::Place;
 pub use resolve::{Case, resolve};
-pub use source::{Place, Source, Syntax};
+pub use source::{Source, Syntax};
 pub use trace::{Flank, Trace};

@@ -2,25 +2,22 @@
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, Ratio};
-use asperity_efficiency::swept::HYSTERESIS;
 use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay};
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
 use asperity_gear::{GearPair, LoadSharing, PositionRule};
 use asperity_ns_film::FluidModel;
-use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION, BOUNDARY_LAYER};
+use asperity_tribo_friction::boundary::BOUNDARY_LAYER;
 use asperity_tribo_friction::{FrictionSettings, PressureLaw, RoughnessReading};
 use serde::Serialize;
 
 use super::defaults::Defaults;
+use super::domain::domain;
 use super::error::CaseError;
 use super::input::{Formulation, ModelInput, NamedPoint, OneOrTwo, PathPoint};
 use super::law_names::{FilmFrictionLaw, LoadShareName};
-use super::resolve::domain;
+use super::model_defaults::ModelDefaults;
 use super::source::Source;
 use crate::load_share::SpotSpeed;
-
-/// Metal on metal as the 2022 paper takes it (its Table 2).
-const PAPER_BOUNDARY_FRICTION: f64 = 0.3;
 
 /// Choices of the model, all made.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -89,23 +86,26 @@ pub(super) fn model(
     source: &Source,
     defaults: &mut Defaults,
 ) -> Result<Model, CaseError> {
-    let paper = formulation == Formulation::Paper;
-    let point = match (paper, given.position) {
+    let own = ModelDefaults::of(formulation);
+    let point = match (own.one_position, given.position) {
         (true, given) => defaults.take("model.position", given, PathPoint::Named(NamedPoint::C)),
         (false, given) => given.unwrap_or(PathPoint::Named(NamedPoint::C)),
     };
-    let positions = match paper {
+    let positions = match own.one_position {
         true => 1,
         false => defaults.take("model.positions", given.positions, 32),
     };
     // The paper's reading has none of these; its list of defaults leaves them out.
     let mut unused = Defaults::default();
-    let of_share = if paper { &mut unused } else { &mut *defaults };
+    let of_share = match own.one_position {
+        true => &mut unused,
+        false => &mut *defaults,
+    };
     let share_choices = ShareChoices::of(given, of_share);
     let model = Model {
         positions,
         position: point.fraction_of(gears.path()),
-        offsets: defaults.take("model.offsets", given.offsets, if paper { 1 } else { 16 }),
+        offsets: defaults.take("model.offsets", given.offsets, own.offsets),
         window: defaults.take("model.window", given.window, 3.0),
         load_sharing: defaults.take(
             "model.load_sharing",
@@ -115,73 +115,30 @@ pub(super) fn model(
         film_friction: defaults.take(
             "model.film_friction",
             given.film_friction,
-            if paper {
-                FilmFrictionLaw::Xu
-            } else {
-                FilmFrictionLaw::Eyring
-            },
+            own.film_friction,
         ),
-        film_pressure_law: match paper {
-            true => given.film_pressure_law.unwrap_or_default(),
-            false => defaults.take(
-                "model.film_pressure_law",
-                given.film_pressure_law,
-                PressureLaw::default(),
-            ),
-        },
-        friction_settings: friction_settings(given, paper, defaults),
+        film_pressure_law: share_choices.film_pressure_law,
+        friction_settings: friction_settings(given, own.clamp_roughness, defaults),
         lubricant_factor: defaults.take("model.lubricant_factor", given.lubricant_factor, 1.0),
         friction_scale: defaults.take("model.friction_scale", given.friction_scale, 1.0),
         boundary_friction: defaults.take(
             "model.boundary_friction",
             given.boundary_friction,
-            if paper {
-                PAPER_BOUNDARY_FRICTION
-            } else {
-                BOUNDARY_FRICTION
-            },
+            own.boundary_friction,
         ),
         boundary_layer: share_choices.boundary_layer,
         lay: share_choices.lay,
         central_film: share_choices.central_film,
         spot_speed: share_choices.spot_speed,
         asperity_share_factor: share_choices.factor,
-        film: defaults.take(
-            "model.film",
-            given.film,
-            if paper {
-                FilmLaw::HamrockDowson
-            } else {
-                FilmLaw::DowsonToyoda
-            },
-        ),
-        thermal: defaults.take(
-            "model.thermal",
-            given.thermal,
-            if paper {
-                ThermalLaw::None
-            } else {
-                ThermalLaw::Gupta
-            },
-        ),
+        film: defaults.take("model.film", given.film, own.film),
+        thermal: defaults.take("model.thermal", given.thermal, own.thermal),
         flash_feedback: defaults.take("model.flash_feedback", given.flash_feedback, false),
-        load_share: defaults.take(
-            "model.load_share",
-            given.load_share,
-            if paper {
-                LoadShareName::LambdaStar
-            } else {
-                LoadShareName::Solved
-            },
-        ),
+        load_share: defaults.take("model.load_share", given.load_share, own.load_share),
         fluid_pressure: defaults.take(
             "model.fluid_pressure",
             given.fluid_pressure,
-            if paper {
-                FluidModel::Paper
-            } else {
-                FluidModel::ReynoldsCross
-            },
+            own.fluid_pressure,
         ),
         delta_step: defaults.take("model.delta_step", given.delta_step, Length::from_si(80e-9)),
         numerical_error: defaults
@@ -201,13 +158,13 @@ pub(super) fn model(
             .take(
                 "model.hysteresis",
                 given.hysteresis,
-                Ratio::new(if paper { 0.0 } else { HYSTERESIS }),
+                Ratio::new(own.hysteresis),
             )
             .value(),
         depths: defaults.take("model.depths", given.depths, 24),
     };
     check_model(&model, source)?;
-    check_against_gears(&model, formulation, gears, source)?;
+    check_against_gears(&model, own, gears, source)?;
     check_constant(given.constant_friction, model.film_friction, source)?;
     Ok(model)
 }
@@ -219,6 +176,7 @@ struct ShareChoices {
     central_film: CentralFilm,
     spot_speed: SpotSpeed,
     factor: f64,
+    film_pressure_law: PressureLaw,
 }
 
 impl ShareChoices {
@@ -232,16 +190,29 @@ impl ShareChoices {
             central_film: defaults.take("model.central_film", film, CentralFilm::MassFlow),
             spot_speed: defaults.take("model.spot_speed", speed, SpotSpeed::Entrainment),
             factor: defaults.take("model.asperity_share_factor", factor, 1.0),
+            film_pressure_law: defaults.take(
+                "model.film_pressure_law",
+                given.film_pressure_law,
+                PressureLaw::default(),
+            ),
         }
     }
 }
 
-fn friction_settings(given: &ModelInput, paper: bool, defaults: &mut Defaults) -> FrictionSettings {
+fn friction_settings(
+    given: &ModelInput,
+    clamp_roughness: bool,
+    defaults: &mut Defaults,
+) -> FrictionSettings {
     let mut settings = FrictionSettings {
         constant: given.constant_friction,
         ..FrictionSettings::default()
     };
-    let clamp = defaults.take("model.clamp_roughness", given.clamp_roughness, !paper);
+    let clamp = defaults.take(
+        "model.clamp_roughness",
+        given.clamp_roughness,
+        clamp_roughness,
+    );
     settings.xu.roughness = if clamp {
         RoughnessReading::Clamped
     } else {
@@ -364,7 +335,7 @@ fn check_model(model: &Model, source: &Source) -> Result<(), CaseError> {
 /// What only some gears take: positions fewer than the segments of the path, laws for spur gears.
 fn check_against_gears(
     model: &Model,
-    formulation: Formulation,
+    own: &ModelDefaults,
     gears: &GearPair,
     source: &Source,
 ) -> Result<(), CaseError> {
@@ -375,7 +346,7 @@ fn check_against_gears(
             source: error,
         }
     };
-    if formulation == Formulation::Corrected {
+    if !own.one_position {
         gears
             .positions(model.positions, PositionRule::default())
             .map_err(refused("model.positions"))?;

@@ -13,6 +13,7 @@ use asperity_roughness::preparation::Preparation;
 use asperity_tribo_friction::{FilmRheology, FrictionError, TractionConstants};
 
 use super::defaults::{DefaultUsed, Defaults};
+use super::domain::domain;
 use super::error::CaseError;
 use super::input::{CaseInput, Formulation};
 use super::key_names::key_of;
@@ -257,18 +258,6 @@ fn check_not_zero<Q: Quantity>(
     )
     .map(|_| ())
     .map_err(domain(source, key))
-}
-
-pub(super) fn domain<'a>(
-    source: &'a Source,
-    key: &'static str,
-) -> impl Fn(DomainError) -> CaseError + use<'a> {
-    move |error| CaseError::Domain {
-        place: source.place_of(key),
-        key,
-        written: source.written(key).map(str::to_owned),
-        source: error,
-    }
 }
 
 fn lubricant_at(source: &Source) -> impl Fn(LubricantError) -> CaseError + use<'_> {

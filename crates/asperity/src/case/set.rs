@@ -5,8 +5,9 @@ use toml::{Table, Value};
 use super::error::CaseError;
 use super::input::{CaseInput, schema};
 use super::known_keys::{first_unknown, property};
+use super::place::Place;
 use super::plain_words::plain;
-use super::source::{Place, Source, key_of};
+use super::source::{Source, key_of};
 use crate::error::Error;
 
 impl CaseInput {

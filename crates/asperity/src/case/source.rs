@@ -3,45 +3,11 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use serde::Serialize;
 use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::CaseError;
-
-/// A place in a case.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Place {
-    /// Name of the file as the user gave it; `case` for one that was built in memory.
-    pub file: String,
-    /// Path of the key it is about, as `gears.module`, where it is about one.
-    pub key: Option<String>,
-    /// Line, counted from 1; `None` where there is no text or its format does not tell.
-    pub line: Option<usize>,
-    /// Column in characters, counted from 1; `None` as for the line.
-    pub column: Option<usize>,
-    /// Byte range in the text; `None` as for the line.
-    pub span: Option<Range<usize>>,
-}
-
-impl Place {
-    /// The same place, about this key.
-    pub(super) fn about(self, key: &str) -> Self {
-        Self {
-            key: Some(key.to_owned()),
-            ..self
-        }
-    }
-}
-
-impl std::fmt::Display for Place {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self.line {
-            Some(line) => write!(f, "{}:{line}", self.file),
-            None => write!(f, "{}", self.file),
-        }
-    }
-}
+use super::place::Place;
 
 /// How the text of a case is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

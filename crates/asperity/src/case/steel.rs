@@ -5,9 +5,9 @@ use asperity_core::material::Material;
 use asperity_core::quantity::{Density, Pressure, Quantity, SpecificHeat, ThermalConductivity};
 
 use super::defaults::Defaults;
+use super::domain::domain;
 use super::error::CaseError;
 use super::input::{BodyInput, CaseInput};
-use super::resolve::domain;
 use super::source::Source;
 
 /// Young's modulus and Poisson's ratio of steel, as in the reference case of the 2022 paper.

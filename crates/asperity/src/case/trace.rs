@@ -121,6 +121,9 @@ impl Trace {
             encoding: options.encoding,
             gaps: Some(options.gaps).filter(|gaps| *gaps != Default::default()),
             row: options.row,
+            abscissa: options.abscissa,
+            base_radius: options.base_radius,
+            uneven: Some(options.uneven).filter(|uneven| *uneven != Default::default()),
             ..FlankInput::default()
         }
     }

@@ -18,7 +18,6 @@
 //! | f, y | forces of the patches, mean residuals of the patches |
 //! | h | cells between nodes |
 
-use asperity_core::cite;
 use rustfft::FftPlanner;
 
 use super::coarse_nodes::{Nodes, cubic_weights};
@@ -154,7 +153,6 @@ impl CoarseSpace {
 
     /// The pairs that nodes do not tell apart; false when they are too many.
     fn find_near(&mut self, kernel: PatchKernel) -> bool {
-        cite!("Patch-1");
         let Some(grid) = &self.grid else { return false };
         let count = self.patches.len();
         let reach = NEAR_NODES * grid.step;

@@ -10,6 +10,8 @@
 //! A double sum of the kernel over the cells of two patches is four values of G, whatever their
 //! size. G is known in closed form up to terms of k⁻⁴.
 
+use asperity_core::cite;
+
 use crate::strip_kernel::{periodic_rest, strip};
 
 /// Points in F that follow each other.
@@ -75,6 +77,7 @@ impl PatchKernel {
     ///
     /// Of the patch of the cells a..b and one of c..d that is `shift` cells further than it says.
     pub(crate) fn mean(&self, one: &Patch, other: &Patch, shift: f64) -> f64 {
+        cite!("Patch-1");
         let [a, b] = [one.first, one.end].map(|place| place as f64);
         let [c, d] = [other.first, other.end].map(|place| place as f64 + shift);
         let sum = second_sum(b - c) - second_sum(b - d) - second_sum(a - c) + second_sum(a - d);

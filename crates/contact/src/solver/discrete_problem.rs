@@ -180,7 +180,9 @@ impl<'a> DiscreteProblem<'a> {
         Length::from_si(self.reference_bounds.most)
     }
 
-    /// Certificate of a pressure on the finest grid.
+    /// Certificate of a pressure on the finest grid; its duality gap as the assessment has summed it:
+    ///
+    /// Σ p·(g − λ), or the smaller bound under a limit  `[Duality-1]`
     pub(crate) fn certificate(
         &self,
         pressure: &[f64],

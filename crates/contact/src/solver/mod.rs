@@ -338,7 +338,9 @@ impl Solver {
         (reference_gap, self.work.assess(&task))
     }
 
-    /// The solution that the workspace holds, when its certificate is good enough.
+    /// The solution that the workspace holds, when its certificate is good enough, with its gap
+    ///
+    /// g = h + u − δ  `[P1]`
     fn conclude(
         &mut self,
         discrete: &DiscreteProblem,

@@ -147,7 +147,9 @@ impl Workspace {
         }
     }
 
-    /// v = A p + h, with all points listed; A as in `P3`.
+    /// v = A p + h, with all points listed, and
+    ///
+    /// A p = (1/(π·E*))·Σⱼ C_ij·p_j  `[P3]`
     pub(crate) fn refresh(&mut self, displacement: &EvenFilter, task: &Task) {
         cite!("P3");
         let points = self.pressure.len();

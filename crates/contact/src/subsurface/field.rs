@@ -73,6 +73,8 @@ pub struct YieldZone {
 
 /// σ(x, z) = Σⱼ K(x − xⱼ, z)·pⱼ + Σⱼ K'(x − xⱼ, z)·qⱼ                          [Subsurface-3]
 ///
+/// K: stresses by a uniform strip, see [`strip_unit`](super::strip_unit)                 `[Subsurface-1]`
+///
 /// with K = A, B, C and K' = D, C, A of [`strip_unit`](super::strip_unit) for σ_xx, σ_zz, τ_xz, and cells of
 /// half width a = ½·`spacing`.
 ///
@@ -176,6 +178,8 @@ impl StressField {
         self.spacing * point as f64
     }
 
+    /// τ₁ = √(¼·(σ_xx − σ_zz)² + τ_xz²)  `[Shear-1]`
+    ///
     /// τ₁ \[Pa\] at every point, in the order of the stresses; see
     /// [`PlaneStress::max_shear`](super::PlaneStress::max_shear).
     pub fn max_shear(&self) -> Vec<f64> {
@@ -183,6 +187,8 @@ impl StressField {
         self.every(max_shear)
     }
 
+    /// σ_M = √(½·((σ_xx − σ_zz)² + (σ_zz − σ_yy)² + (σ_yy − σ_xx)²) + 3·τ_xz²)  `[Mises-1]`
+    ///
     /// σ_M \[Pa\] at every point; see [`PlaneStress::von_mises`](super::PlaneStress::von_mises).
     ///
     /// # Errors
@@ -193,6 +199,8 @@ impl StressField {
         Ok(self.every(|stress| von_mises(stress, nu)))
     }
 
+    /// σ_T = max(2·τ₁, |σ₁ − σ_yy|, |σ₂ − σ_yy|)  `[Tresca-1]`
+    ///
     /// σ_T \[Pa\] at every point; see [`PlaneStress::tresca`](super::PlaneStress::tresca).
     ///
     /// # Errors

@@ -27,6 +27,7 @@ mod heat;
 mod input;
 mod library;
 mod pressure_viscosity;
+mod resolved;
 mod viscosity_pressure;
 mod viscosity_temperature;
 
@@ -34,11 +35,12 @@ pub use density::{DensityLine, dowson_higginson_density};
 pub use equations::EQUATIONS;
 pub use error::LubricantError;
 pub use heat::{cragoe_conductivity, cragoe_heat_capacity};
-pub use input::{Assumption, Lubricant, LubricantInput, LubricantState, ViscosityLaw};
+pub use input::{LubricantInput, ViscosityLaw};
 pub use library::{LibraryOil, library};
 pub use pressure_viscosity::{
     BaseOil, HIGHEST_PLAUSIBLE, LOWEST_PLAUSIBLE, gold_pressure_viscosity,
     plausible_pressure_viscosity,
 };
+pub use resolved::{Assumption, Lubricant, LubricantState};
 pub use viscosity_pressure::{barus, roelands, roelands_exponent};
 pub use viscosity_temperature::{AstmD341, GivenViscosity, Vogel};

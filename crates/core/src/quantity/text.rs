@@ -1,6 +1,7 @@
 //! Quantities from text and to text.
 
-use super::{Quantity, QuantityError, Scale, Unit};
+use super::error::QuantityError;
+use super::unit::{Quantity, Scale, Unit};
 use crate::unit_text;
 
 pub(super) fn accepted<Q: Quantity>() -> String {

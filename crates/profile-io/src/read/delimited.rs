@@ -6,18 +6,18 @@ use asperity_core::quantity::Length;
 use super::dialect::Sniffed;
 use super::error::{FirstLine, ReadError, SpacingHint};
 use super::format::{Format, extension};
-use super::grid::{Spacing, SpacingSource};
-use super::header::{FilterState, Label};
+use super::grid::{Spacing, SpacingSource, Unevenness};
+use super::header::{FilterState, Label, Role};
 use super::layout::{Dialect, TableLayout};
 use super::metadata::{self, Metadata};
-use super::options::{Axis, Encoding, LengthUnit, ReadOptions};
+use super::options::{Abscissa, Axis, Encoding, Gaps, LengthUnit, ReadOptions, Uneven};
 use super::reading::Reading;
 use super::rows::{self, Rows};
 use super::single_column::Special;
 use super::table::Chosen;
 use super::text::{Head, Line, Text};
 use super::units::Extent;
-use super::{dialect, grid, header, single_column, table, trace, units};
+use super::{dialect, grid, header, matrix, roll_length, single_column, table, trace, units};
 use crate::warning::Warning;
 
 /// Reads the profile of a table.
@@ -37,6 +37,10 @@ pub(super) fn read(
         table::check_commas(name, table, &sniffed)?;
     }
     let labels = header::labels(header, sniffed.dialect, sniffed.columns);
+    if matrix::is_matrix(&labels, options) {
+        let first = table.first().map_or(1, |line| line.number);
+        return matrix::read(text, first, &lines, &sniffed, options)?.finish(name, options);
+    }
     let chosen = table::choose(name, sniffed.columns, &labels, options)?;
     let first = table.first().map_or(1, |line| line.number);
     let rows = rows::read(text, first, &lines, &sniffed, chosen)?;
@@ -110,6 +114,18 @@ fn sniff(
     }
 }
 
+/// Root mean square of the steps between neighbours.
+fn root_mean_square_step(z: &[f64]) -> f64 {
+    let squares = z.windows(2).map(|pair| (pair[1] - pair[0]).powi(2));
+    (squares.sum::<f64>() / (z.len().max(2) - 1) as f64).sqrt()
+}
+
+/// Longest run of points that are not known.
+fn longest_run(known: &[bool]) -> usize {
+    let runs = known.split(|known| *known).map(<[bool]>::len);
+    runs.max().unwrap_or(0)
+}
+
 /// A file on its way to a [`Reading`].
 struct Found<'a> {
     name: &'a str,
@@ -136,6 +152,20 @@ impl Found<'_> {
         let name = self.name;
         let mut warnings = Vec::new();
         let Rows { mut x, mut z } = rows;
+        let abscissa = self.abscissa();
+        let base_radius = match (abscissa, self.options.base_radius) {
+            (Abscissa::Distance, _) => None,
+            (_, Some(radius)) => Some(radius),
+            (_, None) => {
+                return Err(ReadError::RollLength {
+                    file: name.to_owned(),
+                    abscissa,
+                });
+            }
+        };
+        if let (Some(x), Some(radius)) = (&mut x, base_radius) {
+            roll_length::roll_lengths(x, abscissa, radius);
+        }
         let count = z.len();
         let special = match x {
             None => {
@@ -149,7 +179,7 @@ impl Found<'_> {
         let mut column = None;
         // A stated spacing makes x unnecessary, even an x that would be refused.
         if let (Some(x), None) = (&mut x, self.options.dx) {
-            let spacing = grid::spacing(name, x, &mut place)?;
+            let spacing = grid::spacing(name, x, self.options.uneven, &mut place)?;
             if spacing.falls {
                 z.reverse();
                 warnings.push(Warning::Reversed);
@@ -159,10 +189,60 @@ impl Found<'_> {
         let falls = column.as_ref().is_some_and(|spacing| spacing.falls);
         let mut place = |row: usize| place(if falls { count - 1 - row } else { row });
         let gaps = self.options.gaps;
-        let (heights, gaps_filled) = grid::heights(name, z, gaps, &mut place, &mut warnings)?;
-        let measured = self.measure(x.as_deref(), &heights, column, &special, &mut warnings)?;
+        let unevenness = column.as_ref().and_then(|spacing| spacing.unevenness);
+        let resamples = unevenness.is_some() && self.options.uneven == Uneven::Resample;
+        // Where the points are moved, missing ones are left out of the lines between the others.
+        let missing = z.iter().filter(|z| !z.is_finite()).count();
+        let moves = resamples || base_radius.is_some();
+        let leaves_out = moves && gaps == Gaps::Interpolate && grid::fillable(missing, z.len());
+        if let (Some(x), true) = (&mut x, leaves_out && missing > 0) {
+            let known: Vec<bool> = z.iter().map(|z| z.is_finite()).collect();
+            let mut keep = known.iter();
+            x.retain(|_| keep.next().copied().unwrap_or(false));
+            z.retain(|z| z.is_finite());
+            grid::enough(name, z.len())?;
+            warnings.push(Warning::GapsFilled {
+                filled: missing,
+                longest: longest_run(&known),
+                cut: 0,
+            });
+        }
+        let left_out = count - header_numbers - z.len();
+        let (mut heights, gaps_filled) = grid::heights(name, z, gaps, &mut place, &mut warnings)?;
+        let gaps_filled = gaps_filled + left_out;
+        let mut measured = self.measure(x.as_deref(), &heights, column, &special, &mut warnings)?;
+        match (x, base_radius, measured.x_unit) {
+            (Some(mut x), Some(base_radius), Some(unit)) => {
+                if unit != LengthUnit::Metre {
+                    x.iter_mut().for_each(|x| *x = unit.metres(*x));
+                }
+                let found = roll_length::along_involute(name, &x, &heights, base_radius)?;
+                (heights, measured.spacing) = (found.heights, found.spacing);
+                warnings.push(Warning::RollLengthConverted {
+                    abscissa,
+                    base_radius,
+                    spacing: Length::from_si(found.spacing),
+                });
+            }
+            (Some(x), None, Some(unit)) => {
+                if let Some(Unevenness { off, slopes }) = unevenness {
+                    warnings.push(match resamples {
+                        false => Warning::UnevenSpacing { off, slopes },
+                        true => {
+                            heights = grid::resampled(&x, &heights);
+                            let steps = (x.len() - 1) as f64;
+                            measured.spacing = unit.metres((x[x.len() - 1] - x[0]) / steps);
+                            Warning::Resampled {
+                                off,
+                                spacing: Length::from_si(measured.spacing),
+                            }
+                        }
+                    });
+                }
+            }
+            _ => {}
+        }
         let spacing = Length::from_si(measured.spacing);
-        drop(x);
         let profile = trace::profile(name, heights, spacing, measured.z_unit)?;
         let filter_state = header::filter_state(name, self.header);
         if filter_state == FilterState::Roughness {
@@ -188,12 +268,33 @@ impl Found<'_> {
             gaps_filled,
             warnings,
             profile,
-        })
+        }
+        .checked())
+    }
+
+    /// What the x column holds: as stated, else by its label.
+    fn abscissa(&self) -> Abscissa {
+        let labelled = self.chosen.x.and_then(|x| self.labels.get(x)?.role);
+        match (self.options.abscissa, labelled) {
+            _ if self.chosen.x.is_none() || self.options.dx.is_some() => Abscissa::Distance,
+            (Some(stated), _) => stated,
+            (None, Some(Role::Roll(abscissa))) => abscissa,
+            (None, _) => Abscissa::Distance,
+        }
     }
 
     /// The unit a column has by statement or header.
     fn unit(&self, axis: Axis, column: usize) -> Result<Option<LengthUnit>, ReadError> {
         let stated = match axis {
+            // Roll angles are roll lengths in metres by now.
+            Axis::Trace
+                if matches!(
+                    self.abscissa(),
+                    Abscissa::RollDegrees | Abscissa::RollRadians
+                ) =>
+            {
+                Some(LengthUnit::Metre)
+            }
             Axis::Trace => self.options.x_unit,
             Axis::Height => self.options.z_unit,
         };
@@ -243,7 +344,13 @@ impl Found<'_> {
         if let Some(dx) = self.options.dx {
             warnings.extend(x.and_then(|x| self.overridden(x, dx)));
             let length = dx.si() * (heights.len() - 1) as f64;
-            return self.with_stated_spacing(dx, z_stated, Extent { length, span }, warnings);
+            let slope = root_mean_square_step(heights) / dx.si();
+            let extent = Extent {
+                length,
+                span,
+                slope,
+            };
+            return self.with_stated_spacing(dx, z_stated, extent, warnings);
         }
         if let (Some(spacing), Some(z_unit)) = (special.spacing, z_stated) {
             return Ok(Measured {
@@ -261,7 +368,12 @@ impl Found<'_> {
             return Err(self.no_spacing(SpacingHint::XCounts));
         }
         let length = column.mean * (x.len() - 1) as f64;
-        let extent = Extent { length, span };
+        let slope = root_mean_square_step(heights) / column.mean;
+        let extent = Extent {
+            length,
+            span,
+            slope,
+        };
         let found = units::pair(extent, x_stated, z_stated);
         let (x_unit, z_unit) = found.ok_or_else(|| match z_stated {
             None => self.no_unit(Axis::Height, span),
@@ -298,7 +410,7 @@ impl Found<'_> {
         extent: Extent,
         warnings: &mut Vec<Warning>,
     ) -> Result<Measured, ReadError> {
-        let z_unit = z_stated.or_else(|| units::heights_only(extent.span, extent.length));
+        let z_unit = z_stated.or_else(|| units::heights_only(extent));
         let z_unit = z_unit.ok_or_else(|| self.no_unit(Axis::Height, extent.span))?;
         if z_stated.is_none() {
             warnings.push(Warning::UnitAssumed {

@@ -5,7 +5,8 @@ use asperity_core::remedy::{Remedy, Setting, Value};
 
 use super::format::Format;
 use super::layout::Dialect;
-use super::options::{Axis, DecimalSign, LengthUnit, Separator};
+use super::options::{Abscissa, Axis, DecimalSign, LengthUnit, Separator};
+use super::steepness::Steepness;
 
 /// A file that was refused. [`code`](Self::code) is stable; the text names file, line, what was seen and what
 /// was expected; [`remedy`](Self::remedy) says what can be done, as data.
@@ -159,7 +160,9 @@ pub enum ReadError {
         text: String,
     },
     /// A unit that is not a known length.
-    #[error("{file}: the header gives the {axis} in \"{unit}\", which is not one of m, mm, um, nm")]
+    #[error(
+        "{file}: the header gives the {axis} in \"{unit}\", which is not one of m, mm, um, nm, inch, mil, uin"
+    )]
     UnknownUnit {
         /// Name of the file.
         file: String,
@@ -212,6 +215,24 @@ pub enum ReadError {
         /// The row asked for, 0 for none.
         asked: usize,
     },
+    /// An x column of an involute checker, without the base radius that converts it.
+    #[error(
+        "{file}: x is a {abscissa} of an involute checker and not the distance along the flank, and the base radius that converts it is not known"
+    )]
+    RollLength {
+        /// Name of the file.
+        file: String,
+        /// What x is.
+        abscissa: Abscissa,
+    },
+    /// Heights that no flank has.
+    #[error("{file}: {steepness}")]
+    ImplausibleHeights {
+        /// Name of the file.
+        file: String,
+        /// Slopes and what they point at.
+        steepness: Steepness,
+    },
     /// Numbers that make no profile: beyond the range of numbers, or no extent.
     #[error("{file}: {what} is {value} {unit}, which no profile has")]
     Impossible {
@@ -248,6 +269,8 @@ impl ReadError {
             | Self::Damaged { file, .. }
             | Self::TooLarge { file, .. }
             | Self::SeveralProfiles { file, .. }
+            | Self::RollLength { file, .. }
+            | Self::ImplausibleHeights { file, .. }
             | Self::Impossible { file, .. } => (file, None),
         }
     }
@@ -287,7 +310,14 @@ impl ReadError {
             }
             Self::MissingPoints { .. } => Remedy::act("measure again"),
             Self::FormatNotRead { format, .. } => Remedy::act(format.remedy()),
-            Self::UnevenSpacing { .. } => Remedy::act("resample the trace evenly before exporting"),
+            Self::UnevenSpacing { .. } => {
+                Remedy::set(Setting::Uneven, Value::This("resample".into()))
+                    .because("to resample it by straight lines")
+            }
+            Self::RollLength { .. } => {
+                Remedy::set(Setting::BaseRadius, Value::Like("50 mm".into()))
+            }
+            Self::ImplausibleHeights { steepness, .. } => steepness.suspicion.remedy(),
             Self::NoSpacing { hint, .. } => {
                 let spacing = Remedy::set(Setting::Spacing, Value::Like("0.5 um".into()));
                 match hint {
@@ -339,6 +369,8 @@ impl ReadError {
             Self::Damaged { .. } => "E117",
             Self::TooLarge { .. } => "E118",
             Self::SeveralProfiles { .. } => "E119",
+            Self::RollLength { .. } => "E130",
+            Self::ImplausibleHeights { .. } => "E131",
         }
     }
 }

@@ -11,6 +11,8 @@ use serde::{Deserialize, Serialize};
 pub enum Format {
     /// Rows of numbers as text, in any dialect.
     DelimitedText,
+    /// A matrix of heights as text, one trace a row.
+    TextMatrix,
     /// One column of heights under the spacing in um (NPL softgauge text).
     NplText,
     /// One column of heights in um under nominal length and number of points (Surfcom tx1, tx2).
@@ -69,6 +71,7 @@ impl std::fmt::Display for Format {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             Self::DelimitedText => "delimited text",
+            Self::TextMatrix => "matrix of heights as text",
             Self::NplText => "NPL text profile",
             Self::SurfcomText => "Surfcom text profile",
             Self::SurfcomConditions => "Surfcom measuring conditions (tx3)",

@@ -6,7 +6,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::error::ReadError;
-use super::options::Gaps;
+use super::options::{Gaps, Uneven};
 use crate::warning::Warning;
 
 /// Fewest points of a profile; below it no roughness parameter means anything.
@@ -17,6 +17,10 @@ const MOST_MISSING: f64 = 0.1;
 
 /// Distance from an even grid, in spacings, that rounding of x does not explain but scanners do.
 const UNEVENNESS: f64 = 0.25;
+/// Distance from an even grid, in spacings, from which slopes are off by some per cent.
+const NOTICEABLE: f64 = 0.02;
+/// Steps that are longer than this many spacings are no unevenness but missing points.
+const LONGEST_STEP: f64 = 10.0;
 
 /// How the spacing was found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -39,6 +43,17 @@ pub enum SpacingSource {
 pub(super) struct Spacing {
     pub mean: f64,
     pub falls: bool,
+    /// Where rounding does not explain it and it is noticeable.
+    pub unevenness: Option<Unevenness>,
+}
+
+/// How far a column of x is from an even grid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Unevenness {
+    /// Largest distance of a point from the grid over the spacing.
+    pub off: f64,
+    /// Largest difference of a step from the spacing over the spacing.
+    pub slopes: f64,
 }
 
 /// Finds the line number and text of a row, counted from 0 as in the file.
@@ -60,6 +75,7 @@ pub(super) fn enough(file: &str, points: usize) -> Result<(), ReadError> {
 pub(super) fn spacing(
     file: &str,
     x: &mut [f64],
+    allowed: Uneven,
     place: &mut Place<'_>,
 ) -> Result<Spacing, ReadError> {
     let (first, last) = (x[0], x[x.len() - 1]);
@@ -83,29 +99,77 @@ pub(super) fn spacing(
         x.reverse();
     }
     let mean = (x[x.len() - 1] - x[0]) / (x.len() - 1) as f64;
-    match uneven(x, mean) {
-        None => Ok(Spacing { mean, falls }),
-        Some((at, off)) => Err(ReadError::UnevenSpacing {
-            file: file.to_owned(),
-            line: place(if falls { x.len() - 1 - at } else { at })?.0,
-            x: x[at],
-            off: off / mean,
-            spacing: mean,
-        }),
+    let (at, off) = match lost_rows(x) {
+        Some(lost) => lost,
+        None => {
+            let (at, off) = farthest(x, mean);
+            // Two ends and one point, each rounded by half the smallest step seen in the column.
+            let rounded = off > NOTICEABLE * mean && off <= resolution(x);
+            if rounded || off <= UNEVENNESS * mean && allowed == Uneven::Refuse {
+                let noticeable = !rounded && off > NOTICEABLE * mean;
+                return Ok(Spacing {
+                    mean,
+                    falls,
+                    unevenness: noticeable.then(|| unevenness(x, off, mean)),
+                });
+            }
+            (at, off)
+        }
+    };
+    let longest = x
+        .windows(2)
+        .map(|pair| pair[1] - pair[0])
+        .fold(0.0, f64::max);
+    if allowed == Uneven::Resample && longest <= LONGEST_STEP * mean {
+        return Ok(Spacing {
+            mean,
+            falls,
+            unevenness: (off > NOTICEABLE * mean).then(|| unevenness(x, off, mean)),
+        });
+    }
+    Err(ReadError::UnevenSpacing {
+        file: file.to_owned(),
+        line: place(if falls { x.len() - 1 - at } else { at })?.0,
+        x: x[at],
+        off: off / mean,
+        spacing: mean,
+    })
+}
+
+/// The point farthest from an even grid, and how far it is.
+fn farthest(x: &[f64], mean: f64) -> (usize, f64) {
+    let off = |at: usize, x_at: f64| (x_at - x[0] - mean * at as f64).abs();
+    let offs = x.iter().enumerate().map(|(at, x_at)| (at, off(at, *x_at)));
+    offs.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, 0.0))
+}
+
+fn unevenness(x: &[f64], off: f64, mean: f64) -> Unevenness {
+    let steps = x.windows(2).map(|pair| (pair[1] - pair[0]) / mean);
+    Unevenness {
+        off: off / mean,
+        slopes: steps.fold(0.0, |most, step| f64::max(most, (step - 1.0).abs())),
     }
 }
 
-/// The point furthest from an even grid and how far it is, when that is more than rounding explains.
-fn uneven(x: &[f64], mean: f64) -> Option<(usize, f64)> {
-    if let Some(lost) = lost_rows(x) {
-        return Some(lost);
-    }
-    let off = |at: usize, x_at: f64| (x_at - x[0] - mean * at as f64).abs();
-    let offs = x.iter().enumerate().map(|(at, x_at)| (at, off(at, *x_at)));
-    let (at, worst) = offs.max_by(|a, b| a.1.total_cmp(&b.1))?;
-    // Two ends and one point, each rounded by half the smallest step seen in the column.
-    let explained = worst <= UNEVENNESS * mean || worst <= resolution(x);
-    (!explained).then_some((at, worst))
+/// Heights `z` at the positions `x` on an even grid of as many points, by straight lines.
+pub(super) fn resampled(x: &[f64], z: &[f64]) -> Vec<f64> {
+    let last = x.len() - 1;
+    let spacing = (x[last] - x[0]) / last as f64;
+    let mut at = 0;
+    let value = |i: usize| {
+        let position = x[0] + spacing * i as f64;
+        while at + 1 < last && x[at + 1] <= position {
+            at += 1;
+        }
+        let step = x[at + 1] - x[at];
+        let share = if step > 0.0 {
+            (position - x[at]) / step
+        } else {
+            0.0
+        };
+        z[at] + (z[at + 1] - z[at]) * share.clamp(0.0, 1.0)
+    };
+    (0..=last).map(value).collect()
 }
 
 /// The first jump over one or more rows in an x that otherwise steps by one and the same amount.
@@ -175,7 +239,7 @@ pub(super) fn heights(
         return Ok((z, 0));
     };
     let missing = z.iter().filter(|z| !z.is_finite()).count();
-    let fillable = missing as f64 <= MOST_MISSING * z.len() as f64;
+    let fillable = fillable(missing, z.len());
     if gaps == Gaps::Refuse || !fillable {
         let (line, text) = place(gap)?;
         return Err(ReadError::MissingPoints {
@@ -195,6 +259,11 @@ pub(super) fn heights(
         cut: missing - filled,
     });
     Ok((heights, filled))
+}
+
+/// Whether so few of the points are missing that they may be interpolated.
+pub(super) fn fillable(missing: usize, points: usize) -> bool {
+    missing as f64 <= MOST_MISSING * points as f64
 }
 
 /// Points filled, the longest run of them, and the heights between the outermost known ones.
@@ -228,6 +297,13 @@ mod tests {
         assert_eq!(resolution(&[0.0, 10.0, 20.0]), 10.0);
         assert_eq!(resolution(&[0.0, 0.0]), 0.0);
         assert!(resolution(&[0.0, std::f64::consts::PI]) < 1e-12);
+    }
+
+    #[test]
+    fn an_uneven_trace_is_resampled_by_straight_lines() {
+        let x = [0.0, 1.0, 2.5, 3.0, 4.0];
+        let z = x.map(|x| 2.0 * x + 1.0);
+        assert_eq!(resampled(&x, &z), [1.0, 3.0, 5.0, 7.0, 9.0]);
     }
 
     #[test]

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::format::extension;
 use super::layout::Dialect;
-use super::options::LengthUnit;
+use super::options::{Abscissa, LengthUnit};
 use super::text::Line;
 
 /// Whether the heights have been through a roughness filter, as far as the file says.
@@ -32,6 +32,8 @@ pub(super) enum Role {
     Valid,
     /// A running number.
     Index,
+    /// x of an involute checker.
+    Roll(Abscissa),
 }
 
 /// A unit as a header states it.
@@ -102,6 +104,9 @@ fn role_of(cell: &str) -> Option<Role> {
         .take_while(|c| c.is_alphabetic() || *c == '#')
         .collect();
     let is = |names: &[&str]| names.contains(&name.as_str());
+    if let Some(abscissa) = roll(&lower) {
+        return Some(Role::Roll(abscissa));
+    }
     match () {
         () if is(X) => Some(Role::X),
         () if is(Z) => Some(Role::Z),
@@ -112,11 +117,45 @@ fn role_of(cell: &str) -> Option<Role> {
     }
 }
 
+/// Roll length or roll angle by the words of a label.
+fn roll(label: &str) -> Option<Abscissa> {
+    const LENGTHS: &[&str] = &[
+        "roll length",
+        "rolllength",
+        "rolling length",
+        "roll path",
+        "length of roll",
+        "wälzlänge",
+        "waelzlaenge",
+        "wälzweg",
+        "waelzweg",
+    ];
+    const ANGLES: &[&str] = &[
+        "roll angle",
+        "rollangle",
+        "rolling angle",
+        "angle of roll",
+        "wälzwinkel",
+        "waelzwinkel",
+    ];
+    let label = label.replace(['_', '-'], " ");
+    let says = |words: &[&str]| words.iter().any(|word| label.contains(word));
+    match () {
+        () if says(LENGTHS) => Some(Abscissa::RollLength),
+        () if says(ANGLES) && label.contains("rad") => Some(Abscissa::RollRadians),
+        () if says(ANGLES) => Some(Abscissa::RollDegrees),
+        () => None,
+    }
+}
+
 /// The unit in a label: "[mm]", "(um)", "x in um", "x_mm", "z / nm", "z µm", "mm".
 fn unit_of(cell: &str) -> Option<Stated> {
     let opening = cell.rfind(['[', '(']);
     if let Some(at) = opening {
         let inside = cell[at + 1..].trim_end_matches([']', ')', ' ']);
+        if matches!(inside, "in" | "\"") {
+            return Some(Stated::Length(LengthUnit::Inch));
+        }
         let is_unit =
             inside.chars().next().is_some_and(char::is_alphabetic) || inside.starts_with('"');
         return match unit(inside) {
@@ -166,6 +205,9 @@ fn unit(text: &str) -> Option<LengthUnit> {
         "nanometer" | "nanometers" | "nanometre" | "nanometres" => Some(LengthUnit::Nanometre),
         "meter" | "meters" | "metre" | "metres" => Some(LengthUnit::Metre),
         "å" | "a\u{30a}" => Some(LengthUnit::Angstrom),
+        "inches" => Some(LengthUnit::Inch),
+        "mils" | "thou" => Some(LengthUnit::Mil),
+        "uinch" | "microinch" | "microinches" => Some(LengthUnit::Microinch),
         other => other.parse().ok(),
     }
 }
@@ -230,9 +272,35 @@ mod tests {
         ] {
             assert_eq!(unit_of(label), Some(Stated::Length(expected)), "{label}");
         }
-        assert_eq!(unit_of("z [inch]"), Some(Stated::Other("inch".into())));
+        for (label, expected) in [
+            ("z [inch]", LengthUnit::Inch),
+            ("x [in]", LengthUnit::Inch),
+            ("z [µin]", LengthUnit::Microinch),
+            ("z in microinches", LengthUnit::Microinch),
+            ("z (mil)", LengthUnit::Mil),
+        ] {
+            assert_eq!(unit_of(label), Some(Stated::Length(expected)), "{label}");
+        }
+        assert_eq!(unit_of("z in"), None);
+        assert_eq!(
+            unit_of("z [furlong]"),
+            Some(Stated::Other("furlong".into()))
+        );
         assert_eq!(unit_of("[1/0]"), None);
         assert_eq!(unit_of("column m"), None);
+    }
+
+    #[test]
+    fn columns_of_involute_checkers_are_told_by_their_words() {
+        for (label, expected) in [
+            ("Roll length [mm]", Abscissa::RollLength),
+            ("Wälzlänge (mm)", Abscissa::RollLength),
+            ("roll_angle [deg]", Abscissa::RollDegrees),
+            ("Wälzwinkel [rad]", Abscissa::RollRadians),
+        ] {
+            assert_eq!(role_of(label), Some(Role::Roll(expected)), "{label}");
+        }
+        assert_eq!(role_of("length [mm]"), Some(Role::X));
     }
 
     #[test]

@@ -24,6 +24,7 @@ mod grid;
 mod header;
 mod layout;
 mod mahr;
+mod matrix;
 pub(crate) mod metadata;
 mod mitutoyo;
 pub(crate) mod options;
@@ -31,11 +32,13 @@ mod plain_row;
 mod ptb;
 mod reading;
 mod recognise;
+mod roll_length;
 mod rows;
 mod sdf;
 mod sigmasurf;
 mod single_column;
 mod smd;
+pub mod steepness;
 mod surfcom;
 mod table;
 mod taylor_hobson;
@@ -55,7 +58,8 @@ pub use header::FilterState;
 pub use layout::{Dialect, TableLayout};
 pub use metadata::{Metadata, PrintedParameter};
 pub use options::{
-    Axis, Columns, DecimalSign, Encoding, Gaps, LengthUnit, ReadOptions, Separator, UnknownChoice,
+    Abscissa, Axis, Columns, DecimalSign, Encoding, Gaps, LengthUnit, ReadOptions, Separator,
+    Uneven, UnknownChoice,
 };
 pub use reading::Reading;
 
@@ -64,10 +68,12 @@ use trace::Trace;
 
 /// Bytes of the largest file read: two hundred million points of text.
 const MOST_BYTES: u64 = 4 << 30;
-/// Bytes of what comes through a pipe and is held.
+/// Bytes of what comes through standard input and is held.
 const MOST_HELD: u64 = 1 << 30;
+/// The path that stands for standard input.
+const STANDARD_INPUT: &str = "-";
 
-/// Reads the profile in the file at `path`.
+/// Reads the profile in the file at `path`; `-` is standard input, of which at most a gigabyte is held.
 ///
 /// # Errors
 /// When the file cannot be opened, is in a format that is not read, or holds no usable profile;
@@ -91,13 +97,27 @@ fn open(path: &Path, name: &str) -> Result<Box<dyn Stream>, ReadError> {
         file: name.to_owned(),
         source,
     };
-    let file = std::fs::File::open(path).map_err(unreadable)?;
-    if file.metadata().map_err(unreadable)?.is_file() {
-        return Ok(Box::new(file));
+    if path == Path::new(STANDARD_INPUT) {
+        return held(name, std::io::stdin().lock());
     }
+    // Asked before it is opened: opening a pipe waits for its writer, and a device never ends.
+    let kind = std::fs::metadata(path).map_err(unreadable)?.file_type();
+    if !kind.is_file() && !kind.is_dir() {
+        let text =
+            "it is a device or a pipe and not a file; pass - and pipe it into standard input";
+        return Err(unreadable(std::io::Error::other(text)));
+    }
+    Ok(Box::new(std::fs::File::open(path).map_err(unreadable)?))
+}
+
+/// Bytes that come once, held so that they can be read again.
+fn held(name: &str, from: impl Read) -> Result<Box<dyn Stream>, ReadError> {
     let mut bytes = Vec::new();
-    let taken = file.take(MOST_HELD + 1).read_to_end(&mut bytes);
-    taken.map_err(unreadable)?;
+    let taken = from.take(MOST_HELD + 1).read_to_end(&mut bytes);
+    taken.map_err(|source| ReadError::NotReadable {
+        file: name.to_owned(),
+        source,
+    })?;
     not_larger(name, bytes.len() as u64, MOST_HELD)?;
     Ok(Box::new(Cursor::new(bytes)))
 }

@@ -36,6 +36,12 @@ pub struct ReadOptions {
     pub gaps: Gaps,
     /// Which profile of a file that holds several, counted from 1.
     pub row: Option<usize>,
+    /// What the x column holds.
+    pub abscissa: Option<Abscissa>,
+    /// Base radius of the gear: an x that is a roll length or angle is converted with it.
+    pub base_radius: Option<Length>,
+    /// What to do about an uneven x.
+    pub uneven: Uneven,
 }
 
 /// Text that names none of the choices.
@@ -90,27 +96,72 @@ pub enum LengthUnit {
     /// 10⁻¹⁰ m.
     #[serde(rename = "angstrom")]
     Angstrom,
+    /// 0.0254 m.
+    #[serde(rename = "inch")]
+    Inch,
+    /// A thousandth of an inch, 25.4 um.
+    #[serde(rename = "mil")]
+    Mil,
+    /// A millionth of an inch, 25.4 nm.
+    #[serde(rename = "uin")]
+    Microinch,
 }
 
-choice!(LengthUnit, "m, mm, um, nm, angstrom": Metre "m", Millimetre "mm", Micrometre "um", Nanometre "nm", Angstrom "angstrom");
+choice!(LengthUnit, "m, mm, um, nm, angstrom, inch, mil, uin": Metre "m", Millimetre "mm", Micrometre "um", Nanometre "nm", Angstrom "angstrom", Inch "inch", Mil "mil", Microinch "uin");
 
 impl LengthUnit {
-    /// This many of the unit make one metre: the exact way to convert is to divide by it.
-    pub fn per_metre(self) -> f64 {
+    /// `value` of this unit in metres, as exact as a division or a multiplication is.
+    ///
+    /// ```
+    /// use asperity_profile_io::read::LengthUnit;
+    /// assert_eq!(LengthUnit::Millimetre.metres(0.3), 0.3e-3);
+    /// assert_eq!(LengthUnit::Microinch.metres(10.0), 254e-9);
+    /// ```
+    pub fn metres(self, value: f64) -> f64 {
         match self {
-            Self::Metre => 1.0,
-            Self::Millimetre => 1e3,
-            Self::Micrometre => 1e6,
-            Self::Nanometre => 1e9,
-            Self::Angstrom => 1e10,
+            Self::Metre => value,
+            Self::Millimetre => value / 1e3,
+            Self::Micrometre => value / 1e6,
+            Self::Nanometre => value / 1e9,
+            Self::Angstrom => value / 1e10,
+            // 1 in = 25.4 mm (1959).
+            Self::Inch => value * 25.4 / 1e3,
+            Self::Mil => value * 25.4 / 1e6,
+            Self::Microinch => value * 25.4 / 1e9,
         }
     }
-
-    /// `value` of this unit in metres.
-    pub fn metres(self, value: f64) -> f64 {
-        value / self.per_metre()
-    }
 }
+
+/// Quantity that the x column of a file holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[non_exhaustive]
+pub enum Abscissa {
+    /// Distance along the trace.
+    Distance,
+    /// Roll length of an involute (radius of curvature, length of action), as involute checkers export it.
+    RollLength,
+    /// Roll angle of an involute in degrees.
+    RollDegrees,
+    /// Roll angle of an involute in radians.
+    RollRadians,
+}
+
+choice!(Abscissa, "distance, roll-length, roll-degrees, roll-radians": Distance "distance", RollLength "roll-length", RollDegrees "roll-degrees", RollRadians "roll-radians");
+
+/// What to do about an x column that is not even.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Uneven {
+    /// Read up to a quarter of a spacing off an even grid as it stands, with a warning from 2 %, and
+    /// refuse the rest.
+    #[default]
+    Refuse,
+    /// Resample by straight lines to an even grid of as many points, and say so.
+    Resample,
+}
+
+choice!(Uneven, "refuse, resample": Refuse "refuse", Resample "resample");
 
 /// One of the two coordinates of a profile.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]

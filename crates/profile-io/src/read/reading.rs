@@ -4,12 +4,14 @@ use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use serde::Serialize;
 
+use super::error::ReadError;
 use super::format::Format;
 use super::grid::SpacingSource;
 use super::header::FilterState;
 use super::layout::TableLayout;
 use super::metadata::Metadata;
 use super::options::{Encoding, LengthUnit};
+use super::steepness::implausible;
 use crate::warning::Warning;
 
 /// A profile with all that was found out about its file. Serialises without the heights, as the echo.
@@ -47,4 +49,49 @@ pub struct Reading {
     pub metadata: Metadata,
     /// What the user should know.
     pub warnings: Vec<Warning>,
+}
+
+impl Reading {
+    /// Refuses heights that no flank has, for computing with them: a root mean square slope above 2, or
+    /// a single step steeper than 5. The reading carries the same as a warning.
+    ///
+    /// # Errors
+    /// When the heights are too steep; the error names the unit or the mark for missing points that
+    /// explains it, where one does.
+    ///
+    /// ```
+    /// use asperity_profile_io::read::{ReadOptions, read_bytes};
+    /// let rows = |scale: f64| {
+    ///     let row = |i: u32| format!("{};{:.4}\n", 0.5 * f64::from(i), scale * (0.1 * f64::from(i)).sin());
+    ///     format!("x [um];z [um]\n{}", (0..200).map(row).collect::<String>())
+    /// };
+    /// let options = ReadOptions::default();
+    /// assert!(read_bytes("a.csv", rows(1.0).as_bytes(), &options)?.check_heights().is_ok());
+    /// let steep = read_bytes("a.csv", rows(1000.0).as_bytes(), &options)?;
+    /// let refused = steep.check_heights().unwrap_err();
+    /// assert_eq!(refused.code(), "E131");
+    /// assert!(refused.to_string().ends_with("would be plausible in nm"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn check_heights(&self) -> Result<(), ReadError> {
+        let steep = self.warnings.iter().find_map(|warning| match warning {
+            Warning::ImplausibleHeights { steepness } => Some(*steepness),
+            _ => None,
+        });
+        steep.map_or(Ok(()), |steepness| {
+            Err(ReadError::ImplausibleHeights {
+                file: self.name.clone(),
+                steepness,
+            })
+        })
+    }
+
+    /// The reading with the warning that its heights are too steep, where they are.
+    pub(super) fn checked(mut self) -> Self {
+        if let Some(steepness) = implausible(&self.profile, self.z_unit) {
+            self.warnings
+                .push(Warning::ImplausibleHeights { steepness });
+        }
+        self
+    }
 }

@@ -38,7 +38,13 @@ pub(super) fn choose(
         file: file.to_owned(),
         columns: count,
     };
-    let with = |role: Role| labels.iter().position(|label| label.role == Some(role));
+    let with = |role: Role| {
+        let is = |label: &Label| match label.role {
+            Some(Role::Roll(_)) => role == Role::X,
+            found => found == Some(role),
+        };
+        labels.iter().position(is)
+    };
     let valid = with(Role::Valid);
     if let Some(Columns { x, z }) = options.columns {
         let inside = |column: usize| {

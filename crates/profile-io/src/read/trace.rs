@@ -95,7 +95,8 @@ impl Trace {
             metadata: self.metadata,
             warnings,
             profile,
-        })
+        }
+        .checked())
     }
 }
 

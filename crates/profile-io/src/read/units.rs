@@ -2,11 +2,12 @@
 //!
 //! Exports without units come in metres, millimetres or micrometres for both columns, or in
 //! millimetres along and micrometres up. A file is read without a stated unit only when exactly one
-//! of these makes a possible stylus trace; nanometres are never assumed.
+//! of these makes a possible stylus trace; nanometres are never assumed, but where heights in nanometres
+//! are as possible as those in the unit found, none is.
 
 use super::options::LengthUnit;
 
-use LengthUnit::{Metre, Micrometre, Millimetre};
+use LengthUnit::{Metre, Micrometre, Millimetre, Nanometre};
 
 /// Shortest trace `[m]`: step profilers scan some tens of micrometres.
 const SHORTEST: f64 = 25e-6;
@@ -21,6 +22,11 @@ const SMALLEST_ALONE: f64 = 0.1e-6;
 const LARGEST: f64 = 1e-3;
 /// Steepest overall aspect, span over length: a trace that rises by more is no flank.
 const STEEPEST: f64 = 0.5;
+
+/// Root mean square slopes that a trace may have.
+const SLOPES: std::ops::RangeInclusive<f64> = 0.0..=2.0;
+/// Least root mean square slope of heights in nanometres: a mirror has it.
+const LEAST_SLOPE: f64 = 1e-3;
 
 /// The units in which files are written that do not say so, along and up.
 const USUAL: [(LengthUnit, LengthUnit); 4] = [
@@ -37,6 +43,22 @@ pub(super) struct Extent {
     pub length: f64,
     /// Highest minus lowest height.
     pub span: f64,
+    /// Root mean square slope, a height of the file over a length of the file.
+    pub slope: f64,
+}
+
+impl Extent {
+    /// Whether heights in `z` over a length in `x` make slopes that a trace may have.
+    fn has_possible_slopes(self, x: LengthUnit, z: LengthUnit) -> bool {
+        SLOPES.contains(&(self.slope * z.metres(1.0) / x.metres(1.0)))
+    }
+
+    /// Whether heights in nanometres over a length in `x` make a possible trace.
+    fn may_be_nanometres(self, x: LengthUnit) -> bool {
+        (SMALLEST_ALONE..=LARGEST).contains(&Nanometre.metres(self.span))
+            && self.slope * Nanometre.metres(1.0) / x.metres(1.0) >= LEAST_SLOPE
+            && self.has_possible_slopes(x, Nanometre)
+    }
 }
 
 /// The only possible pair of units, of those that agree with what is stated.
@@ -51,16 +73,19 @@ pub(super) fn pair(
         (SHORTEST..=LONGEST).contains(&length)
             && (smallest..=LARGEST).contains(&span)
             && span <= STEEPEST * length
+            && extent.has_possible_slopes(x, z)
     };
+    let certain = |found: &(LengthUnit, LengthUnit)| !extent.may_be_nanometres(found.0);
     match (x, z) {
         (Some(x), Some(z)) => Some((x, z)),
-        (None, None) => only(USUAL.into_iter().filter(possible)),
+        (None, None) => only(USUAL.into_iter().filter(possible)).filter(certain),
         (Some(x), None) => only(
             [Metre, Millimetre, Micrometre]
                 .map(|z| (x, z))
                 .into_iter()
                 .filter(possible),
-        ),
+        )
+        .filter(certain),
         (None, Some(z)) => {
             let lengths = |x: &LengthUnit| (SHORTEST..=LONGEST).contains(&x.metres(extent.length));
             only([Metre, Millimetre, Micrometre].into_iter().filter(lengths)).map(|x| (x, z))
@@ -68,13 +93,16 @@ pub(super) fn pair(
     }
 }
 
-/// The only possible unit of heights over a trace of `length` `[m]`.
-pub(super) fn heights_only(span: f64, length: f64) -> Option<LengthUnit> {
+/// The only possible unit of heights over a trace whose length is in metres.
+pub(super) fn heights_only(extent: Extent) -> Option<LengthUnit> {
     let possible = |unit: &LengthUnit| {
-        let span = unit.metres(span);
-        (SMALLEST_ALONE..=LARGEST).contains(&span) && span <= STEEPEST * length
+        let span = unit.metres(extent.span);
+        (SMALLEST_ALONE..=LARGEST).contains(&span)
+            && span <= STEEPEST * extent.length
+            && extent.has_possible_slopes(Metre, *unit)
     };
     only([Metre, Millimetre, Micrometre].into_iter().filter(possible))
+        .filter(|_| !extent.may_be_nanometres(Metre))
 }
 
 fn only<T>(mut candidates: impl Iterator<Item = T>) -> Option<T> {
@@ -88,7 +116,18 @@ mod tests {
 
     #[test]
     fn a_unit_is_assumed_only_when_it_is_the_only_possible_one() {
-        let pair = |length, span| pair(Extent { length, span }, None, None);
+        let pair = |length, span| {
+            let slope = 5.0 * span / length;
+            pair(
+                Extent {
+                    length,
+                    span,
+                    slope,
+                },
+                None,
+                None,
+            )
+        };
         assert_eq!(pair(0.9956, 0.05), Some((Millimetre, Millimetre)));
         assert_eq!(pair(4.0, 5.0), Some((Millimetre, Micrometre)));
         assert_eq!(pair(4000.0, 5.0), Some((Micrometre, Micrometre)));
@@ -96,5 +135,21 @@ mod tests {
         // 0.8 may be 0.8 mm of form or 0.8 um of roughness; 4312 may be nanometres of either.
         assert_eq!(pair(4.0, 0.8), None);
         assert_eq!(pair(4.0, 4312.0), None);
+    }
+
+    #[test]
+    fn slopes_tell_nanometres_from_micrometres() {
+        let pair = |slope| {
+            let extent = Extent {
+                length: 4.0,
+                span: 900.0,
+                slope,
+            };
+            pair(extent, Some(Millimetre), None)
+        };
+        // 0.9 mm of form with a slope of 0.5, or 0.9 um of roughness with one of 0.0005.
+        assert_eq!(pair(500.0), Some((Millimetre, Micrometre)));
+        // A slope of 100 is none; one of 0.1 is that of a flank in nanometres, which are not assumed.
+        assert_eq!(pair(1e5), None);
     }
 }

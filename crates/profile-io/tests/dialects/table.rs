@@ -6,7 +6,7 @@ pub const POINTS: usize = 240;
 
 /// Height of point `i` in um: twelve um of span, not periodic in the rows.
 pub fn height(i: usize) -> f64 {
-    6.0 * (0.37 * i as f64).sin() + 0.01 * i as f64
+    6.0 * (0.037 * i as f64).sin() + 0.01 * i as f64
 }
 
 /// A file of x and height: header, line end, separator, decimal sign, scale of x and z to um.

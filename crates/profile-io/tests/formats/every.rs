@@ -96,7 +96,9 @@ proptest! {
             let reading = read_bytes(name, &bytes, &ReadOptions::default()).unwrap();
             prop_assert_eq!(&reading.profile, &profile);
             prop_assert_eq!(reading.metadata.date.as_deref(), Some("2026-11-20"));
-            prop_assert!(reading.warnings.is_empty(), "{:?}", reading.warnings);
+            // White noise of 0.1 mm is as steep as no flank.
+            let others = reading.warnings.iter().filter(|warning| warning.code() != "W124");
+            prop_assert!(others.count() == 0, "{:?}", reading.warnings);
         }
     }
 

@@ -17,12 +17,12 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup,
         return Ok(html! {});
     };
     let row = row_of(result, contact)?;
-    let drawings = drawings(result, contact)?;
+    let drawings = drawings(result, tables)?;
     let count = result.path.len();
     Ok(html! {
         p {
             "Position " (contact.position) " of " (count)
-            @if count > 1 { ", the one with the highest pressure unless another was asked for (" code { "asperity report --position" } ")" }
+            @if count > 1 { ", the one with the highest pressure unless another was asked for" }
             ", at " (format!("{:.3}", row.path_fraction))
             " of the way from A to E; first offset of the traces."
         }
@@ -46,17 +46,21 @@ fn row_of<'a>(
 ///
 /// # Errors
 /// When the result lacks the position or the tolerance of its solution.
-pub fn drawings(result: &RunResult, contact: &ContactTables) -> Result<Vec<Drawing>, ReportError> {
+pub fn drawings(result: &RunResult, tables: &PageTables) -> Result<Vec<Drawing>, ReportError> {
+    let Some(contact) = &tables.contact else {
+        return Ok(Vec::new());
+    };
     let row = row_of(result, contact)?;
     let folder = folder_of(contact.position);
-    let surface = format!("{folder}/surface.csv");
+    let surface = tables.source(&format!("{folder}/surface.csv"));
     let mut drawings = flank_charts(&contact.surface, &surface);
     drawings.push(pressure(&contact.surface, &surface));
-    let below = format!("{folder}/subsurface.csv");
+    let below = tables.source(&format!("{folder}/subsurface.csv"));
     drawings.extend(von_mises(row, &contact.subsurface, &below));
     if !contact.convergence.is_empty() {
-        drawings.push(load(row, &contact.convergence));
-        drawings.push(load_error(result, &contact.convergence)?);
+        let steps = tables.source("convergence.csv");
+        drawings.push(load(row, &contact.convergence, &steps));
+        drawings.push(load_error(result, &contact.convergence, &steps)?);
     }
     Ok(drawings)
 }
@@ -188,7 +192,7 @@ fn von_mises(row: &PositionRow, cells: &[SubsurfaceRow], source: &str) -> Option
     }))
 }
 
-fn load(row: &PositionRow, steps: &[ConvergenceRow]) -> Drawing {
+fn load(row: &PositionRow, steps: &[ConvergenceRow], source: &str) -> Drawing {
     let approach = column(steps, |step| step.approach_um);
     let fluid = column(steps, |step| step.load_fluid_n_per_mm);
     let total = column(steps, |step| {
@@ -197,7 +201,7 @@ fn load(row: &PositionRow, steps: &[ConvergenceRow]) -> Drawing {
     let chart = Chart::new(
         "approach",
         "Load against approach",
-        "convergence.csv",
+        source,
         Axis::new("approach from first touch", "µm"),
         Axis::new("load", "N/mm").from_zero(),
     )
@@ -213,7 +217,11 @@ fn load(row: &PositionRow, steps: &[ConvergenceRow]) -> Drawing {
 }
 
 /// Error against step: of the marching on a log axis, of the load path from zero.
-fn load_error(result: &RunResult, steps: &[ConvergenceRow]) -> Result<Drawing, ReportError> {
+fn load_error(
+    result: &RunResult,
+    steps: &[ConvergenceRow],
+    source: &str,
+) -> Result<Drawing, ReportError> {
     let model = &result.inputs.model;
     let (title, axis, tolerance) = if result.formulation == Formulation::Paper {
         let given = model.numerical_error;
@@ -230,20 +238,14 @@ fn load_error(result: &RunResult, steps: &[ConvergenceRow]) -> Result<Drawing, R
             choice(result, model.tolerance, "model.tolerance")?,
         )
     };
-    let chart = Chart::new(
-        "convergence",
-        title,
-        "convergence.csv",
-        Axis::new("step", ""),
-        axis,
-    )
-    .with(Series::new(
-        "load error",
-        Line::Dots,
-        &column(steps, |step| step.step as f64),
-        &column(steps, |step| step.load_error),
-    ))
-    .level(tolerance, "tolerance");
+    let chart = Chart::new("convergence", title, source, Axis::new("step", ""), axis)
+        .with(Series::new(
+            "load error",
+            Line::Dots,
+            &column(steps, |step| step.step as f64),
+            &column(steps, |step| step.load_error),
+        ))
+        .level(tolerance, "tolerance");
     Ok(Drawing::Curves(chart))
 }
 

@@ -42,7 +42,7 @@ fn charts(result: &RunResult, tables: &PageTables, index: usize) -> Vec<Drawing>
     } = flank;
     let parameters = result.flanks[index].parameters.as_ref();
     let material = parameters.map(|found| &found.material);
-    let [of_trace, of_curve, of_spectrum] = files_of(body);
+    let [of_trace, of_curve, of_spectrum] = files_of(body).map(|own| tables.source(&own));
     vec![
         profile(trace, body, &of_trace),
         abbott(material_ratio, material, body, &of_curve),

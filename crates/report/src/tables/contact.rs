@@ -3,9 +3,10 @@
 use std::path::Path;
 
 use asperity::result::{PositionFields, PositionRow, SubsurfaceFields};
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::csv_table::{Row, read, row};
+use super::thin::thin;
 use crate::error::{ReportError, TableFault};
 use crate::units::{MEGA, MICRO};
 
@@ -43,22 +44,22 @@ row! {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SubsurfaceRow {
     /// Distance from the middle of the contact \[µm\].
-    #[serde(serialize_with = "six_digits")]
+    #[serde(serialize_with = "six_digits", deserialize_with = "number")]
     pub x_um: f64,
     /// Depth \[µm\].
-    #[serde(serialize_with = "six_digits")]
+    #[serde(serialize_with = "six_digits", deserialize_with = "number")]
     pub depth_um: f64,
     /// Normal stress along the surface \[MPa\].
-    #[serde(serialize_with = "six_digits")]
+    #[serde(serialize_with = "six_digits", deserialize_with = "number")]
     pub sigma_xx_mpa: f64,
     /// Normal stress into the surface \[MPa\].
-    #[serde(serialize_with = "six_digits")]
+    #[serde(serialize_with = "six_digits", deserialize_with = "number")]
     pub sigma_zz_mpa: f64,
     /// Shear stress \[MPa\].
-    #[serde(serialize_with = "six_digits")]
+    #[serde(serialize_with = "six_digits", deserialize_with = "number")]
     pub tau_xz_mpa: f64,
     /// Von Mises stress \[MPa\].
-    #[serde(serialize_with = "six_digits")]
+    #[serde(serialize_with = "six_digits", deserialize_with = "number")]
     pub von_mises_mpa: f64,
 }
 
@@ -78,6 +79,20 @@ impl Row for SubsurfaceRow {
 /// The fields are large and are looked at, not computed with.
 fn six_digits<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_str(&format_args!("{value:.5e}"))
+}
+
+/// A number, or its text.
+fn number<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+    #[derive(Deserialize)]
+    #[serde(untagged)]
+    enum Either {
+        Number(f64),
+        Text(String),
+    }
+    match Either::deserialize(deserializer)? {
+        Either::Number(value) => Ok(value),
+        Either::Text(text) => text.parse().map_err(serde::de::Error::custom),
+    }
 }
 
 /// `value` with the digits that the table keeps.
@@ -127,7 +142,7 @@ pub fn convergence(fields: &PositionFields) -> Vec<ConvergenceRow> {
 }
 
 /// Tables of one mesh position.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ContactTables {
     /// Number of the position from A.
     pub position: usize,
@@ -187,6 +202,9 @@ impl ContactTables {
     }
 }
 
+/// Stress that a page keeps, in Hertz half widths to either side and down.
+const NEAR: f64 = 1.6;
+
 /// Name of the folder of a position.
 pub fn folder_of(position: usize) -> String {
     format!("position_{position:02}")
@@ -206,6 +224,30 @@ fn is_field(rows: &[SubsurfaceRow]) -> bool {
                 .zip(rows)
                 .all(|(row, top)| row.x_um == top.x_um && row.depth_um == level[0].depth_um)
     })
+}
+
+impl ContactTables {
+    /// The tables thinned for display: `most` points along the contact with their extremes, the stress
+    /// where it changes, near the contact.
+    #[must_use]
+    pub fn thinned(&self, at: &PositionRow, most: usize) -> Self {
+        let near = NEAR * at.half_width_um;
+        let kept = |cell: &&SubsurfaceRow| cell.x_um.abs() <= near && cell.depth_um <= near;
+        Self {
+            position: self.position,
+            surface: thin(
+                &self.surface,
+                &[
+                    |row| row.pressure_solid_mpa,
+                    |row| row.pressure_fluid_mpa,
+                    |row| row.gap_um,
+                ],
+                most,
+            ),
+            subsurface: self.subsurface.iter().filter(kept).copied().collect(),
+            convergence: self.convergence.clone(),
+        }
+    }
 }
 
 fn surface(fields: &PositionFields, at: &PositionRow) -> Vec<SurfaceRow> {

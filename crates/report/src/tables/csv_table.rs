@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use asperity_storage::check_finite;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -32,7 +33,7 @@ pub(crate) use row;
 /// Writes `rows` with their header.
 ///
 /// # Errors
-/// When the system refuses or a row is no row of CSV.
+/// When the system refuses, a number is not finite, or a row is no row of CSV.
 pub fn write<R: Serialize>(
     file: &Path,
     rows: impl IntoIterator<Item = R>,
@@ -43,6 +44,7 @@ pub fn write<R: Serialize>(
     };
     let mut writer = csv::Writer::from_path(file).map_err(failed)?;
     for row in rows {
+        check_finite(&row).map_err(ReportError::not_finite(file))?;
         writer.serialize(row).map_err(failed)?;
     }
     writer.flush().map_err(ReportError::io(file))

@@ -13,6 +13,7 @@ use asperity_roughness::spectral::power_spectrum;
 use serde::{Deserialize, Serialize};
 
 use super::csv_table::{Row, read, row, write};
+use super::thin::thin;
 use crate::error::ReportError;
 use crate::units::MICRO;
 
@@ -67,7 +68,7 @@ row! {
 }
 
 /// Tables of a measured flank.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FlankTables {
     /// The trace.
     pub trace: Vec<TraceRow>,
@@ -106,6 +107,23 @@ impl FlankTables {
             material_ratio: material_ratio(&prepared)?,
             spectrum: spectrum(&prepared)?,
         }))
+    }
+
+    /// The tables thinned for display: `most` rows each, with their extremes.
+    #[must_use]
+    pub fn thinned(&self, most: usize) -> Self {
+        Self {
+            trace: thin(
+                &self.trace,
+                &[
+                    |row| row.measured_um,
+                    |row| row.roughness_um.unwrap_or(f64::NAN),
+                ],
+                most,
+            ),
+            material_ratio: thin(&self.material_ratio, &[|row| row.height_um], most),
+            spectrum: thin(&self.spectrum, &[|row| row.density_um3], most),
+        }
     }
 
     /// Reads the tables of flank `body` (0 pinion, 1 wheel) in a result folder.

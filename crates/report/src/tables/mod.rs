@@ -4,6 +4,7 @@ mod contact;
 mod csv_table;
 mod flanks;
 mod losses;
+mod thin;
 
 pub use contact::{
     ContactTables, ConvergenceRow, SubsurfaceRow, SurfaceRow, convergence, folder_of,

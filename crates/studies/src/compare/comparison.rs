@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity::RunError;
+use asperity::Error;
 use asperity::case::LoadedCase;
 use asperity::pipeline::{self, Progress};
 use asperity::result::{OffsetRow, Outcome};
@@ -80,7 +80,7 @@ pub struct Correlation {
 ///
 /// # Errors
 /// When a finish has no solution.
-pub fn compare(finishes: &[Finish], progress: Progress<'_>) -> Result<Comparison, RunError> {
+pub fn compare(finishes: &[Finish], progress: Progress<'_>) -> Result<Comparison, Error> {
     let mut results: Vec<FinishResult> = Vec::with_capacity(finishes.len());
     let (mut title, mut power_in_w) = (String::new(), 0.0);
     for finish in finishes {
@@ -105,9 +105,9 @@ fn finish_result(
     finish: &Finish,
     outcome: Outcome,
     first: Option<&FinishResult>,
-) -> Result<FinishResult, RunError> {
+) -> Result<FinishResult, Error> {
     let roughness =
-        windows::roughness(&finish.case).map_err(|error| RunError::Whole(Box::new(error)))?;
+        windows::roughness(&finish.case).map_err(|error| Error::Whole(Box::new(error)))?;
     let losses: Vec<f64> = outcome.offsets.iter().map(|row| row.loss_w).collect();
     let difference_w = first.map(|first| {
         let pairs = first.offsets.iter().zip(&losses);

@@ -15,4 +15,4 @@ mod write;
 pub use comparison::{CONFIDENCE, Comparison, Correlation, Finish, FinishResult, compare};
 pub use statistics::{Interval, paired_interval, rank_correlation};
 pub use summary::summary;
-pub use write::write;
+pub use write::{check_place, write};

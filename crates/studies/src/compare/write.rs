@@ -1,32 +1,35 @@
 //! The folder of a comparison: `compare.json`, its tables and its page.
 
+use std::borrow::Cow;
 use std::path::Path;
 
 use asperity_report::tables::write as write_table;
-use asperity_report::{Contents, ReportError, write_json, write_text, write_whole};
+use asperity_report::{ReportError, write_json, write_text};
+use asperity_storage::{cell, check_folder, replace_folder};
 use serde::Serialize;
 
 use super::comparison::Comparison;
 use super::page;
 use super::windows::WindowRoughness;
 
-const CONTENTS: Contents = Contents {
-    mark: "compare.json",
-    files: &[
-        "compare.csv",
-        "offsets.csv",
-        "parameters.csv",
-        "compare.html",
-    ],
-};
+/// Kind of the folder in messages.
+const KIND: &str = "comparison";
+
+/// Whether a comparison may be written as folder `target`.
+///
+/// # Errors
+/// When something else than an older comparison is there.
+pub fn check_place(target: &Path) -> Result<(), ReportError> {
+    Ok(check_folder(target, KIND)?)
+}
 
 /// Writes `comparison` as folder `target`, whole or not at all; an older comparison there is replaced.
 ///
 /// # Errors
 /// When the system refuses, or `target` holds something else.
 pub fn write(comparison: &Comparison, target: &Path) -> Result<(), ReportError> {
-    write_whole(target, &CONTENTS, |folder| {
-        write_json(&folder.join(CONTENTS.mark), comparison)?;
+    replace_folder(target, KIND, |folder| {
+        write_json(&folder.join("compare.json"), comparison)?;
         finishes(comparison, &folder.join("compare.csv"))?;
         offsets(comparison, &folder.join("offsets.csv"))?;
         write_table(
@@ -40,7 +43,7 @@ pub fn write(comparison: &Comparison, target: &Path) -> Result<(), ReportError> 
 fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
     #[derive(Serialize)]
     struct Row<'a> {
-        finish: &'a str,
+        finish: Cow<'a, str>,
         efficiency_percent: f64,
         loss_w: f64,
         loss_half_width_w: f64,
@@ -51,7 +54,7 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
     write_table(
         file,
         comparison.finishes.iter().map(|finish| Row {
-            finish: &finish.name,
+            finish: cell(&finish.name),
             efficiency_percent: 100.0 * finish.efficiency,
             loss_w: finish.loss_w.mean,
             loss_half_width_w: finish.loss_w.half_width,
@@ -65,7 +68,7 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
 fn offsets(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
     #[derive(Serialize)]
     struct Row<'a> {
-        finish: &'a str,
+        finish: Cow<'a, str>,
         offset: usize,
         loss_w: f64,
         ra_um: f64,
@@ -79,7 +82,7 @@ fn offsets(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
     let rows = comparison.finishes.iter().flat_map(|finish| {
         let both = finish.offsets.iter().zip(&finish.roughness);
         both.map(|(row, window): (_, &WindowRoughness)| Row {
-            finish: &finish.name,
+            finish: cell(&finish.name),
             offset: row.offset,
             loss_w: row.loss_w,
             ra_um: window.ra_um,

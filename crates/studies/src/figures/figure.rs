@@ -1,6 +1,6 @@
 //! A figure and the reason why one was not made.
 
-use asperity::{PositionError, RunError};
+use asperity::{Error, PositionError};
 use asperity_report::ReportError;
 use asperity_report::chart::Drawing;
 
@@ -10,7 +10,7 @@ use asperity_report::chart::Drawing;
 pub enum FigureError {
     /// It could not be computed.
     #[error(transparent)]
-    Run(#[from] RunError),
+    Run(#[from] Error),
     /// The reference case has no rough contact to draw.
     #[error(
         "the case has no rough contact for {table}; give it two measured flanks in mixed lubrication"
@@ -26,7 +26,7 @@ pub enum FigureError {
 
 impl From<PositionError> for FigureError {
     fn from(error: PositionError) -> Self {
-        Self::Run(RunError::Whole(Box::new(error)))
+        Self::Run(Error::Whole(Box::new(error)))
     }
 }
 

@@ -8,13 +8,45 @@ mod random_contact;
 mod reference_case;
 mod thick_films;
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use asperity::case::LoadedCase;
+use asperity_report::ReportError;
 use asperity_report::chart::Dress;
-use asperity_report::{make_folder, write_text};
+use asperity_storage::{StorageError, check_among, write_among};
 
 pub use figure::FigureError;
+
+/// Names of all files, which are checked before the work.
+const FILES: &[&str] = &[
+    "fig06_subsurface.csv",
+    "fig06_surface.csv",
+    "fig06a_surfaces.svg",
+    "fig06b_deformation.svg",
+    "fig06c_contact_stress.svg",
+    "fig06d_subsurface.svg",
+    "fig07_lubricants.csv",
+    "fig07a_lubricants.svg",
+    "fig07b_efficiency.svg",
+    "fig08a_pitch.csv",
+    "fig08a_pitch.svg",
+    "fig08b_sliding.csv",
+    "fig08b_sliding.svg",
+    "fig09_fig10_surface.csv",
+    "fig09a_pinion.svg",
+    "fig09b_wheel.svg",
+    "fig10a_contact_stress.svg",
+    "fig10b_contact_stress_near.svg",
+    "fig11_subsurface.csv",
+    "fig11a_subsurface.svg",
+    "fig11b_subsurface_near.svg",
+    "fig12_losses.csv",
+    "fig12_losses.svg",
+    "fig13_convergence.csv",
+    "fig13a_load.svg",
+    "fig13b_convergence.svg",
+];
 
 /// Makes the figures in `folder`; those of the reference case from `table_2`, which is to be in the
 /// paper's formulation. Gives the files written, drawings and tables.
@@ -22,19 +54,31 @@ pub use figure::FigureError;
 /// # Errors
 /// When a case has no solution or a file cannot be written.
 pub fn write(table_2: &LoadedCase, folder: &Path) -> Result<Vec<PathBuf>, FigureError> {
-    make_folder(folder)?;
-    let mut figures = random_contact::figures(folder)?;
-    figures.extend(lubricant_matrix::figures(table_2, folder)?);
-    figures.extend(thick_films::figures(table_2, folder)?);
-    figures.extend(reference_case::figures(table_2, folder)?);
-    let mut files = Vec::new();
+    let names: Vec<&str> = FILES.to_vec();
+    check_among(folder, &names).map_err(ReportError::from)?;
+    // Made apart, so that every file comes to its place whole.
+    let apart = tempfile::tempdir().map_err(|source| StorageError::Io {
+        path: std::env::temp_dir(),
+        source,
+    });
+    let apart = apart.map_err(ReportError::from)?;
+    let made = apart.path();
+    let mut figures = random_contact::figures(made)?;
+    figures.extend(lubricant_matrix::figures(table_2, made)?);
+    figures.extend(thick_films::figures(table_2, made)?);
+    figures.extend(reference_case::figures(table_2, made)?);
+    let mut files = BTreeMap::new();
     for figure in &figures {
-        let file = folder.join(format!("{}.svg", figure.name));
-        write_text(&file, &figure.drawing.svg(Dress::Alone))?;
-        files.push(file);
-        files.push(folder.join(figure.drawing.source()));
+        let svg = figure.drawing.svg(Dress::Alone);
+        files.insert(format!("{}.svg", figure.name), svg.into_bytes());
+        let table = figure.drawing.source();
+        let bytes = std::fs::read(made.join(table)).map_err(|source| StorageError::Io {
+            path: folder.join(table),
+            source,
+        });
+        files.insert(table.to_owned(), bytes.map_err(ReportError::from)?);
     }
-    files.sort();
-    files.dedup();
-    Ok(files)
+    let files: Vec<(String, Vec<u8>)> = files.into_iter().collect();
+    write_among(folder, &files).map_err(ReportError::from)?;
+    Ok(files.iter().map(|(name, _)| folder.join(name)).collect())
 }

@@ -69,8 +69,8 @@ pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, F
     let result = &outcome.result;
     let tables = PageTables::of(&outcome, Some(1))?;
     let mut drawings = vec![drawing_of_losses(result)];
+    drawings.extend(drawings_of_contact(result, &tables)?);
     if let Some(contact) = &tables.contact {
-        drawings.extend(drawings_of_contact(result, contact)?);
         write(&folder.join(SURFACE), &contact.surface)?;
         write(&folder.join(SUBSURFACE), &contact.subsurface)?;
         write(&folder.join(MARCHING), &contact.convergence)?;

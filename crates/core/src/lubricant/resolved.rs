@@ -1,0 +1,383 @@
+//! The lubricant of a case: from its input to the state at a temperature.
+
+use serde::{Deserialize, Serialize};
+
+use super::{
+    AstmD341, BaseOil, DensityLine, GivenViscosity, LubricantError, LubricantInput, ViscosityLaw,
+    Vogel, cragoe_conductivity, cragoe_heat_capacity, gold_pressure_viscosity, library,
+    plausible_pressure_viscosity,
+};
+use crate::checked::Checked;
+use crate::error::DomainError;
+use crate::quantity::{
+    Density, DynamicViscosity, KinematicViscosity, PerKelvin, PressureViscosity, SpecificHeat,
+    Temperature, ThermalConductivity,
+};
+
+/// The temperature that data sheets state the density at, 15 °C.
+const DATA_SHEET_TEMPERATURE: Temperature = Temperature::from_si(288.15);
+
+/// Something a lubricant needed that the case file did not say.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Assumption {
+    /// Key of the case file.
+    pub key: &'static str,
+    /// Value used, as text with a unit, or the formula.
+    pub value: String,
+    /// Why, or where it comes from.
+    pub source: &'static str,
+}
+
+/// A lubricant ready to be asked for its state.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Lubricant {
+    viscosity: Viscosity,
+    density: DensityLine,
+    pressure_viscosity: Coefficient,
+    thermal_conductivity: Option<ThermalConductivity>,
+    heat_capacity: Option<SpecificHeat>,
+    base_oil: Option<BaseOil>,
+    assumptions: Vec<Assumption>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+enum Viscosity {
+    AstmD341(AstmD341),
+    Vogel(Vogel),
+    Given(GivenViscosity),
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+enum Coefficient {
+    Given(PressureViscosity),
+    Gold(BaseOil),
+}
+
+/// Everything about the oil at one temperature and ambient pressure.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct LubricantState {
+    /// Temperature.
+    pub temperature: Temperature,
+    /// Dynamic viscosity η₀.
+    pub dynamic_viscosity: DynamicViscosity,
+    /// Kinematic viscosity ν = η₀/ρ.
+    pub kinematic_viscosity: KinematicViscosity,
+    /// Density ρ.
+    pub density: Density,
+    /// Pressure-viscosity coefficient α.
+    pub pressure_viscosity: PressureViscosity,
+    /// Temperature coefficient β_T = −(dη/dT)/η.
+    pub temperature_coefficient: PerKelvin,
+    /// Thermal conductivity.
+    pub thermal_conductivity: ThermalConductivity,
+    /// Specific heat capacity.
+    pub heat_capacity: SpecificHeat,
+}
+
+impl LubricantInput {
+    /// The lubricant that the input describes, in a case whose bulk temperature is `bulk`.
+    ///
+    /// # Errors
+    /// When the oil is not in the library, the viscosity, its temperature coefficient, the density
+    /// or the pressure-viscosity coefficient is missing, α is implausible (a slip of its unit), or a number is
+    /// outside its domain.
+    ///
+    /// ```
+    /// use asperity_core::lubricant::{LubricantInput, LubricantError, ViscosityLaw};
+    /// let input = LubricantInput {
+    ///     viscosity: Some(ViscosityLaw::Given { dynamic_viscosity: "97.5 mPa s".parse()?, temperature: None }),
+    ///     density: Some("998 kg/m3".parse()?),
+    ///     pressure_viscosity: Some("2e-8 m2/N".parse()?),
+    ///     ..LubricantInput::default()
+    /// };
+    /// // A viscosity at one temperature says nothing of its slope.
+    /// assert_eq!(input.resolve("60 °C".parse()?), Err(LubricantError::NoTemperatureCoefficient));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn resolve(&self, bulk: Temperature) -> Result<Lubricant, LubricantError> {
+        let mut input = match &self.oil {
+            Some(name) => self.over(&library::find(name)?.lubricant),
+            None => self.clone(),
+        };
+        let mut assumptions = Vec::new();
+        if let (None, Some(assumed)) = (input.base_oil, input.assume_base_oil) {
+            assumptions.push(Assumption {
+                key: "base_oil",
+                value: assumed.name().to_owned(),
+                source: "assumed as asked for: limiting shear 0.030 to 0.055 of the pressure is possible",
+            });
+            input.base_oil = Some(assumed);
+        }
+        let viscosity = input.resolve_viscosity(bulk, &mut assumptions)?;
+        let density = input.resolve_density(bulk, &mut assumptions)?;
+        let pressure_viscosity = input.resolve_coefficient(&mut assumptions)?;
+        for (name, given) in [
+            ("thermal_conductivity", input.thermal_conductivity.is_some()),
+            ("heat_capacity", input.heat_capacity.is_some()),
+        ] {
+            if !given {
+                assumptions.push(Assumption {
+                    key: name,
+                    value: "from the density".to_owned(),
+                    source: "Cragoe 1929",
+                });
+            }
+        }
+        let lubricant = Lubricant {
+            viscosity,
+            density,
+            pressure_viscosity,
+            thermal_conductivity: input.thermal_conductivity,
+            heat_capacity: input.heat_capacity,
+            base_oil: input.base_oil,
+            assumptions,
+        };
+        // Numbers outside their domain are found here and not at the first position.
+        lubricant.at(bulk)?;
+        Ok(lubricant)
+    }
+
+    /// This input, with what it leaves out taken from `base`.
+    fn over(&self, base: &Self) -> Self {
+        Self {
+            oil: self.oil.clone(),
+            viscosity: self.viscosity.or(base.viscosity),
+            temperature_coefficient: self
+                .temperature_coefficient
+                .or(base.temperature_coefficient),
+            density: self.density.or(base.density),
+            density_temperature: match self.density {
+                Some(_) => self.density_temperature,
+                None => self.density_temperature.or(base.density_temperature),
+            },
+            thermal_expansion: self.thermal_expansion.or(base.thermal_expansion),
+            base_oil: self.base_oil.or(base.base_oil),
+            assume_base_oil: self.assume_base_oil,
+            pressure_viscosity: self.pressure_viscosity.or(base.pressure_viscosity),
+            thermal_conductivity: self.thermal_conductivity.or(base.thermal_conductivity),
+            heat_capacity: self.heat_capacity.or(base.heat_capacity),
+        }
+    }
+
+    fn resolve_viscosity(
+        &self,
+        bulk: Temperature,
+        assumptions: &mut Vec<Assumption>,
+    ) -> Result<Viscosity, LubricantError> {
+        let law = self.viscosity.ok_or(LubricantError::NoViscosity)?;
+        let second = |law| match self.temperature_coefficient {
+            Some(_) => Err(LubricantError::SecondTemperatureCoefficient { law }),
+            None => Ok(()),
+        };
+        match law {
+            ViscosityLaw::AstmD341 { at_40, at_100 } => {
+                second("astm-d341")?;
+                Ok(Viscosity::AstmD341(AstmD341::from_data_sheet(
+                    at_40, at_100,
+                )?))
+            }
+            ViscosityLaw::Vogel {
+                limit_viscosity,
+                slope_kelvin,
+                pole_kelvin,
+            } => {
+                second("vogel")?;
+                Ok(Viscosity::Vogel(Vogel {
+                    limit_viscosity,
+                    slope_kelvin,
+                    pole_kelvin,
+                }))
+            }
+            ViscosityLaw::Given {
+                dynamic_viscosity,
+                temperature,
+            } => Ok(Viscosity::Given(GivenViscosity {
+                viscosity: dynamic_viscosity,
+                temperature: temperature.unwrap_or_else(|| {
+                    assumptions.push(Assumption {
+                        key: "viscosity.temperature",
+                        value: bulk.to_string(),
+                        source: "the bulk temperature of the case",
+                    });
+                    bulk
+                }),
+                temperature_coefficient: self
+                    .temperature_coefficient
+                    .ok_or(LubricantError::NoTemperatureCoefficient)?,
+            })),
+        }
+    }
+
+    fn resolve_density(
+        &self,
+        bulk: Temperature,
+        assumptions: &mut Vec<Assumption>,
+    ) -> Result<DensityLine, LubricantError> {
+        let density = self.density.ok_or(LubricantError::NoDensity)?;
+        let temperature = self.density_temperature.unwrap_or_else(|| {
+            let (temperature, source) = match self.viscosity {
+                Some(ViscosityLaw::Given { .. }) => (bulk, "the bulk temperature of the case"),
+                _ => (DATA_SHEET_TEMPERATURE, "the custom of data sheets"),
+            };
+            assumptions.push(Assumption {
+                key: "density_temperature",
+                value: temperature.to_string(),
+                source,
+            });
+            temperature
+        });
+        let expansion = self.thermal_expansion.unwrap_or_else(|| {
+            let (base_oil, source) = match self.base_oil {
+                Some(base_oil) => (base_oil, "Fernandes 2013, for the base oil"),
+                None => (BaseOil::Mineral, "Fernandes 2013, for mineral oil"),
+            };
+            let expansion = base_oil.thermal_expansion();
+            assumptions.push(Assumption {
+                key: "thermal_expansion",
+                value: expansion.to_string(),
+                source,
+            });
+            expansion
+        });
+        Ok(DensityLine {
+            density,
+            temperature,
+            expansion,
+        })
+    }
+
+    fn resolve_coefficient(
+        &self,
+        assumptions: &mut Vec<Assumption>,
+    ) -> Result<Coefficient, LubricantError> {
+        if let Some(alpha) = self.pressure_viscosity {
+            return Ok(Coefficient::Given(plausible_pressure_viscosity(alpha)?));
+        }
+        let base_oil = self.base_oil.ok_or(LubricantError::NoPressureViscosity)?;
+        assumptions.push(Assumption {
+            key: "pressure_viscosity",
+            value: "from the kinematic viscosity and the base oil".to_owned(),
+            source: "Gold 2001 with the constants of Fernandes 2013",
+        });
+        Ok(Coefficient::Gold(base_oil))
+    }
+}
+
+impl Lubricant {
+    /// Family of the base oil, where it is known or assumed.
+    pub fn base_oil(&self) -> Option<BaseOil> {
+        self.base_oil
+    }
+
+    /// Pressure-viscosity coefficient, where it is given and not estimated.
+    pub fn given_pressure_viscosity(&self) -> Option<PressureViscosity> {
+        match self.pressure_viscosity {
+            Coefficient::Given(alpha) => Some(alpha),
+            Coefficient::Gold(_) => None,
+        }
+    }
+
+    /// Thermal conductivity, where it is given and not estimated.
+    pub fn given_thermal_conductivity(&self) -> Option<ThermalConductivity> {
+        self.thermal_conductivity
+    }
+
+    /// What the input did not say.
+    pub fn assumptions(&self) -> &[Assumption] {
+        &self.assumptions
+    }
+
+    /// The state at a temperature, with a note of every correlation that left its range.
+    ///
+    /// # Errors
+    /// When the temperature is not positive or a law has no value there.
+    ///
+    /// ```
+    /// use asperity_core::lubricant::{LubricantInput, ViscosityLaw};
+    /// let oil = LubricantInput {
+    ///     viscosity: Some(ViscosityLaw::Given { dynamic_viscosity: "97.5 mPa s".parse()?, temperature: None }),
+    ///     temperature_coefficient: Some("0.045 1/K".parse()?),
+    ///     density: Some("998 kg/m3".parse()?),
+    ///     pressure_viscosity: Some("2e-8 m2/N".parse()?),
+    ///     ..LubricantInput::default()
+    /// }
+    /// .resolve("60 °C".parse()?)?;
+    /// let state = oil.at("60 °C".parse()?)?;
+    /// assert!(state.outside.is_empty());
+    /// assert_eq!(state.value.dynamic_viscosity, "97.5 mPa s".parse()?);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn at(&self, temperature: Temperature) -> Result<Checked<LubricantState>, LubricantError> {
+        let mut outside = Vec::new();
+        let density = self.density.at(temperature)?;
+        let (eta, beta) = self.viscosity(temperature, density, &mut outside)?;
+        let nu = KinematicViscosity::from_si(eta.si() / density.si());
+        let alpha = match self.pressure_viscosity {
+            Coefficient::Given(alpha) => alpha,
+            Coefficient::Gold(base_oil) => {
+                noted(gold_pressure_viscosity(base_oil, nu)?, &mut outside)
+            }
+        };
+        let density_15 = self.density.at(DATA_SHEET_TEMPERATURE)?;
+        let conductivity = match self.thermal_conductivity {
+            Some(given) => {
+                DomainError::positive("thermal conductivity", given)?;
+                given
+            }
+            None => noted(cragoe_conductivity(density_15, temperature)?, &mut outside),
+        };
+        let heat_capacity = match self.heat_capacity {
+            Some(given) => {
+                DomainError::positive("specific heat capacity", given)?;
+                given
+            }
+            None => noted(cragoe_heat_capacity(density_15, temperature)?, &mut outside),
+        };
+        Ok(Checked {
+            value: LubricantState {
+                temperature,
+                dynamic_viscosity: eta,
+                kinematic_viscosity: nu,
+                density,
+                pressure_viscosity: alpha,
+                temperature_coefficient: beta,
+                thermal_conductivity: conductivity,
+                heat_capacity,
+            },
+            outside,
+        })
+    }
+
+    /// η and β_T; of a kinematic law the expansion of the oil has its share in β_T.
+    fn viscosity(
+        &self,
+        temperature: Temperature,
+        density: Density,
+        outside: &mut Vec<crate::OutOfRange>,
+    ) -> Result<(DynamicViscosity, PerKelvin), LubricantError> {
+        Ok(match self.viscosity {
+            Viscosity::AstmD341(law) => {
+                let nu = noted(law.kinematic_viscosity(temperature)?, outside);
+                let expansion = self.density.temperature_coefficient(temperature)?;
+                (
+                    DynamicViscosity::from_si(nu.si() * density.si()),
+                    law.temperature_coefficient(temperature)? + expansion,
+                )
+            }
+            Viscosity::Vogel(law) => (
+                law.dynamic_viscosity(temperature)?,
+                law.temperature_coefficient(temperature)?,
+            ),
+            Viscosity::Given(law) => (
+                noted(law.dynamic_viscosity(temperature)?, outside),
+                law.temperature_coefficient,
+            ),
+        })
+    }
+}
+
+/// The value, its notes moved to `outside`.
+fn noted<T>(checked: Checked<T>, outside: &mut Vec<crate::OutOfRange>) -> T {
+    outside.extend(checked.outside);
+    checked.value
+}

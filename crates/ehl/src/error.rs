@@ -1,0 +1,85 @@
+//! Reasons why a lubricated contact has no solution here.
+
+use asperity_contact::ContactError;
+use asperity_core::DomainError;
+use asperity_core::quantity::Pressure;
+
+/// Why a lubricated line contact has no answer.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum EhlError {
+    /// An input outside its domain.
+    #[error(transparent)]
+    Domain(#[from] DomainError),
+    /// The Hertz contact that scales the problem does not exist.
+    #[error(transparent)]
+    Hertz(#[from] ContactError),
+    /// The grid cannot be halved often enough for the two-level solver.
+    #[error("{cells} cells: give a multiple of {multiple} between {least} and {most}")]
+    Cells {
+        /// Cells asked for.
+        cells: usize,
+        /// Number they must be a multiple of.
+        multiple: usize,
+        /// Fewest cells.
+        least: usize,
+        /// Most cells.
+        most: usize,
+    },
+    /// A profile ends before the record does.
+    #[error(
+        "the profile of surface {surface} is {length:.4e} m long and the record takes {needed:.4e} m of it: shorten the record, or make the profile periodic"
+    )]
+    ProfileTooShort {
+        /// Surface 1 or 2.
+        surface: u8,
+        /// Length of the profile \[m\].
+        length: f64,
+        /// Length needed \[m\].
+        needed: f64,
+    },
+    /// Newton's method did not settle on a steady solution from any start.
+    #[error(
+        "no steady solution on {cells} cells after {iterations} Newton iterations (last change of the pressure {change:.2e} of the Hertz pressure, {changes} nodes still changed state): {hint}"
+    )]
+    NotConverged {
+        /// Cells of the grid.
+        cells: usize,
+        /// Newton iterations on that grid.
+        iterations: usize,
+        /// Largest change of the pressure in the last one, over the Hertz pressure.
+        change: f64,
+        /// Nodes whose state still changed.
+        changes: usize,
+        /// What to do.
+        hint: &'static str,
+    },
+    /// A time step failed at its smallest length.
+    #[error(
+        "the time step at {time:.4} half-widths of travel did not converge at 1/{fraction} of its length (last change of the pressure {change:.2e} of the Hertz pressure): use more cells, a longer cut-off of the profiles, or a plastic ceiling"
+    )]
+    StepFailed {
+        /// Time in half-widths travelled at the mean speed.
+        time: f64,
+        /// Smallest fraction of the step tried.
+        fraction: usize,
+        /// Largest change of the pressure in the last Newton iteration.
+        change: f64,
+    },
+    /// Film temperatures and shear stresses did not settle.
+    #[error(
+        "the shear stress still changed by {change} after {iterations} iterations of the temperatures"
+    )]
+    TemperaturesUnsettled {
+        /// Iterations used.
+        iterations: usize,
+        /// Change of the shear stress in the last one.
+        change: Pressure,
+    },
+    /// The record was stopped by its watcher.
+    #[error("stopped at {time:.3} half-widths of travel")]
+    Stopped {
+        /// Time reached.
+        time: f64,
+    },
+}

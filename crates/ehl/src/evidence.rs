@@ -1,0 +1,86 @@
+//! Evidence that comes with a solution.
+
+use serde::Serialize;
+
+use crate::grid::Grid;
+use crate::newton::{NodeState, Solution};
+
+/// A solution with what shows that it is one.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Solved<T> {
+    /// The solution.
+    pub value: T,
+    /// What was measured of it and what it took.
+    pub evidence: Evidence,
+}
+
+/// Residuals of a solution and the work it took; of a record, the worst of its steps.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Evidence {
+    /// |∫P dX − π/2|·2/π.
+    pub load_error: f64,
+    /// Largest violation of a node's conditions: the balance of full and cavitated nodes over the
+    /// mean flux, the film of contact nodes beside the boundary film over a²/R.
+    pub complementarity: f64,
+    /// Sum of all balances but those of contact nodes, over the mean flux.
+    pub mass_balance: f64,
+    /// Oil that contact nodes supply, over the mean flux.
+    pub boundary_supply: f64,
+    /// Newton iterations, of all grids or steps together.
+    pub newton_iterations: usize,
+    /// GMRES iterations of all Newton iterations together.
+    pub gmres_iterations: usize,
+    /// Linear systems of converged steps that ended at the cap of their iterations.
+    pub gmres_capped: usize,
+    /// Time steps taken.
+    pub steps: usize,
+    /// Time steps that were repeated at half their length.
+    pub steps_cut: usize,
+    /// Time steps ended while one or two nodes still flipped between states.
+    pub loose_steps: usize,
+}
+
+impl Evidence {
+    /// Residuals of one solution.
+    pub(crate) fn of(grid: &Grid, solution: &Solution, contact_film: f64) -> Self {
+        let sum: f64 = solution.flux.iter().map(|f| f.abs()).sum();
+        let flux = (sum / solution.flux.len() as f64).max(f64::MIN_POSITIVE);
+        let mut evidence = Self {
+            load_error: (grid.integral(&solution.unknowns.pressure) / std::f64::consts::FRAC_PI_2
+                - 1.0)
+                .abs(),
+            newton_iterations: solution.effort.iterations,
+            gmres_iterations: solution.effort.linear_iterations,
+            gmres_capped: solution.effort.capped,
+            loose_steps: usize::from(solution.effort.loose),
+            ..Self::default()
+        };
+        let mut sum = 0.0;
+        for (i, balance) in solution.balance.iter().enumerate() {
+            let violation = if solution.unknowns.state[i] == NodeState::Contact {
+                evidence.boundary_supply += balance / flux;
+                (solution.film[i] - contact_film).abs().max(-balance / flux)
+            } else {
+                sum += balance / flux;
+                balance.abs() / flux
+            };
+            evidence.complementarity = evidence.complementarity.max(violation);
+        }
+        evidence.mass_balance = sum.abs();
+        evidence
+    }
+
+    /// Work and worst residuals of this and `other` together.
+    pub(crate) fn join(&mut self, other: &Self) {
+        self.load_error = self.load_error.max(other.load_error);
+        self.complementarity = self.complementarity.max(other.complementarity);
+        self.mass_balance = self.mass_balance.max(other.mass_balance);
+        self.boundary_supply = self.boundary_supply.max(other.boundary_supply);
+        self.newton_iterations += other.newton_iterations;
+        self.gmres_iterations += other.gmres_iterations;
+        self.gmres_capped += other.gmres_capped;
+        self.steps += other.steps;
+        self.steps_cut += other.steps_cut;
+        self.loose_steps += other.loose_steps;
+    }
+}

@@ -1,0 +1,170 @@
+//! Shear stress of the film with a limiting stress, and the boundary share.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | η₀, α | viscosity and its slope over pressure at the temperature of the film | Pa s, 1/Pa |
+//! | γ | shear rate (u₁ − u₂)/h | 1/s |
+//! | τ₀, τ_L | Eyring stress, limiting stress τ_L0 + Λ·p | Pa |
+//! | μ_b, h_b | boundary friction, thickness of the boundary layer | -, m |
+
+use asperity_core::quantity::{DynamicViscosity, Length, Pressure, PressureViscosity};
+use asperity_core::{DomainError, cite};
+use serde::{Deserialize, Serialize};
+
+/// Largest exponent α·p of the viscosity under the limiting stress; beyond it the stress is the limit.
+const LARGEST_EXPONENT: f64 = 40.0;
+/// Thinnest film of the shear rate \[m\].
+const THINNEST: f64 = 2e-9;
+
+/// Shear law of the film and of the boundary layer.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct FrictionLaw {
+    /// Viscosity η₀ at the temperature of the film.
+    pub viscosity: DynamicViscosity,
+    /// Pressure-viscosity coefficient α at that temperature.
+    pub pressure_viscosity: PressureViscosity,
+    /// Eyring stress τ₀.
+    pub eyring_stress: Pressure,
+    /// Limiting stress τ_L0 without pressure.
+    pub limiting_stress: Pressure,
+    /// Slope Λ of the limiting stress over the pressure.
+    pub limiting_slope: f64,
+    /// Boundary friction μ_b.
+    pub boundary_friction: f64,
+    /// Thickness h_b of the boundary layer.
+    pub boundary_layer: Length,
+}
+
+/// Friction of one state of the film, over the normal load.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Friction {
+    /// The film alone, everywhere.
+    pub film: f64,
+    /// Boundary friction with the weight e^(−h/h_b), the film with the rest.
+    pub graded: f64,
+    /// Boundary friction below the solid film, the film above it.
+    pub stepped: f64,
+}
+
+impl FrictionLaw {
+    /// Checks every constant of the law.
+    ///
+    /// # Errors
+    /// When a constant is outside its domain.
+    pub fn validate(&self) -> Result<(), DomainError> {
+        DomainError::positive("viscosity of the friction law", self.viscosity)?;
+        DomainError::positive(
+            "pressure-viscosity coefficient of the friction law",
+            self.pressure_viscosity,
+        )?;
+        DomainError::positive("Eyring stress of the friction law", self.eyring_stress)?;
+        DomainError::positive("limiting stress", self.limiting_stress)?;
+        DomainError::positive("boundary layer", self.boundary_layer)?;
+        for (name, value) in [
+            ("slope of the limiting stress", self.limiting_slope),
+            ("boundary friction", self.boundary_friction),
+        ] {
+            DomainError::require(
+                (0.0..1.0).contains(&value),
+                name,
+                value,
+                "-",
+                "must lie between 0 and 1",
+            )?;
+        }
+        Ok(())
+    }
+
+    /// Shear stress of the film at a pressure and a shear rate.
+    ///
+    /// ```text
+    /// τ_E = τ₀·arsinh(η₀·e^min(αp, 40)·γ/τ₀),  τ = τ_E·(1 + (τ_E/τ_L)⁴)^(−1/4)    [Limited-Eyring]
+    /// ```
+    ///
+    /// ```
+    /// use asperity_ehl::FrictionLaw;
+    /// let law = FrictionLaw {
+    ///     viscosity: "10 mPa s".parse()?, pressure_viscosity: "18 1/GPa".parse()?,
+    ///     eyring_stress: "5 MPa".parse()?, limiting_stress: "2 MPa".parse()?, limiting_slope: 0.05,
+    ///     boundary_friction: 0.1, boundary_layer: "10 nm".parse()?,
+    /// };
+    /// let stress = law.film_stress(1e9, 1e6);
+    /// assert!(stress < 52e6 && stress > 0.9 * 52e6);
+    /// assert!((law.film_stress(0.0, 1e3) / 10.0 - 1.0).abs() < 1e-6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn film_stress(&self, pressure: f64, shear_rate: f64) -> f64 {
+        let exponent = (self.pressure_viscosity.si() * pressure).min(LARGEST_EXPONENT);
+        let tau_0 = self.eyring_stress.si();
+        let eyring = tau_0 * (self.viscosity.si() * exponent.exp() * shear_rate / tau_0).asinh();
+        let limit = self.limiting_stress.si() + self.limiting_slope * pressure;
+        // The smaller of the two in front keeps the fourth power from overflowing.
+        let (small, ratio) = if eyring < limit {
+            (eyring, eyring / limit)
+        } else {
+            (limit, limit / eyring)
+        };
+        small / (1.0 + ratio.powi(4)).sqrt().sqrt()
+    }
+
+    /// Friction of a film: weights in m, pressures in Pa, films in m.
+    ///
+    /// ```text
+    /// μ = Σ wᵢ·[β·μ_b·p + (1 − β)·τ(p, Δu/h)]/Σ wᵢ·p,  β = e^(−h/h_b) or [h ≤ h_s]   [EHL-friction]
+    /// ```
+    pub(crate) fn friction(
+        &self,
+        nodes: impl Iterator<Item = (f64, f64, f64)>,
+        sliding: f64,
+        solid_film: f64,
+    ) -> Friction {
+        cite!("Limited-Eyring");
+        cite!("EHL-friction");
+        let (layer, mu_b) = (self.boundary_layer.si(), self.boundary_friction);
+        let (mut sum, mut load) = (Friction::default(), 0.0);
+        for (weight, pressure, film) in nodes.filter(|(_, pressure, _)| *pressure > 0.0) {
+            let stress = weight * self.film_stress(pressure, sliding.abs() / film.max(THINNEST));
+            let boundary = weight * mu_b * pressure;
+            let share = (-film / layer).exp();
+            load += weight * pressure;
+            sum.film += stress;
+            sum.graded += share * boundary + (1.0 - share) * stress;
+            sum.stepped += if film <= solid_film { boundary } else { stress };
+        }
+        let per_load = if load > 0.0 { 1.0 / load } else { 0.0 };
+        Friction {
+            film: sum.film * per_load,
+            graded: sum.graded * per_load,
+            stepped: sum.stepped * per_load,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_stress_is_newtonian_then_eyring_then_limited() {
+        let law = FrictionLaw {
+            viscosity: DynamicViscosity::from_si(0.01),
+            pressure_viscosity: PressureViscosity::from_si(1.8e-8),
+            eyring_stress: Pressure::from_si(5e6),
+            limiting_stress: Pressure::from_si(2e6),
+            limiting_slope: 0.05,
+            boundary_friction: 0.1,
+            boundary_layer: Length::from_si(10e-9),
+        };
+        assert!((law.film_stress(0.0, 1e6) / 1e4 - 1.0).abs() < 1e-4);
+        // η = 0.01·e^5.4 = 2.2141 Pa s; 4.43e6/5e6: τ_E = 5e6·arsinh(0.8856).
+        let eyring = 5e6 * 0.885_63_f64.asinh();
+        let limit: f64 = 2e6 + 0.05 * 0.3e9;
+        let expected = eyring * (1.0 + (eyring / limit).powi(4)).powf(-0.25);
+        assert!((law.film_stress(0.3e9, 2e6) / expected - 1.0).abs() < 1e-4);
+        assert!((law.film_stress(3e9, 1e8) / (2e6 + 0.15e9) - 1.0).abs() < 0.2);
+        assert!(law.film_stress(1e300, 1e8).is_finite());
+        let all_boundary = law.friction([(1.0, 1e9, 0.0)].into_iter(), 1.0, 0.0);
+        assert_eq!(all_boundary.graded, 0.1);
+        assert_eq!(all_boundary.stepped, 0.1);
+    }
+}

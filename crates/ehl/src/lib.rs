@@ -1,0 +1,50 @@
+//! Mixed elastohydrodynamic line contact of two rough surfaces.
+//!
+//! [`steady::solve`] gives the film of smooth surfaces from a cold start, [`transient::record`] the
+//! contact of two rough surfaces over a travel, [`graded::reference`] reference values with an error
+//! estimate, [`traction::traction`] the traction of a smooth film. Every solution comes with its
+//! [`Evidence`]; what does not converge is an [`EhlError`].
+//!
+//! | symbol | meaning |
+//! |---|---|
+//! | a, p₀, R | half width and largest pressure of the Hertz contact, relative radius |
+//! | X, P, H, T | x/a, p/p₀, h·R/a², t·u_m/a |
+//! | S | slide-to-roll ratio (u₁ − u₂)/u_m |
+//! | θ | void fraction of a cavitated node |
+
+pub mod amplitude_reduction;
+mod bands;
+pub mod batch_means;
+pub mod dimensionless;
+pub mod equations;
+pub mod error;
+pub mod evidence;
+pub mod friction;
+pub mod graded;
+mod grid;
+mod hat_kernel;
+mod linear;
+pub mod moving_profile;
+mod newton;
+mod reynolds;
+pub mod rheology;
+pub mod steady;
+mod stepper;
+pub mod traction;
+pub mod transient;
+
+pub use batch_means::Estimate;
+pub use dimensionless::{LineContact, Scales};
+pub use error::EhlError;
+pub use evidence::{Evidence, Solved};
+pub use friction::{Friction, FrictionLaw};
+pub use moving_profile::MovingProfile;
+pub use newton::NodeState;
+pub use rheology::{DensityLaw, Oil, ShearLaw, ViscosityLaw};
+pub use steady::{SteadyFilm, SteadySettings, Warning, Window};
+pub use transient::{PlasticCeiling, Record, RecordSettings, RoughContact};
+
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

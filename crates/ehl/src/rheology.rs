@@ -1,0 +1,422 @@
+//! Viscosity, density and shear thinning of the oil in the film, and their dimensionless forms.
+//!
+//! Roelands' exponent is free here: the slope α at ambient pressure and the bend z are given apart,
+//! whereas `asperity_core::lubricant::roelands` derives z from α and η₀.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | η₀, α | viscosity at ambient pressure, its logarithmic slope there | Pa s, 1/Pa |
+//! | z, p_r | Roelands' exponent and pressure, 1/p_r = 5.1·10⁻⁹ 1/Pa | -, Pa |
+//! | φ | fluidity η₀/η | - |
+//! | τ₀, G, n | Eyring stress; modulus and exponent of Carreau's law | Pa, Pa, - |
+//! | y | shear rate of the sliding, Δu·η₀/(h·τ₀) or Δu·η₀/(h·G) | - |
+
+use asperity_core::quantity::{DynamicViscosity, Pressure, PressureViscosity};
+use asperity_core::{DomainError, cite};
+use serde::{Deserialize, Serialize};
+
+use crate::dimensionless::Scales;
+
+/// Roelands' constant 1/p_r (Roelands 1966) \[1/Pa\].
+const ROELANDS_PER_PASCAL: f64 = 5.1e-9;
+/// Coefficient of the numerator of the density (Dowson and Higginson 1966) \[1/Pa\].
+const DENSITY_RISE: f64 = 0.6e-9;
+/// Coefficient of the denominator of the density (Dowson and Higginson 1966) \[1/Pa\].
+const DENSITY_BEND: f64 = 1.7e-9;
+
+/// Viscosity over pressure.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ViscosityLaw {
+    /// The same viscosity at every pressure.
+    Isoviscous,
+    /// η = η₀·exp(α·p).
+    Barus,
+    /// ln(η/η₀) = (α·p_r/z)·((1 + p/p_r)^z − 1) with a free exponent z.
+    Roelands {
+        /// Exponent z, 0 < z ≤ 1.
+        exponent: f64,
+    },
+}
+
+/// Density over pressure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DensityLaw {
+    /// The same density at every pressure.
+    Incompressible,
+    /// ρ = ρ₀·(1 + 0.6·10⁻⁹·p/(1 + 1.7·10⁻⁹·p)).
+    DowsonHigginson,
+}
+
+/// Shear thinning of the film by the sliding of the surfaces.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ShearLaw {
+    /// Stress in proportion to the shear rate.
+    Newtonian,
+    /// τ = τ₀·arsinh(η·γ/τ₀).
+    Eyring {
+        /// Eyring stress τ₀.
+        stress: Pressure,
+    },
+    /// τ = η·γ·(1 + (η·γ/G)²)^((n − 1)/2).
+    Carreau {
+        /// Modulus G.
+        modulus: Pressure,
+        /// Exponent n, 0 < n ≤ 1.
+        exponent: f64,
+    },
+}
+
+/// Oil of a lubricated contact at the temperature of its inlet.
+///
+/// ```
+/// use asperity_ehl::{DensityLaw, Oil, ShearLaw, ViscosityLaw};
+/// let oil = Oil {
+///     viscosity: "10 mPa s".parse()?,
+///     pressure_viscosity: "18 1/GPa".parse()?,
+///     viscosity_law: ViscosityLaw::Roelands { exponent: 0.6 },
+///     density_law: DensityLaw::DowsonHigginson,
+///     shear_law: ShearLaw::Eyring { stress: "5 MPa".parse()? },
+/// };
+/// assert!((oil.relative_viscosity("1 GPa".parse()?)?.ln() - 11.64).abs() < 0.01);
+/// assert!((oil.relative_density("1 GPa".parse()?)? - 1.2222).abs() < 1e-4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Oil {
+    /// Viscosity η₀ at ambient pressure.
+    pub viscosity: DynamicViscosity,
+    /// Pressure-viscosity coefficient α; unused by an isoviscous oil.
+    pub pressure_viscosity: PressureViscosity,
+    /// Viscosity over pressure.
+    pub viscosity_law: ViscosityLaw,
+    /// Density over pressure.
+    pub density_law: DensityLaw,
+    /// Shear thinning.
+    pub shear_law: ShearLaw,
+}
+
+impl Oil {
+    /// Checks every constant of the oil.
+    ///
+    /// # Errors
+    /// When a constant is outside its domain.
+    pub fn validate(&self) -> Result<(), DomainError> {
+        DomainError::positive("viscosity", self.viscosity)?;
+        if self.viscosity_law != ViscosityLaw::Isoviscous {
+            DomainError::positive("pressure-viscosity coefficient", self.pressure_viscosity)?;
+        }
+        if let ViscosityLaw::Roelands { exponent } = self.viscosity_law {
+            within_unit("Roelands' exponent", exponent)?;
+        }
+        match self.shear_law {
+            ShearLaw::Newtonian => {}
+            ShearLaw::Eyring { stress } => {
+                DomainError::positive("Eyring stress", stress)?;
+            }
+            ShearLaw::Carreau { modulus, exponent } => {
+                DomainError::positive("modulus of Carreau's law", modulus)?;
+                within_unit("exponent of Carreau's law", exponent)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// η(p)/η₀ without shear.
+    ///
+    /// # Errors
+    /// When a constant is outside its domain or the pressure is negative.
+    pub fn relative_viscosity(&self, pressure: Pressure) -> Result<f64, DomainError> {
+        self.validate()?;
+        let p = DomainError::non_negative("pressure", pressure)?;
+        Ok(self.viscosity_of(1.0).log(p).0.exp())
+    }
+
+    /// ρ(p)/ρ₀.
+    ///
+    /// # Errors
+    /// When the pressure is negative.
+    pub fn relative_density(&self, pressure: Pressure) -> Result<f64, DomainError> {
+        let p = DomainError::non_negative("pressure", pressure)?;
+        Ok(self.density_of(1.0).relative(p).0)
+    }
+
+    /// Viscosity law over the pressure in units of `unit`.
+    ///
+    /// ```text
+    /// ln(η/η₀) = (α·p_r/z)·((1 + p/p_r)^z − 1)                            [Roelands-free]
+    /// ```
+    pub(crate) fn viscosity_of(&self, unit: f64) -> Viscosity {
+        let slope = self.pressure_viscosity.si() * unit;
+        match self.viscosity_law {
+            ViscosityLaw::Isoviscous => Viscosity::Constant,
+            ViscosityLaw::Barus => Viscosity::Exponential { slope },
+            ViscosityLaw::Roelands { exponent } => {
+                cite!("Roelands-free");
+                Viscosity::Power {
+                    slope,
+                    bend: ROELANDS_PER_PASCAL * unit,
+                    exponent,
+                }
+            }
+        }
+    }
+
+    /// Density law over the pressure in units of `unit`.
+    pub(crate) fn density_of(&self, unit: f64) -> Density {
+        match self.density_law {
+            DensityLaw::Incompressible => Density {
+                rise: 0.0,
+                bend: 0.0,
+            },
+            DensityLaw::DowsonHigginson => Density {
+                rise: DENSITY_RISE * unit,
+                bend: DENSITY_BEND * unit,
+            },
+        }
+    }
+}
+
+fn within_unit(name: &'static str, value: f64) -> Result<f64, DomainError> {
+    DomainError::require(
+        value > 0.0 && value <= 1.0,
+        name,
+        value,
+        "-",
+        "must lie above 0 and not above 1",
+    )
+}
+
+/// Logarithm of the relative viscosity over a scaled pressure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Viscosity {
+    Constant,
+    Exponential {
+        slope: f64,
+    },
+    Power {
+        slope: f64,
+        bend: f64,
+        exponent: f64,
+    },
+}
+
+impl Viscosity {
+    /// ln(η/η₀) and its slope; a negative pressure counts as zero.
+    pub(crate) fn log(&self, pressure: f64) -> (f64, f64) {
+        let p = pressure.max(0.0);
+        match *self {
+            Self::Constant => (0.0, 0.0),
+            Self::Exponential { slope } => (slope * p, slope),
+            Self::Power {
+                slope,
+                bend,
+                exponent,
+            } => {
+                let base = 1.0 + bend * p;
+                let power = base.powf(exponent - 1.0);
+                let log = slope / (bend * exponent) * (power * base - 1.0);
+                (log, slope * power)
+            }
+        }
+    }
+}
+
+/// Relative density over a scaled pressure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Density {
+    rise: f64,
+    bend: f64,
+}
+
+impl Density {
+    /// ρ/ρ₀ and its slope; a negative pressure counts as zero.
+    pub(crate) fn relative(&self, pressure: f64) -> (f64, f64) {
+        let p = pressure.max(0.0);
+        let below = 1.0 + self.bend * p;
+        (1.0 + self.rise * p / below, self.rise / (below * below))
+    }
+}
+
+/// Shear thinning by sliding over the scaled film.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Thinning {
+    None,
+    Eyring { rate: f64 },
+    Carreau { rate: f64, exponent: f64 },
+}
+
+impl Thinning {
+    /// Fluidity that the pressure gradient sees across a film sheared at a rate y, and its slopes over
+    /// φ and y.
+    ///
+    /// The Poiseuille flow is a small disturbance of the shear by sliding, in the same direction, so
+    /// it sees the tangent viscosity dτ/dγ.
+    ///
+    /// ```text
+    /// 1/(dτ/dγ) = √(φ² + y²)                                               [Tangent-Eyring]
+    /// 1/(dτ/dγ) = φⁿ·(φ² + y²)^((3 − n)/2)/(φ² + n·y²)                     [Tangent-Carreau]
+    /// ```
+    pub(crate) fn fluidity(self, phi: f64, film: f64) -> TangentFluidity {
+        match self {
+            Self::None => TangentFluidity {
+                value: phi,
+                by_fluidity: 1.0,
+                by_film: 0.0,
+            },
+            Self::Eyring { rate } => {
+                let y = rate / film;
+                let value = phi.hypot(y);
+                TangentFluidity {
+                    value,
+                    by_fluidity: phi / value,
+                    by_film: -y * y / (value * film),
+                }
+            }
+            Self::Carreau { rate, exponent } => {
+                let (n, y) = (exponent, rate / film);
+                let (square, mixed) = (phi * phi + y * y, phi * phi + n * y * y);
+                let value = phi.powf(n) * square.powf(0.5 * (3.0 - n)) / mixed;
+                let by_fluidity = value * (n / phi + (3.0 - n) * phi / square - 2.0 * phi / mixed);
+                let by_rate = value * y * ((3.0 - n) / square - 2.0 * n / mixed);
+                TangentFluidity {
+                    value,
+                    by_fluidity,
+                    by_film: -by_rate * y / film,
+                }
+            }
+        }
+    }
+}
+
+/// Fluidity with its slopes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct TangentFluidity {
+    pub(crate) value: f64,
+    pub(crate) by_fluidity: f64,
+    pub(crate) by_film: f64,
+}
+
+/// Dimensionless laws of one problem: P = p/p₀, H = h·R/a².
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Fluid {
+    pub(crate) viscosity: Viscosity,
+    pub(crate) density: Density,
+    pub(crate) thinning: Thinning,
+    /// λ of the Reynolds equation.
+    pub(crate) speed: f64,
+}
+
+impl Fluid {
+    /// The laws of `oil` on the scales of a contact.
+    pub(crate) fn new(oil: &Oil, scales: &Scales) -> Self {
+        let p_0 = scales.max_pressure.si();
+        let sheared =
+            |stress: f64| oil.viscosity.si() * scales.sliding.abs() / (scales.film * stress);
+        let thinning = match oil.shear_law {
+            _ if scales.sliding == 0.0 => Thinning::None,
+            ShearLaw::Newtonian => Thinning::None,
+            ShearLaw::Eyring { stress } => {
+                cite!("Tangent-Eyring");
+                Thinning::Eyring {
+                    rate: sheared(stress.si()),
+                }
+            }
+            ShearLaw::Carreau { modulus, exponent } => {
+                cite!("Tangent-Carreau");
+                Thinning::Carreau {
+                    rate: sheared(modulus.si()),
+                    exponent,
+                }
+            }
+        };
+        Self {
+            viscosity: oil.viscosity_of(p_0),
+            density: oil.density_of(p_0),
+            thinning,
+            speed: scales.speed,
+        }
+    }
+
+    /// The same oil without shear thinning.
+    pub(crate) fn newtonian(self) -> Self {
+        Self {
+            thinning: Thinning::None,
+            ..self
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn slope(function: impl Fn(f64) -> f64, at: f64) -> f64 {
+        let step = 1e-6 * at.abs();
+        (function(at + step) - function(at - step)) / (2.0 * step)
+    }
+
+    #[test]
+    fn roelands_with_free_exponent_starts_with_alpha_and_tends_to_barus() {
+        let law = |exponent| Viscosity::Power {
+            slope: 21.6,
+            bend: 6.12,
+            exponent,
+        };
+        assert!((law(0.6).log(1e-9).0 / 21.6e-9 - 1.0).abs() < 1e-6);
+        assert!((law(1.0).log(0.7).0 - 21.6 * 0.7).abs() < 1e-12);
+        // 1.2 GPa, α 18 1/GPa, z 0.6: 21.6/(6.12·0.6)·(7.12^0.6 − 1).
+        assert!((law(0.6).log(1.0).0 - 13.2179).abs() < 1e-3);
+        for exponent in [0.4, 0.6, 0.9] {
+            let law = law(exponent);
+            assert!((law.log(0.8).1 / slope(|p| law.log(p).0, 0.8) - 1.0).abs() < 1e-8);
+        }
+    }
+
+    #[test]
+    fn the_fluidity_of_a_sliding_film_is_that_of_the_tangent() {
+        // dτ/dγ by differences, with η = 1/φ and γ = y·τ₀.
+        let phi = 0.03;
+        for y in [0.001, 0.03, 0.4] {
+            let eyring = slope(|g| (g / phi).asinh(), y);
+            let found = Thinning::Eyring { rate: y }.fluidity(phi, 1.0).value;
+            assert!((found * eyring - 1.0).abs() < 1e-7, "{y}");
+            let carreau = slope(|g| g / phi * (1.0 + (g / phi).powi(2)).powf(-0.275), y);
+            let law = Thinning::Carreau {
+                rate: y,
+                exponent: 0.45,
+            };
+            assert!(
+                (law.fluidity(phi, 1.0).value * carreau - 1.0).abs() < 1e-7,
+                "{y}"
+            );
+            let unthinned = Thinning::Carreau {
+                rate: y,
+                exponent: 1.0,
+            };
+            assert!((unthinned.fluidity(phi, 1.0).value / phi - 1.0).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn slopes_of_the_fluidity_are_its_differences() {
+        let laws = [
+            Thinning::None,
+            Thinning::Eyring { rate: 0.02 },
+            Thinning::Carreau {
+                rate: 0.02,
+                exponent: 0.45,
+            },
+        ];
+        for law in laws {
+            let (phi, film) = (0.3, 0.07);
+            let found = law.fluidity(phi, film);
+            let by_fluidity = slope(|f| law.fluidity(f, film).value, phi);
+            let by_film = slope(|h| law.fluidity(phi, h).value, film);
+            assert!((found.by_fluidity / by_fluidity - 1.0).abs() < 1e-7);
+            assert!((found.by_film - by_film).abs() < 1e-7 * found.value / film);
+        }
+    }
+}

@@ -1,0 +1,569 @@
+//! Transient contact of two rough surfaces, recorded: load against film, films, pressures, friction.
+//!
+//! Three boundary films bear three names: `contact_film` is the thickness at which a node counts as in
+//! contact, `solid_film` the film below which load counts as carried by solids, and `boundary_layer`
+//! (of the friction law) the layer over which boundary friction fades. Load on contact nodes does not
+//! converge with the grid and is no result; load on films below 20 and 50 nm, the mean film and friction
+//! converge. The first three half-widths of travel are a start-up.
+
+use asperity_core::quantity::{Length, Pressure};
+use asperity_core::{DomainError, cite};
+use rayon::prelude::*;
+use serde::Serialize;
+
+use crate::batch_means::{BatchMeans, Estimate};
+use crate::dimensionless::{LineContact, Scales};
+use crate::error::EhlError;
+use crate::evidence::{Evidence, Solved};
+use crate::friction::{Friction, FrictionLaw};
+use crate::moving_profile::MovingProfile;
+use crate::newton::{Ceiling, Limits, NodeState};
+use crate::rheology::{Fluid, Oil};
+use crate::steady::{Window, check_cells, solve_sequence};
+use crate::stepper::{StepSettings, Stepper};
+
+/// Limits of a time step.
+const STEP_LIMITS: Limits = Limits {
+    // What is left after a step of this size is below 1e-6.
+    tolerance: 5e-4,
+    linear_tolerance: 1e-3,
+    largest_change: 1.0,
+    iterations: 40,
+    flips: 0,
+};
+
+/// Two rough surfaces in lubricated line contact.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RoughContact {
+    /// Bodies, load and speeds.
+    pub contact: LineContact,
+    /// Oil at the temperature of the inlet.
+    pub oil: Oil,
+    /// Surface that moves at u₁.
+    pub surface_1: MovingProfile,
+    /// Surface that moves at u₂.
+    pub surface_2: MovingProfile,
+}
+
+/// Pressure at which the surfaces yield.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlasticCeiling {
+    /// Flow pressure, about 2.8 times the yield strength.
+    pub pressure: Pressure,
+    /// Local compliance above it, in cells; 10 holds the pressure within 5 % of the flow pressure.
+    pub compliance: f64,
+}
+
+/// Grid, length and outputs of a record.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RecordSettings {
+    /// Cells of the even grid, a multiple of 64; at least 8 a shortest wave of the profiles.
+    pub cells: usize,
+    /// Ends of the film.
+    pub window: Window,
+    /// Film at which a node counts as in contact.
+    pub contact_film: Length,
+    /// Film below which load counts as carried by solids.
+    pub solid_film: Length,
+    /// Travel before the record begins, in half-widths.
+    pub start: f64,
+    /// Travel of the record, in half-widths.
+    pub length: f64,
+    /// Standard error of the solid share to reach, and the longest record allowed for it.
+    pub until: Option<(f64, f64)>,
+    /// Travel over which periodic surfaces rise from smooth, in half-widths.
+    pub ramp: f64,
+    /// Longest time step in cells of travel.
+    pub courant: f64,
+    /// Yield of the surfaces.
+    pub ceiling: Option<PlasticCeiling>,
+    /// Films of the load-against-film distribution.
+    pub films: Vec<Length>,
+    /// Law of friction.
+    pub friction: Option<FrictionLaw>,
+    /// Whether every step goes into the history.
+    pub history: bool,
+    /// Travel between frames of the whole film, in half-widths.
+    pub frame_interval: Option<f64>,
+}
+
+impl Default for RecordSettings {
+    fn default() -> Self {
+        let nm = |value: f64| Length::from_si(value * 1e-9);
+        Self {
+            cells: 512,
+            window: Window::ROUGH,
+            contact_film: nm(5.0),
+            solid_film: nm(20.0),
+            start: 3.0,
+            length: 20.0,
+            until: None,
+            ramp: 1.0,
+            courant: 1.0,
+            ceiling: None,
+            films: [5.0, 10.0, 20.0, 50.0, 100.0, 200.0].map(nm).to_vec(),
+            friction: None,
+            history: false,
+            frame_interval: None,
+        }
+    }
+}
+
+/// Share of the load carried on films not above a given one.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct LoadBelow {
+    /// The film.
+    pub film: Length,
+    /// Share of the load on films not above it.
+    pub share: Estimate,
+}
+
+/// Friction over the load, averaged over a record.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct MeanFriction {
+    /// The film alone, everywhere.
+    pub film: Estimate,
+    /// Boundary friction with the weight e^(−h/h_b).
+    pub graded: Estimate,
+    /// Boundary friction below the solid film.
+    pub stepped: Estimate,
+}
+
+/// One time of a record.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Moment {
+    /// Half-widths travelled at the mean speed.
+    pub time: f64,
+    /// Share of the load below the solid film.
+    pub solid_share: f64,
+    /// Film at x = 0.
+    pub central_film: Length,
+    /// Mean film within the half-width.
+    pub mean_film: Length,
+    /// Largest pressure.
+    pub max_pressure: Pressure,
+    /// Friction, with a law.
+    pub friction: Option<Friction>,
+}
+
+/// The whole film at one time.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Frame {
+    /// Half-widths travelled at the mean speed.
+    pub time: f64,
+    /// Pressure over p₀ on the nodes.
+    pub pressure: Vec<f64>,
+    /// Film over a²/R on the nodes.
+    pub film: Vec<f64>,
+    /// States of the nodes.
+    pub state: Vec<NodeState>,
+}
+
+/// What a record gives.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Record {
+    /// Scales of the contact.
+    pub scales: Scales,
+    /// Central film of smooth surfaces with the Newtonian oil.
+    pub smooth_film: Length,
+    /// Travel recorded, in half-widths.
+    pub travel: f64,
+    /// Blocks of one half-width that the standard errors come from.
+    pub blocks: usize,
+    /// Share of the load on films not above `solid_film`.
+    pub solid_share: Estimate,
+    /// Share of the load on films not above each asked for.
+    pub load_below: Vec<LoadBelow>,
+    /// Share of the load on contact nodes; does not converge with the grid.
+    pub contact_share: Estimate,
+    /// Share of the load above the flow pressure.
+    pub plastic_share: Estimate,
+    /// Mean film within the half-width \[m\].
+    pub mean_film: Estimate,
+    /// Standard deviation of the film within the half-width, over place and time.
+    pub film_spread: Length,
+    /// Mean over time of the largest pressure \[Pa\].
+    pub mean_max_pressure: Estimate,
+    /// Largest pressure of all times.
+    pub max_pressure: Pressure,
+    /// Friction, with a law.
+    pub friction: Option<MeanFriction>,
+    /// Every step, on request.
+    pub history: Vec<Moment>,
+    /// Frames, on request.
+    pub frames: Vec<Frame>,
+    /// Places of the nodes of the frames over a.
+    pub x: Vec<f64>,
+}
+
+/// How far a record is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Progress {
+    /// Half-widths travelled.
+    pub time: f64,
+    /// Half-widths to travel, as known now.
+    pub end: f64,
+    /// Steps taken.
+    pub steps: usize,
+    /// Steps repeated at half their length.
+    pub steps_cut: usize,
+}
+
+/// Quantities of the batch means before the shares of the films.
+const SOLID: usize = 0;
+const CONTACT: usize = 1;
+const PLASTIC: usize = 2;
+const FILM: usize = 3;
+const FILM_SQUARE: usize = 4;
+const PRESSURE: usize = 5;
+const FRICTION: [usize; 3] = [6, 7, 8];
+const SHARES: usize = 9;
+
+/// Records a rough contact.
+///
+/// # Errors
+/// When an input is outside its domain, the smooth start or a time step does not converge, or a single
+/// pass of a profile ends too early.
+pub fn record(
+    contact: &RoughContact,
+    settings: &RecordSettings,
+) -> Result<Solved<Record>, EhlError> {
+    record_watched(contact, settings, |_| true)
+}
+
+/// Records a rough contact from several offsets of the surfaces in parallel, in order.
+///
+/// # Errors
+/// The first error of [`record`].
+pub fn record_offsets(
+    contact: &RoughContact,
+    offsets: &[(Length, Length)],
+    settings: &RecordSettings,
+) -> Result<Vec<Solved<Record>>, EhlError> {
+    offsets
+        .par_iter()
+        .map(|(first, second)| {
+            let shifted = RoughContact {
+                surface_1: contact.surface_1.clone().shifted(*first),
+                surface_2: contact.surface_2.clone().shifted(*second),
+                ..contact.clone()
+            };
+            record(&shifted, settings)
+        })
+        .collect()
+}
+
+/// Records a rough contact; `watch` sees every step and stops the record by returning false.
+///
+/// # Errors
+/// As [`record`]; [`EhlError::Stopped`] when `watch` returns false.
+pub fn record_watched(
+    contact: &RoughContact,
+    settings: &RecordSettings,
+    mut watch: impl FnMut(Progress) -> bool,
+) -> Result<Solved<Record>, EhlError> {
+    settings.validate()?;
+    let scales = contact.contact.scales(&contact.oil)?;
+    let fluid = Fluid::new(&contact.oil, &scales);
+    let found = solve_sequence(&scales, &fluid.newtonian(), settings.window, settings.cells)?;
+    let mut evidence = Evidence {
+        newton_iterations: 0,
+        gmres_iterations: 0,
+        ..Evidence::of(&found.grid, &found.solution, 0.0)
+    };
+    let smooth_film = scales.film_length(found.grid.interpolate(&found.solution.film, 0.0));
+    let surfaces = [contact.surface_1.clone(), contact.surface_2.clone()];
+    let step_settings = settings.steps(&scales, found.grid.spacing[0]);
+    let mut stepper = Stepper::new(found, scales, fluid, surfaces, step_settings);
+    let start = settings.start.max(stepper.filled_after());
+    let mut recorder = Recorder::new(settings, &scales, step_settings);
+    let mut end = start + settings.length;
+    let longest = settings.until.map_or(end, |(_, longest)| start + longest);
+    stepper.check_lengths(longest.max(end))?;
+    while stepper.time < end - 1e-9 {
+        let step = stepper.advance()?;
+        evidence.join(&Evidence {
+            steps: 1,
+            ..Evidence::of(&stepper.grid, &stepper.now, step_settings.contact_film)
+        });
+        if stepper.time > start {
+            recorder.add(&stepper, step);
+        }
+        let progress = Progress {
+            time: stepper.time,
+            end,
+            steps: evidence.steps,
+            steps_cut: stepper.steps_cut,
+        };
+        if !watch(progress) {
+            return Err(EhlError::Stopped { time: stepper.time });
+        }
+        if stepper.time >= end - 1e-9 && !recorder.is_settled(settings) {
+            end = (end + BLOCK).min(longest);
+        }
+    }
+    evidence.steps_cut = stepper.steps_cut;
+    Ok(Solved {
+        value: recorder.finish(&stepper, smooth_film, stepper.time - start),
+        evidence,
+    })
+}
+
+/// Travel of a block of the standard errors.
+const BLOCK: f64 = 1.0;
+
+impl RecordSettings {
+    fn validate(&self) -> Result<(), EhlError> {
+        check_cells(self.cells)?;
+        DomainError::positive("contact film", self.contact_film)?;
+        DomainError::positive("solid film", self.solid_film)?;
+        for film in &self.films {
+            DomainError::positive("film of the distribution", *film)?;
+        }
+        let least = |name, value: f64, least: f64, rule| {
+            DomainError::require(
+                value.is_finite() && value >= least,
+                name,
+                value,
+                "half-widths",
+                rule,
+            )
+        };
+        least(
+            "start of the record",
+            self.start,
+            0.0,
+            "must not be negative",
+        )?;
+        least(
+            "length of the record",
+            self.length,
+            1.0,
+            "must be at least 1, for a block",
+        )?;
+        DomainError::require(
+            self.ramp.is_finite() && self.ramp > 0.0,
+            "ramp",
+            self.ramp,
+            "half-widths",
+            "must be positive",
+        )?;
+        DomainError::require(
+            self.courant > 0.0 && self.courant <= 2.0,
+            "Courant number",
+            self.courant,
+            "-",
+            "must lie above 0 and not above 2",
+        )?;
+        if let Some(ceiling) = &self.ceiling {
+            DomainError::positive("flow pressure", ceiling.pressure)?;
+            DomainError::require(
+                (0.1..=1000.0).contains(&ceiling.compliance),
+                "compliance above the flow pressure",
+                ceiling.compliance,
+                "cells",
+                "must lie between 0.1 and 1000",
+            )?;
+        }
+        if let Some(law) = &self.friction {
+            law.validate()?;
+        }
+        Ok(())
+    }
+
+    fn steps(&self, scales: &Scales, spacing: f64) -> StepSettings {
+        StepSettings {
+            contact_film: scales.film_of(self.contact_film),
+            ceiling: self.ceiling.map(|ceiling| Ceiling {
+                pressure: ceiling.pressure / scales.max_pressure,
+                compliance: ceiling.compliance * spacing,
+            }),
+            courant: self.courant,
+            ramp: self.ramp,
+            limits: STEP_LIMITS,
+        }
+    }
+}
+
+/// Sums of a record while it runs.
+struct Recorder<'a> {
+    settings: &'a RecordSettings,
+    scales: Scales,
+    steps: StepSettings,
+    /// Films of the distribution over a²/R.
+    films: Vec<f64>,
+    means: BatchMeans,
+    values: Vec<f64>,
+    max_pressure: f64,
+    history: Vec<Moment>,
+    frames: Vec<Frame>,
+    next_frame: f64,
+}
+
+impl<'a> Recorder<'a> {
+    fn new(settings: &'a RecordSettings, scales: &Scales, steps: StepSettings) -> Self {
+        let films: Vec<f64> = settings.films.iter().map(|f| scales.film_of(*f)).collect();
+        let count = SHARES + films.len();
+        Self {
+            settings,
+            scales: *scales,
+            steps,
+            films,
+            means: BatchMeans::new(count, BLOCK),
+            values: vec![0.0; count],
+            max_pressure: 0.0,
+            history: Vec::new(),
+            frames: Vec::new(),
+            next_frame: f64::NEG_INFINITY,
+        }
+    }
+
+    fn add(&mut self, stepper: &Stepper, step: f64) {
+        self.values.fill(0.0);
+        self.shares(stepper);
+        self.films_within(stepper);
+        let p_0 = self.scales.max_pressure.si();
+        let pressure = &stepper.now.unknowns.pressure;
+        let largest = pressure.iter().copied().fold(0.0, f64::max);
+        self.max_pressure = self.max_pressure.max(largest);
+        self.values[PRESSURE] = largest * p_0;
+        let friction = self.settings.friction.map(|law| {
+            let film = &stepper.now.film;
+            let nodes = (0..film.len()).map(|i| {
+                let weight = stepper.grid.weights[i];
+                (weight, pressure[i] * p_0, film[i] * self.scales.film)
+            });
+            law.friction(nodes, self.scales.sliding, self.settings.solid_film.si())
+        });
+        if let Some(f) = friction {
+            for (index, value) in FRICTION.into_iter().zip([f.film, f.graded, f.stepped]) {
+                self.values[index] = value;
+            }
+        }
+        self.means.add(&self.values, step);
+        if self.settings.history {
+            self.history.push(Moment {
+                time: stepper.time,
+                solid_share: self.values[SOLID],
+                central_film: self
+                    .scales
+                    .film_length(stepper.grid.interpolate(&stepper.now.film, 0.0)),
+                mean_film: Length::from_si(self.values[FILM]),
+                max_pressure: Pressure::from_si(self.values[PRESSURE]),
+                friction,
+            });
+        }
+        self.add_frame(stepper);
+    }
+
+    /// Load on films not above each threshold.
+    ///
+    /// share(h) = Σ wᵢ·Pᵢ·[Hᵢ ≤ h]/Σ wᵢ·Pᵢ                                `[Load-below-film]`
+    fn shares(&mut self, stepper: &Stepper) {
+        cite!("Load-below-film");
+        let now = &stepper.now;
+        let load = stepper.grid.integral(&now.unknowns.pressure);
+        let solid = self.scales.film_of(self.settings.solid_film);
+        let flow = self.steps.ceiling.map_or(f64::INFINITY, |c| c.pressure);
+        for (i, p) in now.unknowns.pressure.iter().enumerate() {
+            let part = stepper.grid.weights[i] * p / load;
+            if part == 0.0 {
+                continue;
+            }
+            // A node in contact is at the boundary film, whatever is left of the iteration.
+            let film = if now.unknowns.state[i] == NodeState::Contact {
+                self.values[CONTACT] += part;
+                self.steps.contact_film
+            } else {
+                now.film[i]
+            };
+            if film <= solid {
+                self.values[SOLID] += part;
+            }
+            if *p > flow {
+                self.values[PLASTIC] += part;
+            }
+            for (k, limit) in self.films.iter().enumerate() {
+                if film <= *limit {
+                    self.values[SHARES + k] += part;
+                }
+            }
+        }
+    }
+
+    /// Mean and mean square of the film within the half-width.
+    fn films_within(&mut self, stepper: &Stepper) {
+        let mut count = 0.0;
+        for (x, film) in stepper.grid.x.iter().zip(&stepper.now.film) {
+            if x.abs() < 1.0 {
+                let h = film * self.scales.film;
+                self.values[FILM] += h;
+                self.values[FILM_SQUARE] += h * h;
+                count += 1.0;
+            }
+        }
+        self.values[FILM] /= count;
+        self.values[FILM_SQUARE] /= count;
+    }
+
+    fn add_frame(&mut self, stepper: &Stepper) {
+        let Some(interval) = self.settings.frame_interval else {
+            return;
+        };
+        if stepper.time >= self.next_frame {
+            self.next_frame = stepper.time + interval;
+            self.frames.push(Frame {
+                time: stepper.time,
+                pressure: stepper.now.unknowns.pressure.clone(),
+                film: stepper.now.film.clone(),
+                state: stepper.now.unknowns.state.clone(),
+            });
+        }
+    }
+
+    /// Whether the standard error asked for is reached.
+    fn is_settled(&self, settings: &RecordSettings) -> bool {
+        settings.until.is_none_or(|(error, longest)| {
+            self.means.estimate(SOLID).standard_error <= error
+                || self.means.blocks() as f64 * BLOCK >= longest
+        })
+    }
+
+    fn finish(self, stepper: &Stepper, smooth_film: Length, travel: f64) -> Record {
+        let of = |index| self.means.estimate(index);
+        let film = of(FILM);
+        let variance = of(FILM_SQUARE).mean - film.mean * film.mean;
+        let load_below = self
+            .settings
+            .films
+            .iter()
+            .enumerate()
+            .map(|(k, film)| LoadBelow {
+                film: *film,
+                share: of(SHARES + k),
+            })
+            .collect();
+        Record {
+            scales: self.scales,
+            smooth_film,
+            travel,
+            blocks: self.means.blocks(),
+            solid_share: of(SOLID),
+            load_below,
+            contact_share: of(CONTACT),
+            plastic_share: of(PLASTIC),
+            mean_film: film,
+            film_spread: Length::from_si(variance.max(0.0).sqrt()),
+            mean_max_pressure: of(PRESSURE),
+            max_pressure: self.scales.max_pressure * self.max_pressure,
+            friction: self.settings.friction.map(|_| MeanFriction {
+                film: of(FRICTION[0]),
+                graded: of(FRICTION[1]),
+                stepped: of(FRICTION[2]),
+            }),
+            history: self.history,
+            frames: self.frames,
+            x: stepper.grid.x.clone(),
+        }
+    }
+}

@@ -1,0 +1,260 @@
+//! Heights that no flank has, told by their slopes: a wrong unit, or a mark for a missing point.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | Rdq | root mean square of the slopes between neighbours | - |
+//!
+//! Ground and superfinished flanks have Rdq of 0.02 to 0.3. Stylus tips have flanks of 45 or 30 degrees to
+//! the vertical, so a stylus follows no slope above 2; a single step may be steeper, at a burr or a chip.
+
+use std::fmt;
+
+use asperity_core::Profile;
+use asperity_core::remedy::{Remedy, Setting, Value};
+use serde::{Deserialize, Serialize};
+
+use super::options::LengthUnit;
+
+/// Rdq above which heights are not believed.
+const LARGEST_RDQ: f64 = 2.0;
+/// Slope of a single step above which heights are not believed.
+const STEEPEST_STEP: f64 = 5.0;
+/// Rdq that flanks have in the right unit, from mirror finish to coarse turning.
+const USUAL_RDQ: std::ops::RangeInclusive<f64> = 1e-4..=1.0;
+
+/// Distance of a mark from the heights, over their range.
+const FAR: f64 = 20.0;
+/// Share of points that may be marked.
+const MOST_MARKED: f64 = 0.2;
+
+/// Slopes that no flank has.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Steepness {
+    /// Root mean square of the slopes between neighbours.
+    pub rdq: f64,
+    /// Steepest slope between neighbours.
+    pub steepest: f64,
+    /// Index of the point before the steepest step.
+    pub at: usize,
+    /// What the slopes point at.
+    pub suspicion: Suspicion,
+}
+
+/// Reason that implausible slopes point at.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Suspicion {
+    /// The heights would be those of a flank in another unit.
+    Unit {
+        /// Unit they were read in.
+        read: LengthUnit,
+        /// Unit in which they are plausible.
+        likely: LengthUnit,
+    },
+    /// One value far away from all others marks missing points.
+    Sentinel {
+        /// The value, in the unit of the file.
+        value: f64,
+        /// Unit of the file.
+        unit: LengthUnit,
+        /// Points that have it.
+        points: usize,
+    },
+    /// No single reason is found.
+    Unknown,
+}
+
+impl Suspicion {
+    /// What can be done about it.
+    pub fn remedy(self) -> Remedy {
+        match self {
+            Self::Unit { likely, .. } => {
+                Remedy::set(Setting::ZUnit, Value::This(likely.to_string().into()))
+            }
+            Self::Sentinel { .. } => Remedy::act("write NaN for the missing points"),
+            Self::Unknown => Remedy::act("look for single spikes")
+                .or_set(Setting::ZUnit, Value::Any)
+                .or_set(Setting::Spacing, Value::Any),
+        }
+    }
+}
+
+impl fmt::Display for Steepness {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "no flank is as steep as these heights: slopes of {:.3e} root mean square, {:.3e} after point {}",
+            self.rdq,
+            self.steepest,
+            self.at + 1
+        )?;
+        match self.suspicion {
+            Suspicion::Unit { read, likely } => write!(
+                f,
+                "; they were read in {read} and would be plausible in {likely}"
+            ),
+            Suspicion::Sentinel {
+                value,
+                unit,
+                points,
+            } => write!(
+                f,
+                "; {points} of them read {value:e} {unit}, which seems to mark missing points"
+            ),
+            Suspicion::Unknown => Ok(()),
+        }
+    }
+}
+
+/// Slopes of `profile` where no flank has them; its heights were read in `unit`.
+///
+/// ```
+/// use asperity_core::{Profile, quantity::Length};
+/// use asperity_profile_io::read::{LengthUnit, steepness::{Suspicion, implausible}};
+/// let z = |i: usize| 1e-6 * (0.1 * i as f64).sin();
+/// let of = |scale: f64| Profile::new(Length::from_si(0.5e-6), (0..400).map(|i| scale * z(i)).collect());
+/// assert_eq!(implausible(&of(1.0)?, LengthUnit::Micrometre), None);
+/// let found = implausible(&of(1e3)?, LengthUnit::Micrometre).unwrap();
+/// let (read, likely) = (LengthUnit::Micrometre, LengthUnit::Nanometre);
+/// assert_eq!(found.suspicion, Suspicion::Unit { read, likely });
+/// # Ok::<(), asperity_core::DomainError>(())
+/// ```
+pub fn implausible(profile: &Profile, unit: LengthUnit) -> Option<Steepness> {
+    let slopes = Slopes::of(profile.heights().iter().copied(), profile.spacing().si());
+    if slopes.are_plausible() {
+        return None;
+    }
+    let suspicion = sentinel(profile, unit)
+        .or_else(|| other_unit(slopes.rdq, unit))
+        .unwrap_or(Suspicion::Unknown);
+    Some(Steepness {
+        rdq: slopes.rdq,
+        steepest: slopes.steepest,
+        at: slopes.at,
+        suspicion,
+    })
+}
+
+/// Root mean square and steepest slope.
+struct Slopes {
+    rdq: f64,
+    steepest: f64,
+    at: usize,
+}
+
+impl Slopes {
+    fn of(heights: impl Iterator<Item = f64>, dx: f64) -> Self {
+        let mut before = None;
+        let (mut square, mut steps) = (0.0, 0_usize);
+        let (mut steepest, mut at) = (0.0_f64, 0);
+        for (i, z) in heights.enumerate() {
+            if let Some(before) = before.replace(z) {
+                let slope = (z - before) / dx;
+                square += slope * slope;
+                steps += 1;
+                if slope.abs() > steepest {
+                    (steepest, at) = (slope.abs(), i - 1);
+                }
+            }
+        }
+        Self {
+            rdq: (square / steps.max(1) as f64).sqrt(),
+            steepest,
+            at,
+        }
+    }
+
+    fn are_plausible(&self) -> bool {
+        self.rdq <= LARGEST_RDQ && self.steepest <= STEEPEST_STEP
+    }
+}
+
+/// The value that is farthest from the others, where the profile is plausible without it.
+fn sentinel(profile: &Profile, unit: LengthUnit) -> Option<Suspicion> {
+    let z = profile.heights();
+    // The middle height: a mark may be met often, but not by half of the points.
+    let mut ordered = z.to_vec();
+    let (_, middle, _) = ordered.select_nth_unstable_by(z.len() / 2, f64::total_cmp);
+    let middle = *middle;
+    let far = z
+        .iter()
+        .max_by(|a, b| (**a - middle).abs().total_cmp(&(**b - middle).abs()))?;
+    let points = z.iter().filter(|z| *z == far).count();
+    let others = || z.iter().copied().filter(|z| z != far);
+    let (low, high) = others().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), z| {
+        (low.min(z), high.max(z))
+    });
+    let is_far = high > low && (far - middle).abs() > FAR * (high - low);
+    let is_rare = points as f64 <= MOST_MARKED * z.len() as f64;
+    let is_mark = is_far && is_rare && Slopes::of(others(), profile.spacing().si()).are_plausible();
+    is_mark.then(|| Suspicion::Sentinel {
+        value: far / unit.metres(1.0),
+        unit,
+        points,
+    })
+}
+
+/// The coarsest finer unit in which the slopes are those of flanks.
+fn other_unit(rdq: f64, read: LengthUnit) -> Option<Suspicion> {
+    use LengthUnit::{Metre, Micrometre, Millimetre, Nanometre};
+    let plausible = |likely: &LengthUnit| {
+        let factor = likely.metres(1.0) / read.metres(1.0);
+        rdq > LARGEST_RDQ && factor < 0.5 && USUAL_RDQ.contains(&(rdq * factor))
+    };
+    let mut finer = [Metre, Millimetre, Micrometre, Nanometre].into_iter();
+    let likely = finer.find(plausible)?;
+    Some(Suspicion::Unit { read, likely })
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity_core::quantity::Length;
+
+    use super::*;
+
+    fn rough(scale: f64) -> Profile {
+        let z = |i: i32| scale * ((0.3 * f64::from(i)).sin() + (0.05 * f64::from(i)).cos());
+        Profile::new(Length::from_si(0.5e-6), (0..2000).map(z).collect()).unwrap()
+    }
+
+    #[test]
+    fn heights_in_a_wrong_unit_name_the_right_one() {
+        let found = |scale, unit| implausible(&rough(scale), unit).map(|found| found.suspicion);
+        assert_eq!(found(0.2e-6, LengthUnit::Micrometre), None);
+        let (read, likely) = (LengthUnit::Millimetre, LengthUnit::Micrometre);
+        let expected = Suspicion::Unit { read, likely };
+        assert_eq!(found(0.2e-3, LengthUnit::Millimetre), Some(expected));
+        let likely = LengthUnit::Nanometre;
+        let expected = Suspicion::Unit { read, likely };
+        assert_eq!(found(0.2, LengthUnit::Millimetre), Some(expected));
+    }
+
+    #[test]
+    fn a_mark_for_missing_points_is_named_with_its_number() {
+        for mark in [-9999.0, 1e30] {
+            let mut heights = rough(0.2e-6).into_heights();
+            for at in [100, 101, 900] {
+                heights[at] = mark / 1e6;
+            }
+            let profile = Profile::new(Length::from_si(0.5e-6), heights).unwrap();
+            let found = implausible(&profile, LengthUnit::Micrometre).unwrap();
+            let Suspicion::Sentinel { value, points, .. } = found.suspicion else {
+                panic!("{found:?}");
+            };
+            assert!((value / mark - 1.0).abs() < 1e-12 && points == 3);
+        }
+    }
+
+    #[test]
+    fn one_step_of_a_chip_is_refused_from_a_slope_of_five() {
+        let step = |slope: f64| {
+            let z = |i: i32| if i < 50 { 0.0 } else { slope * 0.5e-6 };
+            Profile::new(Length::from_si(0.5e-6), (0..200).map(z).collect()).unwrap()
+        };
+        assert_eq!(implausible(&step(4.9), LengthUnit::Micrometre), None);
+        let found = implausible(&step(5.1), LengthUnit::Micrometre).unwrap();
+        assert_eq!((found.at, found.suspicion), (49, Suspicion::Unknown));
+    }
+}

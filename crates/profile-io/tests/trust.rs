@@ -1,0 +1,290 @@
+//! Files that must not be read to an absurd profile in silence.
+
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use std::f64::consts::TAU;
+
+use asperity_core::quantity::Length;
+use asperity_profile_io::Warning;
+use asperity_profile_io::read::steepness::Suspicion;
+use asperity_profile_io::read::{
+    Format, Gaps, LengthUnit, ReadError, ReadOptions, Reading, SpacingHint, Uneven, read,
+    read_bytes,
+};
+
+const POINTS: usize = 2000;
+const DX_UM: f64 = 0.5;
+
+/// A rough flank [um] at the distance `x` [um]: Rq 0.21 um, Rdq 0.05.
+fn flank(x: f64) -> f64 {
+    0.25 * (TAU * x / 31.0).sin() + 0.15 * (TAU * x / 170.0).cos()
+}
+
+/// Lines of x and z under a header.
+fn table(header: &str, x: impl Fn(usize) -> f64, z: impl Fn(usize) -> f64) -> String {
+    let rows = (0..POINTS).map(|i| format!("{:.9e};{:.9e}\n", x(i), z(i)));
+    format!("{header}\n{}", rows.collect::<String>())
+}
+
+fn um(header: &str, z: impl Fn(usize) -> f64) -> String {
+    table(header, |i| DX_UM * i as f64, z)
+}
+
+fn opened(text: &str, options: &ReadOptions) -> Result<Reading, ReadError> {
+    read_bytes("flank.csv", text.as_bytes(), options)
+}
+
+fn codes(reading: &Reading) -> Vec<&'static str> {
+    reading.warnings.iter().map(Warning::code).collect()
+}
+
+#[test]
+fn heights_in_millimetres_that_are_nanometres_are_named_and_refused() {
+    let text = um("x [um];z [mm]", |i| 1e3 * flank(DX_UM * i as f64));
+    let reading = opened(&text, &ReadOptions::default()).unwrap();
+    assert_eq!(codes(&reading), ["W124"]);
+    let refused = reading.check_heights().unwrap_err();
+    assert_eq!(refused.code(), "E131");
+    assert!(
+        refused.remedy().to_string() == "Set z_unit to nm",
+        "{refused}"
+    );
+    let options = ReadOptions {
+        z_unit: Some(LengthUnit::Nanometre),
+        ..ReadOptions::default()
+    };
+    let right = opened(&text, &options).unwrap();
+    assert!(right.check_heights().is_ok() && right.warnings.is_empty());
+}
+
+#[test]
+fn sentinels_are_named_with_their_value() {
+    for mark in [-9999.0, 1e30] {
+        let text = um("x [um];z [um]", |i| match i {
+            500..=503 => mark,
+            i => flank(DX_UM * i as f64),
+        });
+        let reading = opened(&text, &ReadOptions::default()).unwrap();
+        let Some(Warning::ImplausibleHeights { steepness }) = reading.warnings.first() else {
+            panic!("{:?}", reading.warnings);
+        };
+        let Suspicion::Sentinel { value, points, .. } = steepness.suspicion else {
+            panic!("{steepness:?}");
+        };
+        assert!((value / mark - 1.0).abs() < 1e-12 && points == 4);
+        assert!(reading.check_heights().is_err());
+    }
+}
+
+#[test]
+fn heights_without_a_unit_that_may_be_nanometres_are_not_taken_as_micrometres() {
+    // Rq 214: 214 nm of a flank, or 214 um, which no flank has.
+    let text = table(
+        "x in mm;z",
+        |i| 1e-3 * DX_UM * i as f64,
+        |i| 1e3 * flank(DX_UM * i as f64),
+    );
+    let refused = opened(&text, &ReadOptions::default());
+    assert!(
+        matches!(refused, Err(ReadError::NoUnit { .. })),
+        "{refused:?}"
+    );
+    let text = table(
+        "x in mm;z",
+        |i| 1e-3 * DX_UM * i as f64,
+        |i| flank(DX_UM * i as f64),
+    );
+    let reading = opened(&text, &ReadOptions::default()).unwrap();
+    assert_eq!(reading.z_unit, LengthUnit::Micrometre);
+    assert_eq!(codes(&reading), ["W111"]);
+}
+
+/// x [um] with a wobble of `share` of a spacing.
+fn wobbly(share: f64) -> impl Fn(usize) -> f64 {
+    move |i| {
+        let wobble = match i {
+            0 => 0.0,
+            i if i == POINTS - 1 => 0.0,
+            i => (0.7 * i as f64).sin(),
+        };
+        DX_UM * (i as f64 + share * wobble)
+    }
+}
+
+#[test]
+fn an_uneven_x_is_told_from_two_per_cent() {
+    let read = |share: f64, uneven: Uneven| {
+        let x = wobbly(share);
+        let text = table("x [um];z [um]", &x, |i| flank(x(i)));
+        let options = ReadOptions {
+            uneven,
+            ..ReadOptions::default()
+        };
+        opened(&text, &options)
+    };
+    assert_eq!(codes(&read(0.015, Uneven::Refuse).unwrap()), [""; 0]);
+    let reading = read(0.15, Uneven::Refuse).unwrap();
+    let [Warning::UnevenSpacing { off, slopes }] = reading.warnings[..] else {
+        panic!("{:?}", reading.warnings);
+    };
+    assert!((off - 0.15).abs() < 1e-3, "{off}");
+    // Steps differ by 2·sin(0.35) of the wobble.
+    assert!(
+        (slopes - 0.15 * 2.0 * 0.35_f64.sin()).abs() < 1e-3,
+        "{slopes}"
+    );
+    assert!(matches!(
+        read(0.45, Uneven::Refuse),
+        Err(ReadError::UnevenSpacing { .. })
+    ));
+    for share in [0.15, 0.45] {
+        let reading = read(share, Uneven::Resample).unwrap();
+        assert_eq!(codes(&reading), ["W126"]);
+        assert!((reading.spacing.si() / (DX_UM * 1e-6) - 1.0).abs() < 1e-9);
+        for (i, z) in reading.profile.heights().iter().enumerate() {
+            // Straight lines under a curvature of 0.25 (2π/31)² 1/um: h² κ/8 at steps of up to 1 um.
+            assert!((z * 1e6 - flank(DX_UM * i as f64)).abs() < 2e-3, "{i}");
+        }
+    }
+}
+
+#[test]
+fn missing_points_of_an_uneven_trace_are_left_out_of_its_lines() {
+    let x = wobbly(0.4);
+    let rows = (0..POINTS).map(|i| match i {
+        700 | 701 => format!("{:.9e};NaN\n", x(i)),
+        i => format!("{:.9e};{:.9e}\n", x(i), flank(x(i))),
+    });
+    let text = format!("x [um];z [um]\n{}", rows.collect::<String>());
+    let options = ReadOptions {
+        uneven: Uneven::Resample,
+        gaps: Gaps::Interpolate,
+        ..ReadOptions::default()
+    };
+    let reading = opened(&text, &options).unwrap();
+    assert_eq!(codes(&reading), ["W115", "W126"]);
+    assert_eq!((reading.gaps_filled, reading.points), (2, POINTS - 2));
+    let dx = reading.spacing.si() * 1e6;
+    for (i, z) in reading.profile.heights().iter().enumerate() {
+        assert!((z * 1e6 - flank(dx * i as f64)).abs() < 2e-2, "{i}");
+    }
+}
+
+/// Ra and Rq of heights about their mean.
+fn ra_rq(heights: &[f64]) -> (f64, f64) {
+    let n = heights.len() as f64;
+    let mean = heights.iter().sum::<f64>() / n;
+    let ra = heights.iter().map(|z| (z - mean).abs()).sum::<f64>() / n;
+    let square = heights.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / n;
+    (ra, square.sqrt())
+}
+
+#[test]
+fn roll_length_exports_need_the_base_radius_and_keep_the_roughness() {
+    let base_radius = Length::from_si(40e-3);
+    let roll = |i: usize| 8.0 + 4.0 * i as f64 / (POINTS - 1) as f64;
+    let arc_um = |i: usize| 1e3 * roll(i).powi(2) / 80.0;
+    let degrees = |i: usize| (roll(i) / 40.0).to_degrees();
+    let files = [
+        table("Roll length [mm];z [um]", roll, |i| flank(arc_um(i))),
+        table("Roll angle [deg];z [um]", degrees, |i| flank(arc_um(i))),
+    ];
+    let length_um = arc_um(POINTS - 1) - arc_um(0);
+    // The truth: the flank in even steps of 0.1 um along its involute.
+    let truth: Vec<f64> = (0..(length_um * 10.0) as usize)
+        .map(|i| flank(arc_um(0) + 0.1 * i as f64))
+        .collect();
+    let (ra, rq) = ra_rq(&truth);
+    for text in files {
+        let refused = opened(&text, &ReadOptions::default()).unwrap_err();
+        assert_eq!(refused.code(), "E130");
+        assert!(
+            refused.remedy().to_string().contains("base_radius"),
+            "{refused}"
+        );
+        let options = ReadOptions {
+            base_radius: Some(base_radius),
+            ..ReadOptions::default()
+        };
+        let reading = opened(&text, &options).unwrap();
+        assert_eq!(codes(&reading), ["W127"]);
+        assert!((reading.length.si() / (length_um * 1e-6) - 1.0).abs() < 1e-9);
+        let (found_ra, found_rq) = ra_rq(reading.profile.heights());
+        assert!((found_ra * 1e6 / ra - 1.0).abs() < 0.01, "{found_ra}");
+        assert!((found_rq * 1e6 / rq - 1.0).abs() < 0.01, "{found_rq}");
+    }
+}
+
+#[test]
+fn inches_and_their_parts_are_read() {
+    let inch = |x: f64| x / 25.4e3;
+    let text = table(
+        "x [inch];z [uin]",
+        |i| inch(DX_UM * i as f64),
+        |i| 1e6 * inch(flank(DX_UM * i as f64)),
+    );
+    let reading = opened(&text, &ReadOptions::default()).unwrap();
+    assert_eq!(
+        (reading.x_unit, reading.z_unit),
+        (Some(LengthUnit::Inch), LengthUnit::Microinch)
+    );
+    assert!((reading.spacing.si() / 0.5e-6 - 1.0).abs() < 1e-8);
+    for (i, z) in reading.profile.heights().iter().enumerate() {
+        assert!((z * 1e6 - flank(DX_UM * i as f64)).abs() < 1e-8, "{i}");
+    }
+    let text = um("x [um];z [furlong]", |i| flank(DX_UM * i as f64));
+    let refused = opened(&text, &ReadOptions::default());
+    assert!(matches!(refused, Err(ReadError::UnknownUnit { .. })));
+}
+
+#[test]
+fn a_row_of_a_matrix_of_heights_is_read() {
+    let height = |row: usize, i: usize| flank(DX_UM * i as f64 + 7.0 * row as f64);
+    let line = |row: usize| {
+        let cells: Vec<String> = (0..300).map(|i| format!("{:.6}", height(row, i))).collect();
+        cells.join("\t") + "\n"
+    };
+    let text: String = (1..=20).map(line).collect();
+    let asked = |row, dx| ReadOptions {
+        row,
+        dx,
+        z_unit: Some(LengthUnit::Micrometre),
+        ..ReadOptions::default()
+    };
+    let dx = Some(Length::from_si(0.5e-6));
+    let refused = opened(&text, &asked(None, dx));
+    let Err(ReadError::SeveralProfiles {
+        rows,
+        points,
+        asked: 0,
+        ..
+    }) = refused
+    else {
+        panic!("{refused:?}");
+    };
+    assert_eq!((rows, points), (20, 300));
+    assert!(matches!(
+        opened(&text, &asked(Some(21), dx)),
+        Err(ReadError::SeveralProfiles { asked: 21, .. })
+    ));
+    assert!(matches!(
+        opened(&text, &asked(Some(3), None)),
+        Err(ReadError::NoSpacing {
+            hint: SpacingHint::None,
+            ..
+        })
+    ));
+    let reading = opened(&text, &asked(Some(3), dx)).unwrap();
+    assert_eq!((reading.format, reading.points), (Format::TextMatrix, 300));
+    for (i, z) in reading.profile.heights().iter().enumerate() {
+        assert!((z * 1e6 - height(3, i)).abs() < 1e-6);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_device_is_refused_before_it_is_read() {
+    let refused = read("/dev/zero".as_ref(), &ReadOptions::default()).unwrap_err();
+    assert_eq!(refused.code(), "E103");
+    assert!(refused.to_string().contains("pass -"), "{refused}");
+}

@@ -1,0 +1,56 @@
+//! A single file, whole or not at all.
+
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::Path;
+
+use crate::draft::{Draft, drafts};
+use crate::error::StorageError;
+use crate::system::{look, parent_of, sync_folder};
+
+/// Writes `bytes` as `file`, in place of an older file of that name.
+///
+/// # Errors
+/// When there is no folder for it, its place is a folder or a link, or the system refuses.
+///
+/// ```
+/// let place = tempfile::tempdir()?;
+/// let file = place.path().join("flank.csv");
+/// asperity_storage::save(&file, b"1\n")?;
+/// asperity_storage::save(&file, b"2\n")?;
+/// assert_eq!(std::fs::read(&file)?, b"2\n");
+/// assert!(asperity_storage::save(&place.path().join("none/flank.csv"), b"1").is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn save(file: &Path, bytes: &[u8]) -> Result<(), StorageError> {
+    let parent = parent_of(file);
+    if !parent.is_dir() {
+        return Err(StorageError::NoFolder {
+            path: file.to_owned(),
+            folder: parent.to_owned(),
+        });
+    }
+    let refused = StorageError::io(file);
+    match look(file).map_err(&refused)? {
+        Some(found) if found.is_symlink() => {
+            return Err(StorageError::Link {
+                path: file.to_owned(),
+            });
+        }
+        Some(found) if !found.is_file() => {
+            return Err(refused(io::ErrorKind::AlreadyExists.into()));
+        }
+        _ => {}
+    }
+    let draft = Draft::beside(file).map_err(&refused)?;
+    let written = || -> io::Result<()> {
+        let mut made = File::create_new(draft.made())?;
+        made.write_all(bytes)?;
+        made.sync_all()?;
+        let naming = drafts();
+        fs::rename(draft.made(), file)?;
+        drop(naming);
+        sync_folder(parent)
+    };
+    written().map_err(&refused)
+}

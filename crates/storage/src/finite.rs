@@ -1,0 +1,341 @@
+//! Guard against numbers that are not finite, before a value is written.
+
+use serde::ser::{self, Impossible, Serialize, Serializer};
+
+/// A number that is not finite, with its path in the value.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{path} is {value}, which is no result")]
+pub struct NotFinite {
+    /// Path of the number, `summary.loss_w`.
+    pub path: String,
+    /// The number.
+    pub value: f64,
+}
+
+/// Whether every number of `value` is finite.
+///
+/// # Errors
+/// With the first number that is not.
+///
+/// ```
+/// use asperity_storage::check_finite;
+/// assert!(check_finite(&[Some(1.0), None]).is_ok());
+/// let bad = check_finite(&[("a", 1.0), ("b", f64::NAN)]);
+/// assert_eq!(bad.map_err(|found| found.path), Err("[1][1]".to_owned()));
+/// ```
+pub fn check_finite<T: Serialize + ?Sized>(value: &T) -> Result<(), NotFinite> {
+    match value.serialize(Walk) {
+        // A value that cannot be serialised at all says so when it is written.
+        Ok(()) | Err(Stop::Other) => Ok(()),
+        Err(Stop::Found { mut path, value }) => {
+            path.reverse();
+            let path = path.concat();
+            Err(NotFinite {
+                path: path.strip_prefix('.').unwrap_or(&path).to_owned(),
+                value,
+            })
+        }
+    }
+}
+
+#[derive(Debug)]
+enum Stop {
+    Found { path: Vec<String>, value: f64 },
+    Other,
+}
+
+impl std::fmt::Display for Stop {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("stopped")
+    }
+}
+
+impl std::error::Error for Stop {}
+
+impl ser::Error for Stop {
+    fn custom<T: std::fmt::Display>(_: T) -> Self {
+        Self::Other
+    }
+}
+
+impl Stop {
+    fn within(self, part: impl FnOnce() -> String) -> Self {
+        match self {
+            Self::Found { mut path, value } => {
+                path.push(part());
+                Self::Found { path, value }
+            }
+            Self::Other => Self::Other,
+        }
+    }
+}
+
+fn finite(value: f64) -> Result<(), Stop> {
+    match value.is_finite() {
+        true => Ok(()),
+        false => Err(Stop::Found {
+            path: Vec::new(),
+            value,
+        }),
+    }
+}
+
+struct Walk;
+
+/// Elements of a sequence or fields of a structure, counted.
+struct Parts {
+    next: usize,
+    key: String,
+}
+
+fn parts() -> Parts {
+    Parts {
+        next: 0,
+        key: String::new(),
+    }
+}
+
+macro_rules! nothing {
+    ($($name:ident: $type:ty),+ $(,)?) => {
+        $(fn $name(self, _: $type) -> Result<(), Stop> { Ok(()) })+
+    };
+}
+
+impl Serializer for Walk {
+    type Ok = ();
+    type Error = Stop;
+    type SerializeSeq = Parts;
+    type SerializeTuple = Parts;
+    type SerializeTupleStruct = Parts;
+    type SerializeTupleVariant = Parts;
+    type SerializeMap = Parts;
+    type SerializeStruct = Parts;
+    type SerializeStructVariant = Parts;
+
+    nothing!(
+        serialize_bool: bool, serialize_i8: i8, serialize_i16: i16, serialize_i32: i32,
+        serialize_i64: i64, serialize_i128: i128, serialize_u8: u8, serialize_u16: u16,
+        serialize_u32: u32, serialize_u64: u64, serialize_u128: u128, serialize_char: char,
+        serialize_str: &str, serialize_bytes: &[u8], serialize_unit_struct: &'static str,
+    );
+
+    fn serialize_f32(self, value: f32) -> Result<(), Stop> {
+        finite(value.into())
+    }
+
+    fn serialize_f64(self, value: f64) -> Result<(), Stop> {
+        finite(value)
+    }
+
+    fn serialize_none(self) -> Result<(), Stop> {
+        Ok(())
+    }
+
+    fn serialize_some<T: Serialize + ?Sized>(self, value: &T) -> Result<(), Stop> {
+        value.serialize(self)
+    }
+
+    fn serialize_unit(self) -> Result<(), Stop> {
+        Ok(())
+    }
+
+    fn serialize_unit_variant(self, _: &'static str, _: u32, _: &'static str) -> Result<(), Stop> {
+        Ok(())
+    }
+
+    fn serialize_newtype_struct<T: Serialize + ?Sized>(
+        self,
+        _: &'static str,
+        value: &T,
+    ) -> Result<(), Stop> {
+        value.serialize(self)
+    }
+
+    fn serialize_newtype_variant<T: Serialize + ?Sized>(
+        self,
+        _: &'static str,
+        _: u32,
+        variant: &'static str,
+        value: &T,
+    ) -> Result<(), Stop> {
+        let found = value.serialize(self);
+        found.map_err(|stop| stop.within(|| format!(".{variant}")))
+    }
+
+    fn serialize_seq(self, _: Option<usize>) -> Result<Parts, Stop> {
+        Ok(parts())
+    }
+
+    fn serialize_tuple(self, _: usize) -> Result<Parts, Stop> {
+        Ok(parts())
+    }
+
+    fn serialize_tuple_struct(self, _: &'static str, _: usize) -> Result<Parts, Stop> {
+        Ok(parts())
+    }
+
+    fn serialize_tuple_variant(
+        self,
+        _: &'static str,
+        _: u32,
+        _: &'static str,
+        _: usize,
+    ) -> Result<Parts, Stop> {
+        Ok(parts())
+    }
+
+    fn serialize_map(self, _: Option<usize>) -> Result<Parts, Stop> {
+        Ok(parts())
+    }
+
+    fn serialize_struct(self, _: &'static str, _: usize) -> Result<Parts, Stop> {
+        Ok(parts())
+    }
+
+    fn serialize_struct_variant(
+        self,
+        _: &'static str,
+        _: u32,
+        _: &'static str,
+        _: usize,
+    ) -> Result<Parts, Stop> {
+        Ok(parts())
+    }
+}
+
+impl Parts {
+    fn element<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Stop> {
+        let index = self.next;
+        self.next += 1;
+        let found = value.serialize(Walk);
+        found.map_err(|stop| stop.within(|| format!("[{index}]")))
+    }
+
+    fn field<T: Serialize + ?Sized>(&mut self, key: &str, value: &T) -> Result<(), Stop> {
+        let found = value.serialize(Walk);
+        found.map_err(|stop| stop.within(|| format!(".{key}")))
+    }
+}
+
+macro_rules! sequences {
+    ($($trait:ident $method:ident),+ $(,)?) => {$(
+        impl ser::$trait for Parts {
+            type Ok = ();
+            type Error = Stop;
+
+            fn $method<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Stop> {
+                self.element(value)
+            }
+
+            fn end(self) -> Result<(), Stop> {
+                Ok(())
+            }
+        }
+    )+};
+}
+
+sequences!(
+    SerializeSeq serialize_element,
+    SerializeTuple serialize_element,
+    SerializeTupleStruct serialize_field,
+    SerializeTupleVariant serialize_field,
+);
+
+macro_rules! structures {
+    ($($trait:ident),+) => {$(
+        impl ser::$trait for Parts {
+            type Ok = ();
+            type Error = Stop;
+
+            fn serialize_field<T: Serialize + ?Sized>(
+                &mut self,
+                key: &'static str,
+                value: &T,
+            ) -> Result<(), Stop> {
+                self.field(key, value)
+            }
+
+            fn end(self) -> Result<(), Stop> {
+                Ok(())
+            }
+        }
+    )+};
+}
+
+structures!(SerializeStruct, SerializeStructVariant);
+
+impl ser::SerializeMap for Parts {
+    type Ok = ();
+    type Error = Stop;
+
+    fn serialize_key<T: Serialize + ?Sized>(&mut self, key: &T) -> Result<(), Stop> {
+        self.key = key.serialize(Key).unwrap_or_else(|_| "?".to_owned());
+        Ok(())
+    }
+
+    fn serialize_value<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Stop> {
+        let key = std::mem::take(&mut self.key);
+        self.field(&key, value)
+    }
+
+    fn end(self) -> Result<(), Stop> {
+        Ok(())
+    }
+}
+
+/// Text of a key; keys that are no text are not named.
+struct Key;
+
+macro_rules! no_key {
+    ($($name:ident($($type:ty),*) $(<$generic:ident>)? -> $out:ty;)+) => {
+        $(fn $name $(<$generic: Serialize + ?Sized>)? (self $(, _: $type)*) -> Result<$out, Stop> {
+            Err(Stop::Other)
+        })+
+    };
+}
+
+impl Serializer for Key {
+    type Ok = String;
+    type Error = Stop;
+    type SerializeSeq = Impossible<String, Stop>;
+    type SerializeTuple = Impossible<String, Stop>;
+    type SerializeTupleStruct = Impossible<String, Stop>;
+    type SerializeTupleVariant = Impossible<String, Stop>;
+    type SerializeMap = Impossible<String, Stop>;
+    type SerializeStruct = Impossible<String, Stop>;
+    type SerializeStructVariant = Impossible<String, Stop>;
+
+    fn serialize_str(self, text: &str) -> Result<String, Stop> {
+        Ok(text.to_owned())
+    }
+
+    no_key! {
+        serialize_bool(bool) -> String;
+        serialize_i8(i8) -> String;
+        serialize_i16(i16) -> String;
+        serialize_i32(i32) -> String;
+        serialize_i64(i64) -> String;
+        serialize_u8(u8) -> String;
+        serialize_u16(u16) -> String;
+        serialize_u32(u32) -> String;
+        serialize_u64(u64) -> String;
+        serialize_f32(f32) -> String;
+        serialize_f64(f64) -> String;
+        serialize_char(char) -> String;
+        serialize_bytes(&[u8]) -> String;
+        serialize_none() -> String;
+        serialize_some(&T) <T> -> String;
+        serialize_unit() -> String;
+        serialize_unit_struct(&'static str) -> String;
+        serialize_unit_variant(&'static str, u32, &'static str) -> String;
+        serialize_newtype_struct(&'static str, &T) <T> -> String;
+        serialize_newtype_variant(&'static str, u32, &'static str, &T) <T> -> String;
+        serialize_seq(Option<usize>) -> Self::SerializeSeq;
+        serialize_tuple(usize) -> Self::SerializeTuple;
+        serialize_tuple_struct(&'static str, usize) -> Self::SerializeTupleStruct;
+        serialize_tuple_variant(&'static str, u32, &'static str, usize) -> Self::SerializeTupleVariant;
+        serialize_map(Option<usize>) -> Self::SerializeMap;
+        serialize_struct(&'static str, usize) -> Self::SerializeStruct;
+        serialize_struct_variant(&'static str, u32, &'static str, usize) -> Self::SerializeStructVariant;
+    }
+}

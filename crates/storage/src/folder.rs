@@ -1,0 +1,213 @@
+//! A folder, whole or not at all, in place of an older one of ours.
+
+use std::fs;
+use std::io;
+use std::path::Path;
+
+use crate::draft::{Draft, clear, drafts};
+use crate::error::StorageError;
+use crate::manifest::{MANIFEST, Manifest};
+use crate::recovery::{JOURNAL, OLD};
+use crate::system::{exchanged, look, parent_of, sync_folder, sync_tree};
+
+/// Whether a folder of this `kind` ("result") may be written as `target`: nothing is there, or an empty
+/// folder, or an older one with the files of its manifest as they were written and nothing else. What
+/// killed processes left beside it is restored and removed first.
+///
+/// # Errors
+/// When something else is there, a file was changed since, or `target` is a link.
+pub fn check_folder(target: &Path, kind: &'static str) -> Result<(), StorageError> {
+    if target == Path::new("-") {
+        return Err(StorageError::Dash);
+    }
+    clear(parent_of(target));
+    check(target, kind)
+}
+
+fn check(target: &Path, kind: &'static str) -> Result<(), StorageError> {
+    let foreign = StorageError::NotOurs {
+        path: target.to_owned(),
+        kind,
+        entry: None,
+    };
+    match look(target).map_err(StorageError::io(target))? {
+        None => return Ok(()),
+        Some(found) if found.is_symlink() => {
+            return Err(StorageError::Link {
+                path: target.to_owned(),
+            });
+        }
+        Some(found) if !found.is_dir() => return Err(foreign),
+        Some(_) => {}
+    }
+    match Manifest::read(target) {
+        Some(manifest) => manifest.check(target, kind),
+        None => Manifest::new().check(target, kind),
+    }
+}
+
+/// Fills a folder beside `target` and gives it that name, in place of an older one of ours.
+///
+/// # Errors
+/// When `fill` or the system refuses, or `target` is not what [`check_folder`] allows; what is there then
+/// stays as it is.
+///
+/// ```
+/// let place = tempfile::tempdir()?;
+/// let target = place.path().join("result");
+/// let with = |text: &'static str| move |folder: &std::path::Path| {
+///     std::fs::write(folder.join("value.txt"), text).map_err(|source| {
+///         asperity_storage::StorageError::Io { path: folder.to_owned(), source }
+///     })
+/// };
+/// asperity_storage::replace_folder(&target, "result", with("1"))?;
+/// asperity_storage::replace_folder(&target, "result", with("2"))?;
+/// assert_eq!(std::fs::read_to_string(target.join("value.txt"))?, "2");
+/// // A file of the user's own is kept.
+/// std::fs::write(target.join("notes.txt"), "mine")?;
+/// assert!(asperity_storage::replace_folder(&target, "result", with("3")).is_err());
+/// assert_eq!(std::fs::read_to_string(target.join("notes.txt"))?, "mine");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn replace_folder<E: From<StorageError>>(
+    target: &Path,
+    kind: &'static str,
+    fill: impl FnOnce(&Path) -> Result<(), E>,
+) -> Result<(), E> {
+    check_folder(target, kind)?;
+    let draft = filled(target, fill)?;
+    let refused = StorageError::io(target);
+    let made = draft.made();
+    let listed = || -> io::Result<()> {
+        fs::write(made.join(MANIFEST), Manifest::of(&made)?.bytes())?;
+        sync_tree(&made)
+    };
+    listed().map_err(&refused)?;
+    name(&draft, target, kind)?;
+    Ok(())
+}
+
+/// Fills a folder beside `target`, which must not exist, and gives it that name. It is the user's from
+/// then on: it has no manifest.
+///
+/// # Errors
+/// When `fill` or the system refuses, or something is there.
+pub fn new_folder<E: From<StorageError>>(
+    target: &Path,
+    fill: impl FnOnce(&Path) -> Result<(), E>,
+) -> Result<(), E> {
+    if target == Path::new("-") {
+        return Err(StorageError::Dash.into());
+    }
+    let refused = StorageError::io(target);
+    let is_free = || match look(target) {
+        Ok(None) => Ok(()),
+        Ok(Some(_)) => Err(refused(io::ErrorKind::AlreadyExists.into())),
+        Err(error) => Err(refused(error)),
+    };
+    is_free()?;
+    let draft = filled(target, fill)?;
+    sync_tree(&draft.made()).map_err(&refused)?;
+    let naming = drafts();
+    is_free()?;
+    fs::rename(draft.made(), target).map_err(&refused)?;
+    drop(naming);
+    sync_folder(parent_of(target)).map_err(&refused)?;
+    Ok(())
+}
+
+fn filled<E: From<StorageError>>(
+    target: &Path,
+    fill: impl FnOnce(&Path) -> Result<(), E>,
+) -> Result<Draft, E> {
+    let parent = parent_of(target);
+    fs::create_dir_all(parent).map_err(StorageError::io(parent))?;
+    let draft = Draft::beside(target).map_err(StorageError::io(parent))?;
+    let made = draft.made();
+    fs::create_dir(&made).map_err(StorageError::io(&made))?;
+    fill(&made)?;
+    Ok(draft)
+}
+
+/// Gives the folder in `draft` its name. The older one, checked once more where nobody reaches it by its
+/// name, is left in the draft, which is removed with the files of its manifest.
+fn name(draft: &Draft, target: &Path, kind: &'static str) -> Result<(), StorageError> {
+    let refused = StorageError::io(target);
+    let parent = parent_of(target);
+    // No signal removes the draft in the middle of this.
+    let _naming = drafts();
+    let made = draft.made();
+    if look(target).map_err(&refused)?.is_none() {
+        fs::rename(&made, target).map_err(&refused)?;
+        return sync_folder(parent).map_err(&refused);
+    }
+    check(target, kind)?;
+    if exchanged(&made, target).map_err(&refused)? {
+        if let Err(error) = check(&made, kind) {
+            exchanged(&made, target).map_err(&refused)?;
+            return Err(error);
+        }
+        return sync_folder(parent).map_err(&refused);
+    }
+    name_in_two_steps(draft, target, kind)
+}
+
+/// Moves the older folder aside first. A kill between the two renames is mended from the journal.
+fn name_in_two_steps(draft: &Draft, target: &Path, kind: &'static str) -> Result<(), StorageError> {
+    let refused = StorageError::io(target);
+    let (old, journal) = (draft.folder().join(OLD), draft.folder().join(JOURNAL));
+    let aside = || -> io::Result<()> {
+        let name = target.file_name().unwrap_or_default();
+        fs::write(&journal, name.as_encoded_bytes())?;
+        sync_tree(draft.folder())?;
+        fs::rename(target, &old)
+    };
+    aside().map_err(&refused)?;
+    let named = check(&old, kind).and_then(|()| fs::rename(draft.made(), target).map_err(&refused));
+    if let Err(error) = named {
+        fs::rename(&old, target).map_err(&refused)?;
+        return Err(error);
+    }
+    sync_folder(parent_of(target)).map_err(&refused)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn write(text: &'static str) -> impl Fn(&Path) -> Result<(), StorageError> {
+        move |folder| fs::write(folder.join("a.txt"), text).map_err(StorageError::io(folder))
+    }
+
+    #[test]
+    fn two_renames_do_what_one_exchange_does() {
+        let place = tempfile::tempdir().unwrap();
+        let target = place.path().join("result");
+        replace_folder(&target, "result", write("1")).unwrap();
+        let draft = filled(&target, write("2")).unwrap();
+        let made = draft.made();
+        fs::write(made.join(MANIFEST), Manifest::of(&made).unwrap().bytes()).unwrap();
+        name_in_two_steps(&draft, &target, "result").unwrap();
+        assert_eq!(fs::read_to_string(target.join("a.txt")).unwrap(), "2");
+        drop(draft);
+        assert_eq!(fs::read_dir(place.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_file_that_came_between_is_not_lost() {
+        let place = tempfile::tempdir().unwrap();
+        let target = place.path().join("result");
+        replace_folder(&target, "result", write("1")).unwrap();
+        let refused = replace_folder(&target, "result", |folder: &Path| {
+            fs::write(target.join("notes.txt"), "mine").unwrap();
+            write("2")(folder)
+        });
+        assert!(matches!(refused, Err(StorageError::NotOurs { .. })));
+        assert_eq!(
+            fs::read_to_string(target.join("notes.txt")).unwrap(),
+            "mine"
+        );
+        assert_eq!(fs::read_to_string(target.join("a.txt")).unwrap(), "1");
+        assert_eq!(fs::read_dir(place.path()).unwrap().count(), 1);
+    }
+}

@@ -1,0 +1,33 @@
+//! Files and folders written whole or not at all.
+//!
+//! | what | how |
+//! |---|---|
+//! | a file ([`save`]) | written beside its place, flushed to the disk, renamed |
+//! | a folder ([`replace_folder`]) | filled beside its place, flushed, exchanged with the older one by one rename where the system can, by two with a journal where it cannot |
+//! | files of ours among others ([`write_among`]) | each as a file, the manifest before and after |
+//! | what is ours | a manifest with the SHA-256 of every file; whatever is not in it, or was changed since, is never touched |
+//! | a killed process | its drafts hold a lock that died with it; the next process that writes there restores and removes |
+//! | a signal | [`abandon`] removes the drafts of this process |
+//!
+//! Links are never followed onto the file behind them. Folders on the way are made for a folder, not for
+//! a single file, whose folder must exist.
+
+mod among;
+mod draft;
+mod error;
+mod file;
+mod finite;
+mod folder;
+mod manifest;
+mod plain_text;
+mod recovery;
+mod system;
+
+pub use among::{check_among, write_among};
+pub use draft::{Draft, abandon};
+pub use error::StorageError;
+pub use file::save;
+pub use finite::{NotFinite, check_finite};
+pub use folder::{check_folder, new_folder, replace_folder};
+pub use manifest::MANIFEST;
+pub use plain_text::{cell, printable};

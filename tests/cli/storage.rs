@@ -1,0 +1,271 @@
+//! Outputs of every command: ours are replaced, the user's are kept, nothing odd gets out.
+
+use std::fs;
+
+use crate::bench::{Bench, E_DRIVE};
+
+fn bench() -> Bench {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    bench
+}
+
+#[test]
+fn files_of_the_user_in_a_result_survive() {
+    let bench = bench();
+    bench
+        .run(&["run", "case.toml", "-o", "out", "--fields", "all", "-q"])
+        .well();
+    for (file, says) in [
+        ("out/position_99", "(position_99 is no part of a result)"),
+        (
+            "out/position_01/notes.txt",
+            "(position_01/notes.txt is no part of a result)",
+        ),
+        ("out/path.csv", "path.csv: was changed since it was written"),
+    ] {
+        let before = fs::read(bench.path(file)).ok();
+        bench.write(file, "mine");
+        bench
+            .run(&["run", "case.toml", "-o", "out", "-q"])
+            .refused(2, "E401", &[says]);
+        assert_eq!(fs::read(bench.path(file)).unwrap(), b"mine");
+        match before {
+            Some(bytes) => fs::write(bench.path(file), bytes).unwrap(),
+            None => fs::remove_file(bench.path(file)).unwrap(),
+        }
+    }
+    bench.write("out/report.html", "my own words");
+    let says = ["report.html: was changed since"];
+    bench.run(&["report", "out"]).refused(2, "E401", &says);
+    assert_eq!(
+        fs::read(bench.path("out/report.html")).unwrap(),
+        b"my own words"
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_is_not_followed_onto_the_file_behind_it() {
+    use std::os::unix::fs::symlink;
+    let bench = bench();
+    bench.run(&["run", "case.toml", "-o", "out", "-q"]).well();
+    bench.write("precious.html", "mine");
+    fs::remove_file(bench.path("out/report.html")).unwrap();
+    symlink(bench.path("precious.html"), bench.path("out/report.html")).unwrap();
+    symlink(bench.path("precious.html"), bench.path("link.csv")).unwrap();
+    symlink(bench.path("out"), bench.path("link")).unwrap();
+    let says = ["is a link"];
+    bench.run(&["report", "out"]).refused(2, "E401", &says);
+    bench
+        .run(&["run", "case.toml", "-o", "out"])
+        .refused(2, "E401", &says);
+    bench
+        .run(&["run", "case.toml", "-o", "link"])
+        .refused(2, "E401", &says);
+    let convert = ["profile", "convert", "pinion.csv", "link.csv"];
+    bench.run(&convert).refused(2, "E401", &says);
+    assert_eq!(fs::read(bench.path("precious.html")).unwrap(), b"mine");
+}
+
+#[test]
+fn the_default_result_is_small_and_fields_are_kept_on_request() {
+    let bench = bench();
+    let said = |arguments: &[&str]| {
+        let mut all = vec!["run", "case.toml", "-o", "out", "-q"];
+        all.extend(arguments);
+        bench.run(&all)
+    };
+    said(&[]).well();
+    let names = |folder: &str| {
+        let entries = fs::read_dir(bench.path(folder)).unwrap();
+        let mut names: Vec<String> = entries
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        names.sort();
+        names
+    };
+    let small = [
+        "friction_laws.csv",
+        "losses.csv",
+        "manifest.json",
+        "offsets.csv",
+        "page.json",
+        "path.csv",
+        "report.html",
+        "result.json",
+    ];
+    assert_eq!(names("out"), small);
+    let kept = ["report", "out", "--position", "1"];
+    let other = ["report", "out", "--position", "4"];
+    let refused = [bench.run(&kept), bench.run(&other)];
+    assert!(
+        refused
+            .iter()
+            .any(|said| said.status == 2 && said.err.contains("were not kept"))
+    );
+    said(&["--fields", "1,4"]).well();
+    assert!(bench.path("out/position_01/surface.csv").is_file());
+    assert!(!bench.path("out/position_02").exists());
+    bench.run(&kept).well();
+    bench.run(&other).well();
+    said(&["--fields", "9"]).refused(2, "E402", &["position 9 is not among the 4"]);
+    said(&["--fields", "some"]).refused(2, "E209", &["must be all, or numbers"]);
+}
+
+#[test]
+fn a_dash_is_standard_output_for_a_file_and_refused_for_a_folder() {
+    let bench = bench();
+    let before = bench.listing();
+    for arguments in [
+        &["run", "case.toml", "-o", "-"][..],
+        &[
+            "compare",
+            "case.toml",
+            "--finish",
+            "a=pinion.csv",
+            "--finish",
+            "b=wheel.csv",
+            "-o",
+            "-",
+        ],
+        &["demo", "-"],
+    ] {
+        bench
+            .run(arguments)
+            .refused(2, "E401", &["standard output"]);
+    }
+    let said = bench.run(&["profile", "convert", "pinion.csv", "-"]).well();
+    let of_file = bench
+        .run(&["profile", "convert", "pinion.csv", "out.csv", "-q"])
+        .well();
+    assert_eq!(of_file.out, "");
+    assert_eq!(said.out, fs::read_to_string(bench.path("out.csv")).unwrap());
+    fs::remove_file(bench.path("out.csv")).unwrap();
+    let said = bench.run(&["contact", "case.toml", "-o", "-"]).well();
+    assert!(said.out.starts_with("x_m,h_m,"), "{}", said.out);
+    assert!(
+        said.out
+            .lines()
+            .skip(1)
+            .all(|line| line.split(',').count() == 6)
+    );
+    let both = ["contact", "case.toml", "-o", "-", "--json"];
+    let said = bench.run(&both);
+    assert!(said.status == 2 && said.err.starts_with("E205"), "{said:?}");
+    assert_eq!(bench.listing(), before);
+}
+
+#[test]
+fn a_single_file_needs_a_folder_that_is_there() {
+    let bench = bench();
+    let says = ["there is no folder none"];
+    bench
+        .run(&["contact", "case.toml", "-o", "none/x.csv"])
+        .refused(2, "E401", &says);
+    bench
+        .run(&["profile", "convert", "pinion.csv", "none/x.csv"])
+        .refused(2, "E401", &says);
+    assert!(!bench.path("none").exists());
+}
+
+#[test]
+fn names_and_titles_do_nothing_in_a_spreadsheet_or_a_terminal() {
+    let bench = bench();
+    let formula = "=HYPERLINK(1)";
+    let (first, second) = (format!("{formula}=pinion.csv"), "b=wheel.csv");
+    // A name ends at the first equals sign: one that starts with it is told.
+    let said = bench.run(&[
+        "compare",
+        "case.toml",
+        "--finish",
+        &first,
+        "--finish",
+        second,
+    ]);
+    assert_eq!(said.status, 2, "{said:?}");
+    let arguments = [
+        "compare",
+        "case.toml",
+        "--finish",
+        "@SUM(A1)=pinion.csv",
+        "--finish",
+        "-1+1=wheel.csv",
+        "--offsets",
+        "2",
+        "-o",
+        "out",
+        "-q",
+    ];
+    bench.run(&arguments).well();
+    for table in ["out/compare.csv", "out/offsets.csv"] {
+        let text = fs::read_to_string(bench.path(table)).unwrap();
+        assert!(
+            text.contains("'@SUM(A1)") && text.contains("'-1+1"),
+            "{text}"
+        );
+        assert!(
+            text.lines()
+                .all(|line| !line.starts_with(['=', '+', '-', '@'])),
+            "{text}"
+        );
+    }
+    let title = "title = \"red \\u001b[31m title\"";
+    bench.write(
+        "case.toml",
+        E_DRIVE.replace("title = \"small case\"", title),
+    );
+    let said = bench.run(&["run", "case.toml", "--no-output"]).well();
+    assert!(
+        !said.out.contains('\u{1b}') && said.out.contains("\\u{1b}[31m"),
+        "{}",
+        said.out
+    );
+    let missing = bench.run(&["profile", "info", "no\u{1b}[31m.csv"]);
+    assert!(!missing.err.contains('\u{1b}'), "{}", missing.err);
+}
+
+#[test]
+fn flat_flanks_give_no_number_that_is_none() {
+    let bench = bench();
+    let rows: String = (0..6000)
+        .map(|i| format!("{:.1},0\n", 0.5 * f64::from(i)))
+        .collect();
+    let flat = format!("x_um,z_um\n{rows}");
+    bench.write("pinion.csv", &flat);
+    bench.write("wheel.csv", &flat);
+    let said = bench.run(&["run", "case.toml", "-o", "out", "-q"]);
+    if said.status == 0 {
+        for file in ["out/path.csv", "out/result.json", "out/report.html"] {
+            let text = fs::read_to_string(bench.path(file)).unwrap();
+            assert!(!text.contains("NaN") && !text.contains(",inf,"), "{file}");
+        }
+        bench.run(&["report", "out"]).well();
+    } else {
+        assert!(
+            said.err.starts_with('E') && !bench.path("out").exists(),
+            "{said:?}"
+        );
+    }
+}
+
+#[test]
+fn work_beyond_a_limit_is_refused_and_threads_are_capped() {
+    let bench = bench();
+    let large = E_DRIVE
+        .replace("positions = 4", "positions = 2000")
+        .replace("offsets = 2", "offsets = 1000");
+    bench.write("large.toml", large);
+    let says = ["2000000 rough contacts", "pass --max-hours"];
+    let run = ["run", "large.toml", "--no-output", "--max-hours", "0.01"];
+    bench.run(&run).refused(2, "E209", &says);
+    let run = ["run", "case.toml", "--no-output", "--max-gb", "0.0001"];
+    bench
+        .run(&run)
+        .refused(2, "E209", &["of memory", "--max-gb"]);
+    let run = ["run", "case.toml", "--no-output", "--threads", "65535"];
+    let said = bench.run(&run);
+    assert_eq!(said.status, 0);
+    assert!(said.err.contains("threads are used"), "{}", said.err);
+}
