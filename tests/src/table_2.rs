@@ -40,6 +40,13 @@ pub fn table_2() -> CaseText {
         [surface]
         pinion = { rq = "0.3 um", rpk = "10 nm", asperity_radius = "0.1 mm" }
         wheel = { rq = "0.3 um", rpk = "10 nm", asperity_radius = "0.1 mm" }
+
+        [model]
+        # The laws of the reference computation, by name.
+        film_friction = "xu"
+        load_share = "lambda-star"
+        boundary_friction = 0.1
+        hysteresis = "0 %"
         "#,
     )
 }
@@ -83,6 +90,11 @@ pub fn petry_johnson() -> CaseText {
         wheel = { rq = "0.049497 um", rpk = "10 nm", asperity_radius = "0.1 mm" }
 
         [model]
+        # The laws of the reference computation, by name.
+        film_friction = "xu"
+        load_share = "lambda-star"
+        boundary_friction = 0.1
+        hysteresis = "0 %"
         load_sharing = "trapezoid"
         "#,
     )
