@@ -6,6 +6,7 @@ pub mod contact;
 pub mod demo;
 pub mod figures;
 pub mod film;
+pub mod gear;
 pub mod profile;
 pub mod reference;
 pub mod regime;

@@ -1,19 +1,20 @@
 //! From solved positions to the result: rows, summary, warnings.
 
 use asperity_efficiency::{LossKind, MeshEfficiency, equivalent_friction};
-use asperity_gear::LossFactors;
 
 use crate::case::Case;
 use crate::comparison::published_laws;
 use crate::deformation_losses::of_all_offsets;
 use crate::error::PositionError;
 use crate::flank_record::FlankRecord;
+use crate::load_report::LoadReport;
 use crate::position::{Offset, Position};
 use crate::result::{
-    Losses, OffsetRow, Outcome, PositionRow, Regime, RunResult, RunningIn, SCHEMA_VERSION, Summary,
+    Losses, OffsetRow, Outcome, PointRow, PositionRow, Regime, RunResult, RunningIn,
+    SCHEMA_VERSION, Summary,
 };
 use crate::solved::{Solved, mean};
-use crate::{attention, formulation};
+use crate::{attention, formulation, friction};
 
 impl Solved<'_> {
     /// Losses alone.
@@ -27,18 +28,25 @@ impl Solved<'_> {
     }
 
     /// The outcome of a run; what its equations are is noted by the caller.
-    pub(crate) fn outcome(self) -> Result<Outcome, PositionError> {
+    pub(crate) fn outcome(
+        self,
+        points: &[(&'static str, Position)],
+    ) -> Result<Outcome, PositionError> {
         let case = &self.loaded.case;
         let summary = self.summary()?;
         let mut warnings = self.loaded.warnings.clone();
+        let load = LoadReport::new(case, self.map)?;
         warnings.extend(attention::warnings(self.loaded, &self.positions, &summary)?);
+        attention::load(self.loaded, &self.positions, &load, &mut warnings);
         let result = RunResult {
             schema_version: SCHEMA_VERSION,
             program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
             title: case.title.clone(),
             formulation: case.formulation,
             published_laws: published_laws(&self)?,
+            load,
             path: self.path()?,
+            points: self.points(points)?,
             running_in: running_in(case, &self.meshes),
             summary,
             warnings,
@@ -58,6 +66,7 @@ impl Solved<'_> {
             result,
             offsets: offset_rows(&self.meshes),
             fields: fields.collect(),
+            load_map: self.map.clone(),
             traces: [0, 1].map(|body| self.loaded.flanks[body].trace.clone()),
         })
     }
@@ -74,10 +83,26 @@ impl Solved<'_> {
             .collect())
     }
 
+    fn points(&self, points: &[(&'static str, Position)]) -> Result<Vec<PointRow>, PositionError> {
+        let case = &self.loaded.case;
+        let forces = case.gears.forces(case.torque)?;
+        let per_width = forces.transverse_base.si() / case.gears.face_width.si();
+        points
+            .iter()
+            .map(|(point, position)| {
+                let rolling = friction::rolling(case, &position.station)?;
+                Ok(PointRow {
+                    point: (*point).into(),
+                    row: row(case, position, rolling, per_width),
+                })
+            })
+            .collect()
+    }
+
     fn summary(&self) -> Result<Summary, PositionError> {
         let case = &self.loaded.case;
         let (positions, meshes) = (&self.positions, &self.meshes);
-        let factors = self.laws.load_distribution.loss_factors(&case.gears)?;
+        let factors = [case.gears.ohlendorf_loss_factor(), self.map.loss_factor()];
         let mut summary = summary(positions, meshes, factors)?;
         let swept = of_all_offsets(case, positions)?;
         summary.hysteresis_w = swept.hysteresis.si();
@@ -100,13 +125,13 @@ fn offset_rows(meshes: &[MeshEfficiency]) -> Vec<OffsetRow> {
 fn summary(
     positions: &[Position],
     meshes: &[MeshEfficiency],
-    factors: LossFactors,
+    [ohlendorf, local]: [f64; 2],
 ) -> Result<Summary, PositionError> {
     let efficiencies: Vec<f64> = meshes.iter().map(|mesh| mesh.flow.efficiency).collect();
     let efficiency = mean(efficiencies.iter().copied());
     let power = |kind| mean(meshes.iter().map(|mesh| mesh.breakdown.power(kind).si()));
     // One position stands for the mesh in the paper's reading; its loss factor is of the whole path.
-    let equivalent = equivalent_friction(efficiency, factors.local)?;
+    let equivalent = equivalent_friction(efficiency, local)?;
     let contacts = || {
         positions
             .iter()
@@ -124,8 +149,9 @@ fn summary(
     // Means of the parts are parts of the mean: the cycle mean is linear in the force.
     let part_of = |part: usize| {
         let parts = positions.iter().map(|position| {
-            let sliding = position.station.motion.sliding.si().abs();
-            position.station.weight * sliding * mean(forces(position).map(|force| force[part]))
+            let station = &position.station;
+            let sliding = station.motion.sliding.si().abs() * station.sliding_factor;
+            station.weight * sliding * mean(forces(position).map(|force| force[part]))
         });
         parts.sum()
     };
@@ -156,9 +182,8 @@ fn summary(
         asperity_share: share_of(&|offset| 1.0 - offset.film_share),
         boundary_share: share_of(&boundary_share),
         mu_equivalent: equivalent.value,
-        loss_factor: factors.ohlendorf,
-        loss_factor_local: factors.local,
-        loss_factor_phase_averaged: factors.local_phase_averaged,
+        loss_factor: ohlendorf,
+        loss_factor_local: local,
         mixed_share: mixed / total,
         positions: positions.len(),
         worst_load_error: contacts().map(|c| c.load_error).fold(0.0, f64::max),
@@ -200,7 +225,7 @@ fn row(case: &Case, position: &Position, rolling: f64, per_width: f64) -> Positi
         .iter()
         .filter_map(|offset| offset.solved.map(|solved| solved.mean_gap.si()))
         .collect();
-    let sliding = motion.sliding.si().abs();
+    let sliding = motion.sliding.si().abs() * station.sliding_factor;
     let parts = [0, 1, 2].map(|part| mean(forces(position).map(|force| force[part])));
     let surfaces = formulation::of(case.formulation).rolling_surfaces().count();
     PositionRow {

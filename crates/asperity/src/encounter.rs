@@ -6,7 +6,7 @@ use asperity_core::quantity::Length;
 
 use crate::error::PositionError;
 use crate::local_roughness::Roughness;
-use crate::station::Station;
+use crate::station::{Resolution, Station};
 use crate::surfaces::{Surfaces, Texture};
 
 /// Least points per Hertz half-width at which a contact is resolved.
@@ -14,6 +14,40 @@ pub const LEAST_POINTS_PER_HALF_WIDTH: f64 = 20.0;
 
 /// The golden section: multiples of it, minus their whole part, fill an interval evenly.
 const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
+
+/// What meets at `station` at offset `k` of `count` and its roughness: that of the window, or where no window
+/// is resolved that of the flanks as a whole.
+pub(crate) fn meeting(
+    surfaces: &Surfaces,
+    station: &Station,
+    window: f64,
+    k: usize,
+    count: usize,
+) -> Result<(Option<Encounter>, Roughness), PositionError> {
+    let found = match is_substituted(surfaces, station) {
+        true => None,
+        false => Encounter::new(surfaces, station, window, k, count)?,
+    };
+    let roughness = match &found {
+        Some(encounter) => encounter.roughness,
+        None => surfaces.roughness_as_a_whole()?,
+    };
+    Ok((found, roughness))
+}
+
+/// Whether the roughness of the whole traces stands for the windows at `station`.
+pub(crate) fn is_substituted(surfaces: &Surfaces, station: &Station) -> bool {
+    let [Texture::Trace(first), Texture::Trace(_)] = surfaces.textures() else {
+        return false;
+    };
+    match station.resolution {
+        Resolution::Required => false,
+        Resolution::WhereFine => {
+            station.hertz.half_width / first.spacing() < LEAST_POINTS_PER_HALF_WIDTH
+        }
+        Resolution::WholeTraces => true,
+    }
+}
 
 /// The two flanks under the contact at one offset.
 #[derive(Debug, Clone)]

@@ -1,6 +1,7 @@
 //! The one file that knows the order of the model, the paper's Fig. 2.
 //!
-//! At every mesh position, in parallel: motion and load, Hertz contact, smooth film; then at every
+//! The load over the flanks and the cells of the path; then at every mesh position, in parallel: motion and load,
+//! Hertz contact, smooth film; then at every
 //! offset of the traces: roughness under the contact, Λ* and with it the regime, the rough contact and from it
 //! the load share, friction in film, lubricated asperities and boundary layer. That is all that the losses
 //! need ([`losses`]); their contacts can be kept for other oils, speeds and temperatures ([`contact_tables`]). A
@@ -12,14 +13,16 @@ use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity_core::provenance::Provenance;
+use asperity_gear::LoadMap;
 use rayon::prelude::*;
 
 use crate::case::LoadedCase;
 use crate::chosen_laws::ChosenLaws;
 use crate::contact_tables::ContactTables;
 use crate::detail::Detail;
-use crate::encounter::Encounter;
+use crate::encounter::meeting;
 use crate::error::{Error, PositionError};
+use crate::formulation;
 use crate::friction;
 use crate::position::Position;
 use crate::provenance;
@@ -27,7 +30,7 @@ use crate::result::{Losses, Outcome};
 use crate::rough_film;
 use crate::solve::Run;
 use crate::solved::Solved;
-use crate::stations::stations_with;
+use crate::stations::{named_points, stations_with};
 
 pub use crate::stations::{station_at, stations};
 
@@ -96,7 +99,8 @@ pub fn losses_with(
 /// When a contact has no solution.
 pub fn contact_tables(loaded: &LoadedCase) -> Result<ContactTables, Error> {
     let (case, surfaces) = (&loaded.case, &loaded.surfaces);
-    let stations = stations_with(case, &ChosenLaws::of(case)).map_err(Box::new)?;
+    let laws = ChosenLaws::of(case);
+    let (_, stations) = stations_with(case, &laws).map_err(Box::new)?;
     let count = surfaces.offsets(case.model.offsets);
     let solved: Vec<Result<_, PositionError>> = stations
         .into_par_iter()
@@ -104,7 +108,7 @@ pub fn contact_tables(loaded: &LoadedCase) -> Result<ContactTables, Error> {
             let mut tables = Vec::with_capacity(count);
             for k in 0..count {
                 let window = case.model.window;
-                if let Some(met) = Encounter::new(surfaces, &station, window, k, count)? {
+                if let (Some(met), _) = meeting(surfaces, &station, window, k, count)? {
                     tables.push(rough_film::table(case, &station, &met)?);
                 }
             }
@@ -125,8 +129,9 @@ fn losses_of(
 ) -> Result<Losses, Error> {
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
-    let positions = positions(loaded, &laws, (Detail::Losses, tables), progress, &used)?;
-    let sums = || sums(loaded, &laws, positions)?.losses();
+    let chosen = (Detail::Losses, tables);
+    let (map, positions) = positions(loaded, &laws, chosen, progress, &used)?;
+    let sums = || sums(loaded, &map, positions)?.losses();
     let mut losses = used.collect(sums).map_err(Box::new)?;
     (losses.equations, _) = provenance::used(&tags(loaded, &used));
     Ok(losses)
@@ -135,8 +140,11 @@ fn losses_of(
 fn outcome(loaded: &LoadedCase, detail: Detail, progress: Progress<'_>) -> Result<Outcome, Error> {
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
-    let positions = positions(loaded, &laws, (detail, None), progress, &used)?;
-    let sums = || sums(loaded, &laws, positions)?.outcome();
+    let (map, positions) = positions(loaded, &laws, (detail, None), progress, &used)?;
+    let sums = || {
+        let points = points(loaded, &laws, &map)?;
+        sums(loaded, &map, positions)?.outcome(&points)
+    };
     let mut outcome = used.collect(sums).map_err(Box::new)?;
     let result = &mut outcome.result;
     (result.equations, result.references) = provenance::used(&tags(loaded, &used));
@@ -156,9 +164,9 @@ fn positions(
     (detail, tables): (Detail, Option<&ContactTables>),
     progress: Progress<'_>,
     used: &Provenance,
-) -> Result<Vec<Position>, Error> {
+) -> Result<(LoadMap, Vec<Position>), Error> {
     let case = &loaded.case;
-    let stations = used
+    let (map, stations) = used
         .collect(|| stations_with(case, laws))
         .map_err(Box::new)?;
     let run = Run {
@@ -185,17 +193,41 @@ fn positions(
             source: Box::new(source),
         })
     };
-    solved.into_iter().enumerate().map(of_position).collect()
+    let positions: Result<_, _> = solved.into_iter().enumerate().map(of_position).collect();
+    Ok((map, positions?))
+}
+
+/// The points A to E of the path by the film's formulae, for display.
+fn points(
+    loaded: &LoadedCase,
+    laws: &ChosenLaws,
+    map: &LoadMap,
+) -> Result<Vec<(&'static str, Position)>, PositionError> {
+    let case = &loaded.case;
+    if formulation::of(case.formulation).takes_one_position() {
+        return Ok(Vec::new());
+    }
+    let run = Run {
+        case,
+        laws,
+        surfaces: &loaded.surfaces,
+        detail: Detail::Losses,
+        tables: None,
+    };
+    let stations = named_points(case, laws, map)?.into_iter();
+    stations
+        .map(|(name, station)| Ok((name, run.solve(station)?)))
+        .collect()
 }
 
 fn sums<'a>(
     loaded: &'a LoadedCase,
-    laws: &'a ChosenLaws,
+    map: &'a LoadMap,
     positions: Vec<Position>,
 ) -> Result<Solved<'a>, PositionError> {
     let rolling = positions
         .iter()
         .map(|position| friction::rolling(&loaded.case, &position.station))
         .collect::<Result<Vec<_>, _>>()?;
-    Solved::new(loaded, laws, positions, rolling)
+    Solved::new(loaded, map, positions, rolling)
 }

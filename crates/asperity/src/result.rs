@@ -5,11 +5,12 @@ use std::borrow::Cow;
 use asperity_core::lubricant::LubricantState;
 use asperity_core::{Profile, Reference};
 pub use asperity_ehl_regime::Regime;
-use asperity_gear::GearPair;
+use asperity_gear::{GearPair, LoadMap};
 use serde::{Deserialize, Serialize};
 
 use crate::case::{CaseInput, DefaultUsed, Formulation};
 use crate::flank_record::FlankRecord;
+use crate::load_report::LoadReport;
 use crate::message::Warning;
 
 /// Version of the structure of `result.json`; raised when a field changes its meaning.
@@ -31,8 +32,13 @@ pub struct RunResult {
     pub summary: Summary,
     /// Published friction laws, each applied whole.
     pub published_laws: Vec<PublishedLawRow>,
+    /// Load over the teeth.
+    pub load: LoadReport,
     /// One row per mesh position.
     pub path: Vec<PositionRow>,
+    /// The points A to E of the path under the mean load over the face, with the roughness of the whole flanks;
+    /// shown, and in no mean. Points that relief unloads are left out.
+    pub points: Vec<PointRow>,
     /// Plastic work of the first engagement.
     pub running_in: RunningIn,
     /// Warnings.
@@ -93,11 +99,8 @@ pub struct Summary {
     pub mu_equivalent: f64,
     /// Loss factor of Ohlendorf.
     pub loss_factor: f64,
-    /// Loss factor of the load sharing used, with the line load at the mean length of contact lines.
+    /// Loss factor of the load over the flanks.
     pub loss_factor_local: f64,
-    /// The same with the load shared over the lines that touch at each instant; it differs on narrow
-    /// helical pairs.
-    pub loss_factor_phase_averaged: f64,
     /// Share of the path (by mesh time) in mixed or boundary lubrication.
     pub mixed_share: f64,
     /// Mesh positions computed.
@@ -157,7 +160,7 @@ pub struct PositionRow {
     pub s_mm: f64,
     /// 0 at A, 1 at E.
     pub path_fraction: f64,
-    /// Weight of the position in the cycle mean \[m of contact line\].
+    /// Weight of the position in the cycle mean: the loaded contact line that it stands for \[m\].
     pub weight_m: f64,
     /// Line load \[N/mm\].
     pub line_load_n_per_mm: f64,
@@ -207,7 +210,7 @@ pub struct PositionRow {
     pub mu: f64,
     /// Flash temperature \[K\].
     pub flash_k: f64,
-    /// Sliding loss per metre of contact line \[W/m\].
+    /// Sliding loss per metre of contact line, mean over that length \[W/m\].
     pub sliding_w_per_m: f64,
     /// Its part in the film \[W/m\].
     pub film_w_per_m: f64,
@@ -231,6 +234,17 @@ pub struct PositionRow {
     pub iterations: usize,
     /// Largest relative load error of a contact solution.
     pub load_error: f64,
+}
+
+/// A named point of the path of contact.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct PointRow {
+    /// A, B, C, D or E.
+    pub point: Cow<'static, str>,
+    /// What holds there.
+    #[serde(flatten)]
+    pub row: PositionRow,
 }
 
 /// Plastic work of the first engagement, which decays as the flanks run in.
@@ -381,6 +395,8 @@ pub struct Outcome {
     pub offsets: Vec<OffsetRow>,
     /// Fields of every position, of its first offset.
     pub fields: Vec<PositionFields>,
+    /// Load over the flanks, point by point.
+    pub load_map: LoadMap,
     /// Traces of pinion and wheel as read; absent for a flank known by its roughness values alone.
     pub traces: [Option<Profile>; 2],
 }

@@ -8,7 +8,7 @@ use crate::chosen_laws::ChosenLaws;
 use crate::contact_tables::ContactTables;
 use crate::decision::{Decision, decide};
 use crate::detail::Detail;
-use crate::encounter::Encounter;
+use crate::encounter::{Encounter, meeting};
 use crate::error::PositionError;
 use crate::fields::fields;
 use crate::formulation::{self, Scene, Strategy};
@@ -17,7 +17,7 @@ use crate::load_share::LoadShareSolution;
 use crate::local_roughness::Roughness;
 use crate::position::{ContactNumbers, Offset, Position};
 use crate::rough_film::{RoughFilm, Tables};
-use crate::station::Station;
+use crate::station::{Resolution, Station};
 use crate::surfaces::Surfaces;
 
 /// Everything that is the same at all positions of a run.
@@ -42,7 +42,11 @@ impl Run<'_> {
 
     /// Solves `station` at every offset, in order.
     pub(crate) fn solve(&self, station: Station) -> Result<Position, PositionError> {
-        let count = self.surfaces.offsets(self.case.model.offsets);
+        let count = match station.resolution {
+            // Every offset would give the same.
+            Resolution::WholeTraces => 1,
+            _ => self.surfaces.offsets(self.case.model.offsets),
+        };
         let mut position = Position {
             offsets: Vec::with_capacity(count),
             fields: None,
@@ -69,15 +73,11 @@ impl Run<'_> {
     ) -> Result<Offset, PositionError> {
         let (case, laws) = (self.case, self.laws);
         let window = case.model.window;
-        let station = &position.station;
-        let encounter = Encounter::new(self.surfaces, station, window, k, count)?;
+        let (encounter, roughness) = meeting(self.surfaces, &position.station, window, k, count)?;
         if encounter.is_none() && self.strategy().needs_traces() {
             return Err(PositionError::NoProfile);
         }
-        let roughness = match &encounter {
-            Some(encounter) => encounter.roughness,
-            None => self.surfaces.roughness_of_values()?,
-        };
+        let station = &position.station;
         let solved = match (&mut workspace.film, &encounter) {
             (Some(film), Some(met)) => {
                 let tables = self.tables_at(station, k)?;

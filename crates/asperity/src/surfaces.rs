@@ -117,6 +117,17 @@ impl Surfaces {
         })
     }
 
+    /// Roughness of the flanks as a whole: of both traces, or from values.
+    pub(crate) fn roughness_as_a_whole(&self) -> Result<Roughness, PositionError> {
+        let [Texture::Trace(first), Texture::Trace(second)] = &self.textures else {
+            return self.roughness_of_values();
+        };
+        let common = first.len().min(second.len());
+        let begin =
+            |trace: &Profile| Profile::new(trace.spacing(), trace.heights()[..common].to_vec());
+        self.roughness_of(&[begin(first)?, begin(second)?])
+    }
+
     /// Roughness from values, where a flank has no trace; a trace counts with its whole length.
     pub(crate) fn roughness_of_values(&self) -> Result<Roughness, PositionError> {
         let each = |texture: &Texture| -> Result<_, PositionError> {

@@ -8,7 +8,7 @@ use crate::assembly::median;
 use crate::case::LoadedCase;
 use crate::chosen_laws::ChosenLaws;
 use crate::decision::decide;
-use crate::encounter::Encounter;
+use crate::encounter::meeting;
 use crate::error::{Error, PositionError};
 use crate::fluid::film_at;
 use crate::result::Regime;
@@ -58,15 +58,12 @@ fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
     let laws = ChosenLaws::of(case);
     let count = loaded.surfaces.offsets(case.model.offsets);
     let mut rows = Vec::new();
-    for station in stations_with(case, &laws)? {
+    for station in stations_with(case, &laws)?.1 {
         let mut decisions = Vec::with_capacity(count);
         let mut film = RoughFilm::at(case, &laws, &loaded.surfaces, &station)?;
         for k in 0..count {
-            let met = Encounter::new(&loaded.surfaces, &station, case.model.window, k, count)?;
-            let roughness = match &met {
-                Some(encounter) => encounter.roughness,
-                None => loaded.surfaces.roughness_of_values()?,
-            };
+            let (met, roughness) =
+                meeting(&loaded.surfaces, &station, case.model.window, k, count)?;
             let solved = match (&mut film, &met) {
                 (Some(film), Some(met)) => Some(film.share(met, Tables::AtNeed)?.value),
                 _ => None,

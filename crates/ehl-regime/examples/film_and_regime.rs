@@ -7,6 +7,7 @@
 use asperity_core::quantity::{Length, Speed};
 use asperity_ehl_regime::{FilmConditions, FilmLaw};
 
+/// Prints film thickness and regime of one contact.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     let rq: Length = "0.4 um".parse()?;
     for speed in [1.0, 4.0, 16.0] {

@@ -12,7 +12,7 @@ use asperity_core::quantity::{
 };
 use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay};
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
-use asperity_gear::{LoadSharing, PathOfContact, Plane};
+use asperity_gear::{AmountDirection, LoadLaw, PathOfContact, Plane};
 use asperity_ns_film::FluidModel;
 use asperity_profile_io::read::{
     Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator, Uneven,
@@ -25,6 +25,7 @@ use serde::de::value::{SeqAccessDeserializer, StrDeserializer};
 use serde::de::{IntoDeserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
+use super::gear_input::{EndReliefInput, GearFlankInput};
 use super::law_names::{FilmFrictionLaw, LoadShareName};
 use crate::load_share::SpotSpeed;
 
@@ -124,8 +125,8 @@ impl<'de, T: Deserialize<'de>> Visitor<'de> for OneOrTwoVisitor<T> {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GearsInput {
-    /// Numbers of teeth z, pinion then wheel.
-    pub teeth: [u32; 2],
+    /// Numbers of teeth z, pinion then wheel; negative for a ring: `[24, -75]`.
+    pub teeth: [i32; 2],
     /// Module m.
     pub module: Length,
     /// The plane the module is measured in; default `normal`.
@@ -144,6 +145,25 @@ pub struct GearsInput {
     pub tip_diameter: Option<[Length; 2]>,
     /// Addendum h_a* in modules; default 1.
     pub addendum: Option<f64>,
+    /// Flanks, tip and root of the pinion.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pinion: Option<GearFlankInput>,
+    /// Flanks, tip and root of the wheel.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wheel: Option<GearFlankInput>,
+    /// Relief of both ends of the face, of pinion and wheel together; default none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub end_relief: Option<EndReliefInput>,
+    /// Pitch deviations of successive pairs of teeth; default none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pitch_deviations: Option<Vec<Length>>,
+    /// Direction in which the amounts of all modifications count: `transverse` (along the base tangent, as
+    /// inspection charts print them, default) or `normal` to the flank.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub amounts: Option<AmountDirection>,
+    /// Tolerance of the amounts of tip relief, for the band of the loss factor; default none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub relief_tolerance: Option<Length>,
 }
 
 /// Elastic and thermal constants; all have the values of case-hardened steel by default.
@@ -256,7 +276,7 @@ pub struct FlankInput {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ModelInput {
-    /// Mesh positions along the path of contact; default 32 (`paper`: one).
+    /// Cells of the path of contact, with one contact evaluated in each; default 16 (`paper`: one position).
     pub positions: Option<usize>,
     /// The single position of the `paper` formulation: 0 at A, 1 at E, or `A` … `E`; default `C`.
     pub position: Option<PathPoint>,
@@ -264,8 +284,17 @@ pub struct ModelInput {
     pub offsets: Option<usize>,
     /// Half width of the contact window in Hertz half-widths; default 3.
     pub window: Option<f64>,
-    /// How the pairs of teeth in contact share the load; default `uniform`.
-    pub load_sharing: Option<LoadSharing>,
+    /// How the load spreads over the teeth in contact; default `elastic` (`paper`: `mean-length`).
+    pub load_distribution: Option<LoadLaw>,
+    /// Factor C_M of the stiffness of teeth, theory to measurement; default 0.8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stiffness_factor: Option<f64>,
+    /// Length over which a tooth spreads a load along its face, in modules; default 1.55.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub face_coupling: Option<f64>,
+    /// Let tip edges touch outside the path of contact; default false.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub edge_contact: Option<bool>,
     /// Friction in the film; default `eyring` (`paper`: `xu`). The laws `eyring`, `carreau` and `newton` are
     /// of a film alone; the others are published laws, most with asperities in their coefficient.
     pub film_friction: Option<FilmFrictionLaw>,

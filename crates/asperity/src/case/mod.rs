@@ -18,6 +18,8 @@ mod domain;
 mod error;
 mod files;
 mod flanks;
+mod gear_input;
+mod gears;
 mod input;
 mod key_names;
 mod known_keys;
@@ -28,6 +30,7 @@ mod model_defaults;
 mod own_laws;
 mod place;
 mod plain_words;
+pub mod planetary;
 mod resolve;
 mod set;
 mod source;
@@ -37,6 +40,7 @@ mod trace;
 pub use builder::CaseBuilder;
 pub use defaults::DefaultUsed;
 pub use error::CaseError;
+pub use gear_input::{EndReliefInput, GearFlankInput, ReliefInput};
 pub use input::{
     BodyInput, CaseInput, FlankInput, Formulation, GearsInput, MaterialInput, ModelInput,
     NamedPoint, OneOrTwo, OperationInput, PathPoint, SurfaceInput, schema,

@@ -4,7 +4,7 @@ use asperity_core::DomainError;
 use asperity_core::quantity::{Length, Ratio};
 use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay};
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
-use asperity_gear::{GearPair, LoadSharing, PositionRule};
+use asperity_gear::{GearPair, LoadLaw};
 use asperity_ns_film::FluidModel;
 use asperity_tribo_friction::boundary::BOUNDARY_LAYER;
 use asperity_tribo_friction::{FrictionSettings, PressureLaw, RoughnessReading};
@@ -22,7 +22,7 @@ use crate::load_share::SpotSpeed;
 /// Choices of the model, all made.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Model {
-    /// Mesh positions along the path of contact.
+    /// Cells of the path of contact; one position in the paper's reading.
     pub positions: usize,
     /// The single position of the paper's reading, 0 at A and 1 at E.
     pub position: f64,
@@ -30,8 +30,8 @@ pub struct Model {
     pub offsets: usize,
     /// Half width of the contact window in Hertz half-widths.
     pub window: f64,
-    /// Load sharing of the pairs of teeth in contact.
-    pub load_sharing: LoadSharing,
+    /// Load over the teeth in contact.
+    pub load_distribution: LoadLaw,
     /// Friction in the film.
     pub film_friction: FilmFrictionLaw,
     /// Viscosity over pressure in it.
@@ -93,7 +93,7 @@ pub(super) fn model(
     };
     let positions = match own.one_position {
         true => 1,
-        false => defaults.take("model.positions", given.positions, 32),
+        false => defaults.take("model.positions", given.positions, 16),
     };
     // The paper's reading has none of these; its list of defaults leaves them out.
     let mut unused = Defaults::default();
@@ -107,10 +107,10 @@ pub(super) fn model(
         position: point.fraction_of(gears.path()),
         offsets: defaults.take("model.offsets", given.offsets, own.offsets),
         window: defaults.take("model.window", given.window, 3.0),
-        load_sharing: defaults.take(
-            "model.load_sharing",
-            given.load_sharing.clone(),
-            LoadSharing::Uniform,
+        load_distribution: defaults.take(
+            "model.load_distribution",
+            given.load_distribution.clone(),
+            own.load_distribution.clone(),
         ),
         film_friction: defaults.take(
             "model.film_friction",
@@ -164,7 +164,6 @@ pub(super) fn model(
         depths: defaults.take("model.depths", given.depths, 24),
     };
     check_model(&model, source)?;
-    check_against_gears(&model, own, gears, source)?;
     check_constant(given.constant_friction, model.film_friction, source)?;
     Ok(model)
 }
@@ -329,31 +328,6 @@ fn check_model(model: &Model, source: &Source) -> Result<(), CaseError> {
     for (key, name, value, holds, rule) in checks {
         DomainError::require(holds, name, value, "-", rule).map_err(domain(source, key))?;
     }
-    Ok(())
-}
-
-/// What only some gears take: positions fewer than the segments of the path, laws for spur gears.
-fn check_against_gears(
-    model: &Model,
-    own: &ModelDefaults,
-    gears: &GearPair,
-    source: &Source,
-) -> Result<(), CaseError> {
-    let refused = |key| {
-        move |error| CaseError::NotForTheseGears {
-            place: source.place_of(key),
-            key,
-            source: error,
-        }
-    };
-    if !own.one_position {
-        gears
-            .positions(model.positions, PositionRule::default())
-            .map_err(refused("model.positions"))?;
-    }
-    gears
-        .loss_factors(&model.load_sharing)
-        .map_err(refused("model.load_sharing"))?;
     Ok(())
 }
 

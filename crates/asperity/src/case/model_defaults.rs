@@ -2,6 +2,7 @@
 
 use asperity_efficiency::swept::HYSTERESIS;
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
+use asperity_gear::LoadLaw;
 use asperity_ns_film::FluidModel;
 use asperity_tribo_friction::boundary::BOUNDARY_FRICTION;
 
@@ -9,11 +10,12 @@ use super::input::Formulation;
 use super::law_names::{FilmFrictionLaw, LoadShareName};
 
 /// What a formulation takes where the case says nothing.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct ModelDefaults {
     /// One position stands for the whole mesh.
     pub one_position: bool,
     pub offsets: usize,
+    pub load_distribution: LoadLaw,
     pub film_friction: FilmFrictionLaw,
     pub load_share: LoadShareName,
     pub boundary_friction: f64,
@@ -27,6 +29,7 @@ pub(super) struct ModelDefaults {
 const CORRECTED: ModelDefaults = ModelDefaults {
     one_position: false,
     offsets: 16,
+    load_distribution: LoadLaw::Elastic,
     film_friction: FilmFrictionLaw::Eyring,
     load_share: LoadShareName::Solved,
     boundary_friction: BOUNDARY_FRICTION,
@@ -40,10 +43,11 @@ const CORRECTED: ModelDefaults = ModelDefaults {
 const PAPER: ModelDefaults = ModelDefaults {
     one_position: true,
     offsets: 1,
-    // Metal on metal as the 2022 paper takes it (its Table 2).
-    boundary_friction: 0.3,
+    load_distribution: LoadLaw::MeanLength,
     film_friction: FilmFrictionLaw::Xu,
     load_share: LoadShareName::LambdaStar,
+    // Metal on metal as the 2022 paper takes it (its Table 2).
+    boundary_friction: 0.3,
     hysteresis: 0.0,
     film: FilmLaw::HamrockDowson,
     thermal: ThermalLaw::None,

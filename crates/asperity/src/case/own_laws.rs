@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use asperity_ehl_regime::FilmThicknessLaw;
-use asperity_gear::LoadDistribution;
+use asperity_gear::{GearError, LoadConditions, LoadDistribution, LoadMap};
 use asperity_tribo_friction::{FilmFriction, NamedFriction};
 
 use super::resolve::Case;
@@ -67,7 +67,21 @@ impl Case {
     #[must_use]
     pub fn load_distribution(&self) -> Arc<dyn LoadDistribution> {
         let own = self.laws.load_distribution.clone();
-        own.unwrap_or_else(|| self.model.load_sharing.clone().into())
+        own.unwrap_or_else(|| self.model.load_distribution.clone().into())
+    }
+
+    /// The load over the flanks by the law in use.
+    ///
+    /// # Errors
+    /// When the law does not hold for these gears.
+    pub fn load_map(&self) -> Result<LoadMap, GearError> {
+        self.load_distribution().load_map(&LoadConditions {
+            pair: &self.gears,
+            torque: self.torque,
+            micro: &self.micro_geometry,
+            materials: &self.materials,
+            settings: &self.load_settings,
+        })
     }
 
     /// The load sharing between film and asperities in use.

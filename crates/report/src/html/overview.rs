@@ -77,7 +77,7 @@ fn tiles(result: &RunResult) -> Vec<Tile> {
             "summary.loss_factor",
         ),
         (
-            "H_V of the load sharing",
+            "H_V of the load over the teeth",
             format!("{:.4}", s.loss_factor_local),
             "summary.loss_factor_local",
         ),
