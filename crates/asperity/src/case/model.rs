@@ -2,7 +2,6 @@
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, Ratio};
-use asperity_efficiency::swept::HYSTERESIS;
 use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay};
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
 use asperity_gear::{GearPair, LoadLaw};
@@ -88,7 +87,6 @@ pub(super) fn model(
     defaults: &mut Defaults,
 ) -> Result<Model, CaseError> {
     let own = ModelDefaults::of(formulation);
-    let paper = own.one_position;
     let point = match (own.one_position, given.position) {
         (true, given) => defaults.take("model.position", given, PathPoint::Named(NamedPoint::C)),
         (false, given) => given.unwrap_or(PathPoint::Named(NamedPoint::C)),
@@ -99,7 +97,10 @@ pub(super) fn model(
     };
     // The paper's reading has none of these; its list of defaults leaves them out.
     let mut unused = Defaults::default();
-    let of_share = if paper { &mut unused } else { &mut *defaults };
+    let of_share = match own.one_position {
+        true => &mut unused,
+        false => &mut *defaults,
+    };
     let share_choices = ShareChoices::of(given, of_share);
     let model = Model {
         positions,
@@ -116,14 +117,7 @@ pub(super) fn model(
             given.film_friction,
             own.film_friction,
         ),
-        film_pressure_law: match paper {
-            true => given.film_pressure_law.unwrap_or_default(),
-            false => defaults.take(
-                "model.film_pressure_law",
-                given.film_pressure_law,
-                PressureLaw::default(),
-            ),
-        },
+        film_pressure_law: share_choices.film_pressure_law,
         friction_settings: friction_settings(given, own.clamp_roughness, defaults),
         lubricant_factor: defaults.take("model.lubricant_factor", given.lubricant_factor, 1.0),
         friction_scale: defaults.take("model.friction_scale", given.friction_scale, 1.0),
@@ -164,7 +158,7 @@ pub(super) fn model(
             .take(
                 "model.hysteresis",
                 given.hysteresis,
-                Ratio::new(if paper { 0.0 } else { HYSTERESIS }),
+                Ratio::new(own.hysteresis),
             )
             .value(),
         depths: defaults.take("model.depths", given.depths, 24),
@@ -181,6 +175,7 @@ struct ShareChoices {
     central_film: CentralFilm,
     spot_speed: SpotSpeed,
     factor: f64,
+    film_pressure_law: PressureLaw,
 }
 
 impl ShareChoices {
@@ -194,6 +189,11 @@ impl ShareChoices {
             central_film: defaults.take("model.central_film", film, CentralFilm::MassFlow),
             spot_speed: defaults.take("model.spot_speed", speed, SpotSpeed::Entrainment),
             factor: defaults.take("model.asperity_share_factor", factor, 1.0),
+            film_pressure_law: defaults.take(
+                "model.film_pressure_law",
+                given.film_pressure_law,
+                PressureLaw::default(),
+            ),
         }
     }
 }
