@@ -66,6 +66,7 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
         Command::Figures(args) => commands::figures::figures(args, common),
         Command::Regime(args) => commands::regime::regime(args, common),
         Command::Contact(args) => commands::contact::contact(args, common),
+        Command::Ehl(args) => commands::ehl::ehl(args, common),
         Command::Film(args) => commands::film::film(args, common),
         Command::Profile(command) => commands::profile::run(command, common),
         Command::Equations(args) => commands::reference::equations(args, common),
