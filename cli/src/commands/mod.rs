@@ -7,6 +7,7 @@ pub mod demo;
 pub mod ehl;
 pub mod figures;
 pub mod film;
+pub mod gear;
 pub mod profile;
 pub mod reference;
 pub mod regime;

@@ -18,15 +18,19 @@ mod domain;
 mod error;
 mod files;
 mod flanks;
+mod gear_input;
+mod gears;
 mod input;
 mod key_names;
 mod known_keys;
+mod law_names;
 mod loaded;
 mod model;
 mod model_defaults;
 mod own_laws;
 mod place;
 mod plain_words;
+pub mod planetary;
 mod resolve;
 mod set;
 mod source;
@@ -36,10 +40,12 @@ mod trace;
 pub use builder::CaseBuilder;
 pub use defaults::DefaultUsed;
 pub use error::CaseError;
+pub use gear_input::{EndReliefInput, GearFlankInput, ReliefInput};
 pub use input::{
     BodyInput, CaseInput, FlankInput, Formulation, GearsInput, MaterialInput, ModelInput,
     NamedPoint, OneOrTwo, OperationInput, PathPoint, SurfaceInput, schema,
 };
+pub use law_names::{FilmFrictionLaw, LoadShareName};
 pub use loaded::{LoadedCase, Resolver, from_text, load, load_with};
 pub use model::Model;
 pub use place::Place;

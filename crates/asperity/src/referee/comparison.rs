@@ -1,22 +1,22 @@
 //! Laws of load sharing beside the referee, at one place and over the same traces.
 
 use asperity_contact::SolverSettings;
+use asperity_core::Profile;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl::Record;
 use asperity_ehl_regime::published_shares::masjedi_khonsari;
-use asperity_ehl_regime::{LoadShareLaw, TraceSpectrum};
-use asperity_tribo_friction::FilmRheology;
+use asperity_ehl_regime::{Lay, LoadShareLaw, TraceSpectrum};
 use rayon::prelude::*;
 use serde::Serialize;
 
 use super::error::RefereeError;
-use super::settings::{RefereeContact, family};
+use super::settings::{RefereeContact, rheology};
 use crate::case::LoadedCase;
 use crate::chosen_laws::ChosenLaws;
 use crate::decision::lambda_star_of;
 use crate::load_share::{
     AttenuatedTraces, ContactTable, InletSupply, LineContact, LoadShareSettings, LoadShareSolution,
-    PositionFilm, RoughContact, RoughWindow,
+    PositionFilm, RoughContact, RoughWindow, SmoothFilm,
 };
 use crate::local_roughness::Roughness;
 use crate::surfaces::{Surfaces, Texture};
@@ -140,16 +140,33 @@ fn windows(loaded: &LoadedCase, contact: &RefereeContact) -> Result<Vec<Window>,
     let spacing = first.spacing();
     let reach = (HALF_WINDOW * (contact.station.hertz.half_width / spacing)).ceil() as usize;
     let points = 2 * reach + 1;
-    let rheology = FilmRheology::new(&case.lubricant, family(case)?)?;
+    let rheology = rheology(case)?;
+    let model = &case.model;
+    let rms = |trace: &Profile| {
+        let square = trace.heights().iter().map(|z| z * z).sum::<f64>() / trace.len() as f64;
+        Length::from_si(square.sqrt())
+    };
     let settings = LoadShareSettings {
-        boundary_friction: case.model.boundary_friction,
+        boundary_friction: model.boundary_friction,
+        boundary_layer: model.boundary_layer,
+        lay: Lay::of_pair(model.lay, [rms(first), rms(second)])?,
+        film_law: model.film,
+        thermal: model.thermal,
+        central_film: model.central_film,
+        spot_speed: model.spot_speed,
+        share_factor: model.asperity_share_factor,
         ..LoadShareSettings::default()
+    };
+    let central = SmoothFilm {
+        central: contact.station.film.central,
+        thermal_factor: contact.station.thermal_reduction,
     };
     let smooth = LoadShareSettings {
         supply: InletSupply::Smooth,
         ..settings
     };
-    let film = |settings| PositionFilm::new(&rheology, &line, case.temperature, settings);
+    let film =
+        |settings| PositionFilm::with_film(&rheology, &line, case.temperature, settings, central);
     let spectrum = |k: usize| TraceSpectrum::new(contact.traces[k].heights(), spacing);
     let spectra = [spectrum(0)?, spectrum(1)?];
     let attenuated = AttenuatedTraces::new(
@@ -174,7 +191,7 @@ fn windows(loaded: &LoadedCase, contact: &RefereeContact) -> Result<Vec<Window>,
             let rms = attenuated.window_rms(starts, points)?;
             let cut = |k: usize| {
                 let heights = &contact.traces[k].heights()[starts[k]..starts[k] + points];
-                asperity_core::Profile::new(spacing, heights.to_vec())
+                Profile::new(spacing, heights.to_vec())
             };
             let flanks = [cut(0)?, cut(1)?];
             let sum = flanks[0].heights().iter().zip(flanks[1].heights());

@@ -1,7 +1,6 @@
 //! From a case and a place on its path to the rough contact that the referee solves.
 
 use asperity_contact::hertz_line::HertzLine;
-use asperity_core::lubricant::{BaseOil, LubricantError, library};
 use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, Profile};
 use asperity_ehl::{
@@ -10,7 +9,7 @@ use asperity_ehl::{
 };
 use asperity_ehl_regime::{FilmConditions, MoesNumbers, TraceSpectrum};
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
-use asperity_tribo_friction::{OilFamily, TractionConstants};
+use asperity_tribo_friction::FilmRheology;
 
 use super::error::RefereeError;
 use crate::case::{Case, LoadedCase};
@@ -79,7 +78,8 @@ impl RefereeContact {
             return Err(PositionError::NoProfile.into());
         };
         let contact = line_contact(case, &station);
-        let constants = TractionConstants::of(family(case)?)?;
+        let rheology = rheology(case)?;
+        let constants = rheology.constants();
         let stress = settings.eyring_stress.unwrap_or(constants.eyring_stress);
         let oil = Oil {
             viscosity: case.oil.dynamic_viscosity,
@@ -96,7 +96,7 @@ impl RefereeContact {
             limiting_stress: constants.ambient_limit,
             limiting_slope: constants.limiting_shear,
             boundary_friction: case.model.boundary_friction,
-            boundary_layer: asperity_tribo_friction::boundary::BOUNDARY_LAYER,
+            boundary_layer: case.model.boundary_layer,
         });
         let [pinion, wheel] = case.flow_pressure.map(Pressure::si);
         record.ceiling = Some(PlasticCeiling {
@@ -135,27 +135,13 @@ fn line_contact(case: &Case, station: &Station) -> LineContact {
     }
 }
 
-/// Family of the base oil that the case or its library oil names.
-pub(super) fn family(case: &Case) -> Result<OilFamily, RefereeError> {
-    let given = &case.input.lubricant;
-    let of_library = || -> Result<Option<BaseOil>, LubricantError> {
-        let Some(name) = &given.oil else {
-            return Ok(None);
-        };
-        let oils = library()?;
-        let named = |oil: &&asperity_core::lubricant::LibraryOil| {
-            oil.name.eq_ignore_ascii_case(name.trim())
-        };
-        Ok(oils
-            .iter()
-            .find(named)
-            .and_then(|oil| oil.lubricant.base_oil))
-    };
-    let base = match given.base_oil {
-        Some(base) => Some(base),
-        None => of_library()?,
-    };
-    base.map(OilFamily::from).ok_or(RefereeError::NoBaseOil)
+/// The oil in the film: that of the case, or the constants of its base oil.
+pub(super) fn rheology(case: &Case) -> Result<FilmRheology, RefereeError> {
+    match (&case.rheology, case.lubricant.base_oil()) {
+        (Some(rheology), _) => Ok(rheology.clone()),
+        (None, Some(base)) => Ok(FilmRheology::new(&case.lubricant, base.into())?),
+        (None, None) => Err(RefereeError::NoBaseOil),
+    }
 }
 
 /// The trace without waves shorter than `shortest`.
