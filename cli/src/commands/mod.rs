@@ -4,6 +4,7 @@ pub mod compare;
 pub mod completions;
 pub mod contact;
 pub mod demo;
+pub mod ehl;
 pub mod figures;
 pub mod film;
 pub mod gear;
