@@ -102,7 +102,7 @@ impl Failure {
     fn status(&self) -> u8 {
         match self.code {
             "E301" | "E304" => 3,
-            "E302" | "E303" | "E305" => 4,
+            "E302" | "E303" | "E305" | "E306" => 4,
             "E501" => 5,
             _ => 2,
         }

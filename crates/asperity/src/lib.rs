@@ -48,6 +48,7 @@ pub mod load_share_law;
 pub mod local_roughness;
 mod losses;
 pub mod message;
+mod physical_sense;
 pub mod pipeline;
 mod position;
 pub mod prelude;

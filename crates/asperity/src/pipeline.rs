@@ -18,6 +18,7 @@ use crate::chosen_laws::ChosenLaws;
 use crate::detail::Detail;
 use crate::error::{Error, PositionError};
 use crate::friction;
+use crate::physical_sense::{check_position, check_station};
 use crate::position::Position;
 use crate::provenance;
 use crate::result::{Losses, Outcome};
@@ -101,7 +102,11 @@ fn positions(
     let solved: Vec<Result<Position, PositionError>> = stations
         .into_par_iter()
         .map(|station| {
-            let position = used.collect(|| run.solve(station));
+            let position = used.collect(|| {
+                check_station(&station)?;
+                let position = run.solve(station)?;
+                check_position(&position).map(|()| position)
+            });
             progress(1 + done.fetch_add(1, Ordering::Relaxed), count);
             position
         })

@@ -10,6 +10,7 @@ use crate::decision::decide;
 use crate::encounter::Encounter;
 use crate::error::{Error, PositionError};
 use crate::fluid::film_at;
+use crate::physical_sense::check_station;
 use crate::result::Regime;
 use crate::stations::{station_at, stations_with};
 
@@ -57,6 +58,7 @@ fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
     let count = loaded.surfaces.offsets(case.model.offsets);
     let mut rows = Vec::new();
     for station in stations_with(case, &laws)? {
+        check_station(&station)?;
         let mut decisions = Vec::with_capacity(count);
         for k in 0..count {
             let met = Encounter::new(&loaded.surfaces, &station, case.model.window, k, count)?;
@@ -139,6 +141,7 @@ fn film_rows(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, Posi
     let place = place.unwrap_or((path.c - path.a) / (path.e - path.a));
     let s = path.a + (path.e - path.a) * place;
     let station = station_at(case, s)?;
+    check_station(&station)?;
     let hertz = station.hertz.max_pressure.si();
     let mut rows = Vec::new();
     for step in 0..=PER_DECADE * DECADES {

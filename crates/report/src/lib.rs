@@ -26,5 +26,5 @@ pub use folder::{
     write_unsolved,
 };
 pub use page_tables::PageTables;
-pub use summary::summary;
+pub use summary::{brief, summary};
 pub use wrap::{COLUMNS, wrapped};
