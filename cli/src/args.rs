@@ -96,6 +96,8 @@ pub enum Command {
     },
     /// Film thickness, Lambda* and regime along the path of contact, without the rough contact
     Regime(CaseArgs),
+    /// Geometry, stiffness, transmission error and the loss factors of every load distribution
+    Gear(CaseArgs),
     /// The rough contact alone: of a case at one position, or of a bare gap file
     #[command(after_help = "Examples:\n  asperity contact case.toml\n  \
         asperity contact --gap gap.csv --e-star \"115.4 GPa\" --load \"300000 N/m\" -o out.csv\n  \
@@ -202,6 +204,12 @@ pub struct RunArgs {
     /// List every default that was used
     #[arg(long)]
     pub explain_defaults: bool,
+    /// Write every point of the load map into the result folder, as map.csv
+    #[arg(long, conflicts_with = "no_output")]
+    pub load_map: bool,
+    /// Print the published friction laws beside, each applied whole
+    #[arg(long)]
+    pub laws: bool,
     /// Do not write a result folder
     #[arg(long, conflicts_with = "output")]
     pub no_output: bool,

@@ -65,6 +65,7 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
         Command::Completions { kind } => commands::completions::completions(*kind, common),
         Command::Figures(args) => commands::figures::figures(args, common),
         Command::Regime(args) => commands::regime::regime(args, common),
+        Command::Gear(args) => commands::gear::gear(args, common),
         Command::Contact(args) => commands::contact::contact(args, common),
         Command::Film(args) => commands::film::film(args, common),
         Command::Profile(command) => commands::profile::run(command, common),

@@ -9,6 +9,7 @@ pub mod demo;
 pub mod diff;
 pub mod figures;
 pub mod film;
+pub mod gear;
 pub mod oils;
 pub mod profile;
 pub mod reference;

@@ -1,6 +1,7 @@
 //! Solved positions summed up over the path of contact.
 
 use asperity_efficiency::MeshEfficiency;
+use asperity_gear::LoadMap;
 
 use crate::case::LoadedCase;
 use crate::chosen_laws::ChosenLaws;
@@ -12,6 +13,8 @@ use crate::position::Position;
 pub(crate) struct Solved<'a> {
     pub loaded: &'a LoadedCase,
     pub laws: &'a ChosenLaws,
+    /// Load over the flanks.
+    pub map: &'a LoadMap,
     pub positions: Vec<Position>,
     /// Rolling friction force per metre of contact line on one surface at each position \[N/m\].
     pub rolling: Vec<f64>,
@@ -24,6 +27,7 @@ impl<'a> Solved<'a> {
     pub(crate) fn new(
         loaded: &'a LoadedCase,
         laws: &'a ChosenLaws,
+        map: &'a LoadMap,
         positions: Vec<Position>,
         rolling: Vec<f64>,
     ) -> Result<Self, PositionError> {
@@ -40,6 +44,7 @@ impl<'a> Solved<'a> {
         Ok(Self {
             loaded,
             laws,
+            map,
             positions,
             rolling,
             meshes,

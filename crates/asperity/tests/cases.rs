@@ -1,5 +1,7 @@
 //! Cases from every source are the same case.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
+
 use std::path::{Path, PathBuf};
 
 use asperity::case::{CaseInput, LoadedCase, Trace, from_text, load};

@@ -92,6 +92,8 @@ pub(crate) struct Limits {
     pub(crate) iterations: usize,
     /// Nodes that may change state in the last iteration.
     pub(crate) flips: usize,
+    /// Error of the load, over the load.
+    pub(crate) load: f64,
 }
 
 /// How an iteration ended.
@@ -167,7 +169,9 @@ impl Newton {
         let mut effort = Effort::default();
         loop {
             self.evaluate(problem, system, &unknowns);
-            if effort.iterations > 0 && has_converged(&mut effort, limits) {
+            let load = problem.grid.integral(&unknowns.pressure) / FRAC_PI_2;
+            let is_loaded = (load - 1.0).abs() <= limits.load;
+            if effort.iterations > 0 && is_loaded && has_converged(&mut effort, limits) {
                 return Ok(self.solution(unknowns, effort));
             }
             if effort.iterations >= limits.iterations || !effort.change.is_finite() {

@@ -19,7 +19,7 @@ use crate::friction::{Friction, FrictionLaw};
 use crate::moving_profile::MovingProfile;
 use crate::newton::{Ceiling, Limits, NodeState};
 use crate::rheology::{Fluid, Oil};
-use crate::steady::{Window, check_cells, solve_sequence};
+use crate::steady::{self, Window, check_cells, solve_sequence};
 use crate::stepper::{StepSettings, Stepper};
 
 /// Limits of a time step.
@@ -30,6 +30,14 @@ const STEP_LIMITS: Limits = Limits {
     largest_change: 1.0,
     iterations: 40,
     flips: 0,
+    load: 1e-6,
+};
+
+/// Limits of the smooth start, which must stay as it is where nothing is rough.
+const START_LIMITS: Limits = Limits {
+    tolerance: 1e-8,
+    linear_tolerance: 1e-6,
+    ..steady::LIMITS
 };
 
 /// Two rough surfaces in lubricated line contact.
@@ -265,7 +273,13 @@ pub fn record_watched(
     settings.validate()?;
     let scales = contact.contact.scales(&contact.oil)?;
     let fluid = Fluid::new(&contact.oil, &scales);
-    let found = solve_sequence(&scales, &fluid.newtonian(), settings.window, settings.cells)?;
+    let found = solve_sequence(
+        &scales,
+        &fluid.newtonian(),
+        settings.window,
+        settings.cells,
+        &START_LIMITS,
+    )?;
     let mut evidence = Evidence {
         newton_iterations: 0,
         gmres_iterations: 0,

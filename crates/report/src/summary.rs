@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use crate::wrap::{COLUMNS, wrapped};
 use asperity::message::Warning;
-use asperity::result::{ComparisonOutcome, PositionRow, RunResult};
+use asperity::result::{PositionRow, PublishedOutcome, RunResult};
 
 /// Under the text of a message, behind its code.
 const INDENT: &str = "     ";
@@ -58,7 +58,6 @@ fn numbers(result: &RunResult) -> String {
     // Writing into a string cannot fail.
     let _ = write_losses(&mut text, result);
     let _ = write_regime(&mut text, result);
-    let _ = write_laws(&mut text, result);
     text
 }
 
@@ -76,7 +75,13 @@ fn write_losses(text: &mut String, result: &RunResult) -> std::fmt::Result {
         watts(s.power_in_w),
     )?;
     let mut parts = vec![
-        format!("sliding {}", watts(s.sliding_w)),
+        format!(
+            "sliding {} = film {} + lubricated asperities {} + boundary {}",
+            watts(s.sliding_w),
+            watts(s.film_w),
+            watts(s.lubricated_asperity_w),
+            watts(s.boundary_w),
+        ),
         format!("rolling {}", watts(s.rolling_w)),
     ];
     let [pinion, wheel] = s.deformation_w;
@@ -149,21 +154,36 @@ fn write_regime(text: &mut String, result: &RunResult) -> std::fmt::Result {
     Ok(())
 }
 
-fn write_laws(text: &mut String, result: &RunResult) -> std::fmt::Result {
-    if !result.friction_laws.is_empty() {
-        let laws: Vec<String> = result
-            .friction_laws
-            .iter()
-            .map(|entry| match &entry.outcome {
-                ComparisonOutcome::Efficiency(value) => {
-                    format!("{} {:.3}", entry.law, 100.0 * value)
-                }
-                ComparisonOutcome::Refused(_) => format!("{} -", entry.law),
-            })
-            .collect();
-        writeln!(text, "friction laws (%)  {}", laws.join("   "))?;
+/// The published laws, each applied whole, as a table of their own.
+pub fn published_laws(result: &RunResult) -> String {
+    let mut text = String::from(
+        "published laws, applied whole (no average, no mixing)\n\
+         law              loss      asperities  range\n",
+    );
+    for entry in &result.published_laws {
+        let loss = match &entry.outcome {
+            PublishedOutcome::Applied { loss_w, .. } => watts(*loss_w),
+            _ => "-".to_owned(),
+        };
+        let asperities = if entry.includes_asperities {
+            "in"
+        } else {
+            "out"
+        };
+        let range = match (entry.inside_its_range, &entry.outcome) {
+            (_, PublishedOutcome::Refused(why)) => why.clone(),
+            (true, _) => "inside".to_owned(),
+            (false, _) => format!("outside: {}", entry.outside.join("; ")),
+        };
+        let line = format!("{:<15}  {loss:<8}  {asperities:<10}  {range}", entry.law);
+        // Writing into a string cannot fail.
+        let _ = writeln!(
+            text,
+            "{}",
+            wrapped(&line, "                                       ")
+        );
     }
-    Ok(())
+    text
 }
 
 /// A power with three or four digits that mean something.

@@ -31,6 +31,14 @@ pub enum CaseError {
         /// Where.
         place: Place,
     },
+    /// The oil has no film friction.
+    #[error("{place}: {source}")]
+    FilmFriction {
+        /// Where.
+        place: Place,
+        /// Why.
+        source: asperity_tribo_friction::FrictionError,
+    },
     /// Not TOML, or not JSON.
     #[error("{place}: {message}")]
     Syntax {
@@ -195,7 +203,7 @@ impl CaseError {
                 source: LubricantError::ImplausiblePressureViscosity { .. },
                 ..
             } => "E207",
-            Self::Lubricant { .. } => "E208",
+            Self::Lubricant { .. } | Self::FilmFriction { .. } => "E208",
             Self::Domain {
                 key: "model.tolerance",
                 source,
@@ -236,6 +244,7 @@ impl CaseError {
             | Self::Impossible { place, .. }
             | Self::NotForTheseGears { place, .. }
             | Self::Lubricant { place, .. }
+            | Self::FilmFriction { place, .. }
             | Self::OpenNamed { place, .. }
             | Self::Profile { place, .. } => Some(place),
             Self::Open { .. } | Self::Folder { .. } | Self::Preparation { .. } => None,

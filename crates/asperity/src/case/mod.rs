@@ -19,9 +19,12 @@ mod domain;
 mod error;
 mod files;
 mod flanks;
+mod gear_input;
+mod gears;
 mod input;
 mod key_names;
 mod known_keys;
+mod law_names;
 mod loaded;
 mod model;
 mod model_defaults;
@@ -29,6 +32,7 @@ mod own_laws;
 mod page;
 mod place;
 mod plain_words;
+pub mod planetary;
 mod plausibility;
 mod resolve;
 mod set;
@@ -40,10 +44,12 @@ pub use builder::CaseBuilder;
 pub use check::{Findings, check};
 pub use defaults::DefaultUsed;
 pub use error::CaseError;
+pub use gear_input::{EndReliefInput, GearFlankInput, ReliefInput};
 pub use input::{
     BodyInput, CaseInput, FlankInput, Formulation, GearsInput, MaterialInput, ModelInput,
     NamedPoint, OneOrTwo, OperationInput, PathPoint, SurfaceInput, schema,
 };
+pub use law_names::{FilmFrictionLaw, LoadShareName};
 pub use loaded::{LoadedCase, Resolver, from_text, load, load_set, load_with, open_source};
 pub use model::Model;
 pub use page::markdown;
