@@ -12,6 +12,7 @@ mod bench;
 mod case_messages;
 mod codes;
 mod contact;
+mod ehl;
 mod file_messages;
 mod fuzz;
 mod gear;

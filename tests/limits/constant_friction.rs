@@ -7,7 +7,7 @@ use asperity_tests::{CaseText, assert_close, table_2};
 const ROUNDING: f64 = 1e-12;
 
 fn with_constant(case: CaseText, mu: f64) -> CaseText {
-    case.with("model.friction", "constant")
+    case.with("model.film_friction", "constant")
         .with("model.constant_friction", mu)
 }
 

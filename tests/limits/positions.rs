@@ -30,7 +30,7 @@ fn a_position_a_segment_is_enough_for_what_does_not_change_along_the_path() {
     // The sliding power of a cell is that of all its points when friction is constant.
     let constant = |positions: i64| {
         table_2()
-            .with("model.friction", "constant")
+            .with("model.film_friction", "constant")
             .with("model.constant_friction", 0.05)
             .with("model.positions", positions)
             .run()

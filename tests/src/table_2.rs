@@ -43,6 +43,11 @@ pub fn table_2() -> CaseText {
 
         [model]
         load_distribution = "mean-length"
+        # The laws of the reference computation, by name.
+        film_friction = "xu"
+        load_share = "lambda-star"
+        boundary_friction = 0.1
+        hysteresis = "0 %"
         "#,
     )
 }
@@ -87,6 +92,11 @@ pub fn petry_johnson() -> CaseText {
 
         [model]
         load_distribution = "trapezoid"
+        # The laws of the reference computation, by name.
+        film_friction = "xu"
+        load_share = "lambda-star"
+        boundary_friction = 0.1
+        hysteresis = "0 %"
         "#,
     )
 }

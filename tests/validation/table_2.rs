@@ -190,7 +190,7 @@ pub fn friction() -> Table {
     let rolling = c.rolling_w_per_m / (2.0 * c.entrainment_m_per_s);
     let by = |law: &str| {
         let ra = |case: CaseText, flank| case.with(&format!("surface.{flank}.ra"), "0.25 um");
-        rows_at_points(ra(ra(table_2(), "pinion"), "wheel").with("model.friction", law))
+        rows_at_points(ra(ra(table_2(), "pinion"), "wheel").with("model.film_friction", law))
     };
     let [at_a, _, at_e] = by("benedict-kelley");
     let [mesh, _, _] = by("iso-14179-2");
