@@ -216,7 +216,7 @@ fn a_law_given_by_hand_is_the_law_named() {
     let by_hand = own(&|case| case.with_load_share(Arc::new(LoadShareLaw::ZhuHu)));
     assert_eq!(share.offsets, by_hand.offsets);
     let sharing = |case: Case| {
-        let table = asperity_gear::LoadSharing::Table(vec![(0.0, 1.0), (1.0, 1.0)]);
+        let table = asperity_gear::LoadLaw::Table(vec![(0.0, 1.0), (1.0, 1.0)]);
         case.with_load_distribution(Arc::new(table))
     };
     let (equal, by_hand) = (plain.summary.loss_w, own(&sharing).summary.loss_w);

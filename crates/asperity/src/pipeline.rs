@@ -24,6 +24,7 @@ use crate::encounter::meeting;
 use crate::error::{Error, PositionError};
 use crate::formulation;
 use crate::friction;
+use crate::physical_sense::{check_position, check_station};
 use crate::position::Position;
 use crate::provenance;
 use crate::result::{Losses, Outcome};
@@ -181,7 +182,11 @@ fn positions(
     let solved: Vec<Result<Position, PositionError>> = stations
         .into_par_iter()
         .map(|station| {
-            let position = used.collect(|| run.solve(station));
+            let position = used.collect(|| {
+                check_station(&station)?;
+                let position = run.solve(station)?;
+                check_position(&position).map(|()| position)
+            });
             progress(1 + done.fetch_add(1, Ordering::Relaxed), count);
             position
         })
