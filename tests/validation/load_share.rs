@@ -32,7 +32,7 @@ fn summary(name: &str, keys: &[(&str, &str)]) -> Summary {
 const FEW: [(&str, &str); 2] = [("model.positions", "16"), ("model.offsets", "4")];
 
 fn few(name: &str, keys: &[(&str, &str)]) -> Summary {
-    summary(name, &[&FEW, keys].concat())
+    summary(name, &[&FEW[..], keys].concat())
 }
 
 #[test]
@@ -167,12 +167,8 @@ fn an_oil_without_a_family_is_refused_or_assumed() {
             input.lubricant.assume_base_oil = Some(asperity::core::lubricant::BaseOil::Mineral);
         })
         .unwrap();
-    let listed = case.case.defaults.iter();
-    assert!(
-        listed
-            .into_iter()
-            .any(|used| used.key.ends_with("base_oil"))
-    );
+    let mut listed = case.case.defaults.iter();
+    assert!(listed.any(|used| used.key.ends_with("base_oil")));
 }
 
 /// A gate: what was measured, its rule, what comes out, whether it holds.
