@@ -72,7 +72,10 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
         Command::Profile(command) => commands::profile::run(command, common),
         Command::Equations(args) => commands::reference::equations(args, common),
         Command::Explain { code } => commands::reference::explain(code.as_deref(), common),
-        Command::Schema => commands::reference::schema(),
+        Command::Schema { markdown } => commands::reference::schema(*markdown, common),
+        Command::Check(args) => commands::check::check(args, common),
+        Command::Diff(args) => commands::diff::diff(args, common),
+        Command::Oils => commands::oils::oils(common),
         Command::Demo { folder } => commands::demo::demo(folder, common),
     }
 }

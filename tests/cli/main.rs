@@ -15,6 +15,7 @@ mod contact;
 mod ehl;
 mod file_messages;
 mod fuzz;
+mod gear;
 mod instrument_files;
 mod kills;
 mod outside;

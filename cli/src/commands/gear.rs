@@ -11,7 +11,7 @@ use crate::output::{print_json, print_text};
 
 /// `asperity gear`
 pub fn gear(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
-    let loaded = load_case(&args.case, args.formulation)?;
+    let loaded = load_case(&args.case, &args.set, args.formulation)?;
     let found = gear_report(&loaded.case).map_err(|error| Failure::about(&args.case, &error))?;
     if common.json {
         return print_json(&found);

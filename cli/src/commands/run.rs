@@ -9,8 +9,9 @@ use asperity::result::RunResult;
 use asperity::{Error, pipeline};
 use asperity_report::{self as report, Fields, ReportError};
 
-use super::load_case;
+use super::bibtex::bibtex;
 use super::work::check_work;
+use super::{load_case, stem};
 use crate::args::{Common, RunArgs};
 use crate::failure::Failure;
 use crate::output::{PATIENCE, print_json, print_text, progress};
@@ -19,11 +20,14 @@ use crate::output::{PATIENCE, print_json, print_text, progress};
 pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
     let fields = fields(args)?;
-    let set = planetary::load(&args.case).map_err(|error| Failure::of(&error))?;
-    if let Some(set) = set {
-        return run_set(&set, args, common, &fields, begin);
+    // A planetary set has its own keys.
+    if args.set.keys.is_empty() && args.case != Path::new("-") {
+        let set = planetary::load(&args.case).map_err(|error| Failure::of(&error))?;
+        if let Some(set) = set {
+            return run_set(&set, args, common, &fields, begin);
+        }
     }
-    let loaded = load_case(&args.case, args.formulation)?;
+    let loaded = load_case(&args.case, &args.set, args.formulation)?;
     check_work(&args.work, &loaded, 1)?;
     let folder = (!args.no_output).then(|| result_folder(args));
     if let Some(folder) = &folder {
@@ -48,6 +52,9 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     }
     if common.json {
         return print_json(&outcome.result);
+    }
+    if args.cite {
+        return print_text(common, &bibtex(&outcome.result));
     }
     print_text(
         common,
@@ -126,7 +133,10 @@ fn text_of_set(result: &PlanetaryResult) -> String {
 }
 
 fn text(result: &RunResult, args: &RunArgs, folder: Option<&Path>, begin: Instant) -> String {
-    let mut text = report::summary(result);
+    let mut text = match args.notes {
+        true => report::summary(result),
+        false => report::brief(result),
+    };
     if args.laws {
         text.push_str(&report::published_laws(result));
     }
@@ -204,8 +214,7 @@ fn failed(error: &Error, args: &RunArgs, folder: Option<&Path>) -> Failure {
 }
 
 fn result_folder(args: &RunArgs) -> PathBuf {
-    args.output.clone().unwrap_or_else(|| {
-        let stem = args.case.file_stem().unwrap_or_default();
-        Path::new("results").join(stem)
-    })
+    args.output
+        .clone()
+        .unwrap_or_else(|| Path::new("results").join(stem(&args.case)))
 }

@@ -94,6 +94,23 @@ pub enum PositionError {
         /// Steps made.
         steps: usize,
     },
+    /// A state that is beyond physical sense.
+    #[error(
+        "{name} of {value:.3e} {unit} is beyond physical sense ({rule}{})",
+        limit.map(|limit| format!(" {limit:e} {unit}")).unwrap_or_default()
+    )]
+    Impossible {
+        /// Name of the quantity.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+        /// What it must be.
+        rule: &'static str,
+        /// The limit, where it is a number.
+        limit: Option<f64>,
+    },
     /// A rough contact without solution, with the gap that it had to close.
     #[error(transparent)]
     Unsolved(Box<UnsolvedContact>),
@@ -195,6 +212,7 @@ fn digits(value: f64) -> String {
 fn advice(source: &PositionError) -> &'static str {
     match source.reason() {
         PositionError::Contact(ContactError::NotConverged { .. })
+        | PositionError::Impossible { .. }
         | PositionError::FlashNotSettled { .. }
         | PositionError::Marching { .. } => ". No efficiency is reported",
         _ => "",
@@ -278,6 +296,7 @@ impl PositionError {
             Self::TooCoarse { .. } => "E121",
             Self::TraceTooShort { .. } => "E122",
             Self::NoProfile => "E303",
+            Self::Impossible { .. } => "E308",
             Self::Marching { .. } => "E304",
             Self::FlashNotSettled { .. } => "E301",
             Self::Contact(ContactError::NotConverged { .. })

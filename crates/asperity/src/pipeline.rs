@@ -24,6 +24,7 @@ use crate::encounter::meeting;
 use crate::error::{Error, PositionError};
 use crate::formulation;
 use crate::friction;
+use crate::physical_sense::{check_position, check_station};
 use crate::position::Position;
 use crate::provenance;
 use crate::result::{Losses, Outcome};
@@ -131,7 +132,7 @@ fn losses_of(
     let laws = ChosenLaws::of(&loaded.case);
     let chosen = (Detail::Losses, tables);
     let (map, positions) = positions(loaded, &laws, chosen, progress, &used)?;
-    let sums = || sums(loaded, &laws, &map, positions)?.losses();
+    let sums = || sums(loaded, &map, positions)?.losses();
     let mut losses = used.collect(sums).map_err(Box::new)?;
     (losses.equations, _) = provenance::used(&tags(loaded, &used));
     Ok(losses)
@@ -143,7 +144,7 @@ fn outcome(loaded: &LoadedCase, detail: Detail, progress: Progress<'_>) -> Resul
     let (map, positions) = positions(loaded, &laws, (detail, None), progress, &used)?;
     let sums = || {
         let points = points(loaded, &laws, &map)?;
-        sums(loaded, &laws, &map, positions)?.outcome(&points)
+        sums(loaded, &map, positions)?.outcome(&points)
     };
     let mut outcome = used.collect(sums).map_err(Box::new)?;
     let result = &mut outcome.result;
@@ -181,7 +182,11 @@ fn positions(
     let solved: Vec<Result<Position, PositionError>> = stations
         .into_par_iter()
         .map(|station| {
-            let position = used.collect(|| run.solve(station));
+            let position = used.collect(|| {
+                check_station(&station)?;
+                let position = run.solve(station)?;
+                check_position(&position).map(|()| position)
+            });
             progress(1 + done.fetch_add(1, Ordering::Relaxed), count);
             position
         })
@@ -222,7 +227,6 @@ fn points(
 
 fn sums<'a>(
     loaded: &'a LoadedCase,
-    laws: &'a ChosenLaws,
     map: &'a LoadMap,
     positions: Vec<Position>,
 ) -> Result<Solved<'a>, PositionError> {
@@ -230,5 +234,5 @@ fn sums<'a>(
         .iter()
         .map(|position| friction::rolling(&loaded.case, &position.station))
         .collect::<Result<Vec<_>, _>>()?;
-    Solved::new(loaded, laws, map, positions, rolling)
+    Solved::new(loaded, map, positions, rolling)
 }

@@ -11,6 +11,7 @@ use crate::decision::decide;
 use crate::encounter::meeting;
 use crate::error::{Error, PositionError};
 use crate::fluid::film_at;
+use crate::physical_sense::check_station;
 use crate::result::Regime;
 use crate::rough_film::{RoughFilm, Tables};
 use crate::stations::{station_at, stations_with};
@@ -59,6 +60,7 @@ fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
     let count = loaded.surfaces.offsets(case.model.offsets);
     let mut rows = Vec::new();
     for station in stations_with(case, &laws)?.1 {
+        check_station(&station)?;
         let mut decisions = Vec::with_capacity(count);
         let mut film = RoughFilm::at(case, &laws, &loaded.surfaces, &station)?;
         for k in 0..count {
@@ -150,6 +152,7 @@ fn film_rows(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, Posi
     let place = place.unwrap_or((path.c - path.a) / (path.e - path.a));
     let s = path.a + (path.e - path.a) * place;
     let station = station_at(case, s)?;
+    check_station(&station)?;
     let hertz = station.hertz.max_pressure.si();
     let mut rows = Vec::new();
     for step in 0..=PER_DECADE * DECADES {

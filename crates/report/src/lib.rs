@@ -28,5 +28,5 @@ pub use folder::{
 };
 pub use page_tables::PageTables;
 pub use planetary::{check_planetary_place, write_planetary};
-pub use summary::{published_laws, summary};
+pub use summary::{brief, published_laws, summary};
 pub use wrap::{COLUMNS, wrapped};

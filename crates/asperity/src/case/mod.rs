@@ -13,6 +13,7 @@
 //! | another case | [`LoadedCase::with`], [`LoadedCase::with_key`] |
 
 mod builder;
+mod check;
 mod defaults;
 mod domain;
 mod error;
@@ -28,9 +29,11 @@ mod loaded;
 mod model;
 mod model_defaults;
 mod own_laws;
+mod page;
 mod place;
 mod plain_words;
 pub mod planetary;
+mod plausibility;
 mod resolve;
 mod set;
 mod source;
@@ -38,6 +41,7 @@ mod steel;
 mod trace;
 
 pub use builder::CaseBuilder;
+pub use check::{Findings, check};
 pub use defaults::DefaultUsed;
 pub use error::CaseError;
 pub use gear_input::{EndReliefInput, GearFlankInput, ReliefInput};
@@ -46,8 +50,9 @@ pub use input::{
     NamedPoint, OneOrTwo, OperationInput, PathPoint, SurfaceInput, schema,
 };
 pub use law_names::{FilmFrictionLaw, LoadShareName};
-pub use loaded::{LoadedCase, Resolver, from_text, load, load_with};
+pub use loaded::{LoadedCase, Resolver, from_text, load, load_set, load_with, open_source};
 pub use model::Model;
+pub use page::markdown;
 pub use place::Place;
 pub use resolve::{Case, resolve};
 pub use source::{Source, Syntax};

@@ -17,6 +17,7 @@ use super::gears::{check_load, gears, load_settings, micro_geometry};
 use super::input::{CaseInput, Formulation};
 use super::key_names::key_of;
 use super::model::{Model, model};
+use super::plausibility::{refuse_impossible, refuse_stiff_oil};
 use super::source::Source;
 use super::steel::materials;
 use crate::laws::Laws;
@@ -75,6 +76,7 @@ pub struct Case {
 /// # Errors
 /// When a number is outside its domain, the gears cannot mesh, or the oil cannot be.
 pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
+    refuse_impossible(&input, source)?;
     let mut defaults = Defaults::default();
     let formulation = defaults.take("formulation", input.formulation, Formulation::default());
     let gears = gears(&input, source, &mut defaults)?;
@@ -95,6 +97,7 @@ pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
     let oil = lubricant
         .at(operation.temperature)
         .map_err(lubricant_at(source))?;
+    refuse_stiff_oil(&oil.value, source)?;
     let preparation = preparation(&input, source, &mut defaults)?;
     let model = model(&input.model, formulation, &gears, source, &mut defaults)?;
     let is_elastic = model.load_distribution.is_elastic();

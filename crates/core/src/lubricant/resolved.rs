@@ -142,9 +142,13 @@ impl LubricantInput {
         Self {
             oil: self.oil.clone(),
             viscosity: self.viscosity.or(base.viscosity),
-            temperature_coefficient: self
-                .temperature_coefficient
-                .or(base.temperature_coefficient),
+            // The slope belongs to the viscosity that it is the slope of.
+            temperature_coefficient: match self.viscosity {
+                Some(_) => self.temperature_coefficient,
+                None => self
+                    .temperature_coefficient
+                    .or(base.temperature_coefficient),
+            },
             density: self.density.or(base.density),
             density_temperature: match self.density {
                 Some(_) => self.density_temperature,
