@@ -9,6 +9,7 @@
 
 mod bench;
 
+mod case_commands;
 mod case_messages;
 mod codes;
 mod contact;
