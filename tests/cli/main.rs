@@ -12,6 +12,7 @@ mod bench;
 mod case_messages;
 mod codes;
 mod contact;
+mod doubtful_traces;
 mod file_messages;
 mod fuzz;
 mod instrument_files;
