@@ -1,5 +1,6 @@
 //! The command line.
 
+mod ehl;
 mod profile;
 mod values;
 
@@ -9,6 +10,7 @@ use asperity::case::PathPoint;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+pub use ehl::{EhlArgs, ViscosityLawArg};
 pub use profile::{
     FormArg, PreparingArgs, ProfileCommand, ProfileConvertArgs, ProfileFilterArgs,
     ProfileGenerateArgs, ProfileInfoArgs, ProfilePart, ProfilePlotArgs, ReadingArgs, Wavelengths,
@@ -55,13 +57,24 @@ pub struct Common {
 pub enum Command {
     /// The main job: from a case file to efficiency, losses and a result folder
     #[command(
-        after_help = "Example:\n  asperity run fixtures/cases/e-drive.toml -o results/e-drive"
+        after_help = "Example:\n  asperity run demo/case.toml -o results/e-drive\n  \
+        asperity run demo/case.toml --set operation.torque=\"200 N m\" --set model.offsets=4\n  \
+        asperity run - < demo/case.toml"
     )]
     Run(RunArgs),
     /// Draw the page of a result anew: report.html beside its result.json
     #[command(after_help = "Examples:\n  asperity report results/e-drive\n  \
         asperity report results/e-drive/result.json --position 3")]
     Report(ReportArgs),
+    /// Look at a case without running it: every error at once, the defaults, time and memory of a run
+    #[command(after_help = "Examples:\n  asperity check demo/case.toml\n  \
+        asperity check demo/case.toml --set operation.torque=\"200 N m\"")]
+    Check(CheckArgs),
+    /// Tell what differs between two results: inputs, losses, positions
+    #[command(after_help = "Example:\n  asperity diff results/before results/after")]
+    Diff(DiffArgs),
+    /// List the oils of the library, which a case names as lubricant.oil
+    Oils,
     /// Compare finishes: several profile sets on one case, with paired differences
     #[command(after_help = "Examples:\n  asperity compare demo/case.toml \\\n    \
         --finish ground=demo/ground_pinion.csv,demo/ground_wheel.csv \\\n    \
@@ -85,6 +98,8 @@ pub enum Command {
     },
     /// Film thickness, Lambda* and regime along the path of contact, without the rough contact
     Regime(CaseArgs),
+    /// Geometry, stiffness, transmission error and the loss factors of every load distribution
+    Gear(CaseArgs),
     /// The rough contact alone: of a case at one position, or of a bare gap file
     #[command(after_help = "Examples:\n  asperity contact case.toml\n  \
         asperity contact --gap gap.csv --e-star \"115.4 GPa\" --load \"300000 N/m\" -o out.csv\n  \
@@ -92,6 +107,14 @@ pub enum Command {
         asperity contact --flanks one.csv other.csv --radius \"10 mm\" --e-star \"115.4 GPa\" \\\n    \
         --load \"300 N/mm\" --pressure-limit \"3 GPa\" --running-in 8")]
     Contact(ContactArgs),
+    /// The mixed elastohydrodynamic contact: film, pressure and load against film of two rough surfaces
+    #[command(after_help = "Examples:\n  asperity ehl case.toml --position A\n  \
+        asperity ehl case.toml --compare --half-widths 10 --json\n  \
+        asperity ehl --radius \"10 mm\" --e-star \"115.4 GPa\" --load \"392 N/mm\" \\\n    \
+        --u1 \"5.5 m/s\" --u2 \"4.5 m/s\" --viscosity \"10 mPa s\" --pressure-viscosity \"18 1/GPa\"\n\n\
+        Without profiles the steady film of smooth surfaces. Ridges go across the whole face and cannot leak:\n\
+        where the roughness left in the contact is above three smooth films, measurement decides.")]
+    Ehl(EhlArgs),
     /// Fluid pressure across the film against its thickness (the paper's Fig. 8)
     Film(FilmArgs),
     /// Look at a profile file
@@ -105,7 +128,11 @@ pub enum Command {
         code: Option<String>,
     },
     /// Print the JSON schema of the case file
-    Schema,
+    Schema {
+        /// Print the page docs/CASE_FILE.md instead: every key with its unit, default and meaning
+        #[arg(long, conflicts_with = "json")]
+        markdown: bool,
+    },
     /// Write a worked case with synthetic profiles into a new folder
     Demo {
         /// The folder to make
@@ -114,11 +141,70 @@ pub enum Command {
     },
 }
 
+/// Keys of a case set on the command line.
+#[derive(Debug, Clone, Args)]
+pub struct SetArgs {
+    /// Set a key of the case, as operation.torque="200 N m"; may be repeated
+    #[arg(long = "set", value_name = "KEY=VALUE", allow_hyphen_values = true)]
+    pub keys: Vec<SetArg>,
+}
+
+/// A key of a case and its value.
+#[derive(Debug, Clone)]
+pub struct SetArg {
+    /// Path of the key.
+    pub key: String,
+    /// The value as in a case file; text needs no quotation marks.
+    pub value: String,
+}
+
+impl std::str::FromStr for SetArg {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        match text.split_once('=') {
+            Some((key, value)) if !key.trim().is_empty() => Ok(Self {
+                key: key.trim().to_owned(),
+                value: value.trim().to_owned(),
+            }),
+            _ => Err("must be a key and its value, as operation.torque=\"200 N m\""),
+        }
+    }
+}
+
+/// A case to look at.
+#[derive(Debug, Args)]
+pub struct CheckArgs {
+    /// Case file, TOML (or JSON with the same keys); - reads standard input
+    pub case: PathBuf,
+    /// Keys set past the case.
+    #[command(flatten)]
+    pub set: SetArgs,
+}
+
+/// Two results.
+#[derive(Debug, Args)]
+pub struct DiffArgs {
+    /// Result folder, or the result.json in it
+    pub first: PathBuf,
+    /// The same of the other
+    pub second: PathBuf,
+}
+
 /// A case and where its result goes.
 #[derive(Debug, Args)]
 pub struct RunArgs {
-    /// Case file, TOML (or JSON with the same keys)
+    /// Case file, TOML (or JSON with the same keys); - reads standard input
     pub case: PathBuf,
+    /// Keys set past the case.
+    #[command(flatten)]
+    pub set: SetArgs,
+    /// Print the sources of the equations used as BibTeX
+    #[arg(long, conflicts_with = "json")]
+    pub cite: bool,
+    /// Print every note in full
+    #[arg(long)]
+    pub notes: bool,
     /// Result folder [default: results/<name of the case>]
     #[arg(long, short)]
     pub output: Option<PathBuf>,
@@ -128,6 +214,12 @@ pub struct RunArgs {
     /// List every default that was used
     #[arg(long)]
     pub explain_defaults: bool,
+    /// Write every point of the load map into the result folder, as map.csv
+    #[arg(long, conflicts_with = "no_output")]
+    pub load_map: bool,
+    /// Print the published friction laws beside, each applied whole
+    #[arg(long)]
+    pub laws: bool,
     /// Do not write a result folder
     #[arg(long, conflicts_with = "output")]
     pub no_output: bool,
@@ -164,8 +256,11 @@ pub struct ReportArgs {
 /// A case and the finishes to compare on it.
 #[derive(Debug, Args)]
 pub struct CompareArgs {
-    /// Case file; its traces are replaced by those of each finish
+    /// Case file; its traces are replaced by those of each finish; - reads standard input
     pub case: PathBuf,
+    /// Keys set past the case.
+    #[command(flatten)]
+    pub set: SetArgs,
     /// A finish and its traces; give at least two
     #[arg(
         long = "finish",
@@ -240,9 +335,12 @@ pub enum CompletionKind {
 /// Where the figures go.
 #[derive(Debug, Args)]
 pub struct FiguresArgs {
-    /// Case of the figures 7 to 13, run in the paper formulation
-    #[arg(default_value = "fixtures/cases/table2.toml")]
-    pub case: PathBuf,
+    /// Case of the figures 7 to 13, run in the paper formulation [default: Table 2 of the paper on a
+    /// synthetic damaged flank]; - reads standard input
+    pub case: Option<PathBuf>,
+    /// Keys set past the case.
+    #[command(flatten)]
+    pub set: SetArgs,
     /// Folder of the figures
     #[arg(long, short, default_value = "figures")]
     pub output: PathBuf,
@@ -251,8 +349,11 @@ pub struct FiguresArgs {
 /// A case.
 #[derive(Debug, Args)]
 pub struct CaseArgs {
-    /// Case file, TOML (or JSON with the same keys)
+    /// Case file, TOML (or JSON with the same keys); - reads standard input
     pub case: PathBuf,
+    /// Keys set past the case.
+    #[command(flatten)]
+    pub set: SetArgs,
     /// Which reading of the model, whatever the case says
     #[arg(long, value_enum)]
     pub formulation: Option<FormulationArg>,
@@ -261,8 +362,11 @@ pub struct CaseArgs {
 /// A case and a place on its path of contact.
 #[derive(Debug, Args)]
 pub struct FilmArgs {
-    /// Case file, TOML (or JSON with the same keys)
+    /// Case file, TOML (or JSON with the same keys); - reads standard input
     pub case: PathBuf,
+    /// Keys set past the case.
+    #[command(flatten)]
+    pub set: SetArgs,
     /// Position along the path of contact: A, B, C, D, E, or 0 (A) to 1 (E) [default: C]
     #[arg(long, allow_hyphen_values = true)]
     pub position: Option<PathPoint>,
@@ -286,6 +390,9 @@ pub struct ContactArgs {
         conflicts_with_all = ["gap", "flanks"]
     )]
     pub case: Option<PathBuf>,
+    /// Keys set past the case.
+    #[command(flatten)]
+    pub set: SetArgs,
     /// Position along the path of contact: A, B, C, D, E, or 0 (A) to 1 (E) [default: the case's]
     #[arg(long, conflicts_with = "bare", allow_hyphen_values = true)]
     pub position: Option<PathPoint>,

@@ -65,12 +65,17 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
         Command::Completions { kind } => commands::completions::completions(*kind, common),
         Command::Figures(args) => commands::figures::figures(args, common),
         Command::Regime(args) => commands::regime::regime(args, common),
+        Command::Gear(args) => commands::gear::gear(args, common),
         Command::Contact(args) => commands::contact::contact(args, common),
+        Command::Ehl(args) => commands::ehl::ehl(args, common),
         Command::Film(args) => commands::film::film(args, common),
         Command::Profile(command) => commands::profile::run(command, common),
         Command::Equations(args) => commands::reference::equations(args, common),
         Command::Explain { code } => commands::reference::explain(code.as_deref(), common),
-        Command::Schema => commands::reference::schema(),
+        Command::Schema { markdown } => commands::reference::schema(*markdown, common),
+        Command::Check(args) => commands::check::check(args, common),
+        Command::Diff(args) => commands::diff::diff(args, common),
+        Command::Oils => commands::oils::oils(common),
         Command::Demo { folder } => commands::demo::demo(folder, common),
     }
 }

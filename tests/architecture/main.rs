@@ -137,3 +137,37 @@ fn the_files_of_a_crate_import_each_other_without_circles() {
         circles.join("\n")
     );
 }
+
+#[test]
+fn every_crate_has_a_readme_and_an_example() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    for (folder, _) in ALLOWED {
+        if !folder.starts_with("crates/") {
+            continue;
+        }
+        let folder = root.join(folder);
+        assert!(folder.join("README.md").exists(), "{}", folder.display());
+        let examples = std::fs::read_dir(folder.join("examples"));
+        assert!(
+            examples.is_ok_and(|mut files| files.next().is_some()),
+            "{} has no example",
+            folder.display()
+        );
+    }
+}
+
+#[test]
+fn the_dense_reference_solver_is_behind_a_feature() {
+    let contact = manifest("crates/contact");
+    let faer = contact["dependencies"]["faer"].as_table().unwrap();
+    assert_eq!(faer["optional"].as_bool(), Some(true));
+    let features = contact["features"].as_table().unwrap();
+    let of_oracle = features["oracle"].as_array().unwrap();
+    assert!(
+        of_oracle
+            .iter()
+            .any(|name| name.as_str() == Some("dep:faer"))
+    );
+    let default = features.get("default").and_then(toml::Value::as_array);
+    assert!(default.is_none_or(Vec::is_empty));
+}

@@ -3,10 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use asperity::case::{self, CaseInput, FlankInput, LoadedCase};
+use asperity::case::{self, CaseInput, FlankInput, LoadedCase, Source};
 use asperity_studies::compare::{self, Finish};
 
 use super::work::check_work;
+use super::{keys, source, stem};
 use crate::args::{Common, CompareArgs, FinishArg};
 use crate::failure::Failure;
 use crate::output::{PATIENCE, print_json, print_text, progress};
@@ -30,13 +31,15 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
         let message = format!("--offsets {offsets}: must be at least 2, one has no spread");
         return Err(Failure::new("E209", message));
     }
+    // Once for all finishes: standard input is read but once.
+    let (text, folder) = source(&args.case)?;
     let finishes = args
         .finishes
         .iter()
         .map(|finish| {
             Ok(Finish {
                 name: finish.name.clone(),
-                case: load(args, finish)?,
+                case: load(args, (&text, folder), finish)?,
             })
         })
         .collect::<Result<Vec<_>, Failure>>()?;
@@ -44,7 +47,7 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
         check_work(&args.work, &first.case, finishes.len())?;
     }
     let folder = args.output.clone().unwrap_or_else(|| {
-        let stem = args.case.file_stem().unwrap_or_default().to_string_lossy();
+        let stem = stem(&args.case).to_string_lossy();
         Path::new("results").join(format!("{stem}-compare"))
     });
     // Told before the work, not after it.
@@ -69,7 +72,11 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
 }
 
 /// The case with the traces of a finish; a single one serves both flanks, mirrored for the wheel.
-fn load(args: &CompareArgs, finish: &FinishArg) -> Result<LoadedCase, Failure> {
+fn load(
+    args: &CompareArgs,
+    (text, folder): (&Source, &Path),
+    finish: &FinishArg,
+) -> Result<LoadedCase, Failure> {
     let name = &finish.name;
     let whole = |file: &PathBuf| {
         // Told here: the case does not name this file.
@@ -87,22 +94,25 @@ fn load(args: &CompareArgs, finish: &FinishArg) -> Result<LoadedCase, Failure> {
     let wheel = finish.wheel.as_ref().map(whole).transpose()?;
     let change = |input: &mut CaseInput| {
         let surface = &mut input.surface;
-        let mirrored = surface
-            .wheel
-            .as_ref()
-            .map_or(Some(true), |wheel| wheel.mirrored);
-        surface.pinion = FlankInput {
-            file: Some(pinion.clone()),
-            mirrored: surface.pinion.mirrored,
-            ..FlankInput::default()
+        // How the files of the case are read holds for those of the finish; values of a flank without a file
+        // do not.
+        let on_file = |given: &FlankInput, file: &Path| FlankInput {
+            file: Some(file.to_owned()),
+            rq: None,
+            ra: None,
+            rz: None,
+            rpk: None,
+            asperity_radius: None,
+            ..given.clone()
         };
-        surface.wheel = wheel.clone().map(|file| FlankInput {
-            file: Some(file),
-            mirrored,
-            ..FlankInput::default()
+        let of_wheel = surface.wheel.clone().unwrap_or_else(|| FlankInput {
+            mirrored: Some(!surface.pinion.mirrored.unwrap_or(false)),
+            ..surface.pinion.clone()
         });
+        surface.pinion = on_file(&surface.pinion, &pinion);
+        surface.wheel = wheel.as_deref().map(|file| on_file(&of_wheel, file));
         input.model.offsets = Some(args.offsets);
     };
-    case::load_with(&args.case, &change)
+    case::load_set(text.clone(), folder, &keys(&args.set), &change)
         .map_err(|error| Failure::of(&error).adding(&format!(" (--finish {name})")))
 }

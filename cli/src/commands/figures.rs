@@ -1,15 +1,19 @@
 //! `asperity figures`: the figures of the 2022 paper.
 
+use asperity::case::{self, Formulation, LoadedCase};
 use asperity_studies::figures::{self, FigureError};
 
-use super::load_case;
-use crate::args::{Common, FiguresArgs, FormulationArg};
+use super::{keys, load_case};
+use crate::args::{Common, FiguresArgs, FormulationArg, SetArgs};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 
 /// `asperity figures`
 pub fn figures(args: &FiguresArgs, common: &Common) -> Result<(), Failure> {
-    let case = load_case(&args.case, Some(FormulationArg::Paper))?;
+    let case = match &args.case {
+        Some(case) => load_case(case, &args.set, Some(FormulationArg::Paper))?,
+        None => table_2(&args.set)?,
+    };
     let files = figures::write(&case, &args.output).map_err(|error| refused(&error))?;
     if common.json {
         return print_json(&files);
@@ -19,6 +23,22 @@ pub fn figures(args: &FiguresArgs, common: &Common) -> Result<(), Failure> {
         .map(|file| format!("{}\n", file.display()))
         .collect();
     print_text(common, &list)
+}
+
+/// Table 2 of the paper on a synthetic flank, which comes with the program.
+fn table_2(set: &SetArgs) -> Result<LoadedCase, Failure> {
+    let (case, flank) = asperity_fixtures::demo::table_2()
+        .map_err(|error| Failure::new("E501", format!("the case cannot be made: {error}")))?;
+    let flank = &flank.content;
+    let mut loaded = case::from_text(case.name, &case.content, &|_| Ok(flank.clone().into()))
+        .map_err(|error| Failure::of(&error))?;
+    for (key, value) in keys(set) {
+        let changed = loaded.with_key(&key, &value);
+        loaded = changed.map_err(|error| Failure::of(&error))?;
+    }
+    loaded
+        .with(|input| input.formulation = Some(Formulation::Paper))
+        .map_err(|error| Failure::of(&error))
 }
 
 fn refused(error: &FigureError) -> Failure {

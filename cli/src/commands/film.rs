@@ -9,7 +9,7 @@ use crate::output::{print_json, print_text};
 
 /// `asperity film`
 pub fn film(args: &FilmArgs, common: &Common) -> Result<(), Failure> {
-    let loaded = load_case(&args.case, None)?;
+    let loaded = load_case(&args.case, &args.set, None)?;
     let place = on_the_path(&loaded, args.position)?;
     let found = survey(&loaded, place).map_err(|error| Failure::about(&args.case, &error))?;
     if common.json {

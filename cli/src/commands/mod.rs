@@ -1,11 +1,17 @@
 //! One file per command.
 
+mod bibtex;
+pub mod check;
 pub mod compare;
 pub mod completions;
 pub mod contact;
 pub mod demo;
+pub mod diff;
+pub mod ehl;
 pub mod figures;
 pub mod film;
+pub mod gear;
+pub mod oils;
 pub mod profile;
 pub mod reference;
 pub mod regime;
@@ -13,20 +19,76 @@ pub mod report;
 pub mod run;
 mod work;
 
+use std::io::Read as _;
 use std::path::Path;
 
-use asperity::case::{self, Formulation, LoadedCase, PathPoint};
+use asperity::case::{self, CaseInput, Formulation, LoadedCase, PathPoint, Source};
 
-use crate::args::FormulationArg;
+use crate::args::{FormulationArg, SetArgs};
 use crate::failure::Failure;
 
+/// The text of a case and the folder that its files are relative to; `-` is standard input.
+fn source(path: &Path) -> Result<(Source, &Path), Failure> {
+    /// No case is longer.
+    const LONGEST: u64 = 10_000_000;
+    if path != Path::new("-") {
+        let source = case::open_source(path).map_err(|error| Failure::of(&error))?;
+        return Ok((source, path.parent().unwrap_or(Path::new("."))));
+    }
+    let mut bytes = Vec::new();
+    let read = std::io::stdin()
+        .lock()
+        .take(LONGEST)
+        .read_to_end(&mut bytes);
+    read.map_err(|error| Failure::new("E201", format!("standard input: {error}")))?;
+    let is_json = bytes.trim_ascii_start().starts_with(b"{");
+    let name = if is_json { "stdin.json" } else { "stdin" };
+    let source = Source::from_bytes(name, &bytes)
+        .map_err(|error| Failure::of(&asperity::Error::from(error)))?;
+    Ok((source, Path::new(".")))
+}
+
+/// The keys to set, as the library takes them.
+fn keys(set: &SetArgs) -> Vec<(String, String)> {
+    let pairs = set.keys.iter();
+    pairs
+        .map(|set| (set.key.clone(), set.value.clone()))
+        .collect()
+}
+
+/// Reads a case with its traces, its keys set and changed.
+fn load_changed(
+    path: &Path,
+    set: &SetArgs,
+    change: &dyn Fn(&mut CaseInput),
+) -> Result<LoadedCase, Failure> {
+    let (source, folder) = source(path)?;
+    case::load_set(source, folder, &keys(set), change).map_err(|error| Failure::of(&error))
+}
+
+/// Name of a case for its results.
+fn stem(path: &Path) -> &std::ffi::OsStr {
+    match path == Path::new("-") {
+        true => std::ffi::OsStr::new("stdin"),
+        false => path.file_stem().unwrap_or_default(),
+    }
+}
+
 /// Reads a case with its traces.
-fn load_case(path: &Path, formulation: Option<FormulationArg>) -> Result<LoadedCase, Failure> {
+fn load_case(
+    path: &Path,
+    set: &SetArgs,
+    formulation: Option<FormulationArg>,
+) -> Result<LoadedCase, Failure> {
     let formulation = formulation.map(|choice| match choice {
         FormulationArg::Corrected => Formulation::Corrected,
         FormulationArg::Paper => Formulation::Paper,
     });
-    case::load(path, formulation).map_err(|error| Failure::of(&error))
+    load_changed(path, set, &|input| {
+        if formulation.is_some() {
+            input.formulation = formulation;
+        }
+    })
 }
 
 /// A place on the path of contact as the user gave it, 0 at A and 1 at E, checked.

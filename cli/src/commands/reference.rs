@@ -93,6 +93,10 @@ fn as_json(entry: &message::Explanation) -> Value {
 }
 
 /// `asperity schema`
-pub fn schema() -> Result<(), Failure> {
+pub fn schema(markdown: bool, common: &Common) -> Result<(), Failure> {
+    if markdown {
+        let page = asperity::case::markdown().map_err(|error| Failure::of(&error))?;
+        return print_text(common, &page);
+    }
     print_json(&asperity::case::schema())
 }

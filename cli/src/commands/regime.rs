@@ -9,7 +9,7 @@ use crate::output::{print_json, print_text};
 
 /// `asperity regime`
 pub fn regime(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
-    let loaded = load_case(&args.case, args.formulation)?;
+    let loaded = load_case(&args.case, &args.set, args.formulation)?;
     let rows = survey(&loaded).map_err(|error| Failure::about(&args.case, &error))?;
     if common.json {
         return print_json(&rows);

@@ -3,12 +3,15 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use asperity::case::planetary::{self, LoadedPlanetary};
+use asperity::planetary::{PlanetaryResult, run_planetary};
 use asperity::result::RunResult;
 use asperity::{Error, pipeline};
 use asperity_report::{self as report, Fields, ReportError};
 
-use super::load_case;
+use super::bibtex::bibtex;
 use super::work::check_work;
+use super::{load_case, stem};
 use crate::args::{Common, RunArgs};
 use crate::failure::Failure;
 use crate::output::{PATIENCE, print_json, print_text, progress};
@@ -17,7 +20,14 @@ use crate::output::{PATIENCE, print_json, print_text, progress};
 pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
     let fields = fields(args)?;
-    let loaded = load_case(&args.case, args.formulation)?;
+    // A planetary set has its own keys.
+    if args.set.keys.is_empty() && args.case != Path::new("-") {
+        let set = planetary::load(&args.case).map_err(|error| Failure::of(&error))?;
+        if let Some(set) = set {
+            return run_set(&set, args, common, &fields, begin);
+        }
+    }
+    let loaded = load_case(&args.case, &args.set, args.formulation)?;
     check_work(&args.work, &loaded, 1)?;
     let folder = (!args.no_output).then(|| result_folder(args));
     if let Some(folder) = &folder {
@@ -36,9 +46,15 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let outcome = outcome.map_err(|error| failed(&error, args, folder.as_deref()))?;
     if let Some(folder) = &folder {
         report::write_folder(&outcome, folder, &fields).map_err(|error| not_written(&error))?;
+        if args.load_map {
+            report::write_load_points(&outcome, folder).map_err(|error| not_written(&error))?;
+        }
     }
     if common.json {
         return print_json(&outcome.result);
+    }
+    if args.cite {
+        return print_text(common, &bibtex(&outcome.result));
     }
     print_text(
         common,
@@ -46,8 +62,84 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     )
 }
 
+/// Both kinds of meshes of a planetary set.
+fn run_set(
+    set: &LoadedPlanetary,
+    args: &RunArgs,
+    common: &Common,
+    fields: &Fields,
+    begin: Instant,
+) -> Result<(), Failure> {
+    for mesh in &set.meshes {
+        check_work(&args.work, mesh, 1)?;
+    }
+    let folder = (!args.no_output).then(|| result_folder(args));
+    if let Some(folder) = &folder {
+        report::check_planetary_place(folder).map_err(|error| not_written(&error))?;
+    }
+    let outcome =
+        run_planetary(set, &|_, _| ()).map_err(|error| failed(&error, args, folder.as_deref()))?;
+    if let Some(folder) = &folder {
+        report::write_planetary(&outcome, folder, fields).map_err(|error| not_written(&error))?;
+    }
+    if common.json {
+        return print_json(&outcome.result);
+    }
+    let mut text = text_of_set(&outcome.result);
+    let seconds = begin.elapsed().as_secs_f64();
+    text.push_str(&match &folder {
+        Some(folder) => format!("wrote {} in {seconds:.1} s\n", folder.display()),
+        None => format!("in {seconds:.1} s\n"),
+    });
+    print_text(common, &text)
+}
+
+fn text_of_set(result: &PlanetaryResult) -> String {
+    let mut text = format!(
+        "{}\nefficiency (meshes only)  {:.4} %   loss {:.1} W   power in {:.2} kW\n\
+         {} planets   carrier {:.1} 1/min   power through the meshes {:.2} kW\n\
+         {:<16} {:>10} {:>10} {:>12} {:>8} {:>8} {:>9}\n",
+        result.title,
+        100.0 * result.efficiency,
+        result.loss_w,
+        1e-3 * result.power_in_w,
+        result.planets,
+        result.carrier_rad_per_s * 30.0 / std::f64::consts::PI,
+        1e-3 * result.rolling_power_w,
+        "mesh",
+        "T N m",
+        "loss W",
+        "efficiency",
+        "H_V",
+        "mu_eq",
+        "p0 MPa",
+    );
+    for row in &result.meshes {
+        text.push_str(&format!(
+            "{:<16} {:>10.3} {:>10.2} {:>10.4} % {:>8.4} {:>8.4} {:>9.0}\n",
+            row.mesh,
+            row.torque_nm,
+            row.loss_w,
+            100.0 * row.efficiency,
+            row.loss_factor,
+            row.mu_equivalent,
+            row.hertz_pressure_mpa,
+        ));
+    }
+    if !result.can_be_equally_spaced {
+        text.push_str("equally spaced planets cannot be assembled with these tooth numbers\n");
+    }
+    text
+}
+
 fn text(result: &RunResult, args: &RunArgs, folder: Option<&Path>, begin: Instant) -> String {
-    let mut text = report::summary(result);
+    let mut text = match args.notes {
+        true => report::summary(result),
+        false => report::brief(result),
+    };
+    if args.laws {
+        text.push_str(&report::published_laws(result));
+    }
     if args.explain_defaults {
         text.push_str("defaults used\n");
         for default in &result.defaults {
@@ -122,8 +214,7 @@ fn failed(error: &Error, args: &RunArgs, folder: Option<&Path>) -> Failure {
 }
 
 fn result_folder(args: &RunArgs) -> PathBuf {
-    args.output.clone().unwrap_or_else(|| {
-        let stem = args.case.file_stem().unwrap_or_default();
-        Path::new("results").join(stem)
-    })
+    args.output
+        .clone()
+        .unwrap_or_else(|| Path::new("results").join(stem(&args.case)))
 }

@@ -1,18 +1,20 @@
 //! From solved positions to the result: rows, summary, warnings.
 
 use asperity_efficiency::{LossKind, MeshEfficiency, equivalent_friction};
-use asperity_gear::LossFactors;
 
 use crate::case::Case;
-use crate::comparison::friction_laws;
+use crate::comparison::published_laws;
+use crate::deformation_losses::of_all_offsets;
 use crate::error::PositionError;
 use crate::flank_record::FlankRecord;
-use crate::position::Position;
+use crate::load_report::LoadReport;
+use crate::position::{Offset, Position};
 use crate::result::{
-    Losses, OffsetRow, Outcome, PositionRow, Regime, RunResult, RunningIn, SCHEMA_VERSION, Summary,
+    Losses, OffsetRow, Outcome, PointRow, PositionRow, Regime, RunResult, RunningIn,
+    SCHEMA_VERSION, Summary,
 };
 use crate::solved::{Solved, mean};
-use crate::{attention, formulation};
+use crate::{attention, formulation, friction};
 
 impl Solved<'_> {
     /// Losses alone.
@@ -26,18 +28,25 @@ impl Solved<'_> {
     }
 
     /// The outcome of a run; what its equations are is noted by the caller.
-    pub(crate) fn outcome(self) -> Result<Outcome, PositionError> {
+    pub(crate) fn outcome(
+        self,
+        points: &[(&'static str, Position)],
+    ) -> Result<Outcome, PositionError> {
         let case = &self.loaded.case;
         let summary = self.summary()?;
         let mut warnings = self.loaded.warnings.clone();
+        let load = LoadReport::new(case, self.map)?;
         warnings.extend(attention::warnings(self.loaded, &self.positions, &summary)?);
+        attention::load(self.loaded, &self.positions, &load, &mut warnings);
         let result = RunResult {
             schema_version: SCHEMA_VERSION,
             program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
             title: case.title.clone(),
             formulation: case.formulation,
-            friction_laws: friction_laws(&self, summary.efficiency)?,
+            published_laws: published_laws(&self)?,
+            load,
             path: self.path()?,
+            points: self.points(points)?,
             running_in: running_in(case, &self.meshes),
             summary,
             warnings,
@@ -57,6 +66,7 @@ impl Solved<'_> {
             result,
             offsets: offset_rows(&self.meshes),
             fields: fields.collect(),
+            load_map: self.map.clone(),
             traces: [0, 1].map(|body| self.loaded.flanks[body].trace.clone()),
         })
     }
@@ -73,11 +83,31 @@ impl Solved<'_> {
             .collect())
     }
 
+    fn points(&self, points: &[(&'static str, Position)]) -> Result<Vec<PointRow>, PositionError> {
+        let case = &self.loaded.case;
+        let forces = case.gears.forces(case.torque)?;
+        let per_width = forces.transverse_base.si() / case.gears.face_width.si();
+        points
+            .iter()
+            .map(|(point, position)| {
+                let rolling = friction::rolling(case, &position.station)?;
+                Ok(PointRow {
+                    point: (*point).into(),
+                    row: row(case, position, rolling, per_width),
+                })
+            })
+            .collect()
+    }
+
     fn summary(&self) -> Result<Summary, PositionError> {
         let case = &self.loaded.case;
         let (positions, meshes) = (&self.positions, &self.meshes);
-        let factors = self.laws.load_distribution.loss_factors(&case.gears)?;
-        summary(positions, meshes, factors)
+        let factors = [case.gears.ohlendorf_loss_factor(), self.map.loss_factor()];
+        let mut summary = summary(positions, meshes, factors)?;
+        let swept = of_all_offsets(case, positions)?;
+        summary.hysteresis_w = swept.hysteresis.si();
+        summary.elastic_cycling_w = swept.elastic_cycling.si();
+        Ok(summary)
     }
 }
 
@@ -95,13 +125,13 @@ fn offset_rows(meshes: &[MeshEfficiency]) -> Vec<OffsetRow> {
 fn summary(
     positions: &[Position],
     meshes: &[MeshEfficiency],
-    factors: LossFactors,
+    [ohlendorf, local]: [f64; 2],
 ) -> Result<Summary, PositionError> {
     let efficiencies: Vec<f64> = meshes.iter().map(|mesh| mesh.flow.efficiency).collect();
     let efficiency = mean(efficiencies.iter().copied());
     let power = |kind| mean(meshes.iter().map(|mesh| mesh.breakdown.power(kind).si()));
     // One position stands for the mesh in the paper's reading; its loss factor is of the whole path.
-    let equivalent = equivalent_friction(efficiency, factors.local)?;
+    let equivalent = equivalent_friction(efficiency, local)?;
     let contacts = || {
         positions
             .iter()
@@ -116,6 +146,21 @@ fn summary(
         .iter()
         .map(|position| position.station.weight * mixed_share(position))
         .sum();
+    // Means of the parts are parts of the mean: the cycle mean is linear in the force.
+    let part_of = |part: usize| {
+        let parts = positions.iter().map(|position| {
+            let station = &position.station;
+            let sliding = station.motion.sliding.si().abs() * station.sliding_factor;
+            station.weight * sliding * mean(forces(position).map(|force| force[part]))
+        });
+        parts.sum()
+    };
+    let share_of = |of: &dyn Fn(&Offset) -> f64| {
+        let shares = positions
+            .iter()
+            .map(|position| position.station.weight * mean(position.offsets.iter().map(of)));
+        shares.sum::<f64>() / total
+    };
     Ok(Summary {
         efficiency,
         efficiency_deviation: deviation(&efficiencies),
@@ -124,21 +169,37 @@ fn summary(
         torque_out_nm: mean(meshes.iter().map(|mesh| mesh.flow.output_torque.si())),
         loss_w: mean(meshes.iter().map(|mesh| mesh.flow.loss.si())),
         sliding_w: power(LossKind::Sliding),
+        film_w: part_of(0),
+        lubricated_asperity_w: part_of(1),
+        boundary_w: part_of(2),
         rolling_w: power(LossKind::Rolling),
         deformation_w: [
             power(LossKind::DeformationPinion),
             power(LossKind::DeformationWheel),
         ],
-        hysteresis_w: power(LossKind::Hysteresis),
+        hysteresis_w: 0.0,
+        elastic_cycling_w: 0.0,
+        asperity_share: share_of(&|offset| 1.0 - offset.film_share),
+        boundary_share: share_of(&boundary_share),
         mu_equivalent: equivalent.value,
-        loss_factor: factors.ohlendorf,
-        loss_factor_local: factors.local,
-        loss_factor_phase_averaged: factors.local_phase_averaged,
+        loss_factor: ohlendorf,
+        loss_factor_local: local,
         mixed_share: mixed / total,
         positions: positions.len(),
         worst_load_error: contacts().map(|c| c.load_error).fold(0.0, f64::max),
         worst_duality_gap: contacts().map(|c| c.duality_gap).fold(0.0, f64::max),
     })
+}
+
+/// Friction forces \[N/m\] of film, lubricated asperities and boundary layer at each offset.
+fn forces(position: &Position) -> impl Iterator<Item = [f64; 3]> {
+    let offsets = position.offsets.iter();
+    offsets.map(|offset| offset.rubbing.parts(offset.friction.mu))
+}
+
+/// Share of the load on the boundary layer: all that the asperities carry, where the law does not tell.
+fn boundary_share(offset: &Offset) -> f64 {
+    (1.0 - offset.film_share) * offset.boundary_part
 }
 
 /// A row of the path; `per_width` is the transverse base force over the face width \[N/m\], which is the
@@ -159,6 +220,13 @@ fn row(case: &Case, position: &Position, rolling: f64, per_width: f64) -> Positi
         .collect();
     let force = over(|offset| offset.friction_force);
     let share = mixed_share(position);
+    let solid = over(|offset| 1.0 - offset.film_share);
+    let gaps: Vec<f64> = offsets
+        .iter()
+        .filter_map(|offset| offset.solved.map(|solved| solved.mean_gap.si()))
+        .collect();
+    let sliding = motion.sliding.si().abs() * station.sliding_factor;
+    let parts = [0, 1, 2].map(|part| mean(forces(position).map(|force| force[part])));
     let surfaces = formulation::of(case.formulation).rolling_surfaces().count();
     PositionRow {
         position: station.number,
@@ -178,7 +246,7 @@ fn row(case: &Case, position: &Position, rolling: f64, per_width: f64) -> Positi
         thermal_reduction: station.thermal_reduction,
         film_central_um: station.film.central.si() * 1e6,
         film_minimum_um: station.film.minimum.si() * 1e6,
-        lambda_star: (!known.is_empty()).then(|| mean(known.iter().copied())),
+        lambda_star: median(known),
         // Between flat flanks it has no limit.
         film_ratio: Some(over(|offset| offset.film_ratio)).filter(|ratio| ratio.is_finite()),
         mixed_share: share,
@@ -188,10 +256,16 @@ fn row(case: &Case, position: &Position, rolling: f64, per_width: f64) -> Positi
             Regime::FullFilm
         },
         film_share: over(|offset| offset.film_share),
+        boundary_of_asperities: (solid > 0.0).then(|| over(boundary_share) / solid),
+        boundary_share: over(boundary_share),
+        mean_gap_um: (!gaps.is_empty()).then(|| mean(gaps.iter().copied()) * 1e6),
         mu_film: over(|offset| offset.friction.mu),
         mu: force / station.load.si(),
         flash_k: over(|offset| offset.flash),
-        sliding_w_per_m: force * motion.sliding.si().abs(),
+        sliding_w_per_m: force * sliding,
+        film_w_per_m: parts[0] * sliding,
+        lubricated_asperity_w_per_m: parts[1] * sliding,
+        boundary_w_per_m: parts[2] * sliding,
         rolling_w_per_m: surfaces * rolling * motion.entrainment.si(),
         contact_fraction: touching(|contact| contact.contact_fraction),
         p_max_mpa: touching(|contact| contact.p_max * 1e-6),
@@ -227,6 +301,17 @@ fn running_in(case: &Case, meshes: &[MeshEfficiency]) -> RunningIn {
 pub(crate) fn mixed_share(position: &Position) -> f64 {
     let is_mixed = |offset: &crate::position::Offset| f64::from(offset.regime == Regime::Mixed);
     mean(position.offsets.iter().map(is_mixed))
+}
+
+/// Median; none of no values.
+pub(crate) fn median(mut values: Vec<f64>) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    let n = values.len();
+    let upper = *values.get(n / 2)?;
+    Some(match n % 2 {
+        0 => 0.5 * (values[n / 2 - 1] + upper),
+        _ => upper,
+    })
 }
 
 /// Sample standard deviation; none for fewer than two values.

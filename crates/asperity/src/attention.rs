@@ -5,10 +5,13 @@ use std::collections::BTreeMap;
 use asperity_contact::plasticity::{FIRST_YIELD, first_yield_pressure};
 use asperity_core::OutOfRange;
 use asperity_efficiency::equivalent_friction;
+use asperity_gear::StiffnessSource;
 
 use crate::case::LoadedCase;
+use crate::encounter::is_substituted;
 use crate::error::PositionError;
 use crate::formulation;
+use crate::load_report::LoadReport;
 use crate::local_roughness::FEW_ASPERITIES;
 use crate::message::Warning;
 use crate::position::Position;
@@ -46,6 +49,65 @@ pub(crate) fn warnings(
     stress(loaded, positions, &mut found)?;
     roughness(loaded, positions, &mut found);
     Ok(found)
+}
+
+/// W421 to W425: the load over the teeth and the cells that stand for it.
+pub(crate) fn load(
+    loaded: &LoadedCase,
+    positions: &[Position],
+    load: &LoadReport,
+    found: &mut Vec<Warning>,
+) {
+    let mut add = |code, text: String| found.push(Warning::new(code, text));
+    if let Some(note) = &load.edge_contact {
+        add(
+            "W421",
+            format!(
+                "tips are not relieved and the teeth approach by {:.1} um: with contact of the tip edges H_V is {:.4} instead of {:.4}",
+                note.approach.si() * 1e6,
+                note.with,
+                note.without
+            ),
+        );
+    }
+    let is_substituted = |position: &&Position| is_substituted(&loaded.surfaces, &position.station);
+    let light = positions.iter().filter(is_substituted).count();
+    if light > 0 {
+        add(
+            "W422",
+            format!(
+                "{light} of {} cells of the path carry so little load that the points of the traces do not resolve their contact: the roughness of the whole traces stands for it",
+                positions.len()
+            ),
+        );
+    }
+    if !load.evidence.converged {
+        add(
+            "W423",
+            format!(
+                "the load over the teeth did not settle: the last change is {:.1e} of the mean load",
+                load.evidence.residual
+            ),
+        );
+    }
+    if let Some(StiffnessSource::IsoForRootForm(gear)) = load.evidence.stiffness {
+        add(
+            "W424",
+            format!(
+                "the root of the {gear} has no simple outline: the stiffness is that of ISO 6336-1"
+            ),
+        );
+    }
+    if loaded.case.gears.tips_may_foul() {
+        let [z1, z2] = loaded.case.gears.teeth;
+        add(
+            "W425",
+            format!(
+                "the ring has only {} teeth more than the pinion: tips may foul away from the line of action, which is not checked",
+                z2.saturating_sub(z1)
+            ),
+        );
+    }
 }
 
 /// W401 and W403: one line for each correlation and input, over all positions.

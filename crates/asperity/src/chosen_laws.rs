@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use asperity_ehl_regime::FilmThicknessLaw;
-use asperity_gear::LoadDistribution;
 use asperity_tribo_friction::FilmFriction;
 
 use crate::case::Case;
@@ -14,7 +13,6 @@ use crate::load_share_law::LoadShare;
 pub(crate) struct ChosenLaws {
     pub film: Arc<dyn FilmThicknessLaw>,
     pub friction: Arc<dyn FilmFriction>,
-    pub load_distribution: Arc<dyn LoadDistribution>,
     pub load_share: Arc<dyn LoadShare>,
 }
 
@@ -24,7 +22,6 @@ impl ChosenLaws {
         Self {
             film: case.film_law(),
             friction: case.film_friction(),
-            load_distribution: case.load_distribution(),
             load_share: case.load_share(),
         }
     }

@@ -1,69 +1,95 @@
-//! The mesh with other friction laws in the film.
+//! Published friction laws, each applied whole beside the result.
+
+use std::collections::BTreeSet;
 
 use asperity_core::provenance::Provenance;
+use asperity_efficiency::LossKind;
 use asperity_tribo_friction::{FilmFriction, FrictionLaw, NamedFriction};
 
 use crate::error::PositionError;
 use crate::friction;
 use crate::losses::efficiency_at;
 use crate::position::Position;
-use crate::result::{ComparisonOutcome, FrictionComparison};
+use crate::result::{PublishedLawRow, PublishedOutcome};
 use crate::solved::{Solved, mean};
 
-/// Laws that are compared with the one in use.
-const COMPARED: [FrictionLaw; 3] = [
+/// Laws that carry their own constants, so that they can be applied whole.
+const COMPARED: [FrictionLaw; 4] = [
     FrictionLaw::Xu,
     FrictionLaw::Iso14179Part2,
+    FrictionLaw::Iso14179Part1,
     FrictionLaw::BenedictKelley,
 ];
 
-/// Efficiency with other laws in the film, everything else equal. Their equations are not those that the
-/// result rests on and are left out of its list.
-pub(crate) fn friction_laws(
-    solved: &Solved<'_>,
-    own: f64,
-) -> Result<Vec<FrictionComparison>, PositionError> {
-    let used = solved.laws.friction.name();
-    let mut laws = vec![FrictionComparison {
-        law: used.to_owned(),
-        outcome: ComparisonOutcome::Efficiency(own),
-    }];
-    for law in COMPARED.into_iter().filter(|law| law.name() != used) {
-        let other = NamedFriction {
-            law,
-            settings: solved.loaded.case.model.friction_settings,
-        };
-        let outcome = match Provenance::new().collect(|| with_law(solved, &other)) {
-            Ok(value) => ComparisonOutcome::Efficiency(value),
-            // A law that refuses these conditions must not stop the run: it was not asked for.
-            Err(error) => ComparisonOutcome::Refused(error.to_string()),
-        };
-        laws.push(FrictionComparison {
-            law: law.name().to_owned(),
-            outcome,
-        });
-    }
-    Ok(laws)
+/// Rows of the published laws. Their equations are not those that the result rests on and are left out of its
+/// list.
+pub(crate) fn published_laws(solved: &Solved<'_>) -> Result<Vec<PublishedLawRow>, PositionError> {
+    COMPARED.iter().map(|law| row(solved, *law)).collect()
 }
 
-fn with_law(solved: &Solved<'_>, law: &dyn FilmFriction) -> Result<f64, PositionError> {
+fn row(solved: &Solved<'_>, law: FrictionLaw) -> Result<PublishedLawRow, PositionError> {
+    let about = law.published();
+    let temperature = solved.loaded.case.temperature;
+    let mut outside: BTreeSet<String> = about
+        .outside(temperature)?
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    let outcome = match Provenance::new().collect(|| applied(solved, law, &mut outside)) {
+        Ok(outcome) => outcome,
+        // A law that refuses these conditions must not stop the run: it was not asked for.
+        Err(error) => PublishedOutcome::Refused(error.to_string()),
+    };
+    Ok(PublishedLawRow {
+        law: law.name().to_owned(),
+        includes_asperities: about.includes_asperities(),
+        excludes_rolling: about.excludes_rolling,
+        fitted_to: about.fitted_to.to_owned(),
+        inside_its_range: outside.is_empty(),
+        outside: outside.into_iter().collect(),
+        outcome,
+    })
+}
+
+/// The law's coefficient times the load at every position and offset. A law made with the rolling loss in
+/// it has none added.
+fn applied(
+    solved: &Solved<'_>,
+    law: FrictionLaw,
+    outside: &mut BTreeSet<String>,
+) -> Result<PublishedOutcome, PositionError> {
     let (case, positions) = (&solved.loaded.case, &solved.positions);
+    let settings = case.model.friction_settings;
+    let named = NamedFriction { law, settings };
     let mut forces = Vec::with_capacity(positions.len());
     for position in positions {
         let mut of_offsets = Vec::with_capacity(position.offsets.len());
         for offset in &position.offsets {
-            let found = friction::in_film(case, law, &position.station, &offset.roughness)?;
-            of_offsets.push(offset.rubbing.force(found.mu));
+            let station = &position.station;
+            let contact = friction::film_contact(case, station, &offset.roughness, &case.oil)?;
+            let found = named.traction(&contact)?;
+            for note in &found.outside {
+                outside.insert(format!("{} of {}", note.name, note.correlation));
+            }
+            of_offsets.push(found.value.coefficient * station.load.si());
         }
         forces.push(of_offsets);
     }
+    let rolling: Vec<f64> = match law.published().excludes_rolling {
+        true => solved.rolling.clone(),
+        false => vec![0.0; solved.rolling.len()],
+    };
     let number = |position: &Position| position.station.number - 1;
-    let efficiencies = (0..solved.meshes.len())
-        .map(|k| {
-            let force = |position: &Position, k: usize| forces[number(position)][k];
-            let mesh = efficiency_at(case, positions, &solved.rolling, k, force)?;
-            Ok(mesh.flow.efficiency)
-        })
-        .collect::<Result<Vec<_>, PositionError>>()?;
-    Ok(mean(efficiencies.into_iter()))
+    let mut meshes = Vec::with_capacity(solved.meshes.len());
+    for k in 0..solved.meshes.len() {
+        let force = |position: &Position, k: usize| forces[number(position)][k];
+        meshes.push(efficiency_at(case, positions, &rolling, k, force)?);
+    }
+    let sliding =
+        |mesh: &asperity_efficiency::MeshEfficiency| mesh.breakdown.power(LossKind::Sliding).si();
+    Ok(PublishedOutcome::Applied {
+        loss_w: mean(meshes.iter().map(|mesh| mesh.flow.loss.si())),
+        sliding_w: mean(meshes.iter().map(sliding)),
+        efficiency: mean(meshes.iter().map(|mesh| mesh.flow.efficiency)),
+    })
 }

@@ -8,6 +8,7 @@ use crate::chosen_laws::ChosenLaws;
 use crate::encounter::Encounter;
 use crate::error::PositionError;
 use crate::friction;
+use crate::load_share::LoadShareSolution;
 use crate::load_share_law::{ShareConditions, SharedLoad};
 use crate::local_roughness::Roughness;
 use crate::station::Station;
@@ -29,6 +30,7 @@ pub(crate) fn decide(
     station: &Station,
     roughness: &Roughness,
     encounter: Option<&Encounter>,
+    solved: Option<&LoadShareSolution>,
 ) -> Result<Decision, PositionError> {
     let combined = roughness.combined_rq()?;
     let ratio = if combined.si() > 0.0 {
@@ -46,6 +48,7 @@ pub(crate) fn decide(
         film_ratio: ratio,
         contact: &contact,
         flow_pressure: case.flow_pressure,
+        solved,
     };
     Ok(Decision {
         lambda_star,
@@ -55,7 +58,7 @@ pub(crate) fn decide(
     })
 }
 
-fn lambda_star_of(
+pub(crate) fn lambda_star_of(
     laws: &ChosenLaws,
     station: &Station,
     roughness: &Roughness,

@@ -6,7 +6,7 @@ use asperity_core::quantity::Length;
 
 use crate::error::PositionError;
 use crate::local_roughness::Roughness;
-use crate::station::Station;
+use crate::station::{Resolution, Station};
 use crate::surfaces::{Surfaces, Texture};
 
 /// Least points per Hertz half-width at which a contact is resolved.
@@ -14,6 +14,40 @@ pub const LEAST_POINTS_PER_HALF_WIDTH: f64 = 20.0;
 
 /// The golden section: multiples of it, minus their whole part, fill an interval evenly.
 const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
+
+/// What meets at `station` at offset `k` of `count` and its roughness: that of the window, or where no window
+/// is resolved that of the flanks as a whole.
+pub(crate) fn meeting(
+    surfaces: &Surfaces,
+    station: &Station,
+    window: f64,
+    k: usize,
+    count: usize,
+) -> Result<(Option<Encounter>, Roughness), PositionError> {
+    let found = match is_substituted(surfaces, station) {
+        true => None,
+        false => Encounter::new(surfaces, station, window, k, count)?,
+    };
+    let roughness = match &found {
+        Some(encounter) => encounter.roughness,
+        None => surfaces.roughness_as_a_whole()?,
+    };
+    Ok((found, roughness))
+}
+
+/// Whether the roughness of the whole traces stands for the windows at `station`.
+pub(crate) fn is_substituted(surfaces: &Surfaces, station: &Station) -> bool {
+    let [Texture::Trace(first), Texture::Trace(_)] = surfaces.textures() else {
+        return false;
+    };
+    match station.resolution {
+        Resolution::Required => false,
+        Resolution::WhereFine => {
+            station.hertz.half_width / first.spacing() < LEAST_POINTS_PER_HALF_WIDTH
+        }
+        Resolution::WholeTraces => true,
+    }
+}
 
 /// The two flanks under the contact at one offset.
 #[derive(Debug, Clone)]
@@ -23,6 +57,8 @@ pub struct Encounter {
     pub x: Vec<f64>,
     /// Distance of the points.
     pub spacing: Length,
+    /// First point of the window on the traces of pinion and wheel.
+    pub starts: [usize; 2],
     /// Heights of pinion and wheel under the contact \[m\].
     pub heights: [Vec<f64>; 2],
     /// Undeformed gap x²/2R − z₁ − z₂ \[m\].
@@ -62,7 +98,9 @@ impl Encounter {
         // Evenly along the pinion; along the wheel in another order, so that the pairs differ.
         let along = (k as f64 + 0.5) / count as f64;
         let across = (0.5 + k as f64 * GOLDEN_SECTION).fract();
-        let flanks = [part(first, n, along)?, part(second, n, across)?];
+        let [(pinion, start_1), (wheel, start_2)] =
+            [part(first, n, along)?, part(second, n, across)?];
+        let flanks = [pinion, wheel];
         let dx = spacing.si();
         let x: Vec<f64> = (0..n).map(|i| (i as f64 - reach as f64) * dx).collect();
         let gap = TwoFlanks {
@@ -79,6 +117,7 @@ impl Encounter {
         Ok(Some(Self {
             x,
             spacing,
+            starts: [start_1, start_2],
             heights,
             gap,
             roughness,
@@ -86,8 +125,18 @@ impl Encounter {
     }
 }
 
-/// Window of `n` neighbouring points of `profile`, from the fraction `place` of where they can start.
-fn part(profile: &Profile, n: usize, place: f64) -> Result<Profile, PositionError> {
+impl Encounter {
+    /// Sum of the heights of both flanks \[m\].
+    #[must_use]
+    pub fn composite(&self) -> Vec<f64> {
+        let [first, second] = &self.heights;
+        first.iter().zip(second).map(|(a, b)| a + b).collect()
+    }
+}
+
+/// Window of `n` neighbouring points of `profile`, from the fraction `place` of where they can start, and its
+/// first point.
+fn part(profile: &Profile, n: usize, place: f64) -> Result<(Profile, usize), PositionError> {
     let free = profile
         .len()
         .checked_sub(n)
@@ -97,5 +146,5 @@ fn part(profile: &Profile, n: usize, place: f64) -> Result<Profile, PositionErro
         })?;
     let start = (place * free as f64).round() as usize;
     let window = profile.heights()[start..start + n].to_vec();
-    Ok(Profile::new(profile.spacing(), window)?)
+    Ok((Profile::new(profile.spacing(), window)?, start))
 }

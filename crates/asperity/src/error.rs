@@ -5,6 +5,7 @@ use asperity_core::DomainError;
 use asperity_core::remedy::{Remedy, Setting, Value};
 
 use crate::case::{CaseError, Place, Source};
+use crate::load_share::LoadShareError;
 use crate::message::explain;
 
 /// Why a mesh position has no solution.
@@ -23,6 +24,15 @@ pub enum PositionError {
     /// Friction refuses the numbers.
     #[error(transparent)]
     Friction(#[from] asperity_tribo_friction::FrictionError),
+    /// The load share has no solution.
+    #[error(transparent)]
+    LoadShare(#[from] LoadShareError),
+    /// Contact tables of other gears, flanks or loads.
+    #[error("the contact tables were made for another {differs}")]
+    OtherTables {
+        /// What differs.
+        differs: &'static str,
+    },
     /// The film's pressure refuses the numbers.
     #[error(transparent)]
     Film(#[from] asperity_ns_film::FilmError),
@@ -84,6 +94,23 @@ pub enum PositionError {
         /// Steps made.
         steps: usize,
     },
+    /// A state that is beyond physical sense.
+    #[error(
+        "{name} of {value:.3e} {unit} is beyond physical sense ({rule}{})",
+        limit.map(|limit| format!(" {limit:e} {unit}")).unwrap_or_default()
+    )]
+    Impossible {
+        /// Name of the quantity.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+        /// What it must be.
+        rule: &'static str,
+        /// The limit, where it is a number.
+        limit: Option<f64>,
+    },
     /// A rough contact without solution, with the gap that it had to close.
     #[error(transparent)]
     Unsolved(Box<UnsolvedContact>),
@@ -105,7 +132,8 @@ impl PositionError {
     /// The same error with the gap \[m\] at the points `x` \[m\], where it is about one that was not closed.
     pub(crate) fn keeping(self, x: &[f64], gap: &[f64]) -> Self {
         match self {
-            Self::Contact(ContactError::NotConverged { .. }) => {
+            Self::Contact(ContactError::NotConverged { .. })
+            | Self::LoadShare(LoadShareError::Contact(ContactError::NotConverged { .. })) => {
                 Self::Unsolved(Box::new(UnsolvedContact {
                     x: x.to_vec(),
                     gap: gap.to_vec(),
@@ -184,6 +212,7 @@ fn digits(value: f64) -> String {
 fn advice(source: &PositionError) -> &'static str {
     match source.reason() {
         PositionError::Contact(ContactError::NotConverged { .. })
+        | PositionError::Impossible { .. }
         | PositionError::FlashNotSettled { .. }
         | PositionError::Marching { .. } => ". No efficiency is reported",
         _ => "",
@@ -267,10 +296,19 @@ impl PositionError {
             Self::TooCoarse { .. } => "E121",
             Self::TraceTooShort { .. } => "E122",
             Self::NoProfile => "E303",
+            Self::Impossible { .. } => "E308",
             Self::Marching { .. } => "E304",
             Self::FlashNotSettled { .. } => "E301",
-            Self::Contact(ContactError::NotConverged { .. }) => "E301",
-            Self::Contact(ContactError::LimitBelowMeanPressure { .. }) => "E302",
+            Self::Contact(ContactError::NotConverged { .. })
+            | Self::LoadShare(
+                LoadShareError::Contact(ContactError::NotConverged { .. })
+                | LoadShareError::NoRoot { .. },
+            ) => "E301",
+            Self::Contact(ContactError::LimitBelowMeanPressure { .. })
+            | Self::LoadShare(LoadShareError::Contact(ContactError::LimitBelowMeanPressure {
+                ..
+            })) => "E302",
+            Self::LoadShare(LoadShareError::FlowPressureTooLow { .. }) => "E306",
             _ => "E305",
         }
     }
@@ -285,6 +323,10 @@ impl PositionError {
                 .or_set(key("model.window"), Value::Any)
                 .because("to fewer half-widths"),
             Self::FlashNotSettled { .. } => Remedy::omit(key("model.flash_feedback")),
+            Self::LoadShare(LoadShareError::FlowPressureTooLow { .. }) => {
+                Remedy::state(key("material.pinion.flow_pressure"))
+                    .because("to the indentation hardness, 6 to 8 GPa for case-hardened steel")
+            }
             Self::NoProfile => Remedy::act("give surface.pinion.file and surface.wheel.file"),
             Self::Marching { .. } => Remedy::state(key("model.delta_step"))
                 .because("to a smaller one")

@@ -12,6 +12,7 @@ use asperity_tribo_friction::{
 use crate::branch::Carried;
 use crate::case::Case;
 use crate::error::PositionError;
+use crate::formulation;
 use crate::load_share_law::SharedLoad;
 use crate::local_roughness::Roughness;
 use crate::station::Station;
@@ -145,8 +146,10 @@ fn mesh_conditions(case: &Case) -> Result<MeshConditions, PositionError> {
 /// What rubs at a contact, per metre of contact line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Rubbing {
-    /// Friction force of the asperities \[N/m\].
-    pub solid_force: f64,
+    /// Friction force of the boundary layer of touching asperities \[N/m\].
+    pub boundary_force: f64,
+    /// Friction force of lubricated asperities \[N/m\].
+    pub lubricated_force: f64,
     /// Load on the film \[N/m\].
     pub film_load: f64,
 }
@@ -155,9 +158,11 @@ impl Rubbing {
     /// With film and asperities sharing the load as `shared` says.
     pub(crate) fn of_share(case: &Case, station: &Station, shared: &SharedLoad) -> Self {
         let load = station.load.si();
-        let coefficient = shared.asperity_coefficient(case.model.boundary_friction);
+        let solid = (1.0 - shared.film_share) * load;
+        let boundary = shared.boundary_part * solid;
         Self {
-            solid_force: coefficient * (1.0 - shared.film_share) * load,
+            boundary_force: case.model.boundary_friction * boundary,
+            lubricated_force: shared.lubricated_coefficient * (solid - boundary),
             film_load: shared.film_share * load,
         }
     }
@@ -177,7 +182,8 @@ impl Rubbing {
         // With a coefficient of one the film's friction is the load on it.
         let friction = mixed_friction(spacing, solid, &fluid, boundary, 1.0)?;
         Ok(Self {
-            solid_force: friction.solid.si(),
+            boundary_force: friction.solid.si(),
+            lubricated_force: 0.0,
             film_load: friction.fluid.si(),
         })
     }
@@ -189,13 +195,23 @@ impl Rubbing {
     /// ```
     pub(crate) fn force(&self, mu_film: f64) -> f64 {
         cite!("P21");
-        self.solid_force + mu_film * self.film_load
+        let [film, lubricated, boundary] = self.parts(mu_film);
+        boundary + lubricated + film
+    }
+
+    /// Friction forces \[N/m\] of film, lubricated asperities and boundary layer.
+    pub(crate) fn parts(&self, mu_film: f64) -> [f64; 3] {
+        [
+            mu_film * self.film_load,
+            self.lubricated_force,
+            self.boundary_force,
+        ]
     }
 }
 
-/// Rolling friction force per metre of contact line on one surface \[N/m\].
+/// Rolling friction force per metre of contact line on one surface \[N/m\], hysteresis of the steel included.
 pub(crate) fn rolling(case: &Case, station: &Station) -> Result<f64, PositionError> {
-    Ok(rolling_force(&RollingConditions {
+    let film = rolling_force(&RollingConditions {
         entrainment: station.motion.entrainment,
         radius: station.motion.radius,
         load: station.load,
@@ -203,6 +219,14 @@ pub(crate) fn rolling(case: &Case, station: &Station) -> Result<f64, PositionErr
         viscosity: case.oil.dynamic_viscosity,
         pressure_viscosity: case.oil.pressure_viscosity,
         thermal_factor: station.thermal_reduction,
-    })?
-    .si())
+    })?;
+    let surfaces = formulation::of(case.formulation).rolling_surfaces();
+    Ok(film.si() + hysteresis_force(case, station) / surfaces.count())
+}
+
+/// Resistance to rolling by hysteresis per metre of contact line \[N/m\]: α_h 2 f a/(3πR).
+pub(crate) fn hysteresis_force(case: &Case, station: &Station) -> f64 {
+    let (f, a) = (station.load.si(), station.hertz.half_width.si());
+    let swept = 2.0 * f * a / (3.0 * std::f64::consts::PI * station.motion.radius.si());
+    case.model.hysteresis * swept
 }

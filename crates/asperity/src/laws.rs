@@ -46,9 +46,9 @@ use crate::load_share_law::LoadShare;
 pub struct Laws {
     /// Smooth film thickness, in place of `model.film`.
     pub film: Option<Arc<dyn FilmThicknessLaw>>,
-    /// Friction in the film, in place of `model.friction`.
+    /// Friction in the film, in place of `model.film_friction`.
     pub friction: Option<Arc<dyn FilmFriction>>,
-    /// Load over the teeth, in place of `model.load_sharing`.
+    /// Load over the teeth, in place of `model.load_distribution`.
     pub load_distribution: Option<Arc<dyn LoadDistribution>>,
     /// Film against asperities, in place of `model.load_share`.
     pub load_share: Option<Arc<dyn LoadShare>>,

@@ -9,11 +9,14 @@ use std::fmt::Debug;
 
 use asperity_core::material::Material;
 use asperity_core::quantity::Pressure;
-use asperity_ehl_regime::{LoadShareLaw, Regime};
+use asperity_ehl_regime::LoadShareLaw;
+use asperity_ehl_regime::published_shares::masjedi_khonsari;
 use asperity_tribo_friction::FilmContact;
 
+use crate::case::LoadShareName;
 use crate::encounter::Encounter;
 use crate::error::PositionError;
+use crate::load_share::{InletSupply, LoadShareSolution};
 use crate::local_roughness::Roughness;
 use crate::station::Station;
 
@@ -35,6 +38,9 @@ pub struct ShareConditions<'a> {
     pub contact: &'a FilmContact<'a>,
     /// Pressure at which each flank flows.
     pub flow_pressure: [Pressure; 2],
+    /// The rough contact solved for the supply of [`LoadShare::supply`]; none where the law asks for none, or
+    /// a flank was not measured.
+    pub solved: Option<&'a LoadShareSolution>,
 }
 
 impl ShareConditions<'_> {
@@ -61,6 +67,9 @@ pub struct SharedLoad {
     pub boundary_part: f64,
     /// Friction coefficient of the lubricated asperities.
     pub lubricated_coefficient: f64,
+    /// Friction coefficient of the film at the temperature that film and asperities make together, of laws
+    /// that solve for it.
+    pub film_coefficient: Option<f64>,
 }
 
 impl SharedLoad {
@@ -71,6 +80,7 @@ impl SharedLoad {
             film_share,
             boundary_part: 1.0,
             lubricated_coefficient: 0.0,
+            film_coefficient: None,
         }
     }
 
@@ -120,6 +130,11 @@ pub trait LoadShare: Debug + Send + Sync {
     /// Name, as results print it.
     fn name(&self) -> &str;
 
+    /// Inlet supply for which the law wants the rough contact solved; none by default.
+    fn supply(&self) -> Option<InletSupply> {
+        None
+    }
+
     /// Shares at one mesh position and one offset.
     ///
     /// # Errors
@@ -136,11 +151,49 @@ impl LoadShare for LoadShareLaw {
     }
 
     fn share(&self, conditions: &ShareConditions<'_>) -> Result<SharedLoad, PositionError> {
-        let deciding = conditions.deciding_ratio();
-        Ok(SharedLoad::of_film(match Regime::of(deciding)? {
-            // Both laws describe the mixed regime; neither is asked beyond it.
-            Regime::FullFilm => 1.0,
-            Regime::Mixed => self.film_share(deciding, conditions.film_ratio)?,
-        }))
+        let share = self.film_share(conditions.deciding_ratio(), conditions.film_ratio)?;
+        Ok(SharedLoad::of_film(share))
     }
+}
+
+impl LoadShare for LoadShareName {
+    fn name(&self) -> &str {
+        (*self).name()
+    }
+
+    fn supply(&self) -> Option<InletSupply> {
+        (*self).supply()
+    }
+
+    /// Where the rough contact is not known, `solved` and `jgp` fall back on `lambda-star`.
+    fn share(&self, conditions: &ShareConditions<'_>) -> Result<SharedLoad, PositionError> {
+        match (self, conditions.solved) {
+            (Self::Solved, Some(solved)) => Ok(SharedLoad {
+                film_coefficient: Some(solved.film_coefficient),
+                ..SharedLoad::of_film(1.0 - solved.asperity_share).with_lubricated_asperities(
+                    solved.boundary_of_asperities,
+                    solved.asperity_coefficient,
+                )
+            }),
+            (Self::Jgp, Some(solved)) => Ok(SharedLoad::of_film(1.0 - solved.asperity_share)),
+            (Self::MasjediKhonsari, _) => share_by_regression(conditions),
+            (Self::ZhuHu, _) => LoadShareLaw::ZhuHu.share(conditions),
+            (Self::Solved | Self::Jgp | Self::LambdaStar, _) => {
+                LoadShareLaw::LambdaStar.share(conditions)
+            }
+        }
+    }
+}
+
+fn share_by_regression(at: &ShareConditions<'_>) -> Result<SharedLoad, PositionError> {
+    let [pinion, wheel] = at.flow_pressure.map(Pressure::si);
+    let film = &at.station.film_conditions;
+    let asperities = masjedi_khonsari(
+        &film.line_groups()?,
+        at.roughness.combined_rq()?,
+        film.radius,
+        Pressure::from_si(pinion.min(wheel)),
+        film.modulus,
+    )?;
+    Ok(SharedLoad::of_film(1.0 - asperities.value))
 }

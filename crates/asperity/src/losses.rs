@@ -23,7 +23,10 @@ pub(crate) fn efficiency_at(
         .zip(rolling)
         .map(|(position, &rolling)| PositionLoss {
             weight: Length::from_si(position.station.weight),
-            sliding_force: LineLoad::from_si(force(position, offset)),
+            // Scaled so that force times speed is the mean over the contact line of the position.
+            sliding_force: LineLoad::from_si(
+                force(position, offset) * position.station.sliding_factor,
+            ),
             sliding_speed: position.station.motion.sliding,
             rolling_force: LineLoad::from_si(rolling),
             entrainment_speed: position.station.motion.entrainment,

@@ -107,11 +107,15 @@ explanations! {
     "E209" "a number outside its domain": "A number in the case or beside it cannot be, such as a negative module." => "Correct the value named.";
     "E210" "nothing of that name": "No equation has that tag, or no message that code." => "Look the name up in the list.";
     "E211" "the tolerance is too large": "A contact solved to a tolerance above 1e-4 can have pressures far off, and takes hardly less time." => "Give a tolerance of at most 1e-4; 1e-8 is the default.";
+    "E212" "a number beyond physical sense": "The value is beyond what any gear drive has, mostly because of a wrong unit or a slip of the decimal point." => "Check the unit; the usual range is named.";
     "E301" "a position did not converge": "The contact at a mesh position did not reach its tolerance. No efficiency is reported." => "Loosen model.tolerance, or look for spikes in the profile.";
     "E302" "the surface is too soft for the load": "The flow pressure is below what the load needs, so no distribution of pressure can carry it." => "Check material.pinion.flow_pressure and elastic_limit; case-hardened steel has 6 to 8 GPa and 1.5 to 2 GPa.";
     "E303" "a measured profile is needed": "The rough contact presses two profiles together, but a flank is given by roughness values only." => "Give surface.pinion.file and surface.wheel.file, or run the case in the corrected formulation.";
     "E304" "the marching did not reach the load": "Lowering the surfaces into each other step by step did not meet the load within the numerical error." => "Reduce model.delta_step or raise model.numerical_error.";
     "E305" "outside the model": "An equation refuses the numbers it is given at a mesh position." => "Check the value named against the ranges in docs/EQUATIONS.md, or choose another law in model.";
+    "E306" "the film alone would make the flank flow": "The flow pressure is below one and a half times the Hertz pressure, which the film carries without any asperity." => "Set material.pinion.flow_pressure to the indentation hardness: 6 to 8 GPa for case-hardened steel.";
+    "E307" "the lubricated contact did not converge": "Newton's method found no solution of the lubricated contact, or a time step failed at its smallest length. No result is reported." => "Take more cells, smoother profiles, a flow pressure where the surfaces flow, or another viscosity law.";
+    "E308" "a state beyond physical sense": "Pressure, film, speed, friction or flash temperature at a mesh position are beyond what is physically possible, so that no efficiency would mean anything." => "Check the numbers of the case, the unusual ones first.";
     "E401" "a result cannot be written": "The system refused to write, or the place is taken by something that is not a result." => "Choose another place or name, make its folder, or free some space.";
     "E402" "not a result": "What was named is not a result of a run, or lacks what was asked of it." => "Name a result folder, as results/e-drive, or its result.json.";
     "E501" "internal fault": "The program contradicts itself. This is a fault of the program, not of the input." => "Please report it with the case file.";
@@ -133,6 +137,7 @@ explanations! {
     "W126" "trace resampled": "The positions were not even; the heights were put on an even grid by straight lines, as asked for." => "Nothing, unless the shortest waves matter.";
     "W127" "roll lengths converted": "The positions were roll lengths or angles and are now distances along the involute." => "Check the base radius.";
     "W128" "another involute": "A parabola or cubic is left after the involute came off: the flank is crowned, or its base radius or roll length is another." => "Check base radius and roll length; the roll length that fits best is named.";
+    "W201" "outside the usual range": "A number of the case is outside the range that gear drives have. It may be right, but a wrong unit is more likely." => "Check the unit and the decimal point.";
     "W401" "outside a fitted range": "A correlation was used outside the data it was fitted to; its value may be wrong." => "Compare the other friction laws printed, or choose another law.";
     "W402" "equivalent friction implausible": "The mean friction coefficient that explains the loss is outside 0.01 to 0.12, which lubricated steel does not do." => "Check the roughness (form removed? units?) and the oil. In the paper formulation look at model.position: at the pitch point C nothing slides.";
     "W403" "roughness clamped in Xu's law": "The term exp(exp S) of Xu's law explodes above S = 0.6 um; the roughness was held there." => "Choose another friction law for rough flanks, or model.clamp_roughness = false to see the law as printed.";
@@ -147,6 +152,12 @@ explanations! {
     "W412" "no sliding at the paper's position": "The paper's reading takes one position for the whole mesh; at the pitch point nothing slides, so there is no sliding loss." => "Set model.position between 0 (A) and 1 (E), or use the corrected formulation.";
     "W413" "the contact runs into the end of the window": "The pressure is not zero at a free end, so the contact would go on beyond it; the pressures are those of a strip that ends there." => "Widen the gap on that side, or lower the load.";
     "W414" "the gap spans far more than the deformation": "The undeformed gap spans more than 1000 times what the bodies deform: an outlier, a sentinel for missing points, or a wrong unit." => "Look at the gap; the contact itself is solved to its tolerance.";
+    "W421" "tip edges are not relieved": "Under load the teeth approach each other by more than 5 um, so unrelieved tip edges touch before A and after E. The load map leaves that out; both loss factors are told." => "Give gears.pinion.tip_relief and gears.wheel.tip_relief, or set model.edge_contact = true.";
+    "W422" "contact of lightly loaded cells not resolved": "Cells that carry almost no loss have a contact narrower than the points of the traces resolve. The roughness of the whole traces stands for their windows." => "Measure with a smaller spacing if these cells matter.";
+    "W423" "load over the teeth did not settle": "The load map ended its rounds before the loads settled." => "Compare another model.load_distribution, and please report the case.";
+    "W424" "stiffness from ISO 6336-1": "The root of a tooth is undercut or cannot be drawn from the rack, so its compliance cannot be computed from its outline." => "Check gears.pinion.dedendum and gears.wheel.dedendum, or choose model.load_distribution = \"iso-stiffness\".";
+    "W425" "tips may foul": "A ring with fewer than ten teeth more than its pinion may foul its tips away from the line of action, which is not checked." => "Check the tip clearance on the drawing.";
+    "W415" "ridges that cannot leak": "The roughness that is left in the contact is above three smooth films. The ridges of the model go across the whole face and oil cannot pass beside them, so that its mean film is too thick and its friction too low." => "Take it as no referee here: measurement decides.";
 }
 
 #[cfg(test)]

@@ -1,29 +1,37 @@
 //! The one file that knows the order of the model, the paper's Fig. 2.
 //!
-//! At every mesh position, in parallel: motion and load, Hertz contact, smooth film; then at every
-//! offset of the traces: roughness under the contact, Λ* and with it the regime, load share, friction in
-//! the film, friction force. That is all that the losses need ([`losses`]). A run goes on: full film, or a
-//! rough contact that carries what the film does not ([`contacts`]), and at the first offset the fields and
-//! the stress below them ([`run`]). Then the sums: cycle mean at each offset, mean and spread over the
+//! The load over the flanks and the cells of the path; then at every mesh position, in parallel: motion and load,
+//! Hertz contact, smooth film; then at every
+//! offset of the traces: roughness under the contact, Λ* and with it the regime, the rough contact and from it
+//! the load share, friction in film, lubricated asperities and boundary layer. That is all that the losses
+//! need ([`losses`]); their contacts can be kept for other oils, speeds and temperatures ([`contact_tables`]). A
+//! run goes on with the contacts of the load shares that did not solve them ([`contacts`]), and at the first
+//! offset the fields and the stress below them ([`run`]). Then the sums: cycle mean at each offset, mean and spread over the
 //! offsets.
 
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity_core::provenance::Provenance;
+use asperity_gear::LoadMap;
 use rayon::prelude::*;
 
 use crate::case::LoadedCase;
 use crate::chosen_laws::ChosenLaws;
+use crate::contact_tables::ContactTables;
 use crate::detail::Detail;
+use crate::encounter::meeting;
 use crate::error::{Error, PositionError};
+use crate::formulation;
 use crate::friction;
+use crate::physical_sense::{check_position, check_station};
 use crate::position::Position;
 use crate::provenance;
 use crate::result::{Losses, Outcome};
+use crate::rough_film;
 use crate::solve::Run;
 use crate::solved::Solved;
-use crate::stations::stations_with;
+use crate::stations::{named_points, stations_with};
 
 pub use crate::stations::{station_at, stations};
 
@@ -46,16 +54,85 @@ pub fn contacts(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, 
     outcome(loaded, Detail::Contacts, progress)
 }
 
-/// Losses alone, equal to those of [`run`] to the last digit. The rough contacts are solved only where the
-/// losses hang on them: in the paper's formulation, and where running-in is counted.
+/// Losses alone, equal to those of [`run`] to the last digit. The rough contacts are solved where the losses
+/// hang on them: with the load shares `solved` and `jgp`, in the paper's formulation, and where running-in is
+/// counted.
 ///
 /// # Errors
 /// As [`run`].
 pub fn losses(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Losses, Error> {
+    losses_of(loaded, None, progress)
+}
+
+/// The same with the rough contacts made before, by [`contact_tables`], for a case that differs in oil, speed
+/// or temperature alone; to the last digit as without them.
+///
+/// # Errors
+/// As [`run`], and when the tables are those of other flanks, gears or loads.
+///
+/// ```
+/// use asperity::{case, pipeline};
+/// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+/// let case = case::load_with(file, &|input| {
+///     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+/// })?;
+/// let tables = pipeline::contact_tables(&case)?;
+/// for temperature in ["60 °C", "90 °C"] {
+///     let case = case.with_key("operation.temperature", temperature)?;
+///     let losses = pipeline::losses_with(&tables, &case, &|_, _| {})?;
+///     assert!(losses.summary.boundary_w > 0.0);
+/// }
+/// # Ok::<(), asperity::Error>(())
+/// ```
+pub fn losses_with(
+    tables: &ContactTables,
+    loaded: &LoadedCase,
+    progress: Progress<'_>,
+) -> Result<Losses, Error> {
+    let checked = tables.check(&loaded.case, &loaded.surfaces);
+    checked.map_err(Box::new)?;
+    losses_of(loaded, Some(tables), progress)
+}
+
+/// The rough contacts of a case at every position and offset, without oil, speed or temperature.
+///
+/// # Errors
+/// When a contact has no solution.
+pub fn contact_tables(loaded: &LoadedCase) -> Result<ContactTables, Error> {
+    let (case, surfaces) = (&loaded.case, &loaded.surfaces);
+    let laws = ChosenLaws::of(case);
+    let (_, stations) = stations_with(case, &laws).map_err(Box::new)?;
+    let count = surfaces.offsets(case.model.offsets);
+    let solved: Vec<Result<_, PositionError>> = stations
+        .into_par_iter()
+        .map(|station| {
+            let mut tables = Vec::with_capacity(count);
+            for k in 0..count {
+                let window = case.model.window;
+                if let (Some(met), _) = meeting(surfaces, &station, window, k, count)? {
+                    tables.push(rough_film::table(case, &station, &met)?);
+                }
+            }
+            Ok((station, tables))
+        })
+        .collect();
+    let rows: Vec<_> = solved
+        .into_iter()
+        .collect::<Result<_, PositionError>>()
+        .map_err(Box::new)?;
+    Ok(ContactTables::new(case, surfaces, rows.into_iter()))
+}
+
+fn losses_of(
+    loaded: &LoadedCase,
+    tables: Option<&ContactTables>,
+    progress: Progress<'_>,
+) -> Result<Losses, Error> {
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
-    let positions = positions(loaded, &laws, Detail::Losses, progress, &used)?;
-    let sums = || sums(loaded, &laws, positions)?.losses();
+    let chosen = (Detail::Losses, tables);
+    let (map, positions) = positions(loaded, &laws, chosen, progress, &used)?;
+    let sums = || sums(loaded, &map, positions)?.losses();
     let mut losses = used.collect(sums).map_err(Box::new)?;
     (losses.equations, _) = provenance::used(&tags(loaded, &used));
     Ok(losses)
@@ -64,8 +141,11 @@ pub fn losses(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Losses, Err
 fn outcome(loaded: &LoadedCase, detail: Detail, progress: Progress<'_>) -> Result<Outcome, Error> {
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
-    let positions = positions(loaded, &laws, detail, progress, &used)?;
-    let sums = || sums(loaded, &laws, positions)?.outcome();
+    let (map, positions) = positions(loaded, &laws, (detail, None), progress, &used)?;
+    let sums = || {
+        let points = points(loaded, &laws, &map)?;
+        sums(loaded, &map, positions)?.outcome(&points)
+    };
     let mut outcome = used.collect(sums).map_err(Box::new)?;
     let result = &mut outcome.result;
     (result.equations, result.references) = provenance::used(&tags(loaded, &used));
@@ -82,12 +162,12 @@ fn tags(loaded: &LoadedCase, used: &Provenance) -> BTreeSet<&'static str> {
 fn positions(
     loaded: &LoadedCase,
     laws: &ChosenLaws,
-    detail: Detail,
+    (detail, tables): (Detail, Option<&ContactTables>),
     progress: Progress<'_>,
     used: &Provenance,
-) -> Result<Vec<Position>, Error> {
+) -> Result<(LoadMap, Vec<Position>), Error> {
     let case = &loaded.case;
-    let stations = used
+    let (map, stations) = used
         .collect(|| stations_with(case, laws))
         .map_err(Box::new)?;
     let run = Run {
@@ -95,13 +175,18 @@ fn positions(
         laws,
         surfaces: &loaded.surfaces,
         detail,
+        tables,
     };
     let count = stations.len();
     let done = AtomicUsize::new(0);
     let solved: Vec<Result<Position, PositionError>> = stations
         .into_par_iter()
         .map(|station| {
-            let position = used.collect(|| run.solve(station));
+            let position = used.collect(|| {
+                check_station(&station)?;
+                let position = run.solve(station)?;
+                check_position(&position).map(|()| position)
+            });
             progress(1 + done.fetch_add(1, Ordering::Relaxed), count);
             position
         })
@@ -113,17 +198,41 @@ fn positions(
             source: Box::new(source),
         })
     };
-    solved.into_iter().enumerate().map(of_position).collect()
+    let positions: Result<_, _> = solved.into_iter().enumerate().map(of_position).collect();
+    Ok((map, positions?))
+}
+
+/// The points A to E of the path by the film's formulae, for display.
+fn points(
+    loaded: &LoadedCase,
+    laws: &ChosenLaws,
+    map: &LoadMap,
+) -> Result<Vec<(&'static str, Position)>, PositionError> {
+    let case = &loaded.case;
+    if formulation::of(case.formulation).takes_one_position() {
+        return Ok(Vec::new());
+    }
+    let run = Run {
+        case,
+        laws,
+        surfaces: &loaded.surfaces,
+        detail: Detail::Losses,
+        tables: None,
+    };
+    let stations = named_points(case, laws, map)?.into_iter();
+    stations
+        .map(|(name, station)| Ok((name, run.solve(station)?)))
+        .collect()
 }
 
 fn sums<'a>(
     loaded: &'a LoadedCase,
-    laws: &'a ChosenLaws,
+    map: &'a LoadMap,
     positions: Vec<Position>,
 ) -> Result<Solved<'a>, PositionError> {
     let rolling = positions
         .iter()
         .map(|position| friction::rolling(&loaded.case, &position.station))
         .collect::<Result<Vec<_>, _>>()?;
-    Solved::new(loaded, laws, positions, rolling)
+    Solved::new(loaded, map, positions, rolling)
 }

@@ -4,6 +4,7 @@ use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::Regime;
 
 use crate::friction::{InFilm, Rubbing};
+use crate::load_share::LoadShareSolution;
 use crate::local_roughness::Roughness;
 use crate::result::PositionFields;
 use crate::station::Station;
@@ -30,6 +31,10 @@ pub(crate) struct Offset {
     pub regime: Regime,
     /// Share of the load that the film carries.
     pub film_share: f64,
+    /// Share of the asperities' load that rubs with the boundary coefficient.
+    pub boundary_part: f64,
+    /// The rough contact at its share, where the law of the load share looks at it.
+    pub solved: Option<LoadShareSolution>,
     /// Friction in the film.
     pub friction: InFilm,
     /// What the asperities and the film contribute to the friction force.

@@ -5,15 +5,16 @@ use std::borrow::Cow;
 use asperity_core::lubricant::LubricantState;
 use asperity_core::{Profile, Reference};
 pub use asperity_ehl_regime::Regime;
-use asperity_gear::GearPair;
+use asperity_gear::{GearPair, LoadMap};
 use serde::{Deserialize, Serialize};
 
 use crate::case::{CaseInput, DefaultUsed, Formulation};
 use crate::flank_record::FlankRecord;
+use crate::load_report::LoadReport;
 use crate::message::Warning;
 
 /// Version of the structure of `result.json`; raised when a field changes its meaning.
-pub const SCHEMA_VERSION: u32 = 1;
+pub const SCHEMA_VERSION: u32 = 2;
 
 /// The result of a run, without the fields of single positions.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -29,10 +30,15 @@ pub struct RunResult {
     pub formulation: Formulation,
     /// Efficiency and losses.
     pub summary: Summary,
-    /// The same with other friction laws.
-    pub friction_laws: Vec<FrictionComparison>,
+    /// Published friction laws, each applied whole.
+    pub published_laws: Vec<PublishedLawRow>,
+    /// Load over the teeth.
+    pub load: LoadReport,
     /// One row per mesh position.
     pub path: Vec<PositionRow>,
+    /// The points A to E of the path under the mean load over the face, with the roughness of the whole flanks;
+    /// shown, and in no mean. Points that relief unloads are left out.
+    pub points: Vec<PointRow>,
     /// Plastic work of the first engagement.
     pub running_in: RunningIn,
     /// Warnings.
@@ -71,21 +77,30 @@ pub struct Summary {
     pub loss_w: f64,
     /// Sliding loss \[W\].
     pub sliding_w: f64,
-    /// Rolling loss \[W\].
+    /// Part of the sliding loss in the film \[W\].
+    pub film_w: f64,
+    /// Part of the sliding loss in touching asperities that are lubricated \[W\].
+    pub lubricated_asperity_w: f64,
+    /// Part of the sliding loss in the boundary layer of touching asperities \[W\].
+    pub boundary_w: f64,
+    /// Rolling loss, hysteresis of the steel included \[W\].
     pub rolling_w: f64,
     /// Deformation loss of pinion and wheel \[W\], where the formulation counts it.
     pub deformation_w: [f64; 2],
-    /// Elastic energy not given back \[W\].
+    /// Part of the rolling loss by hysteresis of the steel \[W\].
     pub hysteresis_w: f64,
+    /// Elastic work put into the flanks and given back, but for hysteresis \[W\]; no loss.
+    pub elastic_cycling_w: f64,
+    /// Share of the load on touching asperities, mean over mesh time.
+    pub asperity_share: f64,
+    /// Share of the load on their boundary layer, mean over mesh time.
+    pub boundary_share: f64,
     /// Friction coefficient that explains the loss with the local loss factor.
     pub mu_equivalent: f64,
     /// Loss factor of Ohlendorf.
     pub loss_factor: f64,
-    /// Loss factor of the load sharing used, with the line load at the mean length of contact lines.
+    /// Loss factor of the load over the flanks.
     pub loss_factor_local: f64,
-    /// The same with the load shared over the lines that touch at each instant; it differs on narrow
-    /// helical pairs.
-    pub loss_factor_phase_averaged: f64,
     /// Share of the path (by mesh time) in mixed or boundary lubrication.
     pub mixed_share: f64,
     /// Mesh positions computed.
@@ -96,23 +111,41 @@ pub struct Summary {
     pub worst_duality_gap: f64,
 }
 
-/// Efficiency with another friction law in the film, everything else equal.
+/// A published friction law applied whole: its coefficient times the load, instead of film and asperities.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
-pub struct FrictionComparison {
+pub struct PublishedLawRow {
     /// Name as in the case file.
     pub law: String,
-    /// Efficiency, or why there is none.
+    /// Whether the friction of asperities is in its coefficient.
+    pub includes_asperities: bool,
+    /// Whether it was made without the rolling loss, which is then that of this result.
+    pub excludes_rolling: bool,
+    /// What it was fitted to.
+    pub fitted_to: String,
+    /// Whether every input lies inside what it was fitted to.
+    pub inside_its_range: bool,
+    /// Inputs outside that, each once.
+    pub outside: Vec<String>,
+    /// Loss and efficiency, or why there are none.
     #[serde(flatten)]
-    pub outcome: ComparisonOutcome,
+    pub outcome: PublishedOutcome,
 }
 
-/// What a friction law gave.
+/// Loss by a published friction law.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum ComparisonOutcome {
-    /// Mesh efficiency with this law.
-    Efficiency(f64),
+#[non_exhaustive]
+pub enum PublishedOutcome {
+    /// Loss and efficiency of the mesh.
+    Applied {
+        /// All losses \[W\].
+        loss_w: f64,
+        /// Sliding loss \[W\].
+        sliding_w: f64,
+        /// Mesh efficiency.
+        efficiency: f64,
+    },
     /// Why the law cannot be used here.
     Refused(String),
 }
@@ -127,7 +160,7 @@ pub struct PositionRow {
     pub s_mm: f64,
     /// 0 at A, 1 at E.
     pub path_fraction: f64,
-    /// Weight of the position in the cycle mean \[m of contact line\].
+    /// Weight of the position in the cycle mean: the loaded contact line that it stands for \[m\].
     pub weight_m: f64,
     /// Line load \[N/mm\].
     pub line_load_n_per_mm: f64,
@@ -155,7 +188,7 @@ pub struct PositionRow {
     pub film_central_um: f64,
     /// Minimum film with thermal reduction \[µm\].
     pub film_minimum_um: f64,
-    /// Λ*; absent when the peaks of the flanks are not known.
+    /// Λ*, median over the offsets; absent when the peaks of the flanks are not known.
     pub lambda_star: Option<f64>,
     /// Minimum film over composite Rq; absent when both flanks are flat.
     pub film_ratio: Option<f64>,
@@ -163,17 +196,29 @@ pub struct PositionRow {
     pub mixed_share: f64,
     /// Regime of most offsets.
     pub regime: Regime,
-    /// Share of the load the film carries.
+    /// Share of the load the film carries; asperities carry the rest, φ.
     pub film_share: f64,
+    /// Share β of the asperities' load on the boundary layer; absent where nothing touches.
+    pub boundary_of_asperities: Option<f64>,
+    /// Share φβ of the load on the boundary layer.
+    pub boundary_share: f64,
+    /// Mean gap of the rough flanks \[µm\], of load shares that solve the contact.
+    pub mean_gap_um: Option<f64>,
     /// Friction coefficient in the film.
     pub mu_film: f64,
     /// Friction coefficient of the whole contact.
     pub mu: f64,
     /// Flash temperature \[K\].
     pub flash_k: f64,
-    /// Sliding loss per metre of contact line \[W/m\].
+    /// Sliding loss per metre of contact line, mean over that length \[W/m\].
     pub sliding_w_per_m: f64,
-    /// Rolling loss per metre of contact line \[W/m\].
+    /// Its part in the film \[W/m\].
+    pub film_w_per_m: f64,
+    /// Its part in lubricated asperities \[W/m\].
+    pub lubricated_asperity_w_per_m: f64,
+    /// Its part in the boundary layer \[W/m\].
+    pub boundary_w_per_m: f64,
+    /// Rolling loss per metre of contact line, hysteresis included \[W/m\].
     pub rolling_w_per_m: f64,
     /// Share of the window in solid contact (mixed offsets).
     pub contact_fraction: Option<f64>,
@@ -189,6 +234,17 @@ pub struct PositionRow {
     pub iterations: usize,
     /// Largest relative load error of a contact solution.
     pub load_error: f64,
+}
+
+/// A named point of the path of contact.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct PointRow {
+    /// A, B, C, D or E.
+    pub point: Cow<'static, str>,
+    /// What holds there.
+    #[serde(flatten)]
+    pub row: PositionRow,
 }
 
 /// Plastic work of the first engagement, which decays as the flanks run in.
@@ -339,6 +395,8 @@ pub struct Outcome {
     pub offsets: Vec<OffsetRow>,
     /// Fields of every position, of its first offset.
     pub fields: Vec<PositionFields>,
+    /// Load over the flanks, point by point.
+    pub load_map: LoadMap,
     /// Traces of pinion and wheel as read; absent for a flank known by its roughness values alone.
     pub traces: [Option<Profile>; 2],
 }

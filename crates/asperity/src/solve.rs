@@ -1,18 +1,23 @@
 //! One mesh position solved at every offset: regime, friction and, where asked for, contact and fields.
 
 use asperity_contact::Solver;
+use asperity_core::Checked;
 
 use crate::case::Case;
 use crate::chosen_laws::ChosenLaws;
+use crate::contact_tables::ContactTables;
 use crate::decision::{Decision, decide};
 use crate::detail::Detail;
-use crate::encounter::Encounter;
+use crate::encounter::{Encounter, meeting};
 use crate::error::PositionError;
 use crate::fields::fields;
 use crate::formulation::{self, Scene, Strategy};
-use crate::friction::{self, Rubbing};
+use crate::friction::{self, InFilm, Rubbing};
+use crate::load_share::LoadShareSolution;
+use crate::local_roughness::Roughness;
 use crate::position::{ContactNumbers, Offset, Position};
-use crate::station::Station;
+use crate::rough_film::{RoughFilm, Tables};
+use crate::station::{Resolution, Station};
 use crate::surfaces::Surfaces;
 
 /// Everything that is the same at all positions of a run.
@@ -21,6 +26,8 @@ pub(crate) struct Run<'a> {
     pub laws: &'a ChosenLaws,
     pub surfaces: &'a Surfaces,
     pub detail: Detail,
+    /// Contact tables made before.
+    pub tables: Option<&'a ContactTables>,
 }
 
 impl Run<'_> {
@@ -35,16 +42,23 @@ impl Run<'_> {
 
     /// Solves `station` at every offset, in order.
     pub(crate) fn solve(&self, station: Station) -> Result<Position, PositionError> {
-        let count = self.surfaces.offsets(self.case.model.offsets);
+        let count = match station.resolution {
+            // Every offset would give the same.
+            Resolution::WholeTraces => 1,
+            _ => self.surfaces.offsets(self.case.model.offsets),
+        };
         let mut position = Position {
             offsets: Vec::with_capacity(count),
             fields: None,
             von_mises: None,
             station,
         };
-        let mut solver = None;
+        let mut workspace = Workspace {
+            solver: None,
+            film: RoughFilm::at(self.case, self.laws, self.surfaces, &position.station)?,
+        };
         for k in 0..count {
-            let offset = self.offset(&mut position, k, count, &mut solver)?;
+            let offset = self.offset(&mut position, k, count, &mut workspace)?;
             position.offsets.push(offset);
         }
         Ok(position)
@@ -55,42 +69,81 @@ impl Run<'_> {
         position: &mut Position,
         k: usize,
         count: usize,
-        solver: &mut Option<Solver>,
+        workspace: &mut Workspace<'_>,
     ) -> Result<Offset, PositionError> {
         let (case, laws) = (self.case, self.laws);
         let window = case.model.window;
-        let encounter = Encounter::new(self.surfaces, &position.station, window, k, count)?;
+        let (encounter, roughness) = meeting(self.surfaces, &position.station, window, k, count)?;
         if encounter.is_none() && self.strategy().needs_traces() {
             return Err(PositionError::NoProfile);
         }
-        let roughness = match &encounter {
-            Some(encounter) => encounter.roughness,
-            None => self.surfaces.roughness_of_values()?,
-        };
         let station = &position.station;
-        let decision = decide(case, laws, station, &roughness, encounter.as_ref())?;
-        let friction = friction::in_film(case, laws.friction.as_ref(), station, &roughness)?;
+        let solved = match (&mut workspace.film, &encounter) {
+            (Some(film), Some(met)) => {
+                let tables = self.tables_at(station, k)?;
+                let shared = film.share(met, tables);
+                Some(shared.map_err(|error| error.keeping(&met.x, &met.gap))?)
+            }
+            _ => None,
+        };
+        let solution = solved.as_ref().map(|solved| &solved.value);
+        let met = encounter.as_ref();
+        let decision = decide(case, laws, station, &roughness, met, solution)?;
         let mut offset = Offset {
             roughness,
             lambda_star: decision.lambda_star,
             film_ratio: decision.film_ratio,
             regime: decision.regime,
             film_share: decision.shared.film_share,
-            friction,
+            boundary_part: decision.shared.boundary_part,
+            solved: solution.copied(),
+            friction: self.in_film(station, &roughness, &decision, solved)?,
             rubbing: Rubbing::of_share(case, station, &decision.shared),
             friction_force: 0.0,
             flash: 0.0,
             contact: None,
             deformation: [0.0; 2],
         };
-        if let Some(encounter) = encounter.filter(|_| self.solves_contacts()) {
+        let first = position.offsets.is_empty() && self.detail == Detail::Fields;
+        let needed = first || (offset.solved.is_none() && self.solves_contacts());
+        if let Some(encounter) = encounter.filter(|_| needed) {
+            let solver = &mut workspace.solver;
             self.contact(position, &mut offset, &encounter, &decision, solver)
                 .map_err(|error| error.keeping(&encounter.x, &encounter.gap))?;
+        }
+        if let Some(solved) = offset.solved.filter(|solved| solved.asperity_share > 0.0) {
+            offset.contact = Some(numbers(&solved, window));
         }
         offset.friction_force = offset.rubbing.force(offset.friction.mu);
         let station = &position.station;
         offset.flash = friction::flash(case, station, offset.friction_force / station.load.si())?;
         Ok(offset)
+    }
+
+    fn tables_at(&self, station: &Station, offset: usize) -> Result<Tables<'_>, PositionError> {
+        match self.tables {
+            Some(tables) => Ok(Tables::Made(tables.at(station, offset)?)),
+            None => Ok(Tables::AtNeed),
+        }
+    }
+
+    /// Friction in the film: of the load share where that solved for it, by the law otherwise.
+    fn in_film(
+        &self,
+        station: &Station,
+        roughness: &Roughness,
+        decision: &Decision,
+        solved: Option<Checked<LoadShareSolution>>,
+    ) -> Result<InFilm, PositionError> {
+        let case = self.case;
+        let own = case.laws.friction.is_some() || case.model.film_friction.shear_law().is_none();
+        match (decision.shared.film_coefficient, solved) {
+            (Some(mu), Some(solved)) if !own => Ok(InFilm {
+                mu: case.model.friction_scale * mu,
+                outside: solved.outside,
+            }),
+            _ => friction::in_film(case, self.laws.friction.as_ref(), station, roughness),
+        }
     }
 
     /// The rough contact at one offset, and the fields of the first one.
@@ -133,6 +186,24 @@ impl Run<'_> {
             position.von_mises = found.von_mises;
         }
         Ok(())
+    }
+}
+
+/// Kept between the offsets of a position.
+struct Workspace<'a> {
+    solver: Option<Solver>,
+    film: Option<RoughFilm<'a>>,
+}
+
+/// Numbers of a contact known by its table, in a window of `window` half-widths to each side.
+fn numbers(solved: &LoadShareSolution, window: f64) -> ContactNumbers {
+    ContactNumbers {
+        contact_fraction: solved.area / window,
+        p_max: solved.max_pressure.si(),
+        plastic_work: solved.dissipated.si(),
+        iterations: solved.evidence.share.iterations,
+        load_error: solved.evidence.load_error,
+        duality_gap: solved.evidence.duality_gap,
     }
 }
 

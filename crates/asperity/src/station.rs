@@ -6,6 +6,33 @@ use asperity_core::quantity::{Length, LineLoad};
 use asperity_ehl_regime::{FilmConditions, FilmThickness};
 use asperity_gear::Kinematics;
 
+/// A place on the path of contact that stands for a part of the mesh.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Place {
+    /// Coordinate along the line of action from T₁.
+    pub s: Length,
+    /// Load per length of contact line.
+    pub load: LineLoad,
+    /// Weight in the cycle mean: the loaded length of contact line.
+    pub weight: Length,
+    /// Mean of f |V_s| over that length, over the same at the place itself.
+    pub sliding_factor: f64,
+    /// Whether the rough contact must be resolved.
+    pub resolution: Resolution,
+}
+
+/// Whether the rough contact at a mesh position must be resolved by the points of the traces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Resolution {
+    /// It must be, or there is no result.
+    Required,
+    /// Where the points are too far apart, the roughness of the whole traces stands for the window: the
+    /// position carries so little of the loss.
+    WhereFine,
+    /// The whole traces stand for the window: the position is only shown.
+    WholeTraces,
+}
+
 /// A mesh position: everything that does not depend on the roughness.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
@@ -14,8 +41,12 @@ pub struct Station {
     pub number: usize,
     /// Coordinate along the line of action from T₁.
     pub s: Length,
-    /// Weight in the cycle mean \[m of contact line\].
+    /// Weight in the cycle mean \[m of loaded contact line\].
     pub weight: f64,
+    /// Mean of f |V_s| over the contact line that the position stands for, over the same at the position.
+    pub sliding_factor: f64,
+    /// Whether the rough contact must be resolved.
+    pub resolution: Resolution,
     /// Radii and speeds.
     pub motion: Kinematics,
     /// Load per length of contact line.

@@ -3,51 +3,93 @@
 use asperity_contact::hertz_line::HertzLine;
 use asperity_core::quantity::Length;
 use asperity_ehl_regime::{FilmConditions, thermal_loading};
+use asperity_gear::LoadMap;
 
 use crate::case::Case;
 use crate::chosen_laws::ChosenLaws;
 use crate::error::PositionError;
 use crate::formulation;
-use crate::station::Station;
+use crate::station::{Place, Resolution, Station};
 
 /// The mesh positions without roughness: along the path, or the paper's single one.
 ///
 /// # Errors
 /// When an equation refuses the numbers at a position.
 pub fn stations(case: &Case) -> Result<Vec<Station>, PositionError> {
-    stations_with(case, &ChosenLaws::of(case))
+    Ok(stations_with(case, &ChosenLaws::of(case))?.1)
 }
 
-/// The same with laws looked up before.
-pub(crate) fn stations_with(case: &Case, laws: &ChosenLaws) -> Result<Vec<Station>, PositionError> {
-    let places = formulation::of(case.formulation).places(case)?;
-    places
-        .into_iter()
-        .enumerate()
-        .map(|(index, place)| station(case, laws, index + 1, place.s, place.weight.si()))
-        .collect()
+/// The load over the flanks and the mesh positions, with laws looked up before.
+pub(crate) fn stations_with(
+    case: &Case,
+    laws: &ChosenLaws,
+) -> Result<(LoadMap, Vec<Station>), PositionError> {
+    let map = case.load_map()?;
+    let places = formulation::of(case.formulation).places(case, &map)?;
+    let numbered = places.iter().enumerate();
+    let stations = numbered
+        .map(|(index, place)| station(case, laws, index + 1, place))
+        .collect::<Result<_, _>>()?;
+    Ok((map, stations))
 }
 
-/// The place `s` of the path of contact on its own: number 1, without weight in a mean.
+/// The place `s` of the path of contact on its own, under the mean load over the face: number 1, without
+/// weight in a mean.
 ///
 /// # Errors
-/// When an equation refuses the numbers there.
+/// When an equation refuses the numbers there, as where relief keeps the flanks apart.
 pub fn station_at(case: &Case, s: Length) -> Result<Station, PositionError> {
-    station(case, &ChosenLaws::of(case), 1, s, 0.0)
+    let place = shown_at(&case.load_map()?, s, Resolution::Required)?;
+    station(case, &ChosenLaws::of(case), 1, &place)
 }
 
-/// The mesh position at `s` with its weight in the cycle mean.
+/// The points A to E of the path with the mean load over the face, which are shown and never weighted. A
+/// point that the path does not reach, or at which relief keeps the flanks apart, is left out.
+pub(crate) fn named_points(
+    case: &Case,
+    laws: &ChosenLaws,
+    map: &LoadMap,
+) -> Result<Vec<(&'static str, Station)>, PositionError> {
+    let path = case.gears.path();
+    let points = [
+        ("A", path.a),
+        ("B", path.b),
+        ("C", path.c),
+        ("D", path.d),
+        ("E", path.e),
+    ];
+    let mut found = Vec::new();
+    for (name, s) in points
+        .into_iter()
+        .filter(|(_, s)| (path.a..=path.e).contains(s))
+    {
+        let place = shown_at(map, s, Resolution::WholeTraces)?;
+        if place.load.si() > 0.0 {
+            found.push((name, station(case, laws, found.len() + 1, &place)?));
+        }
+    }
+    Ok(found)
+}
+
+fn shown_at(map: &LoadMap, s: Length, resolution: Resolution) -> Result<Place, PositionError> {
+    Ok(Place {
+        s,
+        load: map.mean_line_load(s)?,
+        weight: Length::from_si(0.0),
+        sliding_factor: 1.0,
+        resolution,
+    })
+}
+
+/// The mesh position at a place.
 fn station(
     case: &Case,
     laws: &ChosenLaws,
     number: usize,
-    s: Length,
-    weight: f64,
+    place: &Place,
 ) -> Result<Station, PositionError> {
+    let Place { s, load, .. } = *place;
     let motion = case.gears.kinematics(s, case.speed)?;
-    let load = laws
-        .load_distribution
-        .line_load(&case.gears, s, case.torque)?;
     let hertz = HertzLine::new(load, motion.radius, case.modulus)?;
     let film_conditions = FilmConditions {
         entrainment: motion.entrainment,
@@ -76,7 +118,9 @@ fn station(
     Ok(Station {
         number,
         s,
-        weight,
+        weight: place.weight.si(),
+        sliding_factor: place.sliding_factor,
+        resolution: place.resolution,
         motion,
         load,
         hertz,

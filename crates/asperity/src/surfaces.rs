@@ -1,7 +1,10 @@
 //! The two flanks as the pipeline sees them, and as the result reports them.
 
+use std::sync::OnceLock;
+
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
+use asperity_ehl_regime::TraceSpectrum;
 use asperity_profile_io::read::Reading;
 use asperity_roughness::Parameters;
 use asperity_roughness::preparation::PreparationRecord;
@@ -35,10 +38,20 @@ pub enum Texture {
     },
 }
 
+impl PartialEq for Surfaces {
+    fn eq(&self, other: &Self) -> bool {
+        self.textures == other.textures
+            && self.noise_cutoff == other.noise_cutoff
+            && self.same_trace == other.same_trace
+    }
+}
+
 /// Both flanks on a common spacing.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Surfaces {
     textures: [Texture; 2],
+    /// Spectra of both traces, made at first need.
+    spectra: OnceLock<Option<[TraceSpectrum; 2]>>,
     noise_cutoff: Option<Length>,
     /// Both flanks come from the same trace.
     pub same_trace: bool,
@@ -50,6 +63,7 @@ impl Surfaces {
     pub fn new(textures: [Texture; 2], noise_cutoff: Option<Length>, same_trace: bool) -> Self {
         Self {
             textures,
+            spectra: OnceLock::new(),
             noise_cutoff,
             same_trace,
         }
@@ -58,6 +72,20 @@ impl Surfaces {
     /// Pinion and wheel.
     pub fn textures(&self) -> &[Texture; 2] {
         &self.textures
+    }
+
+    /// Spectra of both traces; none where a flank was not measured.
+    pub(crate) fn spectra_of_traces(&self) -> Option<&[TraceSpectrum; 2]> {
+        let spectrum = |texture: &Texture| match texture {
+            Texture::Trace(profile) => {
+                TraceSpectrum::new(profile.heights(), profile.spacing()).ok()
+            }
+            Texture::Values { .. } => None,
+        };
+        let [first, second] = &self.textures;
+        self.spectra
+            .get_or_init(|| Some([spectrum(first)?, spectrum(second)?]))
+            .as_ref()
     }
 
     /// Whether both flanks were measured.
@@ -87,6 +115,17 @@ impl Surfaces {
             asperities: summits.map_or(0, |found| found.count),
             asperity_radius: summits.map(|found| found.radius),
         })
+    }
+
+    /// Roughness of the flanks as a whole: of both traces, or from values.
+    pub(crate) fn roughness_as_a_whole(&self) -> Result<Roughness, PositionError> {
+        let [Texture::Trace(first), Texture::Trace(second)] = &self.textures else {
+            return self.roughness_of_values();
+        };
+        let common = first.len().min(second.len());
+        let begin =
+            |trace: &Profile| Profile::new(trace.spacing(), trace.heights()[..common].to_vec());
+        self.roughness_of(&[begin(first)?, begin(second)?])
     }
 
     /// Roughness from values, where a flank has no trace; a trace counts with its whole length.

@@ -4,16 +4,19 @@ use asperity_core::quantity::Length;
 use asperity_ns_film::{FluidModel, pressure_difference_across};
 use serde::Serialize;
 
+use crate::assembly::median;
 use crate::case::LoadedCase;
 use crate::chosen_laws::ChosenLaws;
 use crate::decision::decide;
-use crate::encounter::Encounter;
+use crate::encounter::meeting;
 use crate::error::{Error, PositionError};
 use crate::fluid::film_at;
+use crate::physical_sense::check_station;
 use crate::result::Regime;
+use crate::rough_film::{RoughFilm, Tables};
 use crate::stations::{station_at, stations_with};
 
-/// Film and regime at one mesh position, mean over the offsets.
+/// Film and regime at one mesh position, mean over the offsets, Λ* their median.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RegimeRow {
     /// 0 at A, 1 at E.
@@ -56,15 +59,26 @@ fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
     let laws = ChosenLaws::of(case);
     let count = loaded.surfaces.offsets(case.model.offsets);
     let mut rows = Vec::new();
-    for station in stations_with(case, &laws)? {
+    for station in stations_with(case, &laws)?.1 {
+        check_station(&station)?;
         let mut decisions = Vec::with_capacity(count);
+        let mut film = RoughFilm::at(case, &laws, &loaded.surfaces, &station)?;
         for k in 0..count {
-            let met = Encounter::new(&loaded.surfaces, &station, case.model.window, k, count)?;
-            let roughness = match &met {
-                Some(encounter) => encounter.roughness,
-                None => loaded.surfaces.roughness_of_values()?,
+            let (met, roughness) =
+                meeting(&loaded.surfaces, &station, case.model.window, k, count)?;
+            let solved = match (&mut film, &met) {
+                (Some(film), Some(met)) => Some(film.share(met, Tables::AtNeed)?.value),
+                _ => None,
             };
-            decisions.push(decide(case, &laws, &station, &roughness, met.as_ref())?);
+            let solved = solved.as_ref();
+            decisions.push(decide(
+                case,
+                &laws,
+                &station,
+                &roughness,
+                met.as_ref(),
+                solved,
+            )?);
         }
         let n = count as f64;
         let known: Vec<f64> = decisions.iter().filter_map(|d| d.lambda_star).collect();
@@ -77,8 +91,7 @@ fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
             film_central_um: station.film.central.si() * 1e6,
             film_minimum_um: station.film.minimum.si() * 1e6,
             thermal_reduction: station.thermal_reduction,
-            lambda_star: (!known.is_empty())
-                .then(|| known.iter().sum::<f64>() / known.len() as f64),
+            lambda_star: median(known),
             film_ratio: Some(decisions.iter().map(|d| d.film_ratio).sum::<f64>() / n)
                 .filter(|ratio| ratio.is_finite()),
             film_share: decisions.iter().map(|d| d.shared.film_share).sum::<f64>() / n,
@@ -139,6 +152,7 @@ fn film_rows(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, Posi
     let place = place.unwrap_or((path.c - path.a) / (path.e - path.a));
     let s = path.a + (path.e - path.a) * place;
     let station = station_at(case, s)?;
+    check_station(&station)?;
     let hertz = station.hertz.max_pressure.si();
     let mut rows = Vec::new();
     for step in 0..=PER_DECADE * DECADES {

@@ -7,6 +7,7 @@
 use asperity_core::lubricant::{BaseOil, LubricantInput, ViscosityLaw};
 use asperity_core::quantity::Temperature;
 
+/// Prints quantities read from text.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     let bulk: Temperature = "90 °C".parse()?;
     let oil = LubricantInput {

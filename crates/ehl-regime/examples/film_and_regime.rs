@@ -7,6 +7,7 @@
 use asperity_core::quantity::{Length, Speed};
 use asperity_ehl_regime::{FilmConditions, FilmLaw};
 
+/// Prints film thickness and regime of one contact.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     let rq: Length = "0.4 um".parse()?;
     for speed in [1.0, 4.0, 16.0] {
@@ -17,7 +18,7 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
             modulus: "115.4 GPa".parse()?,
             viscosity: "10 mPa s".parse()?,
             pressure_viscosity: "15 1/GPa".parse()?,
-            contact_length: None,
+            contact_length: Some("50 mm".parse()?),
         };
         for law in [FilmLaw::DowsonToyoda, FilmLaw::HamrockDowson] {
             let film = law.film(&conditions)?;

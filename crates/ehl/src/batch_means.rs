@@ -19,6 +19,9 @@ pub(crate) struct BatchMeans {
     sums: Vec<f64>,
     duration: f64,
     blocks: Vec<Vec<f64>>,
+    /// Sums over the whole record, an unfinished block included.
+    totals: Vec<f64>,
+    elapsed: f64,
 }
 
 impl BatchMeans {
@@ -27,6 +30,7 @@ impl BatchMeans {
         Self {
             block,
             sums: vec![0.0; count],
+            totals: vec![0.0; count],
             ..Self::default()
         }
     }
@@ -36,6 +40,10 @@ impl BatchMeans {
         for (sum, value) in self.sums.iter_mut().zip(values) {
             *sum += duration * value;
         }
+        for (total, value) in self.totals.iter_mut().zip(values) {
+            *total += duration * value;
+        }
+        self.elapsed += duration;
         self.duration += duration;
         // The tolerance keeps a block of many equal steps from taking one too many.
         if self.duration >= self.block * (1.0 - 1e-9) {
@@ -50,7 +58,7 @@ impl BatchMeans {
         self.blocks.len()
     }
 
-    /// Mean and standard error of one quantity over the whole blocks.
+    /// Mean of one quantity over the record, with the standard error from its whole blocks.
     ///
     /// s = √( Σ (x̄ₖ − x̄)²/(n·(n − 1)) ) over n block means               `[Batch-means]`
     pub(crate) fn estimate(&self, quantity: usize) -> Estimate {
@@ -63,7 +71,7 @@ impl BatchMeans {
             .map(|b| (b[quantity] - mean).powi(2))
             .sum();
         Estimate {
-            mean,
+            mean: self.totals[quantity] / self.elapsed,
             standard_error: (squares / (n * (n - 1.0))).sqrt(),
         }
     }

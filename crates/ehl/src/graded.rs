@@ -22,6 +22,7 @@ const LIMITS: Limits = Limits {
     largest_change: 0.3,
     iterations: 80,
     flips: 0,
+    load: 1e-10,
 };
 /// Points at which densities of nodes are integrated.
 const FINE: usize = 20_000;

@@ -31,12 +31,14 @@ pub(crate) const LIMITS: Limits = Limits {
     largest_change: 0.3,
     iterations: 60,
     flips: 0,
+    load: 1e-10,
 };
 /// Limits on the grids before the finest.
 const COARSE_LIMITS: Limits = Limits {
     tolerance: 2e-2,
     linear_tolerance: 1e-4,
     flips: 4,
+    load: 1e-2,
     ..LIMITS
 };
 /// Factors of λ in the continuation from a thicker film.
@@ -192,7 +194,7 @@ pub fn solve(
     let window = settings
         .window
         .unwrap_or_else(|| Window::tabulated(&scales));
-    let found = solve_sequence(&scales, &fluid, window, settings.cells)?;
+    let found = solve_sequence(&scales, &fluid, window, settings.cells, &LIMITS)?;
     let evidence = Evidence {
         newton_iterations: found.newton_iterations,
         gmres_iterations: found.gmres_iterations,
@@ -285,17 +287,18 @@ pub(crate) fn solve_sequence(
     fluid: &Fluid,
     window: Window,
     cells: usize,
+    limits: &Limits,
 ) -> Result<Found, EhlError> {
     let (cells, window) = (check_cells(cells)?, window.check()?);
     let film = scales.film_guess();
     let mut work = (0, 0);
     let mut level = Level::new(window, cells);
-    let result = sequence(fluid, window, cells, film, &mut level, &mut work)
+    let result = sequence(fluid, window, film, &mut level, limits, &mut work)
         .or_else(|_| {
             let start = hertz_start(&level.grid, &mut level.system, film);
-            level.solve(fluid, start, &LIMITS, &mut work)
+            level.solve(fluid, start, limits, &mut work)
         })
-        .or_else(|_| continuation(fluid, film, &mut level, &mut work));
+        .or_else(|_| continuation(fluid, film, &mut level, limits, &mut work));
     match result {
         Ok(solution) => Ok(Found {
             grid: level.grid,
@@ -318,11 +321,12 @@ pub(crate) fn solve_sequence(
 fn sequence(
     fluid: &Fluid,
     window: Window,
-    cells: usize,
     film: f64,
     level: &mut Level,
+    limits: &Limits,
     work: &mut (usize, usize),
 ) -> Result<Solution, Effort> {
+    let cells = level.grid.spacing.len();
     let mut known: Option<(Grid, Solution)> = None;
     for part in parts(cells, window, film) {
         let mut coarse = Level::new(window, cells / part);
@@ -337,7 +341,7 @@ fn sequence(
         None => hertz_start(&level.grid, &mut level.system, film),
         Some((grid, solution)) => transfer(grid, solution, &level.grid),
     };
-    level.solve(fluid, start, &LIMITS, work)
+    level.solve(fluid, start, limits, work)
 }
 
 /// Parts of the cells on the grids before the finest: as coarse as the inlet zone allows.
@@ -361,6 +365,7 @@ fn continuation(
     fluid: &Fluid,
     film: f64,
     level: &mut Level,
+    limits: &Limits,
     work: &mut (usize, usize),
 ) -> Result<Solution, Effort> {
     let thicker = |factor: f64| film * factor.powf(0.7);
@@ -371,7 +376,7 @@ fn continuation(
             speed: fluid.speed * factor,
             ..*fluid
         };
-        let solution = level.solve(&thick, start, &LIMITS, work)?;
+        let solution = level.solve(&thick, start, limits, work)?;
         start = solution.unknowns.clone();
         last = Ok(solution);
     }

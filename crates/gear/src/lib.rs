@@ -72,7 +72,8 @@ pub use input::{GearPairInput, Plane};
 pub use kinematics::Kinematics;
 pub use load_distribution::LoadDistribution;
 pub use load_map::{
-    LoadCell, LoadLaw, LoadMap, LoadMapEvidence, LoadMapSettings, LoadSample, TransmissionError,
+    LoadCell, LoadConditions, LoadLaw, LoadMap, LoadMapEvidence, LoadMapSettings, LoadSample,
+    TransmissionError,
 };
 pub use load_sharing::LoadSharing;
 pub use loss_band::{BandPart, BandSource, EdgeContactNote, LossFactorBand};

@@ -10,7 +10,7 @@
 //! | amounts of tip relief | as given | drawing |
 
 use asperity_core::quantity::Length;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::error::GearError;
 use crate::load_map::{LoadMap, LoadMapSettings};
@@ -29,7 +29,7 @@ const UNSTATED_CHAMFER: f64 = 0.1;
 const NOTEWORTHY_APPROACH: Length = Length::from_si(5e-6);
 
 /// A cause of uncertainty.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum BandSource {
     /// Factor of theory to measurement.
@@ -45,7 +45,7 @@ pub enum BandSource {
 }
 
 /// The loss factors that one cause can give.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct BandPart {
     /// The cause.
     pub source: BandSource,
@@ -56,7 +56,7 @@ pub struct BandPart {
 }
 
 /// Band of the loss factor.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LossFactorBand {
     /// H_V of the map.
     pub value: f64,
@@ -69,7 +69,7 @@ pub struct LossFactorBand {
 }
 
 /// What contact of tip edges would do to a pair without relief.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct EdgeContactNote {
     /// Mean approach of the teeth, normal to the flank.
     pub approach: Length,
@@ -90,7 +90,7 @@ impl LoadMap {
         &self,
         relief_tolerance: Option<Length>,
     ) -> Result<Option<LossFactorBand>, GearError> {
-        if !self.law().is_elastic() {
+        if !self.is_elastic() {
             return Ok(None);
         }
         let mut parts = Vec::new();
@@ -160,7 +160,7 @@ impl LoadMap {
     }
 
     fn with_edge_contact(&self) -> Result<Option<f64>, GearError> {
-        let known = self.settings().edge_contact || !self.law().is_elastic();
+        let known = self.settings().edge_contact || !self.is_elastic();
         if known || self.pair().internal || self.micro_geometry().relieves_profile() {
             return Ok(None);
         }

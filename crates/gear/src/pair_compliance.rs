@@ -11,7 +11,7 @@
 //! below a root chord), and tabulated from there at even steps.
 
 use asperity_core::material::Material;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::chebyshev::{Chebyshev, SmoothTable};
 use crate::error::{Gear, GearError};
@@ -24,7 +24,7 @@ use crate::tooth_outline::{Flank, Outline, RootForm};
 const TABLE_POINTS: usize = 25;
 
 /// Where the stiffness of the teeth came from.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum StiffnessSource {
     /// Bending, foundation and flattening after Weber and Banaschek.

@@ -6,6 +6,7 @@
 
 use asperity_ns_film::{FilmConditions, FluidModel, pressure_difference_over_thickness};
 
+/// Prints the pressure across one film.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     let film = FilmConditions {
         wall_1: "4.57 m/s".parse()?,

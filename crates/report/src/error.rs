@@ -119,6 +119,15 @@ impl ReportError {
         }
     }
 
+    /// Error of a table at `path`.
+    pub(crate) fn csv(path: &Path) -> impl Fn(csv::Error) -> Self {
+        let path = path.to_owned();
+        move |source| Self::Csv {
+            path: path.clone(),
+            source,
+        }
+    }
+
     /// Error of a number at `path`.
     pub(crate) fn not_finite(path: &Path) -> impl Fn(NotFinite) -> Self {
         let path = path.to_owned();

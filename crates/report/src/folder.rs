@@ -23,6 +23,9 @@ const PAGE_TABLES: &str = "page.json";
 /// Kind of the folder in messages.
 const KIND: &str = "result";
 
+/// Every point of the load map, where it was asked for.
+const MAP: &str = "map.csv";
+
 /// Fields along the contact that a result folder keeps beside its page.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[non_exhaustive]
@@ -55,9 +58,9 @@ pub fn check_place(target: &Path) -> Result<(), ReportError> {
     Ok(check_folder(target, KIND)?)
 }
 
-/// Writes `outcome` as folder `target`: `result.json`, `path.csv`, tables of losses, friction laws and
-/// offsets, and `report.html` with the thinned tables it is drawn from; with `fields` also tables of the
-/// flanks, `convergence.csv`, and a folder `position_NN` for each position that is kept. An older result
+/// Writes `outcome` as folder `target`: `result.json`, `path.csv`, `load.csv`, tables of losses, friction laws and
+/// offsets, and `report.html` with the thinned tables it is drawn from; with `fields` also `load_map.csv`, tables of
+/// the flanks, `convergence.csv`, and a folder `position_NN` for each position that is kept. An older result
 /// there is replaced; anything else there is left alone and reported.
 ///
 /// # Errors
@@ -82,6 +85,15 @@ pub fn write_folder(outcome: &Outcome, target: &Path, fields: &Fields) -> Result
     replace_folder(target, KIND, |folder| fill(outcome, folder, fields))
 }
 
+/// Adds every point of the load map of `outcome` to its result folder, as `map.csv`.
+///
+/// # Errors
+/// When the system refuses.
+pub fn write_load_points(outcome: &Outcome, folder: &Path) -> Result<(), ReportError> {
+    let text = tables::text(Path::new(MAP), tables::load_points(&outcome.load_map))?;
+    Ok(write_among(folder, &[(MAP.to_owned(), text)])?)
+}
+
 /// Writes the gap of a contact without solution as CSV, in the form `asperity contact --gap` reads.
 ///
 /// # Errors
@@ -97,10 +109,11 @@ pub fn write_unsolved(contact: &UnsolvedContact, file: &Path) -> Result<(), Repo
     Ok(save(file, text.as_bytes())?)
 }
 
-fn fill(outcome: &Outcome, folder: &Path, fields: &Fields) -> Result<(), ReportError> {
+pub(crate) fn fill(outcome: &Outcome, folder: &Path, fields: &Fields) -> Result<(), ReportError> {
     let result = &outcome.result;
     write_json(&folder.join(MARK), result)?;
     tables::write(&folder.join("path.csv"), &result.path)?;
+    tables::write(&folder.join("load.csv"), &result.load.path)?;
     tables::write(&folder.join("offsets.csv"), &outcome.offsets)?;
     tables::write(&folder.join("losses.csv"), tables::losses(result))?;
     tables::write(
@@ -124,6 +137,7 @@ fn write_fields(
     folder: &Path,
     fields: &Fields,
 ) -> Result<(), ReportError> {
+    tables::write(&folder.join("load_map.csv"), &whole.load_map)?;
     for (body, flank) in whole.flanks.iter().enumerate() {
         if let Some(flank) = flank {
             flank.write(folder, body)?;

@@ -15,6 +15,7 @@ mod error;
 mod folder;
 pub mod html;
 mod page_tables;
+mod planetary;
 mod summary;
 pub mod tables;
 pub mod units;
@@ -22,9 +23,10 @@ mod wrap;
 
 pub use error::{ReportError, TableFault};
 pub use folder::{
-    Fields, check_place, make_folder, read_result, redraw, write_folder, write_json, write_text,
-    write_unsolved,
+    Fields, check_place, make_folder, read_result, redraw, write_folder, write_json,
+    write_load_points, write_text, write_unsolved,
 };
 pub use page_tables::PageTables;
-pub use summary::summary;
+pub use planetary::{check_planetary_place, write_planetary};
+pub use summary::{brief, published_laws, summary};
 pub use wrap::{COLUMNS, wrapped};

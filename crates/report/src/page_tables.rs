@@ -4,16 +4,18 @@ use asperity::result::{Outcome, PositionRow, RunResult};
 use serde::{Deserialize, Serialize};
 
 use crate::error::ReportError;
-use crate::tables::{ContactTables, FlankTables};
+use crate::tables::{ContactTables, FlankTables, LoadMapRow, load_map};
 
 /// Rows of a table that a page keeps.
 const ROWS: usize = 400;
 
-/// Tables of both flanks and of one mesh position.
+/// Tables of both flanks, of the load over them and of one mesh position.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PageTables {
     /// Pinion and wheel; none for a flank without a trace.
     pub flanks: [Option<FlankTables>; 2],
+    /// Load over path and face.
+    pub load_map: Vec<LoadMapRow>,
     /// The mesh position shown; none where no rough contact was solved.
     pub contact: Option<ContactTables>,
     /// File that holds the tables, where they have no files of their own.
@@ -44,6 +46,7 @@ impl PageTables {
         }
         Ok(Self {
             flanks: [flank(0)?, flank(1)?],
+            load_map: load_map(&outcome.load_map),
             contact,
             file: None,
         })
@@ -67,6 +70,7 @@ impl PageTables {
         };
         Ok(Self {
             flanks: [flank(0), flank(1)],
+            load_map: self.load_map.clone(),
             contact,
             file: Some(file.to_owned()),
         })

@@ -3,21 +3,61 @@
 use std::fmt::Write as _;
 
 use crate::wrap::{COLUMNS, wrapped};
-use asperity::result::{ComparisonOutcome, PositionRow, RunResult};
+use asperity::message::Warning;
+use asperity::result::{PositionRow, PublishedOutcome, RunResult};
 
 /// Under the text of a message, behind its code.
 const INDENT: &str = "     ";
 
-/// Efficiency, losses, regime and what calls for attention, as plain text.
+/// Efficiency, losses, regime and warnings, as plain text.
 pub fn summary(result: &RunResult) -> String {
+    let mut text = numbers(result);
+    for warning in &result.warnings {
+        text.push_str(&note(warning));
+    }
+    text
+}
+
+/// The same with the two warnings that matter most, the others counted in one line.
+pub fn brief(result: &RunResult) -> String {
+    let mut text = numbers(result);
+    let rank = |warning: &&Warning| MATTERS.iter().position(|code| *code == warning.code);
+    let mut weighty: Vec<&Warning> = result
+        .warnings
+        .iter()
+        .filter(|w| rank(w).is_some())
+        .collect();
+    weighty.sort_by_key(rank);
+    weighty.truncate(SHOWN_NOTES);
+    for warning in &weighty {
+        text.push_str(&note(warning));
+    }
+    let others = result.warnings.len() - weighty.len();
+    if others > 0 {
+        let plural = if others == 1 { "" } else { "s" };
+        let more = if weighty.is_empty() { "" } else { "more " };
+        text.push_str(&format!("{others} {more}note{plural}: --notes\n"));
+    }
+    text
+}
+
+/// Warnings that a first screen shows.
+const SHOWN_NOTES: usize = 2;
+/// Codes of warnings that put the efficiency in doubt and tell what to do, the weightiest first.
+const MATTERS: &[&str] = &[
+    "W402", "W412", "W405", "W201", "W124", "W128", "W112", "W118", "W111", "W125", "W117", "W113",
+    "W408", "W404", "W410",
+];
+
+fn note(warning: &Warning) -> String {
+    format!("{}\n", wrapped(&warning.to_string(), INDENT))
+}
+
+fn numbers(result: &RunResult) -> String {
     let mut text = String::new();
     // Writing into a string cannot fail.
     let _ = write_losses(&mut text, result);
     let _ = write_regime(&mut text, result);
-    let _ = write_laws(&mut text, result);
-    for warning in &result.warnings {
-        let _ = writeln!(text, "{}", wrapped(&warning.to_string(), INDENT));
-    }
     text
 }
 
@@ -35,7 +75,13 @@ fn write_losses(text: &mut String, result: &RunResult) -> std::fmt::Result {
         watts(s.power_in_w),
     )?;
     let mut parts = vec![
-        format!("sliding {}", watts(s.sliding_w)),
+        format!(
+            "sliding {} = film {} + lubricated asperities {} + boundary {}",
+            watts(s.sliding_w),
+            watts(s.film_w),
+            watts(s.lubricated_asperity_w),
+            watts(s.boundary_w),
+        ),
         format!("rolling {}", watts(s.rolling_w)),
     ];
     let [pinion, wheel] = s.deformation_w;
@@ -108,21 +154,36 @@ fn write_regime(text: &mut String, result: &RunResult) -> std::fmt::Result {
     Ok(())
 }
 
-fn write_laws(text: &mut String, result: &RunResult) -> std::fmt::Result {
-    if !result.friction_laws.is_empty() {
-        let laws: Vec<String> = result
-            .friction_laws
-            .iter()
-            .map(|entry| match &entry.outcome {
-                ComparisonOutcome::Efficiency(value) => {
-                    format!("{} {:.3}", entry.law, 100.0 * value)
-                }
-                ComparisonOutcome::Refused(_) => format!("{} -", entry.law),
-            })
-            .collect();
-        writeln!(text, "friction laws (%)  {}", laws.join("   "))?;
+/// The published laws, each applied whole, as a table of their own.
+pub fn published_laws(result: &RunResult) -> String {
+    let mut text = String::from(
+        "published laws, applied whole (no average, no mixing)\n\
+         law              loss      asperities  range\n",
+    );
+    for entry in &result.published_laws {
+        let loss = match &entry.outcome {
+            PublishedOutcome::Applied { loss_w, .. } => watts(*loss_w),
+            _ => "-".to_owned(),
+        };
+        let asperities = if entry.includes_asperities {
+            "in"
+        } else {
+            "out"
+        };
+        let range = match (entry.inside_its_range, &entry.outcome) {
+            (_, PublishedOutcome::Refused(why)) => why.clone(),
+            (true, _) => "inside".to_owned(),
+            (false, _) => format!("outside: {}", entry.outside.join("; ")),
+        };
+        let line = format!("{:<15}  {loss:<8}  {asperities:<10}  {range}", entry.law);
+        // Writing into a string cannot fail.
+        let _ = writeln!(
+            text,
+            "{}",
+            wrapped(&line, "                                       ")
+        );
     }
-    Ok(())
+    text
 }
 
 /// A power with three or four digits that mean something.

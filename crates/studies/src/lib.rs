@@ -2,5 +2,6 @@
 //! the figures of the 2022 paper.
 
 pub mod compare;
+pub mod diff;
 pub mod estimate;
 pub mod figures;

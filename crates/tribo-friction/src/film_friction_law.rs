@@ -58,6 +58,16 @@ impl FilmTraction {
             film_rise: None,
         }
     }
+
+    /// The same with the temperature rises \[K\] of surfaces and film.
+    #[must_use]
+    pub const fn with_rises(self, surface: f64, film: f64) -> Self {
+        Self {
+            surface_rise: Some(surface),
+            film_rise: Some(film),
+            ..self
+        }
+    }
 }
 
 /// Law of the friction coefficient in the film.

@@ -1,7 +1,7 @@
 //! `asperity contact`: the rough contact alone, of a case, of a bare gap or of two profiles.
 
 mod bare;
-mod column_file;
+pub mod column_file;
 mod found;
 mod stress;
 
@@ -68,7 +68,7 @@ fn check_tolerance(tolerance: f64) -> Result<(), Failure> {
 }
 
 fn of_case(path: &Path, args: &ContactArgs) -> Result<Found, Failure> {
-    let mut loaded = load_case(path, None)?;
+    let mut loaded = load_case(path, &args.set, None)?;
     loaded.case.model.tolerance = args.tolerance;
     let place = on_the_path(&loaded, args.position)?.unwrap_or(loaded.case.model.position);
     let DryContact {

@@ -10,7 +10,7 @@ use asperity_roughness::material_ratio::{Line, RkParameters, rk_parameters_with}
 use asperity_roughness::spectral::{PowerSpectrum, power_spectrum};
 use asperity_roughness::summits::{SummitStatistics, summit_statistics};
 
-use super::Evaluated;
+use super::evaluated::Evaluated;
 use crate::args::Wavelengths;
 
 /// The details of a profile; none where the profile has no such thing, being flat or short.

@@ -6,8 +6,9 @@ use std::path::Path;
 use asperity_report::wrapped;
 
 use super::details::Details;
+use super::evaluated::{Evaluated, um};
 use super::plan::Plan;
-use super::{Evaluated, json, text, um};
+use super::{json, text};
 use crate::args::{Common, ProfileInfoArgs};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};

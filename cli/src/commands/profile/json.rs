@@ -9,7 +9,7 @@ use asperity_roughness::spectral::PowerSpectrum;
 use serde_json::{Map, Value, json};
 
 use super::details::Details;
-use super::{Evaluated, um};
+use super::evaluated::{Evaluated, um};
 use crate::args::name_of;
 
 /// How the spectrum is meant.

@@ -6,8 +6,8 @@ use asperity_core::Profile;
 use asperity_roughness::material_ratio::{RkParameters, abbott_curve};
 use asperity_roughness::spectral::power_spectrum;
 
+use super::evaluated::{Evaluated, refusal, um};
 use super::svg::{Curve, Panel, document};
-use super::{Evaluated, refusal, um};
 use crate::args::{Common, ProfilePlotArgs};
 use crate::failure::Failure;
 use crate::output::{beside, print_text, save, save_new};

@@ -7,8 +7,8 @@ use asperity_roughness::height_parameters::HeightParameters;
 use asperity_roughness::material_ratio::RkParameters;
 
 use super::details::Details;
+use super::evaluated::{Evaluated, um};
 use super::plan::as_is;
-use super::{Evaluated, um};
 use crate::args::name_of;
 
 /// The report for reading.

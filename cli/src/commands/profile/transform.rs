@@ -8,8 +8,8 @@ use asperity_roughness::outliers::{Outliers, replace};
 use asperity_roughness::preparation::profiles;
 use serde_json::json;
 
+use super::evaluated::{Note, opened, refusal, save, um};
 use super::plan::Plan;
-use super::{Note, opened, refusal, save, um};
 use crate::args::{
     Common, ProfileConvertArgs, ProfileFilterArgs, ProfileGenerateArgs, ProfilePart,
 };

@@ -91,7 +91,7 @@ impl SurfaceInput {
 
 impl GearsInput {
     /// Spur gears of 20° without profile shift, addendum 1, of the same face width.
-    pub fn new(teeth: [u32; 2], module: Length, face_width: Length) -> Self {
+    pub fn new(teeth: [i32; 2], module: Length, face_width: Length) -> Self {
         Self {
             teeth,
             module,
@@ -103,6 +103,12 @@ impl GearsInput {
             centre_distance: None,
             tip_diameter: None,
             addendum: None,
+            pinion: None,
+            wheel: None,
+            end_relief: None,
+            pitch_deviations: None,
+            amounts: None,
+            relief_tolerance: None,
         }
     }
 }
@@ -119,6 +125,14 @@ impl OperationInput {
 }
 
 impl CaseBuilder {
+    /// A case as a value, whose files are in `folder`.
+    pub(super) fn of(input: CaseInput, folder: &Path) -> Self {
+        Self {
+            input,
+            files: Files::in_folder(folder),
+        }
+    }
+
     /// A line that names the case in every output.
     #[must_use]
     pub fn title(self, title: impl Into<String>) -> Self {

@@ -4,6 +4,7 @@ use asperity_core::DomainError;
 use asperity_core::remedy::{Remedy, Setting};
 use asperity_profile_io::read::ReadError;
 
+use super::model::LOOSEST_TOLERANCE;
 use super::place::Place;
 
 /// A case that cannot be run.
@@ -29,6 +30,14 @@ pub enum CaseError {
     Encoding {
         /// Where.
         place: Place,
+    },
+    /// The oil has no film friction.
+    #[error("{place}: {source}")]
+    FilmFriction {
+        /// Where.
+        place: Place,
+        /// Why.
+        source: asperity_tribo_friction::FrictionError,
     },
     /// Not TOML, or not JSON.
     #[error("{place}: {message}")]
@@ -79,6 +88,20 @@ pub enum CaseError {
         written: Option<String>,
         /// The number and the rule.
         source: DomainError,
+    },
+    /// A number that no gear drive has.
+    #[error("{place}: {key}{}: {seen} is beyond physical sense; usual is {usual}", as_written(written.as_deref()))]
+    Impossible {
+        /// Where.
+        place: Place,
+        /// The key, with its table.
+        key: &'static str,
+        /// The value as it stands in the file, where it does.
+        written: Option<String>,
+        /// The number with its unit.
+        seen: String,
+        /// The usual range with its unit.
+        usual: String,
     },
     /// A choice that these gears do not take.
     #[error("{place}: {key}: {source}")]
@@ -180,7 +203,13 @@ impl CaseError {
                 source: LubricantError::ImplausiblePressureViscosity { .. },
                 ..
             } => "E207",
-            Self::Lubricant { .. } => "E208",
+            Self::Lubricant { .. } | Self::FilmFriction { .. } => "E208",
+            Self::Domain {
+                key: "model.tolerance",
+                source,
+                ..
+            } if source.value > LOOSEST_TOLERANCE => "E211",
+            Self::Impossible { .. } => "E212",
             Self::Domain { .. } | Self::NotForTheseGears { .. } => "E209",
             Self::OpenNamed { .. } => "E103",
             Self::Profile { source, .. } => source.code(),
@@ -212,8 +241,10 @@ impl CaseError {
             | Self::Conflict { place, .. }
             | Self::Domain { place, .. }
             | Self::Gears { place, .. }
+            | Self::Impossible { place, .. }
             | Self::NotForTheseGears { place, .. }
             | Self::Lubricant { place, .. }
+            | Self::FilmFriction { place, .. }
             | Self::OpenNamed { place, .. }
             | Self::Profile { place, .. } => Some(place),
             Self::Open { .. } | Self::Folder { .. } | Self::Preparation { .. } => None,

@@ -10,19 +10,24 @@ use asperity_core::quantity::{
     Angle, AngularSpeed, Density, Length, Pressure, Ratio, SpecificHeat, Temperature,
     ThermalConductivity, Torque,
 };
-use asperity_ehl_regime::{FilmLaw, LoadShareLaw, ThermalLaw};
-use asperity_gear::{LoadSharing, PathOfContact, Plane};
+use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay};
+use asperity_ehl_regime::{FilmLaw, ThermalLaw};
+use asperity_gear::{AmountDirection, LoadLaw, PathOfContact, Plane};
 use asperity_ns_film::FluidModel;
 use asperity_profile_io::read::{
     Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator, Uneven,
 };
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
-use asperity_tribo_friction::FrictionLaw;
+use asperity_tribo_friction::PressureLaw;
 use schemars::JsonSchema;
 use serde::de::value::{SeqAccessDeserializer, StrDeserializer};
 use serde::de::{IntoDeserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
+
+use super::gear_input::{EndReliefInput, GearFlankInput};
+use super::law_names::{FilmFrictionLaw, LoadShareName};
+use crate::load_share::SpotSpeed;
 
 /// A case: gears, steel, oil, operation, two measured flanks, and the model to use.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -120,8 +125,8 @@ impl<'de, T: Deserialize<'de>> Visitor<'de> for OneOrTwoVisitor<T> {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GearsInput {
-    /// Numbers of teeth z, pinion then wheel.
-    pub teeth: [u32; 2],
+    /// Numbers of teeth z, pinion then wheel; negative for a ring: `[24, -75]`.
+    pub teeth: [i32; 2],
     /// Module m.
     pub module: Length,
     /// The plane the module is measured in; default `normal`.
@@ -140,6 +145,25 @@ pub struct GearsInput {
     pub tip_diameter: Option<[Length; 2]>,
     /// Addendum h_a* in modules; default 1.
     pub addendum: Option<f64>,
+    /// Flanks, tip and root of the pinion.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pinion: Option<GearFlankInput>,
+    /// Flanks, tip and root of the wheel.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wheel: Option<GearFlankInput>,
+    /// Relief of both ends of the face, of pinion and wheel together; default none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub end_relief: Option<EndReliefInput>,
+    /// Pitch deviations of successive pairs of teeth; default none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pitch_deviations: Option<Vec<Length>>,
+    /// Direction in which the amounts of all modifications count: `transverse` (along the base tangent, as
+    /// inspection charts print them, default) or `normal` to the flank.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub amounts: Option<AmountDirection>,
+    /// Tolerance of the amounts of tip relief, for the band of the loss factor; default none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub relief_tolerance: Option<Length>,
 }
 
 /// Elastic and thermal constants; all have the values of case-hardened steel by default.
@@ -152,7 +176,7 @@ pub struct BodyInput {
     pub poisson: Option<f64>,
     /// Elastic limit in tension.
     pub elastic_limit: Option<Pressure>,
-    /// Pressure at which asperities flow (indentation hardness); default 3 × the elastic limit.
+    /// Pressure at which asperities flow (indentation hardness); default 7 GPa.
     pub flow_pressure: Option<Pressure>,
     /// Density.
     pub density: Option<Density>,
@@ -252,7 +276,7 @@ pub struct FlankInput {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ModelInput {
-    /// Mesh positions along the path of contact; default 32 (`paper`: one).
+    /// Cells of the path of contact, with one contact evaluated in each; default 16 (`paper`: one position).
     pub positions: Option<usize>,
     /// The single position of the `paper` formulation: 0 at A, 1 at E, or `A` … `E`; default `C`.
     pub position: Option<PathPoint>,
@@ -260,28 +284,52 @@ pub struct ModelInput {
     pub offsets: Option<usize>,
     /// Half width of the contact window in Hertz half-widths; default 3.
     pub window: Option<f64>,
-    /// How the pairs of teeth in contact share the load; default `uniform`.
-    pub load_sharing: Option<LoadSharing>,
-    /// Friction coefficient in the film; default `xu`.
-    pub friction: Option<FrictionLaw>,
+    /// How the load spreads over the teeth in contact; default `elastic` (`paper`: `mean-length`).
+    pub load_distribution: Option<LoadLaw>,
+    /// Factor C_M of the stiffness of teeth, theory to measurement; default 0.8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stiffness_factor: Option<f64>,
+    /// Length over which a tooth spreads a load along its face, in modules; default 1.55.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub face_coupling: Option<f64>,
+    /// Let tip edges touch outside the path of contact; default false.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub edge_contact: Option<bool>,
+    /// Friction in the film; default `eyring` (`paper`: `xu`). The laws `eyring`, `carreau` and `newton` are
+    /// of a film alone; the others are published laws, most with asperities in their coefficient.
+    pub film_friction: Option<FilmFrictionLaw>,
+    /// Viscosity over pressure in the film friction of `eyring`, `carreau` and `newton`; default `barus`.
+    pub film_pressure_law: Option<PressureLaw>,
     /// Factor on the friction coefficient of the film (lubricant factor); default 1.
     pub friction_scale: Option<f64>,
-    /// The coefficient of `friction = "constant"`.
+    /// The coefficient of `film_friction = "constant"`.
     pub constant_friction: Option<f64>,
     /// Coefficients of Xu's law from an own calibration: a JSON file, relative to the case file.
     pub xu_coefficients: Option<PathBuf>,
     /// Lubricant factor X_L of `iso-14179-2`; default 1 (mineral oil).
     pub lubricant_factor: Option<f64>,
-    /// Friction coefficient of touching asperities μ_m; default 0.1 (`paper`: 0.3).
+    /// Coefficient of boundary friction μ_b; default 0.08 (`paper`: 0.3, metal on metal).
     pub boundary_friction: Option<f64>,
+    /// Height of the boundary layer on touching asperities; default 10 nm, which belongs to λs = 2.5 um.
+    pub boundary_layer: Option<Length>,
+    /// Lay γ of the roughness, one for both flanks or `[pinion, wheel]`: 0 ridges across the whole face
+    /// (default), 1 isotropic.
+    pub lay: Option<OneOrTwo<Lay>>,
+    /// Reading of the central film in film friction and load share: `mass-flow` (default) or `gap`.
+    pub central_film: Option<CentralFilm>,
+    /// Speed that carries oil into touching asperities: `entrainment` (default) or `half-sliding`, for the band.
+    pub spot_speed: Option<SpotSpeed>,
+    /// Factor on the solved share of the asperities, for the band; default 1.
+    pub asperity_share_factor: Option<f64>,
     /// Film thickness law; default `dowson-toyoda` (`paper`: `hamrock-dowson`).
     pub film: Option<FilmLaw>,
     /// Thermal reduction of the film and of rolling; default `gupta` (`paper`: `none`).
     pub thermal: Option<ThermalLaw>,
     /// Feed the flash temperature back into the viscosity of the friction law; default false.
     pub flash_feedback: Option<bool>,
-    /// Share of the load that the film carries; default `lambda-star`.
-    pub load_share: Option<LoadShareLaw>,
+    /// Share of the load that the film carries: `solved` (default) from the rough contact; `lambda-star`,
+    /// `zhu-hu`, `masjedi-khonsari` and `jgp` have all asperity load rub with the boundary coefficient.
+    pub load_share: Option<LoadShareName>,
     /// Model of the fluid pressure across the film; default `reynolds-cross` (`paper`: `paper`).
     pub fluid_pressure: Option<FluidModel>,
     /// Clamp the roughness in Xu's law at 0.6 um; default true (`paper`: false).
@@ -294,7 +342,7 @@ pub struct ModelInput {
     pub tolerance: Option<f64>,
     /// Count the plastic work of running-in among the losses; default false.
     pub include_running_in: Option<bool>,
-    /// Fraction of the elastic energy lost in hysteresis; default 0.
+    /// Fraction of the elastic energy lost in hysteresis, part of rolling; default 1 % (`paper`: 0).
     pub hysteresis: Option<Ratio>,
     /// Depths at which subsurface stress is computed; default 24.
     pub depths: Option<usize>,

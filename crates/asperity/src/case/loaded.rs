@@ -12,6 +12,7 @@ use super::flanks::{Flanks, flanks};
 use super::input::{CaseInput, Formulation, schema};
 use super::known_keys::first_unknown;
 use super::plain_words::plain;
+use super::plausibility::{of_files, unusual};
 use super::resolve::{Case, resolve};
 use super::source::Source;
 use crate::error::Error;
@@ -53,6 +54,47 @@ pub fn load(path: &Path, formulation: Option<Formulation>) -> Result<LoadedCase,
             input.formulation = formulation;
         }
     })
+}
+
+/// The same with keys set past the text, each by its path, as [`CaseInput::set`] takes them.
+///
+/// # Errors
+/// As for [`load`], or when a key is not known or its value cannot be read.
+pub fn load_set(
+    source: Source,
+    folder: &Path,
+    set: &[(String, String)],
+    change: &dyn Fn(&mut CaseInput),
+) -> Result<LoadedCase, Error> {
+    let mut source = source;
+    let read = |source: &mut Source| -> Result<LoadedCase, Error> {
+        let mut input = read(source)?;
+        set_keys(&mut input, source, set)?;
+        change(&mut input);
+        Ok(complete(
+            input,
+            source,
+            Files::in_folder(folder).into(),
+            None,
+        )?)
+    };
+    read(&mut source).map_err(|error| match error {
+        Error::Case(error) => Error::in_text(*error, source),
+        error => error,
+    })
+}
+
+/// Sets the keys one after the other and notes it in the source.
+pub(super) fn set_keys(
+    input: &mut CaseInput,
+    source: &mut Source,
+    set: &[(String, String)],
+) -> Result<(), CaseError> {
+    for (key, value) in set {
+        source.set(key, value);
+        input.set_at(source.place_of(key), key, value)?;
+    }
+    Ok(())
 }
 
 /// The same with the case changed by `change` before its defaults are filled in.
@@ -151,6 +193,14 @@ impl TryFrom<CaseInput> for LoadedCase {
     }
 }
 
+/// The text of the case file `path`.
+///
+/// # Errors
+/// When it cannot be read, or is no text in TOML (or JSON).
+pub fn open_source(path: &Path) -> Result<Source, Error> {
+    Ok(open(path)?)
+}
+
 fn open(path: &Path) -> Result<Source, CaseError> {
     let file = path.display().to_string();
     if path.is_dir() {
@@ -187,7 +237,7 @@ pub(super) fn read(source: &Source) -> Result<CaseInput, CaseError> {
 }
 
 /// Completes the case and reads its traces, or takes them from `before`, where they are the same.
-fn complete(
+pub(super) fn complete(
     input: CaseInput,
     source: &Source,
     files: Arc<Files>,
@@ -211,11 +261,13 @@ fn complete(
         Some(before) if before.case.input.surface == case.input.surface => Flanks {
             surfaces: before.surfaces.clone(),
             reports: before.flanks.clone(),
-            warnings: before.warnings.clone(),
+            warnings: of_files(&before.warnings),
             provenance: before.of_flanks.clone(),
         },
         _ => flanks(&case, source, &files)?,
     };
+    let mut warnings = warnings;
+    warnings.splice(0..0, unusual(&case));
     provenance.include(&of_flanks);
     Ok(LoadedCase {
         case,

@@ -13,20 +13,27 @@
 //! | another case | [`LoadedCase::with`], [`LoadedCase::with_key`] |
 
 mod builder;
+mod check;
 mod defaults;
 mod domain;
 mod error;
 mod files;
 mod flanks;
+mod gear_input;
+mod gears;
 mod input;
 mod key_names;
 mod known_keys;
+mod law_names;
 mod loaded;
 mod model;
 mod model_defaults;
 mod own_laws;
+mod page;
 mod place;
 mod plain_words;
+pub mod planetary;
+mod plausibility;
 mod resolve;
 mod set;
 mod source;
@@ -34,14 +41,18 @@ mod steel;
 mod trace;
 
 pub use builder::CaseBuilder;
+pub use check::{Findings, check};
 pub use defaults::DefaultUsed;
 pub use error::CaseError;
+pub use gear_input::{EndReliefInput, GearFlankInput, ReliefInput};
 pub use input::{
     BodyInput, CaseInput, FlankInput, Formulation, GearsInput, MaterialInput, ModelInput,
     NamedPoint, OneOrTwo, OperationInput, PathPoint, SurfaceInput, schema,
 };
-pub use loaded::{LoadedCase, Resolver, from_text, load, load_with};
+pub use law_names::{FilmFrictionLaw, LoadShareName};
+pub use loaded::{LoadedCase, Resolver, from_text, load, load_set, load_with, open_source};
 pub use model::Model;
+pub use page::markdown;
 pub use place::Place;
 pub use resolve::{Case, resolve};
 pub use source::{Source, Syntax};

@@ -1,17 +1,25 @@
 //! Defaults of the model that hang on its reading.
 
+use asperity_efficiency::swept::HYSTERESIS;
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
+use asperity_gear::LoadLaw;
 use asperity_ns_film::FluidModel;
+use asperity_tribo_friction::boundary::BOUNDARY_FRICTION;
 
 use super::input::Formulation;
+use super::law_names::{FilmFrictionLaw, LoadShareName};
 
 /// What a formulation takes where the case says nothing.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct ModelDefaults {
     /// One position stands for the whole mesh.
     pub one_position: bool,
     pub offsets: usize,
+    pub load_distribution: LoadLaw,
+    pub film_friction: FilmFrictionLaw,
+    pub load_share: LoadShareName,
     pub boundary_friction: f64,
+    pub hysteresis: f64,
     pub film: FilmLaw,
     pub thermal: ThermalLaw,
     pub fluid_pressure: FluidModel,
@@ -21,8 +29,11 @@ pub(super) struct ModelDefaults {
 const CORRECTED: ModelDefaults = ModelDefaults {
     one_position: false,
     offsets: 16,
-    // Ground steel in oil; measured values lie between 0.065 and 0.13.
-    boundary_friction: 0.1,
+    load_distribution: LoadLaw::Elastic,
+    film_friction: FilmFrictionLaw::Eyring,
+    load_share: LoadShareName::Solved,
+    boundary_friction: BOUNDARY_FRICTION,
+    hysteresis: HYSTERESIS,
     film: FilmLaw::DowsonToyoda,
     thermal: ThermalLaw::Gupta,
     fluid_pressure: FluidModel::ReynoldsCross,
@@ -32,8 +43,12 @@ const CORRECTED: ModelDefaults = ModelDefaults {
 const PAPER: ModelDefaults = ModelDefaults {
     one_position: true,
     offsets: 1,
+    load_distribution: LoadLaw::MeanLength,
+    film_friction: FilmFrictionLaw::Xu,
+    load_share: LoadShareName::LambdaStar,
     // Metal on metal as the 2022 paper takes it (its Table 2).
     boundary_friction: 0.3,
+    hysteresis: 0.0,
     film: FilmLaw::HamrockDowson,
     thermal: ThermalLaw::None,
     fluid_pressure: FluidModel::Paper,

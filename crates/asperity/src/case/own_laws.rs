@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use asperity_ehl_regime::FilmThicknessLaw;
-use asperity_gear::LoadDistribution;
+use asperity_gear::{GearError, LoadConditions, LoadDistribution, LoadMap};
 use asperity_tribo_friction::{FilmFriction, NamedFriction};
 
 use super::resolve::Case;
+use crate::film_alone::FilmAlone;
 use crate::load_share_law::LoadShare;
 
 impl Case {
@@ -49,19 +50,38 @@ impl Case {
     #[must_use]
     pub fn film_friction(&self) -> Arc<dyn FilmFriction> {
         let own = self.laws.friction.clone();
-        own.unwrap_or_else(|| {
-            Arc::new(NamedFriction {
-                law: self.model.friction,
-                settings: self.model.friction_settings,
-            })
-        })
+        own.unwrap_or_else(
+            || match (&self.rheology, self.model.film_friction.shear_law()) {
+                (Some(rheology), Some(_)) => {
+                    Arc::new(FilmAlone::new(rheology, self.model.central_film))
+                }
+                _ => Arc::new(NamedFriction {
+                    law: self.model.film_friction.published().unwrap_or_default(),
+                    settings: self.model.friction_settings,
+                }),
+            },
+        )
     }
 
     /// The distribution of the load over the teeth in use.
     #[must_use]
     pub fn load_distribution(&self) -> Arc<dyn LoadDistribution> {
         let own = self.laws.load_distribution.clone();
-        own.unwrap_or_else(|| self.model.load_sharing.clone().into())
+        own.unwrap_or_else(|| self.model.load_distribution.clone().into())
+    }
+
+    /// The load over the flanks by the law in use.
+    ///
+    /// # Errors
+    /// When the law does not hold for these gears.
+    pub fn load_map(&self) -> Result<LoadMap, GearError> {
+        self.load_distribution().load_map(&LoadConditions {
+            pair: &self.gears,
+            torque: self.torque,
+            micro: &self.micro_geometry,
+            materials: &self.materials,
+            settings: &self.load_settings,
+        })
     }
 
     /// The load sharing between film and asperities in use.

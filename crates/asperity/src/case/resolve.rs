@@ -2,27 +2,26 @@
 
 use asperity_core::lubricant::{Lubricant, LubricantError, LubricantState};
 use asperity_core::material::{Material, reduced_modulus};
-use asperity_core::quantity::{
-    Angle, AngularSpeed, Length, Pressure, Quantity, Temperature, Torque,
-};
+use asperity_core::quantity::{AngularSpeed, Length, Pressure, Quantity, Temperature, Torque};
 use asperity_core::{DomainError, OutOfRange};
-use asperity_gear::{GearError, GearPair, GearPairInput, Plane};
+use asperity_gear::{GearPair, LoadConditions, LoadMapSettings, MicroGeometry};
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::preparation::Preparation;
+use asperity_tribo_friction::{FilmRheology, FrictionError, TractionConstants};
 
 use super::defaults::{DefaultUsed, Defaults};
 use super::domain::domain;
 use super::error::CaseError;
+use super::gears::{check_load, gears, load_settings, micro_geometry};
 use super::input::{CaseInput, Formulation};
 use super::key_names::key_of;
 use super::model::{Model, model};
+use super::plausibility::{refuse_impossible, refuse_stiff_oil};
 use super::source::Source;
 use super::steel::materials;
 use crate::laws::Laws;
 
-/// Basic rack of ISO 53.
-const PRESSURE_ANGLE: f64 = 20.0 * std::f64::consts::PI / 180.0;
 /// Cut-offs of ISO 16610-21 practice: λc 0.8 mm, λs 2.5 µm.
 const CUTOFF: Length = Length::from_si(0.8e-3);
 const NOISE_CUTOFF: Length = Length::from_si(2.5e-6);
@@ -36,6 +35,10 @@ pub struct Case {
     pub formulation: Formulation,
     /// Derived gear geometry.
     pub gears: GearPair,
+    /// Modifications of the flanks.
+    pub micro_geometry: MicroGeometry,
+    /// Numbers of the load map.
+    pub load_settings: LoadMapSettings,
     /// Steel of pinion and wheel.
     pub materials: [Material; 2],
     /// Pressure at which the softer flank flows.
@@ -52,6 +55,8 @@ pub struct Case {
     pub lubricant: Lubricant,
     /// The oil at the bulk temperature.
     pub oil: LubricantState,
+    /// The oil in the film, where film friction or load share look at it.
+    pub rheology: Option<FilmRheology>,
     /// What about the oil was outside the range of its laws.
     pub oil_notes: Vec<OutOfRange>,
     /// How the traces are prepared.
@@ -71,9 +76,11 @@ pub struct Case {
 /// # Errors
 /// When a number is outside its domain, the gears cannot mesh, or the oil cannot be.
 pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
+    refuse_impossible(&input, source)?;
     let mut defaults = Defaults::default();
     let formulation = defaults.take("formulation", input.formulation, Formulation::default());
     let gears = gears(&input, source, &mut defaults)?;
+    let micro_geometry = micro_geometry(&input, source, &mut defaults)?;
     let (materials, flow_pressure) = materials(&input, source, &mut defaults)?;
     let modulus =
         reduced_modulus(&materials[0], &materials[1]).map_err(domain(source, "material.pinion"))?;
@@ -90,8 +97,35 @@ pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
     let oil = lubricant
         .at(operation.temperature)
         .map_err(lubricant_at(source))?;
+    refuse_stiff_oil(&oil.value, source)?;
     let preparation = preparation(&input, source, &mut defaults)?;
     let model = model(&input.model, formulation, &gears, source, &mut defaults)?;
+    let is_elastic = model.load_distribution.is_elastic();
+    let load_settings = load_settings(&input, is_elastic, &mut defaults);
+    let mesh = LoadConditions {
+        pair: &gears,
+        torque: operation.torque,
+        micro: &micro_geometry,
+        materials: &materials,
+        settings: &load_settings,
+    };
+    check_load(&mesh, &model, formulation, source)?;
+    let mut oil_state = oil.value;
+    let rheology =
+        match model.film_friction.shear_law().is_some() || model.load_share.supply().is_some() {
+            false => None,
+            true => {
+                let rheology = rheology(&lubricant, &model, operation.temperature)
+                    .map_err(rheology_at(source))?;
+                // One film in the whole run: as thick as the film friction has it.
+                let state = rheology
+                    .state(operation.temperature)
+                    .map_err(rheology_at(source))?;
+                oil_state.pressure_viscosity = state.pressure_viscosity;
+                oil_state.thermal_conductivity = state.conductivity;
+                Some(rheology)
+            }
+        };
     Ok(Case {
         title: input
             .title
@@ -99,6 +133,8 @@ pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
             .unwrap_or_else(|| "untitled case".to_owned()),
         formulation,
         gears,
+        micro_geometry,
+        load_settings,
         materials,
         flow_pressure,
         modulus,
@@ -106,7 +142,8 @@ pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
         speed: operation.speed,
         temperature: operation.temperature,
         lubricant,
-        oil: oil.value,
+        oil: oil_state,
+        rheology,
         oil_notes: oil.outside,
         preparation,
         model,
@@ -116,43 +153,51 @@ pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
     })
 }
 
-fn gears(
-    input: &CaseInput,
-    source: &Source,
-    defaults: &mut Defaults,
-) -> Result<GearPair, CaseError> {
-    let given = &input.gears;
-    let shift = match (given.profile_shift, given.centre_distance) {
-        (None, None) => Some(defaults.take("gears.profile_shift", None, [0.0, 0.0])),
-        (shift, _) => shift,
+/// The oil in the film: constants of its family, α as given at the temperature of the case or by Gold.
+fn rheology(
+    lubricant: &Lubricant,
+    model: &Model,
+    bulk: Temperature,
+) -> Result<FilmRheology, RheologyError> {
+    let family = lubricant
+        .base_oil()
+        .ok_or(RheologyError::Oil(LubricantError::NoBaseOil))?
+        .into();
+    let mut constants = TractionConstants::of(family)?;
+    if let Some(given) = lubricant.given_thermal_conductivity() {
+        constants.conductivity = given;
+    }
+    let rheology = match lubricant.given_pressure_viscosity() {
+        Some(alpha) => FilmRheology::with_alpha(lubricant, constants, alpha, bulk)?,
+        None => FilmRheology::new(lubricant, family)?.with_constants(constants)?,
     };
-    let geometry = GearPairInput {
-        teeth: given.teeth,
-        module: given.module,
-        module_plane: defaults.take("gears.module_plane", given.module_plane, Plane::Normal),
-        helix: defaults.take("gears.helix", given.helix, Angle::from_si(0.0)),
-        pressure_angle: defaults.take(
-            "gears.pressure_angle",
-            given.pressure_angle,
-            Angle::from_si(PRESSURE_ANGLE),
-        ),
-        face_width: given.face_width.both(),
-        overlap: None,
-        profile_shift: shift,
-        centre_distance: given.centre_distance,
-        tip_radius: given.tip_diameter.map(|d| d.map(|d| d / 2.0)),
-        addendum: match given.tip_diameter {
-            Some(_) => given.addendum.unwrap_or(1.0),
-            None => defaults.take("gears.addendum", given.addendum, 1.0),
-        },
-    };
-    GearPair::new(&geometry).map_err(|error| match error {
-        GearError::Domain(error) => domain(source, key_of("gears", error.name))(error),
-        error => CaseError::Gears {
-            place: source.place_of_key("gears"),
+    let shear = model.film_friction.shear_law().unwrap_or_default();
+    Ok(rheology.with_laws(shear, model.film_pressure_law))
+}
+
+/// Why there is no rheology of the oil.
+enum RheologyError {
+    Oil(LubricantError),
+    Friction(FrictionError),
+}
+
+impl From<FrictionError> for RheologyError {
+    fn from(error: FrictionError) -> Self {
+        Self::Friction(error)
+    }
+}
+
+fn rheology_at<E: Into<RheologyError>>(source: &Source) -> impl Fn(E) -> CaseError + use<'_, E> {
+    |error| match error.into() {
+        RheologyError::Oil(error) => lubricant_at(source)(error),
+        RheologyError::Friction(FrictionError::Domain(error)) => {
+            domain(source, key_of("lubricant", error.name))(error)
+        }
+        RheologyError::Friction(error) => CaseError::FilmFriction {
+            place: source.place_of_key("lubricant"),
             source: error,
         },
-    })
+    }
 }
 
 fn preparation(

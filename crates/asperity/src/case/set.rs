@@ -33,15 +33,23 @@ impl CaseInput {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn set(&mut self, path: &str, value: &str) -> Result<(), Error> {
+        Ok(self.set_at(Source::in_memory().place_of(path), path, value)?)
+    }
+
+    /// The same for a key whose place is known.
+    pub(super) fn set_at(
+        &mut self,
+        place: Place,
+        path: &str,
+        value: &str,
+    ) -> Result<(), CaseError> {
         let schema = schema();
-        let place = Source::in_memory().place_of(path);
         if let Some((key, nearest)) = first_unknown(&schema, std::iter::once(path)) {
             return Err(CaseError::UnknownKey {
                 place,
                 key: key.to_owned(),
                 nearest,
-            }
-            .into());
+            });
         }
         let typed = typed(value);
         let is_text = typed.is_str();

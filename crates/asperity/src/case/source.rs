@@ -1,6 +1,6 @@
 //! The text of a case file, and where each key of it stands.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use serde::de::DeserializeOwned;
@@ -30,6 +30,8 @@ pub struct Source {
     values: BTreeMap<String, Range<usize>>,
     keys: BTreeMap<String, Range<usize>>,
     written: BTreeMap<String, String>,
+    /// Keys that were set past the text.
+    changed: BTreeSet<String>,
 }
 
 impl Source {
@@ -47,6 +49,7 @@ impl Source {
             values: BTreeMap::new(),
             keys: BTreeMap::new(),
             written: BTreeMap::new(),
+            changed: BTreeSet::new(),
         }
     }
 
@@ -131,6 +134,12 @@ impl Source {
         self.nearest(&self.keys, key)
     }
 
+    /// Notes that `key` was set to `value` past the text, so that no line of the text is named for it.
+    pub(super) fn set(&mut self, key: &str, value: &str) {
+        self.changed.insert(key.to_owned());
+        self.written.insert(key.to_owned(), value.to_owned());
+    }
+
     /// The value of `key` as it stands in the file; none for a table, or where it is not there.
     pub fn written(&self, key: &str) -> Option<&str> {
         self.written.get(key).map(String::as_str)
@@ -170,6 +179,12 @@ impl Source {
     fn nearest(&self, index: &BTreeMap<String, Range<usize>>, key: &str) -> Place {
         let mut path = key;
         loop {
+            if self.changed.contains(path) {
+                return Place {
+                    file: format!("{} (changed)", self.name),
+                    ..self.at_span(None).about(key)
+                };
+            }
             if let Some(span) = index.get(path) {
                 return self
                     .at_span((!span.is_empty()).then(|| span.clone()))

@@ -1,6 +1,5 @@
 //! Steel of the gears: what the case says, completed with a case-hardened steel.
 
-use asperity_contact::plasticity::flow_pressure;
 use asperity_core::DomainError;
 use asperity_core::material::Material;
 use asperity_core::quantity::{Density, Pressure, Quantity, SpecificHeat, ThermalConductivity};
@@ -17,6 +16,8 @@ const STEEL_POISSON: f64 = 0.3;
 /// Elastic limit of a case-hardened gear steel: 0.2 % proof stress of the hardened case,
 /// about 1500 MPa for 18CrNiMo7-6 at 60 HRC.
 const STEEL_ELASTIC_LIMIT: Pressure = Pressure::from_si(1500e6);
+/// Indentation hardness of case-hardened steel of 60 HRC, at which asperities flow.
+const STEEL_FLOW_PRESSURE: Pressure = Pressure::from_si(7e9);
 /// Density, conductivity and heat capacity of case-hardening steel at 60 °C.
 const STEEL_DENSITY: Density = Density::from_si(7830.0);
 const STEEL_CONDUCTIVITY: ThermalConductivity = ThermalConductivity::from_si(45.0);
@@ -82,15 +83,8 @@ fn body(
         conductivity: defaults.take(keys.conductivity, given.conductivity, STEEL_CONDUCTIVITY),
         heat_capacity: defaults.take(keys.heat_capacity, given.heat_capacity, STEEL_HEAT_CAPACITY),
     };
+    let flow = defaults.take(keys.flow_pressure, given.flow_pressure, STEEL_FLOW_PRESSURE);
     positive("elastic limit", elastic_limit, source, keys.elastic_limit)?;
-    let flow = match given.flow_pressure {
-        Some(flow) => flow,
-        None => {
-            let soft = flow_pressure(&material, &material);
-            let soft = soft.map_err(domain(source, keys.elastic_limit))?;
-            defaults.take(keys.flow_pressure, None, soft)
-        }
-    };
     positive("flow pressure", flow, source, keys.flow_pressure)?;
     positive("Young's modulus", material.young, source, keys.young)?;
     positive("density", material.density, source, keys.density)?;

@@ -1,22 +1,45 @@
 //! The corrected reading: the whole path of contact, exact load shares, energies per engagement.
+//!
+//! The path is cut into cells with one contact each. The friction coefficient of a cell times its share of
+//! the loss factor is its sliding power, so that a constant coefficient gives μ H_V exactly.
 
 use asperity_contact::Solver;
 use asperity_core::quantity::Power;
 use asperity_efficiency::{LossKind, RollingSurfaces};
-use asperity_gear::{MeshPosition, PositionRule};
+use asperity_gear::{LoadCell, LoadMap};
 
 use super::strategy::{Scene, Strategy};
 use crate::branch::{Carried, Mixed, full_film, load_path, mixed};
 use crate::case::Case;
-use crate::deformation_losses::{hysteresis, running_in_power};
+use crate::deformation_losses::running_in_power;
 use crate::error::PositionError;
 use crate::friction::Rubbing;
 use crate::position::Position;
 use crate::result::HistoryRow;
+use crate::station::{Place, Resolution};
 
 /// Strategy of [`Formulation::Corrected`](crate::case::Formulation::Corrected).
 #[derive(Debug)]
 pub(super) struct Corrected;
+
+/// Share of the sliding power below which a cell stops no run.
+const LIGHT_CELL: f64 = 0.01;
+/// Share of the sliding power that the lightest cells may have together.
+const LIGHT_CELLS: f64 = 0.02;
+
+/// Which cells carry so little of the loss that their contact may go unresolved.
+fn lightly_loaded(cells: &[LoadCell]) -> Vec<bool> {
+    let mut order: Vec<usize> = (0..cells.len()).collect();
+    order.sort_by(|&i, &j| cells[i].sliding_share.total_cmp(&cells[j].sliding_share));
+    let mut light = vec![false; cells.len()];
+    let mut together = 0.0;
+    for index in order {
+        let share = cells[index].sliding_share;
+        together += share;
+        light[index] = share < LIGHT_CELL || together <= LIGHT_CELLS;
+    }
+    light
+}
 
 fn problem<'a>(scene: &Scene<'a>) -> Mixed<'a> {
     Mixed {
@@ -28,9 +51,34 @@ fn problem<'a>(scene: &Scene<'a>) -> Mixed<'a> {
 }
 
 impl Strategy for Corrected {
-    fn places(&self, case: &Case) -> Result<Vec<MeshPosition>, PositionError> {
-        let rule = PositionRule::default();
-        Ok(case.gears.positions(case.model.positions, rule)?)
+    fn places(&self, case: &Case, map: &LoadMap) -> Result<Vec<Place>, PositionError> {
+        let cells = map.cells(case.model.positions)?;
+        let light = lightly_loaded(&cells);
+        let power = case.torque.si().abs() * case.speed.si();
+        cells
+            .iter()
+            .zip(light)
+            .map(|(cell, is_light)| {
+                let sliding = case
+                    .gears
+                    .kinematics(cell.s, case.speed)?
+                    .sliding
+                    .si()
+                    .abs();
+                let at_its_place = cell.contact_length.si() * cell.load.si() * sliding;
+                Ok(Place {
+                    s: cell.s,
+                    load: cell.load,
+                    weight: cell.contact_length,
+                    sliding_factor: cell.loss_factor * power / at_its_place,
+                    resolution: if is_light {
+                        Resolution::WhereFine
+                    } else {
+                        Resolution::Required
+                    },
+                })
+            })
+            .collect()
     }
 
     fn takes_one_position(&self) -> bool {
@@ -97,12 +145,9 @@ impl Strategy for Corrected {
         positions: &[Position],
         offset: usize,
     ) -> Result<Vec<(LossKind, Power)>, PositionError> {
-        Ok(vec![
-            (LossKind::Hysteresis, hysteresis(case, positions)?),
-            (
-                LossKind::RunningIn,
-                running_in_power(case, positions, offset)?,
-            ),
-        ])
+        Ok(vec![(
+            LossKind::RunningIn,
+            running_in_power(case, positions, offset)?,
+        )])
     }
 }

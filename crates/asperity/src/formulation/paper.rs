@@ -4,7 +4,7 @@ use asperity_contact::Solver;
 use asperity_core::quantity::Power;
 use asperity_efficiency::{LossKind, RollingSurfaces};
 use asperity_ehl_regime::Regime;
-use asperity_gear::MeshPosition;
+use asperity_gear::LoadMap;
 
 use super::strategy::{Scene, Strategy};
 use crate::branch::{Carried, full_film, march, printed_deformation};
@@ -13,16 +13,24 @@ use crate::error::PositionError;
 use crate::friction::Rubbing;
 use crate::position::Position;
 use crate::result::HistoryRow;
+use crate::station::{Place, Resolution};
 
 /// Strategy of [`Formulation::Paper`](crate::case::Formulation::Paper).
 #[derive(Debug)]
 pub(super) struct Paper;
 
 impl Strategy for Paper {
-    fn places(&self, case: &Case) -> Result<Vec<MeshPosition>, PositionError> {
+    fn places(&self, case: &Case, map: &LoadMap) -> Result<Vec<Place>, PositionError> {
         let path = case.gears.path();
         let s = path.a + (path.e - path.a) * case.model.position;
-        Ok(vec![case.gears.single_position(s)?])
+        let position = case.gears.single_position(s)?;
+        Ok(vec![Place {
+            s,
+            load: map.mean_line_load(s)?,
+            weight: position.weight,
+            sliding_factor: 1.0,
+            resolution: Resolution::Required,
+        }])
     }
 
     fn takes_one_position(&self) -> bool {

@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use asperity_contact::Solver;
 use asperity_core::quantity::Power;
 use asperity_efficiency::{LossKind, RollingSurfaces};
-use asperity_gear::MeshPosition;
+use asperity_gear::LoadMap;
 
 use crate::branch::Carried;
 use crate::case::Case;
@@ -15,7 +15,7 @@ use crate::error::PositionError;
 use crate::friction::Rubbing;
 use crate::position::Position;
 use crate::result::HistoryRow;
-use crate::station::Station;
+use crate::station::{Place, Station};
 
 /// Measured flanks at one mesh position and one offset, with their regime.
 pub(crate) struct Scene<'a> {
@@ -27,8 +27,8 @@ pub(crate) struct Scene<'a> {
 
 /// A reading of the model.
 pub(crate) trait Strategy: Debug + Send + Sync {
-    /// Mesh positions along the path of contact.
-    fn places(&self, case: &Case) -> Result<Vec<MeshPosition>, PositionError>;
+    /// Places along the path of contact that stand for the mesh under the load of `map`.
+    fn places(&self, case: &Case, map: &LoadMap) -> Result<Vec<Place>, PositionError>;
 
     /// Whether a single position stands for the whole mesh.
     fn takes_one_position(&self) -> bool;

@@ -43,6 +43,10 @@ pub struct TableRow {
     pub max_pressure: Pressure,
     /// Energy dissipated in one pass.
     pub dissipated: LineEnergy,
+    /// Relative load error of the contact solution.
+    pub load_error: f64,
+    /// Its certified duality gap.
+    pub duality_gap: f64,
 }
 
 impl From<ContactState> for TableRow {
@@ -54,6 +58,8 @@ impl From<ContactState> for TableRow {
             area: state.area,
             max_pressure: state.max_pressure,
             dissipated: state.dissipated,
+            load_error: state.solution.certificate.load_error,
+            duality_gap: state.solution.certificate.duality_gap,
         }
     }
 }
@@ -74,6 +80,11 @@ pub(super) struct Between<'a> {
 }
 
 impl Between<'_> {
+    /// The larger number of the two rows.
+    pub(super) fn worst(&self, of: impl Fn(&TableRow) -> f64) -> f64 {
+        self.rows.iter().map(|(row, _)| of(row)).fold(0.0, f64::max)
+    }
+
     /// A number between the two rows.
     pub(super) fn mean(&self, of: impl Fn(&TableRow) -> f64) -> f64 {
         self.rows.iter().map(|(row, weight)| weight * of(row)).sum()

@@ -38,6 +38,8 @@ mod spots;
 pub use attenuated_traces::AttenuatedTraces;
 pub use contact_table::{ContactTable, TABLE_SHARES, TableRow};
 pub use error::LoadShareError;
-pub use position_film::{InletSupply, LineContact, LoadShareSettings, PositionFilm, SpotSpeed};
+pub use position_film::{
+    InletSupply, LineContact, LoadShareSettings, PositionFilm, SmoothFilm, SpotSpeed,
+};
 pub use rough_contact::{ContactState, RoughContact, RoughWindow, Spot};
 pub use solution::{LineLosses, LoadShareSolution, ShareEvidence};

@@ -11,6 +11,8 @@ use asperity_ehl_regime::inlet_flow::{
 use asperity_ehl_regime::{FilmConditions, FilmLaw, MoesNumbers, ThermalLaw, thermal_loading};
 use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION, BOUNDARY_LAYER, SharedFriction};
 use asperity_tribo_friction::{FilmHeat, FilmLineContact, FilmRheology, FilmSettings, LoadedFilm};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 use super::contact_table::{ContactTable, end_share};
 use super::error::LoadShareError;
@@ -63,7 +65,8 @@ pub enum InletSupply {
 }
 
 /// Speed that carries oil into a touching spot.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum SpotSpeed {
     /// The entrainment speed of the whole contact.
     #[default]
@@ -71,6 +74,15 @@ pub enum SpotSpeed {
     /// Half the sliding speed: a spot moves with its flank. The largest structural choice of the model; neither
     /// is derived, and this one is for the band.
     HalfSliding,
+}
+
+/// Central film of smooth flanks with its thermal reduction, as the formula gives it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SmoothFilm {
+    /// Central film, thermal factor included.
+    pub central: Length,
+    /// The thermal factor in it.
+    pub thermal_factor: f64,
 }
 
 /// Choices of the load share.
@@ -154,6 +166,8 @@ struct Touching<'s> {
     area: f64,
     max_pressure: Pressure,
     dissipated: LineEnergy,
+    /// Worst load error and duality gap of the contacts behind it.
+    worst: [f64; 2],
 }
 
 impl<'a> PositionFilm<'a> {
@@ -167,21 +181,9 @@ impl<'a> PositionFilm<'a> {
         bulk: Temperature,
         settings: &LoadShareSettings,
     ) -> Result<Self, LoadShareError> {
-        let factor = settings.share_factor;
-        let rule = "must be above 0 and not above 1";
-        let fits = factor > 0.0 && factor <= 1.0;
-        DomainError::require(fits, "factor on the asperity share", factor, "-", rule)?;
         let state = rheology.state(bulk)?;
         let [u1, u2] = contact.speeds;
-        let conditions = FilmConditions {
-            entrainment: (u1 + u2) * 0.5,
-            radius: contact.radius,
-            load: contact.load,
-            modulus: contact.modulus,
-            viscosity: state.viscosity,
-            pressure_viscosity: state.pressure_viscosity,
-            contact_length: None,
-        };
+        let conditions = conditions(rheology, contact, bulk)?;
         let hertz = HertzLine::new(contact.load, contact.radius, contact.modulus)?;
         let formula = settings.film_law.film(&conditions)?;
         let mut outside = formula.outside;
@@ -199,9 +201,36 @@ impl<'a> PositionFilm<'a> {
             slide_to_roll,
         )?;
         outside.extend(thermal.outside);
+        let film = SmoothFilm {
+            central: formula.value.central * thermal.value,
+            thermal_factor: thermal.value,
+        };
+        let mut of_film = Self::with_film(rheology, contact, bulk, settings, film)?;
+        outside.append(&mut of_film.outside);
+        of_film.outside = outside;
+        Ok(of_film)
+    }
+
+    /// The same with the smooth film known; `settings` then name film law and thermal reduction in vain.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn with_film(
+        rheology: &'a FilmRheology,
+        contact: &LineContact,
+        bulk: Temperature,
+        settings: &LoadShareSettings,
+        smooth: SmoothFilm,
+    ) -> Result<Self, LoadShareError> {
+        let factor = settings.share_factor;
+        let rule = "must be above 0 and not above 1";
+        let fits = factor > 0.0 && factor <= 1.0;
+        DomainError::require(fits, "factor on the asperity share", factor, "-", rule)?;
+        let conditions = conditions(rheology, contact, bulk)?;
+        let hertz = HertzLine::new(contact.load, contact.radius, contact.modulus)?;
         let central = settings
             .central_film
-            .thickness(formula.value.central * thermal.value, hertz.max_pressure)?;
+            .thickness(smooth.central, hertz.max_pressure)?;
         let numbers = MoesNumbers::of(&conditions.line_groups()?)?;
         let film = LoadedFilm::new(
             rheology,
@@ -216,14 +245,14 @@ impl<'a> PositionFilm<'a> {
             },
             settings.film,
         )?;
-        outside.extend_from_slice(film.outside());
+        let outside = film.outside().to_vec();
         Ok(Self {
             rheology,
             settings: *settings,
             contact: *contact,
             bulk: bulk.si(),
             central,
-            thermal_factor: thermal.value,
+            thermal_factor: smooth.thermal_factor,
             nabla: numbers.nabla_per_length(hertz.half_width)?,
             hertz,
             film,
@@ -241,6 +270,25 @@ impl<'a> PositionFilm<'a> {
     #[must_use]
     pub fn smooth_film(&self) -> Length {
         self.central
+    }
+
+    /// Friction of a window that stays apart at this film, known by the gap of its first touch alone; none
+    /// when it touches.
+    ///
+    /// # Errors
+    /// When σ_d is negative or an iteration does not end.
+    pub fn share_apart(
+        &mut self,
+        first_touch: Length,
+        attenuated_rms: Length,
+    ) -> Result<Option<Checked<LoadShareSolution>>, LoadShareError> {
+        let psi = self.inlet_factor(attenuated_rms)?;
+        let gap = supplied_gap(self.central, psi, 0.0)?;
+        if first_touch > gap {
+            return Ok(None);
+        }
+        let touching = self.untouched(gap.si());
+        self.conclude(&touching, attenuated_rms, psi).map(Some)
     }
 
     /// Load share and friction of a window known by its table.
@@ -274,6 +322,10 @@ impl<'a> PositionFilm<'a> {
                 area: between.mean(|row| row.area),
                 max_pressure: Pressure::from_si(between.mean(|row| row.max_pressure.si())),
                 dissipated: LineEnergy::from_si(between.mean(|row| row.dissipated.si())),
+                worst: [
+                    between.worst(|row| row.load_error),
+                    between.worst(|row| row.duality_gap),
+                ],
             }
         };
         self.conclude(&touching, attenuated_rms, psi)
@@ -304,6 +356,10 @@ impl<'a> PositionFilm<'a> {
             area: state.area,
             max_pressure: state.max_pressure,
             dissipated: state.dissipated,
+            worst: [
+                state.solution.certificate.load_error,
+                state.solution.certificate.duality_gap,
+            ],
         };
         let solution = self.conclude(&touching, attenuated_rms, psi)?;
         Ok((solution, Some(state)))
@@ -332,6 +388,7 @@ impl<'a> PositionFilm<'a> {
             area: 0.0,
             max_pressure: self.hertz.max_pressure,
             dissipated: LineEnergy::from_si(0.0),
+            worst: [0.0; 2],
         }
     }
 
@@ -383,6 +440,8 @@ impl<'a> PositionFilm<'a> {
             evidence: ShareEvidence {
                 share: touching.share,
                 friction: evidence,
+                load_error: touching.worst[0],
+                duality_gap: touching.worst[1],
             },
         };
         Ok(Checked { value, outside })
@@ -493,6 +552,25 @@ impl<'a> PositionFilm<'a> {
             boundary: self.settings.boundary_friction,
         }
     }
+}
+
+/// What the film formulas see of a contact.
+fn conditions(
+    rheology: &FilmRheology,
+    contact: &LineContact,
+    bulk: Temperature,
+) -> Result<FilmConditions, LoadShareError> {
+    let state = rheology.state(bulk)?;
+    let [u1, u2] = contact.speeds;
+    Ok(FilmConditions {
+        entrainment: (u1 + u2) * 0.5,
+        radius: contact.radius,
+        load: contact.load,
+        modulus: contact.modulus,
+        viscosity: state.viscosity,
+        pressure_viscosity: state.pressure_viscosity,
+        contact_length: None,
+    })
 }
 
 /// h̄(φ) \[m\] with its inputs checked once.

@@ -31,6 +31,10 @@ pub struct ShareEvidence {
     pub share: Solved,
     /// Friction coefficient against the temperature that it makes.
     pub friction: Solved,
+    /// Largest relative load error of the contact solutions beside the share; 0 without contact.
+    pub load_error: f64,
+    /// Their largest certified duality gap.
+    pub duality_gap: f64,
 }
 
 /// Load share and friction of one contact at one temperature.

@@ -32,9 +32,14 @@ pub enum LubricantError {
     },
     /// Neither α nor a class of base oil to estimate it from.
     #[error(
-        "the lubricant has no pressure-viscosity coefficient: give pressure_viscosity, or base_oil (mineral, pao, ester, polyglycol) to estimate it"
+        "the lubricant has no pressure-viscosity coefficient: give pressure_viscosity, or base_oil (mineral, naphthenic, group-iii, pao, ester, polyglycol) to estimate it"
     )]
     NoPressureViscosity,
+    /// No family of base oil, which film friction needs.
+    #[error(
+        "the lubricant has no base_oil (mineral, naphthenic, group-iii, pao, ester, polyglycol), which film friction needs: its limiting shear stress is that of the family. Where nobody knows it, set lubricant.assume_base_oil"
+    )]
+    NoBaseOil,
     /// α far from every oil: as good as always a slip of the unit.
     #[error("alpha = {value:e} m2/N is {}", verdict(*.value, *.low, *.shift))]
     ImplausiblePressureViscosity {

@@ -62,9 +62,12 @@ pub struct LubricantInput {
     /// Thermal expansion relative to `density`; left out, that of the base oil.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub thermal_expansion: Option<PerKelvin>,
-    /// Class of base oil, for the estimates of what is not given.
+    /// Family of the base oil: for film friction, and for the estimates of what is not given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub base_oil: Option<BaseOil>,
+    /// Family taken where nobody knows the base oil; the result lists it as an assumption.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub assume_base_oil: Option<BaseOil>,
     /// Pressure-viscosity coefficient α; left out, estimated from the base oil.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pressure_viscosity: Option<PressureViscosity>,

@@ -44,7 +44,11 @@ const UNIT_SLIPS: [i32; 6] = [6, -6, 9, -9, 3, -3];
 pub enum BaseOil {
     /// Paraffinic mineral oil.
     Mineral,
-    /// Polyalphaolefin.
+    /// Naphthenic mineral oil: constants of paraffinic oil, which underrate its α.
+    Naphthenic,
+    /// Hydrocracked oil of API group III, automatic transmission fluid (judgement between its neighbours).
+    GroupIii,
+    /// Polyalphaolefin, e-fluids on that base.
     Pao,
     /// Ester.
     Ester,
@@ -53,10 +57,23 @@ pub enum BaseOil {
 }
 
 impl BaseOil {
+    /// The name in a case file.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Mineral => "mineral",
+            Self::Naphthenic => "naphthenic",
+            Self::GroupIii => "group-iii",
+            Self::Pao => "pao",
+            Self::Ester => "ester",
+            Self::Polyglycol => "polyglycol",
+        }
+    }
+
     /// Gold's s \[1/GPa\] and t (Fernandes and others 2013, α at 0.2 GPa).
     const fn gold(self) -> (f64, f64) {
         match self {
-            Self::Mineral => (9.904, 0.1390),
+            Self::Mineral | Self::Naphthenic => (9.904, 0.1390),
+            Self::GroupIii => (8.5, 0.1360),
             Self::Pao => (7.382, 0.1335),
             Self::Ester => (6.605, 0.1360),
             Self::Polyglycol => (5.489, 0.1485),
@@ -66,7 +83,7 @@ impl BaseOil {
     /// Thermal expansion relative to the density at 15 °C (Fernandes and others 2013).
     pub const fn thermal_expansion(self) -> PerKelvin {
         PerKelvin::from_si(match self {
-            Self::Mineral => 5.8e-4,
+            Self::Mineral | Self::Naphthenic | Self::GroupIii => 5.8e-4,
             Self::Pao => 5.5e-4,
             Self::Ester => 8.1e-4,
             Self::Polyglycol => 7.1e-4,
@@ -78,7 +95,8 @@ impl BaseOil {
 ///
 /// | base oil | s | t |
 /// |---|---|---|
-/// | mineral | 9.904 | 0.1390 |
+/// | mineral, naphthenic | 9.904 | 0.1390 |
+/// | group III (judgement) | 8.5 | 0.1360 |
 /// | polyalphaolefin | 7.382 | 0.1335 |
 /// | ester | 6.605 | 0.1360 |
 /// | polyalkylene glycol | 5.489 | 0.1485 |

@@ -36,6 +36,7 @@ pub struct Lubricant {
     pressure_viscosity: Coefficient,
     thermal_conductivity: Option<ThermalConductivity>,
     heat_capacity: Option<SpecificHeat>,
+    base_oil: Option<BaseOil>,
     assumptions: Vec<Assumption>,
 }
 
@@ -94,11 +95,19 @@ impl LubricantInput {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn resolve(&self, bulk: Temperature) -> Result<Lubricant, LubricantError> {
-        let input = match &self.oil {
+        let mut input = match &self.oil {
             Some(name) => self.over(&library::find(name)?.lubricant),
             None => self.clone(),
         };
         let mut assumptions = Vec::new();
+        if let (None, Some(assumed)) = (input.base_oil, input.assume_base_oil) {
+            assumptions.push(Assumption {
+                key: "base_oil",
+                value: assumed.name().to_owned(),
+                source: "assumed as asked for: limiting shear 0.030 to 0.055 of the pressure is possible",
+            });
+            input.base_oil = Some(assumed);
+        }
         let viscosity = input.resolve_viscosity(bulk, &mut assumptions)?;
         let density = input.resolve_density(bulk, &mut assumptions)?;
         let pressure_viscosity = input.resolve_coefficient(&mut assumptions)?;
@@ -120,6 +129,7 @@ impl LubricantInput {
             pressure_viscosity,
             thermal_conductivity: input.thermal_conductivity,
             heat_capacity: input.heat_capacity,
+            base_oil: input.base_oil,
             assumptions,
         };
         // Numbers outside their domain are found here and not at the first position.
@@ -132,9 +142,13 @@ impl LubricantInput {
         Self {
             oil: self.oil.clone(),
             viscosity: self.viscosity.or(base.viscosity),
-            temperature_coefficient: self
-                .temperature_coefficient
-                .or(base.temperature_coefficient),
+            // The slope belongs to the viscosity that it is the slope of.
+            temperature_coefficient: match self.viscosity {
+                Some(_) => self.temperature_coefficient,
+                None => self
+                    .temperature_coefficient
+                    .or(base.temperature_coefficient),
+            },
             density: self.density.or(base.density),
             density_temperature: match self.density {
                 Some(_) => self.density_temperature,
@@ -142,6 +156,7 @@ impl LubricantInput {
             },
             thermal_expansion: self.thermal_expansion.or(base.thermal_expansion),
             base_oil: self.base_oil.or(base.base_oil),
+            assume_base_oil: self.assume_base_oil,
             pressure_viscosity: self.pressure_viscosity.or(base.pressure_viscosity),
             thermal_conductivity: self.thermal_conductivity.or(base.thermal_conductivity),
             heat_capacity: self.heat_capacity.or(base.heat_capacity),
@@ -253,6 +268,24 @@ impl LubricantInput {
 }
 
 impl Lubricant {
+    /// Family of the base oil, where it is known or assumed.
+    pub fn base_oil(&self) -> Option<BaseOil> {
+        self.base_oil
+    }
+
+    /// Pressure-viscosity coefficient, where it is given and not estimated.
+    pub fn given_pressure_viscosity(&self) -> Option<PressureViscosity> {
+        match self.pressure_viscosity {
+            Coefficient::Given(alpha) => Some(alpha),
+            Coefficient::Gold(_) => None,
+        }
+    }
+
+    /// Thermal conductivity, where it is given and not estimated.
+    pub fn given_thermal_conductivity(&self) -> Option<ThermalConductivity> {
+        self.thermal_conductivity
+    }
+
     /// What the input did not say.
     pub fn assumptions(&self) -> &[Assumption] {
         &self.assumptions

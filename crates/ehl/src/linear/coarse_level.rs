@@ -1,8 +1,8 @@
 //! Coarse level of the preconditioner: a Galerkin system on every `ratio`-th node, with the approach
 //! and the load bordered.
 
-use super::Linearised;
 use super::small_lu::{SmallLu, dot};
+use super::system::Linearised;
 
 /// How a column of K·D·P is stored; D masks the pressure of cavitated nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,7 +3,8 @@
 use faer::linalg::solvers::Solve;
 use faer::{Col, Mat};
 
-use super::{ElasticSystem, LinearEffort, Linearised};
+use super::small_lu::dot;
+use super::system::{ElasticSystem, LinearEffort, Linearised};
 use crate::grid::Grid;
 use crate::hat_kernel::hat_matrix;
 
@@ -71,7 +72,7 @@ fn mask(row: &mut [f64], cavitated: &[bool]) {
 impl ElasticSystem for DenseSystem {
     fn displacement(&mut self, pressure: &[f64], output: &mut [f64]) {
         for (out, row) in output.iter_mut().zip(self.kernel.chunks_exact(self.nodes)) {
-            *out = super::dot(row, pressure);
+            *out = dot(row, pressure);
         }
     }
 

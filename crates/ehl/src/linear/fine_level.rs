@@ -6,8 +6,8 @@
 
 use asperity_core::numerics::SymmetricToeplitz;
 
-use super::Linearised;
 use super::band_matrix::BandMatrix;
+use super::system::Linearised;
 use crate::hat_kernel::inverse_column;
 
 /// Half width of the near field without storage.

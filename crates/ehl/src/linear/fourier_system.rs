@@ -6,7 +6,7 @@ use super::coarse_level::CoarseLevel;
 use super::fine_level::FineLevel;
 use super::gmres::{Gmres, Preconditioned};
 use super::small_lu::dot;
-use super::{ElasticSystem, LinearEffort, Linearised};
+use super::system::{ElasticSystem, LinearEffort, Linearised};
 use crate::hat_kernel::hat_column;
 
 /// Most iterations of one linear solution.

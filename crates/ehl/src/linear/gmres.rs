@@ -1,7 +1,7 @@
 //! Generalised minimal residuals with a preconditioner on the right.
 
-use super::LinearEffort;
 use super::small_lu::dot;
+use super::system::LinearEffort;
 
 /// Applies preconditioner and matrix: given r, writes z = M⁻¹·r and J·z.
 pub(crate) trait Preconditioned {

@@ -14,7 +14,7 @@ use asperity_core::cite;
 use asperity_core::quantity::{Force, Length, LineLoad};
 use serde::Serialize;
 
-use super::{LoadMap, LoadSample, Model};
+use super::map::{LoadMap, LoadSample, Model};
 use crate::error::GearError;
 use crate::positions::spread;
 use crate::quadrature::breakpoints;
@@ -212,7 +212,7 @@ impl LoadMap {
     pub fn face_load_factor(&self) -> f64 {
         cite!("Width-1");
         if matches!(&self.model, Model::Elastic(grid, _) if grid.cells == 1)
-            || self.pair.is_spur() && !self.law.is_elastic()
+            || self.pair.is_spur() && !self.is_elastic()
         {
             return 1.0;
         }

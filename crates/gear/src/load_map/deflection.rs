@@ -8,17 +8,17 @@
 
 use asperity_core::cite;
 use asperity_core::quantity::Length;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
+use super::map::{LoadMap, Model};
 use super::phases::Phase;
-use super::{LoadMap, Model};
 use crate::error::GearError;
 
 /// Even phases at which the error is taken.
 const PHASES: u32 = 64;
 
 /// Transmission error over a mesh cycle.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TransmissionError {
     /// Mean.
     pub mean: Length,

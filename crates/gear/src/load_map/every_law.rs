@@ -3,7 +3,8 @@
 use asperity_core::material::Material;
 use asperity_core::quantity::Torque;
 
-use super::{LoadLaw, LoadMap, LoadMapSettings};
+use super::law::{LoadLaw, LoadMapSettings};
+use super::map::LoadMap;
 use crate::error::GearError;
 use crate::pair::GearPair;
 use crate::relief::MicroGeometry;

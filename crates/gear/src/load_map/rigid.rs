@@ -95,7 +95,7 @@ fn share_out(points: &mut [Point], weights: &Weights<'_>, force: f64) {
 }
 
 /// Points on the lines of contact, without loads.
-fn lines(pair: &GearPair, phase: f64, marks: &[f64]) -> Vec<Point> {
+pub(crate) fn lines(pair: &GearPair, phase: f64, marks: &[f64]) -> Vec<Point> {
     let eps_alpha = pair.path.eps_alpha;
     let per_face = pair.contact_per_coordinate().si();
     let mut points = Vec::new();

@@ -6,6 +6,7 @@
 mod contact;
 mod flanks;
 mod inputs;
+mod load;
 mod overview;
 mod page;
 mod path;
@@ -27,7 +28,7 @@ use crate::page_tables::PageTables;
 pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, ReportError> {
     let sections = [
         ("Summary", overview::section(result)),
-        ("Along the path of contact", path::section(result)),
+        ("Along the path of contact", path::section(result, tables)),
         ("In the contact", contact::section(result, tables)?),
         ("Flanks", flanks::section(result, tables)),
         ("Inputs", inputs::section(result)?),

@@ -1,6 +1,6 @@
 //! Summary: the numbers that matter, the warnings, the losses, the friction laws, the regime.
 
-use asperity::result::{ComparisonOutcome, RunResult};
+use asperity::result::{PublishedOutcome, RunResult};
 use maud::{Markup, html};
 
 use super::page::figure;
@@ -77,7 +77,7 @@ fn tiles(result: &RunResult) -> Vec<Tile> {
             "summary.loss_factor",
         ),
         (
-            "H_V of the load sharing",
+            "H_V of the load over the teeth",
             format!("{:.4}", s.loss_factor_local),
             "summary.loss_factor_local",
         ),
@@ -118,8 +118,10 @@ pub fn losses(result: &RunResult) -> Drawing {
         false => 0.0,
     };
     let parts = [
-        ("sliding", s.sliding_w, true),
-        ("rolling", s.rolling_w, true),
+        ("film", s.film_w, true),
+        ("lubricated asperities", s.lubricated_asperity_w, true),
+        ("boundary", s.boundary_w, true),
+        ("rolling", s.rolling_w - s.hysteresis_w, true),
         ("deformation, pinion", s.deformation_w[0], false),
         ("deformation, wheel", s.deformation_w[1], false),
         ("hysteresis", s.hysteresis_w, false),
@@ -156,28 +158,33 @@ pub fn losses(result: &RunResult) -> Drawing {
 }
 
 fn laws(result: &RunResult) -> Drawing {
-    let spread = result.summary.efficiency_deviation;
-    let laws = result.friction_laws.iter().enumerate();
-    let bars = laws.map(|(k, entry)| {
-        let loss = match entry.outcome {
-            ComparisonOutcome::Efficiency(efficiency) => Some(100.0 * (1.0 - efficiency)),
-            ComparisonOutcome::Refused(_) => None,
+    let bars = result.published_laws.iter().map(|entry| {
+        let range = match entry.inside_its_range {
+            true => "",
+            false => ", outside its range",
+        };
+        let (value, text) = match &entry.outcome {
+            PublishedOutcome::Applied { loss_w, .. } => {
+                (Some(*loss_w), format!("{} W{range}", significant(*loss_w)))
+            }
+            _ => (None, "cannot be used here".to_owned()),
+        };
+        let asperities = match entry.includes_asperities {
+            true => "with asperities",
+            false => "film alone",
         };
         Bar {
-            name: entry.law.clone(),
-            value: loss,
-            // The case's own law is the first; the spread was found with it.
-            spread: spread.filter(|_| k == 0).map(|share| 100.0 * share),
-            text: loss.map_or("cannot be used here".to_owned(), |loss| {
-                format!("{loss:.3} %")
-            }),
+            name: format!("{} ({asperities})", entry.law),
+            value,
+            spread: None,
+            text,
         }
     });
     Drawing::Bars(BarChart {
         id: "friction-laws".to_owned(),
-        title: "Friction laws side by side".to_owned(),
+        title: "Published laws, applied whole".to_owned(),
         source: "friction_laws.csv".to_owned(),
-        axis: Axis::new("loss of the power in", "%"),
+        axis: Axis::new("loss", "W"),
         bars: bars.collect(),
     })
 }

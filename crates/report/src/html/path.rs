@@ -3,14 +3,20 @@
 use asperity::result::{PositionRow, RunResult};
 use maud::{Markup, html};
 
+use super::load;
 use super::page::figure;
 use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series, Strip};
+use crate::page_tables::PageTables;
 
 /// The table of this section.
 const SOURCE: &str = "path.csv";
 
-pub(super) fn section(result: &RunResult) -> Markup {
-    let drawings = drawings(result);
+pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
+    let mut drawings = drawings(result);
+    drawings.insert(1, load::along_the_path(result, along()));
+    if let Some(map) = load::map(tables, along()) {
+        drawings.insert(2, map);
+    }
     html! {
         @if result.path.len() < 2 {
             p { "One position was computed; it is shown as a dot between A and E." }
@@ -20,7 +26,7 @@ pub(super) fn section(result: &RunResult) -> Markup {
 }
 
 /// The points A to E [mm from T₁].
-fn points(result: &RunResult) -> Vec<Mark> {
+pub(super) fn points(result: &RunResult) -> Vec<Mark> {
     let path = &result.gears.path;
     let named = [
         ("A", path.a),
@@ -55,12 +61,6 @@ const CHARTS: &[Along] = &[
         title: "Share of the tooth force on one pair",
         axis: ["share", "-"],
         curves: &[("share", |row| Some(row.load_share))],
-    },
-    Along {
-        id: "load",
-        title: "Load per length of contact line",
-        axis: ["line load", "N/mm"],
-        curves: &[("line load", |row| Some(row.line_load_n_per_mm))],
     },
     Along {
         id: "pressure-path",

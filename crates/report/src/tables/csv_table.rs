@@ -38,16 +38,39 @@ pub fn write<R: Serialize>(
     file: &Path,
     rows: impl IntoIterator<Item = R>,
 ) -> Result<(), ReportError> {
-    let failed = |source| ReportError::Csv {
-        path: file.to_owned(),
-        source,
-    };
-    let mut writer = csv::Writer::from_path(file).map_err(failed)?;
+    fill(
+        csv::Writer::from_path(file).map_err(ReportError::csv(file))?,
+        file,
+        rows,
+    )?;
+    Ok(())
+}
+
+/// `rows` with their header, as text; `file` is the name in messages.
+///
+/// # Errors
+/// When a number is not finite, or a row is no row of CSV.
+pub fn text<R: Serialize>(
+    file: &Path,
+    rows: impl IntoIterator<Item = R>,
+) -> Result<Vec<u8>, ReportError> {
+    let writer = fill(csv::Writer::from_writer(Vec::new()), file, rows)?;
+    writer
+        .into_inner()
+        .map_err(|error| ReportError::io(file)(error.into_error()))
+}
+
+fn fill<W: std::io::Write, R: Serialize>(
+    mut writer: csv::Writer<W>,
+    file: &Path,
+    rows: impl IntoIterator<Item = R>,
+) -> Result<csv::Writer<W>, ReportError> {
     for row in rows {
         check_finite(&row).map_err(ReportError::not_finite(file))?;
-        writer.serialize(row).map_err(failed)?;
+        writer.serialize(row).map_err(ReportError::csv(file))?;
     }
-    writer.flush().map_err(ReportError::io(file))
+    writer.flush().map_err(ReportError::io(file))?;
+    Ok(writer)
 }
 
 /// Reads a table whose every number must be finite.

@@ -1,6 +1,6 @@
 //! Rows of the losses and of the friction laws.
 
-use asperity::result::{ComparisonOutcome, RunResult};
+use asperity::result::{PublishedOutcome, RunResult};
 use serde::Serialize;
 
 /// Row of `losses.csv`: a part of the loss.
@@ -16,7 +16,8 @@ pub struct LossRow {
     pub share_of_power_in_percent: f64,
 }
 
-/// Parts of the loss: sliding and rolling always, the others where the formulation counts them.
+/// Parts of the loss: sliding and rolling always, the others where the formulation counts them; then what
+/// sliding and rolling consist of.
 pub fn losses(result: &RunResult) -> Vec<LossRow> {
     let s = &result.summary;
     let running_in = match result.running_in.included {
@@ -28,8 +29,11 @@ pub fn losses(result: &RunResult) -> Vec<LossRow> {
         ("rolling", s.rolling_w),
         ("deformation pinion", s.deformation_w[0]),
         ("deformation wheel", s.deformation_w[1]),
-        ("hysteresis", s.hysteresis_w),
         ("running-in", running_in),
+        ("of sliding: film", s.film_w),
+        ("of sliding: lubricated asperities", s.lubricated_asperity_w),
+        ("of sliding: boundary", s.boundary_w),
+        ("of rolling: hysteresis", s.hysteresis_w),
     ];
     let share = |power: f64| {
         if s.loss_w > 0.0 {
@@ -51,32 +55,56 @@ pub fn losses(result: &RunResult) -> Vec<LossRow> {
         .collect()
 }
 
-/// Row of `friction_laws.csv`: the efficiency with a friction law.
+/// Row of `friction_laws.csv`: a published friction law, applied whole.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FrictionLawRow<'a> {
     /// Name of the law.
     pub law: &'a str,
+    /// Whether asperities are in its coefficient.
+    pub includes_asperities: bool,
+    /// Whether all inputs lie inside what it was fitted to.
+    pub inside_its_range: bool,
+    /// Loss \[W\].
+    pub loss_w: Option<f64>,
+    /// Sliding loss \[W\].
+    pub sliding_w: Option<f64>,
     /// Efficiency \[%\].
     pub efficiency_percent: Option<f64>,
-    /// Loss \[%\].
-    pub loss_percent: Option<f64>,
+    /// What it was fitted to.
+    pub fitted_to: &'a str,
+    /// Inputs outside its range.
+    pub outside: String,
     /// Reason why the law cannot be used here.
     pub refused: &'a str,
 }
 
-/// Rows of the friction laws.
+/// Rows of the published friction laws.
 pub fn friction_laws(result: &RunResult) -> Vec<FrictionLawRow<'_>> {
-    let rows = result.friction_laws.iter().map(|entry| {
-        let (efficiency, refused) = match &entry.outcome {
-            ComparisonOutcome::Efficiency(value) => (Some(*value), ""),
-            ComparisonOutcome::Refused(why) => (None, why.as_str()),
-        };
-        FrictionLawRow {
+    let rows = result.published_laws.iter().map(|entry| {
+        let mut row = FrictionLawRow {
             law: &entry.law,
-            efficiency_percent: efficiency.map(|value| 100.0 * value),
-            loss_percent: efficiency.map(|value| 100.0 * (1.0 - value)),
-            refused,
+            includes_asperities: entry.includes_asperities,
+            inside_its_range: entry.inside_its_range,
+            loss_w: None,
+            sliding_w: None,
+            efficiency_percent: None,
+            fitted_to: &entry.fitted_to,
+            outside: entry.outside.join("; "),
+            refused: "",
+        };
+        match &entry.outcome {
+            PublishedOutcome::Applied {
+                loss_w,
+                sliding_w,
+                efficiency,
+            } => {
+                (row.loss_w, row.sliding_w) = (Some(*loss_w), Some(*sliding_w));
+                row.efficiency_percent = Some(100.0 * efficiency);
+            }
+            PublishedOutcome::Refused(why) => row.refused = why,
+            _ => (),
         }
+        row
     });
     rows.collect()
 }

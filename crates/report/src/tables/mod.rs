@@ -3,12 +3,14 @@
 mod contact;
 mod csv_table;
 mod flanks;
+mod load;
 mod losses;
 mod thin;
 
 pub use contact::{
     ContactTables, ConvergenceRow, SubsurfaceRow, SurfaceRow, convergence, folder_of,
 };
-pub use csv_table::{Row, read, write};
+pub use csv_table::{Row, read, text, write};
 pub use flanks::{BODIES, FlankTables, MaterialRatioRow, SpectrumRow, TraceRow, files_of};
+pub use load::{LoadMapRow, LoadPointRow, load_map, load_points};
 pub use losses::{FrictionLawRow, LossRow, friction_laws, losses};

@@ -34,7 +34,8 @@ pub struct Comparison {
     pub power_in_w: f64,
     /// The finishes.
     pub finishes: Vec<FinishResult>,
-    /// Which parameter goes with the loss, the closest first.
+    /// Rank correlation of roughness with the computed loss, the closest first; none from fewer than 5 windows
+    /// of a finish.
     pub correlations: Vec<Correlation>,
     /// Offsets and finishes pooled in the correlations.
     pub windows: usize,
@@ -65,7 +66,7 @@ pub struct FinishResult {
     pub(crate) roughness: Vec<WindowRoughness>,
 }
 
-/// How closely a roughness parameter goes with the loss.
+/// Rank correlation of a roughness parameter with the loss that the model computes from it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Correlation {
     /// Name of the parameter.
@@ -133,7 +134,15 @@ fn finish_result(
     })
 }
 
+/// Fewest pairs that a correlation is told from.
+const FEWEST_PAIRS: usize = 5;
+
 fn correlations(finishes: &[FinishResult]) -> Vec<Correlation> {
+    let few =
+        |finish: &FinishResult| finish.roughness.len().min(finish.offsets.len()) < FEWEST_PAIRS;
+    if finishes.iter().any(few) {
+        return Vec::new();
+    }
     let pairs = |finish: &FinishResult, of: Value| -> Vec<[f64; 2]> {
         let rows = finish.roughness.iter().zip(&finish.offsets);
         rows.map(|(window, row)| [of(window), row.loss_w]).collect()

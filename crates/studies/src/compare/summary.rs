@@ -1,5 +1,7 @@
 //! The comparison for the terminal.
 
+use asperity_report::wrapped;
+
 use super::comparison::{CONFIDENCE, Comparison};
 
 /// The comparison for the terminal.
@@ -42,10 +44,34 @@ pub fn summary(comparison: &Comparison) -> String {
         .take(4)
         .map(|found| format!("{} {:+.2}", found.parameter, found.with_loss))
         .collect();
-    text.push_str(&format!(
-        "goes with the loss (rank correlation, {} windows)  {}\n",
-        comparison.windows,
-        best.join("   ")
-    ));
+    if !best.is_empty() {
+        text.push_str(&format!(
+            "rank correlation of roughness with the computed loss ({} windows; the model's own input)\n  {}\n",
+            comparison.windows,
+            best.join("   ")
+        ));
+    }
+    text.push_str(&warnings(comparison));
     text
+}
+
+/// Every warning once, with the finishes it is about unless it is about all.
+fn warnings(comparison: &Comparison) -> String {
+    let mut found: Vec<(&str, Vec<&str>)> = Vec::new();
+    for finish in &comparison.finishes {
+        for warning in &finish.warnings {
+            match found.iter_mut().find(|(text, _)| text == warning) {
+                Some((_, names)) => names.push(&finish.name),
+                None => found.push((warning, vec![&finish.name])),
+            }
+        }
+    }
+    let told = found.iter().map(|(warning, names)| {
+        let whose = match names.len() == comparison.finishes.len() {
+            true => String::new(),
+            false => format!(" ({})", names.join(", ")),
+        };
+        format!("{}\n", wrapped(&format!("{warning}{whose}"), "     "))
+    });
+    told.collect()
 }

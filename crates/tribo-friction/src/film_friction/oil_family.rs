@@ -105,6 +105,8 @@ impl From<BaseOil> for OilFamily {
     fn from(base: BaseOil) -> Self {
         match base {
             BaseOil::Mineral => Self::Mineral,
+            BaseOil::Naphthenic => Self::Naphthenic,
+            BaseOil::GroupIii => Self::GroupIii,
             BaseOil::Pao => Self::Pao,
             BaseOil::Ester => Self::Ester,
             BaseOil::Polyglycol => Self::Polyglycol,

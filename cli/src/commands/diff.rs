@@ -1,0 +1,97 @@
+//! `asperity diff`: what differs between two results.
+
+use asperity_report::read_result;
+use asperity_studies::diff::{Change, ResultDiff, diff as differences};
+use serde_json::Value;
+
+use crate::args::{Common, DiffArgs};
+use crate::failure::Failure;
+use crate::output::{print_json, print_text};
+
+/// `asperity diff`
+pub fn diff(args: &DiffArgs, common: &Common) -> Result<(), Failure> {
+    let read = |path| read_result(path).map_err(|error| Failure::new("E402", error.to_string()));
+    let (_, first) = read(&args.first)?;
+    let (_, second) = read(&args.second)?;
+    let found = differences(&first, &second)
+        .map_err(|error| Failure::new("E501", format!("cannot be compared: {error}")))?;
+    if common.json {
+        return print_json(&found);
+    }
+    print_text(common, &text(&found))
+}
+
+fn text(found: &ResultDiff) -> String {
+    if found.is_empty() {
+        return "no difference\n".to_owned();
+    }
+    let mut text = String::new();
+    section(&mut text, "inputs and defaults", &found.inputs);
+    section(&mut text, "summary", &found.summary);
+    if !found.path.is_empty() {
+        text.push_str("largest difference along the path\n");
+        for change in &found.path {
+            let position = change.position;
+            text.push_str(&format!(
+                "  {:24} {:>14} -> {:>14}  at position {position}\n",
+                change.column,
+                digits(change.first),
+                digits(change.second)
+            ));
+        }
+    }
+    for (name, lists) in [
+        ("warnings", &found.warnings),
+        ("equations", &found.equations),
+    ] {
+        for (list, whose) in lists.iter().zip(["first", "second"]) {
+            if !list.is_empty() {
+                text.push_str(&format!("{name} of the {whose} alone\n"));
+            }
+            for entry in list {
+                text.push_str(&format!("  {entry}\n"));
+            }
+        }
+    }
+    text
+}
+
+fn section(text: &mut String, title: &str, changes: &[Change]) {
+    if changes.is_empty() {
+        return;
+    }
+    text.push_str(&format!("{title}\n"));
+    for change in changes {
+        let [first, second] = [&change.first, &change.second].map(|value| shown(value.as_ref()));
+        let relative = match change.relative {
+            Some(relative) => format!("  {:+.3} %", 100.0 * relative),
+            None => String::new(),
+        };
+        text.push_str(&format!(
+            "  {:32} {first} -> {second}{relative}\n",
+            change.key
+        ));
+    }
+}
+
+fn shown(value: Option<&Value>) -> String {
+    match value {
+        None => "-".to_owned(),
+        Some(Value::Number(number)) => match number.as_f64() {
+            Some(value) if number.is_f64() => digits(value),
+            _ => number.to_string(),
+        },
+        Some(Value::String(text)) => text.clone(),
+        Some(value) => value.to_string(),
+    }
+}
+
+/// Six digits that mean something.
+fn digits(value: f64) -> String {
+    let size = value.abs();
+    if size != 0.0 && !(1e-3..1e7).contains(&size) {
+        return format!("{value:.5e}");
+    }
+    let text = format!("{value:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}

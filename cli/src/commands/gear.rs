@@ -1,0 +1,119 @@
+//! `asperity gear`: geometry, contact ratios, stiffness, transmission error, loss factors of every law.
+
+use std::fmt::Write as _;
+
+use asperity::gear_report::{GearReport, gear_report};
+
+use super::load_case;
+use crate::args::{CaseArgs, Common};
+use crate::failure::Failure;
+use crate::output::{print_json, print_text};
+
+/// `asperity gear`
+pub fn gear(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
+    let loaded = load_case(&args.case, &args.set, args.formulation)?;
+    let found = gear_report(&loaded.case).map_err(|error| Failure::about(&args.case, &error))?;
+    if common.json {
+        return print_json(&found);
+    }
+    print_text(common, &text(&found))
+}
+
+fn text(found: &GearReport) -> String {
+    let mut text = format!("{}\n", found.title);
+    // Writing into a string cannot fail.
+    let _ = write_geometry(&mut text, found);
+    let _ = write_mesh(&mut text, found);
+    let _ = write_factors(&mut text, found);
+    text
+}
+
+fn write_geometry(text: &mut String, found: &GearReport) -> std::fmt::Result {
+    let gears = &found.gears;
+    let path = gears.path();
+    let [z1, z2] = gears.teeth;
+    let sign = if gears.internal { "-" } else { "" };
+    let mm = |length: asperity::quantity::Length| length.si().abs() * 1e3;
+    writeln!(
+        text,
+        "teeth {z1}/{sign}{z2}   m_n {:.4} mm   helix {:.3} deg   face {:.3} mm   a {:.4} mm",
+        mm(gears.normal_module),
+        gears.helix.si().to_degrees(),
+        mm(gears.face_width),
+        mm(gears.centre_distance),
+    )?;
+    writeln!(
+        text,
+        "working pressure angle {:.4} deg   tip diameters {:.4}, {:.4} mm",
+        gears.working_pressure_angle.si().to_degrees(),
+        2.0 * mm(gears.tip_radius[0]),
+        2.0 * mm(gears.tip_radius[1]),
+    )?;
+    writeln!(
+        text,
+        "contact ratios  eps_alpha {:.4}   eps_beta {:.4}   eps_gamma {:.4}",
+        path.eps_alpha, path.eps_beta, path.eps_gamma
+    )?;
+    writeln!(
+        text,
+        "path from T1 [mm]  A {:.4}   C {:.4}   E {:.4}",
+        mm(path.a),
+        mm(path.c),
+        mm(path.e)
+    )
+}
+
+fn write_mesh(text: &mut String, found: &GearReport) -> std::fmt::Result {
+    writeln!(
+        text,
+        "torque {} N m   normal force {:.1} N   K_Hbeta {:.3}",
+        found.torque_nm, found.normal_force_n, found.face_load_factor
+    )?;
+    if let Some(error) = &found.transmission_error {
+        writeln!(
+            text,
+            "transmission error  mean {:.2} um   peak to peak {:.2} um",
+            error.mean.si() * 1e6,
+            error.peak_to_peak.si() * 1e6
+        )?;
+        write!(
+            text,
+            "mesh stiffness c_gamma  {:.2} N/(mm um)",
+            error.mesh_stiffness * 1e-9
+        )?;
+        if let Some(iso) = found.iso_mesh_stiffness_n_per_mm_um {
+            write!(text, "   by ISO 6336-1 {iso:.2}")?;
+        }
+        writeln!(text)?;
+    }
+    Ok(())
+}
+
+fn write_factors(text: &mut String, found: &GearReport) -> std::fmt::Result {
+    writeln!(
+        text,
+        "loss factor H_V  {:.4} ({})",
+        found.loss_factor, found.law
+    )?;
+    if let Some(band) = &found.band {
+        writeln!(text, "  band {:.4} to {:.4}", band.low, band.high)?;
+    }
+    if let Some(note) = &found.edge_contact {
+        writeln!(
+            text,
+            "  tips are not relieved and the teeth approach by {:.1} um: {:.4} with contact of their edges",
+            note.approach.si() * 1e6,
+            note.with
+        )?;
+    }
+    writeln!(text, "loss factor by law")?;
+    writeln!(text, "  {:<14} {:.4}", "Ohlendorf", found.ohlendorf)?;
+    for row in &found.loss_factors {
+        match (row.loss_factor, &row.refused) {
+            (Some(factor), _) => writeln!(text, "  {:<14} {factor:.4}", row.law)?,
+            (None, Some(why)) => writeln!(text, "  {:<14} -  {why}", row.law)?,
+            (None, None) => {}
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,72 @@
+//! `asperity oils`: the oils of the library.
+
+use asperity_core::lubricant::{LubricantError, LubricantInput, library};
+use asperity_core::quantity::Temperature;
+use asperity_report::{COLUMNS, wrapped};
+use serde_json::{Value, json};
+
+use crate::args::Common;
+use crate::failure::Failure;
+use crate::output::{print_json, print_text};
+
+/// Temperatures \[°C\] at which the viscosities are shown.
+const SHOWN: [f64; 2] = [40.0, 100.0];
+
+/// `asperity oils`
+pub fn oils(common: &Common) -> Result<(), Failure> {
+    let internal = |error: &dyn std::fmt::Display| Failure::new("E501", error.to_string());
+    let oils = library().map_err(|error| internal(&error))?;
+    let mut listed = Vec::new();
+    let mut text = format!(
+        "{:22} {:>12} {:>12} {:>12}\n",
+        "lubricant.oil", "mPa s 40 °C", "mPa s 100 °C", "alpha 1/GPa"
+    );
+    for oil in &oils {
+        let states = states(&oil.name).map_err(|error| internal(&error))?;
+        let [cold, hot] = states.map(|state| state.0);
+        let (_, alpha) = states[1];
+        text.push_str(&format!(
+            "{:22} {cold:>12.1} {hot:>12.2} {alpha:>12.1}\n",
+            oil.name
+        ));
+        for line in [&oil.note, &oil.source] {
+            let line = wrapped(&format!("  {line}"), "  ");
+            text.push_str(&format!("{line}\n"));
+        }
+        listed.push(json!({
+            "name": oil.name,
+            "note": oil.note,
+            "source": oil.source,
+            "lubricant": oil.lubricant,
+            "dynamic_viscosity_40_mpa_s": cold,
+            "dynamic_viscosity_100_mpa_s": hot,
+            "pressure_viscosity_100_per_gpa": alpha,
+        }));
+    }
+    if common.json {
+        return print_json(&json!({ "oils": Value::from(listed) }));
+    }
+    debug_assert!(text.lines().all(|line| line.chars().count() <= COLUMNS));
+    print_text(
+        common,
+        &format!(
+            "{text}A viscosity known at one temperature is taken at the bulk temperature of the case.\n"
+        ),
+    )
+}
+
+/// Viscosity \[mPa s\] and α \[1/GPa\] of an oil at the temperatures shown.
+fn states(name: &str) -> Result<[(f64, f64); 2], LubricantError> {
+    let input = LubricantInput {
+        oil: Some(name.to_owned()),
+        ..LubricantInput::default()
+    };
+    let at = |celsius: f64| -> Result<(f64, f64), LubricantError> {
+        let temperature = Temperature::from_si(273.15 + celsius);
+        // A viscosity without a temperature holds at that of the case.
+        let state = input.resolve(temperature)?.at(temperature)?.value;
+        let alpha = state.pressure_viscosity.si() / 1e-9;
+        Ok((state.dynamic_viscosity.si() / 1e-3, alpha))
+    };
+    Ok([at(SHOWN[0])?, at(SHOWN[1])?])
+}

@@ -1,0 +1,194 @@
+//! A profile file read, prepared and evaluated, and what is written of profiles.
+
+use std::path::Path;
+
+use asperity_core::Profile;
+use asperity_core::quantity::Length;
+use asperity_profile_io::Warning as ReadWarning;
+use asperity_profile_io::read::{Format, Metadata, ReadOptions, Reading, read};
+use asperity_profile_io::write::{WrittenFormat, write};
+use asperity_roughness::ambiguity::Sections;
+use asperity_roughness::height_parameters::{HeightParameters, Mode, in_sections};
+use asperity_roughness::preparation::{Profiles, profiles};
+use asperity_roughness::{Parameters, RoughnessError, Warning};
+
+use super::plan::Plan;
+use crate::args::{PreparingArgs, ReadingArgs};
+use crate::failure::Failure;
+use crate::output;
+use crate::words;
+
+/// A profile, read, prepared and evaluated.
+pub(super) struct Evaluated {
+    pub(super) reading: Reading,
+    pub(super) plan: Plan,
+    /// What the recipe of the plan started from, where that is not what was read.
+    pub(super) without_involute: Option<Profile>,
+    /// That the involute was another, where it seems so.
+    pub(super) involute_left: Option<Warning>,
+    pub(super) parts: Profiles,
+    pub(super) iso4287: Parameters,
+    pub(super) iso21920: Parameters,
+    pub(super) primary: HeightParameters,
+    pub(super) waviness: Option<HeightParameters>,
+    /// Section length.
+    pub(super) section: Length,
+}
+
+impl Evaluated {
+    pub(super) fn of(
+        file: &Path,
+        preparing: &PreparingArgs,
+        reading: &ReadingArgs,
+    ) -> Result<Self, Failure> {
+        let reading = opened(file, reading, preparing.base_radius)?;
+        let plan = Plan::for_reading(preparing, &reading)?;
+        let refused = |error| refusal(&reading, &plan, &error);
+        let without_involute = plan.without_involute(&reading.profile).map_err(refused)?;
+        let involute_left = plan.involute_left(&reading.profile).map_err(refused)?;
+        let trace = without_involute.as_ref().unwrap_or(&reading.profile);
+        let parts = profiles(trace, &plan.recipe, plan.filter).map_err(refused)?;
+        let rough = &parts.roughness.profile;
+        let mode = Mode::Iso4287;
+        let evaluated = match plan.sections {
+            Sections::Number(n) => Parameters::with_sections(rough, mode, n),
+            Sections::OfLength(length) => Parameters::of(rough, mode, length),
+        };
+        let iso4287 = evaluated.map_err(refused)?;
+        let iso21920 = iso4287.in_mode(rough, Mode::Iso21920).map_err(refused)?;
+        let whole = |profile: &Profile| in_sections(profile, Mode::Iso4287, 1).map_err(refused);
+        Ok(Self {
+            primary: whole(&parts.primary)?,
+            waviness: parts.waviness.as_ref().map(whole).transpose()?,
+            section: iso4287.lambda_c,
+            reading,
+            plan,
+            without_involute,
+            involute_left,
+            parts,
+            iso4287,
+            iso21920,
+        })
+    }
+
+    /// What the recipe of the plan started from.
+    pub(super) fn trace(&self) -> &Profile {
+        let read = &self.reading.profile;
+        self.without_involute.as_ref().unwrap_or(read)
+    }
+
+    /// All warnings, each once.
+    pub(super) fn warnings(&self) -> Vec<Note<'_>> {
+        let is_idle = |warning: &ReadWarning| {
+            *warning == ReadWarning::AlreadyFiltered && self.plan.recipe.lambda_c.is_none()
+        };
+        let read = self.reading.warnings.iter().filter(|w| !is_idle(w));
+        let evaluated = [&self.parts.roughness.warnings, &self.iso4287.warnings];
+        let evaluated = evaluated.into_iter().flatten().chain(&self.involute_left);
+        let mut all = Vec::new();
+        for note in read.map(Note::Read).chain(evaluated.map(Note::Evaluated)) {
+            if !all.contains(&note) {
+                all.push(note);
+            }
+        }
+        all
+    }
+}
+
+/// A warning of the reader or of the evaluation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Note<'a> {
+    Read(&'a ReadWarning),
+    Evaluated(&'a Warning),
+}
+
+impl Note<'_> {
+    /// The code under which the message is explained.
+    pub(super) fn code(self) -> &'static str {
+        match self {
+            Self::Read(warning) => warning.code(),
+            Self::Evaluated(warning) => warning.code(),
+        }
+    }
+}
+
+/// With what to do about it.
+impl std::fmt::Display for Note<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (text, remedy) = match self {
+            Self::Read(warning) => (warning.to_string(), warning.remedy()),
+            Self::Evaluated(warning) => (warning.to_string(), warning.remedy()),
+        };
+        f.write_str(&words::with_options(&text, &remedy))
+    }
+}
+
+/// Reads a file as the options say.
+pub(super) fn opened(
+    file: &Path,
+    args: &ReadingArgs,
+    base_radius: Option<Length>,
+) -> Result<Reading, Failure> {
+    let options = ReadOptions {
+        x_unit: args.x_unit,
+        z_unit: args.z_unit,
+        dx: args.dx,
+        columns: args.columns,
+        decimal: args.decimal,
+        separator: args.separator,
+        encoding: args.encoding,
+        gaps: args.gaps.unwrap_or_default(),
+        row: args.row,
+        abscissa: args.abscissa,
+        base_radius,
+        uneven: args.uneven.unwrap_or_default(),
+    };
+    let reading = read(file, &options).map_err(|error| {
+        let message = words::with_options(&error.to_string(), &error.remedy());
+        Failure::new(error.code(), message)
+    })?;
+    let row = args.row.unwrap_or(1);
+    let several = [Format::X3p, Format::SdfAscii, Format::TextMatrix];
+    if row > 1 && !several.contains(&reading.format) {
+        let name = &reading.name;
+        let text = format!("{name}: the file holds a single profile, row {row} is not in it");
+        return Err(Failure::new("E119", text));
+    }
+    Ok(reading)
+}
+
+/// Why a profile that was read is not evaluated, and what to say instead.
+pub(super) fn refusal(reading: &Reading, plan: &Plan, error: &RoughnessError) -> Failure {
+    let name = &reading.name;
+    let advice = match error {
+        RoughnessError::TooShort { .. } => plan.advice_for(reading),
+        RoughnessError::TooFewPoints { .. } if matches!(plan.sections, Sections::Number(_)) => {
+            ". Pass fewer --sections".to_owned()
+        }
+        _ => String::new(),
+    };
+    Failure::new("E120", format!("{name}: {error}{advice}"))
+}
+
+/// The format that a file's name asks for; standard output gets the text format.
+fn of_name(name: &str) -> Option<WrittenFormat> {
+    WrittenFormat::of_name(if name == "-" { "-.csv" } else { name })
+}
+
+/// Writes a profile in the format its name asks for; an interrupted run leaves nothing half-written.
+pub(super) fn save(output: &Path, profile: &Profile, metadata: &Metadata) -> Result<(), Failure> {
+    let name = output.display().to_string();
+    let format = of_name(&name).ok_or_else(|| {
+        Failure::new(
+            "E401",
+            format!("{name}: cannot be written; name it .csv, .x3p or .smd"),
+        )
+    })?;
+    let bytes = write(profile, metadata, format)
+        .map_err(|error| Failure::new("E401", format!("{name}: cannot be written: {error}")))?;
+    output::save(output, &bytes)
+}
+
+pub(super) fn um(length: Length) -> f64 {
+    length.si() * 1e6
+}

@@ -1,0 +1,255 @@
+//! Every error of a case at once, for a look before the run.
+//!
+//! Reading stops at the first error. Here what is wrong is noted, replaced by a number that is right, and the
+//! case is read again, until nothing is wrong. What a replaced number would bring about itself is not told: an
+//! error below a table that was replaced already is skipped.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use serde_json::Value as Json;
+use toml::{Table, Value};
+
+use super::error::CaseError;
+use super::files::Files;
+use super::input::{CaseInput, schema};
+use super::known_keys::first_unknown;
+use super::loaded::{LoadedCase, complete, set_keys};
+use super::plain_words::plain;
+use super::plausibility::impossible;
+use super::source::{Source, key_of};
+use crate::error::Error;
+
+/// A case that is right, from which replacements are taken.
+const RIGHT: &str = r#"
+gears = { teeth = [23, 68], module = "2 mm", face_width = "30 mm" }
+operation = { torque = "100 N m", speed = "3000 1/min", temperature = "60 °C" }
+lubricant = { oil = "m100" }
+surface = { pinion = { rq = "0.3 um" }, wheel = { rq = "0.3 um" } }
+"#;
+/// No case has more errors than keys.
+const MAX_ERRORS: usize = 200;
+
+/// The errors of a case, or the case.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct Findings {
+    /// Every error, in the order in which they were found; empty when the case runs.
+    pub errors: Vec<Error>,
+    /// The case with its traces, where there is no error.
+    pub case: Option<LoadedCase>,
+}
+
+/// Reads the case in `source` and the traces it names relative to `folder`, with keys set past the text.
+pub fn check(source: Source, folder: &Path, set: &[(String, String)]) -> Findings {
+    let mut source = source;
+    let mut errors = Vec::new();
+    let case = all(&mut source, folder, set, &mut errors);
+    let errors: Vec<Error> = errors
+        .into_iter()
+        .map(|error| Error::in_text(error, source.clone()))
+        .collect();
+    Findings {
+        case: case.filter(|_| errors.is_empty()),
+        errors,
+    }
+}
+
+fn all(
+    source: &mut Source,
+    folder: &Path,
+    set: &[(String, String)],
+    errors: &mut Vec<CaseError>,
+) -> Option<LoadedCase> {
+    let mut mending = Mending {
+        right: RIGHT.parse().ok()?,
+        blamed: BTreeSet::new(),
+        replaced: BTreeSet::new(),
+    };
+    let mut table = match source.read::<Table>() {
+        Ok(table) => table,
+        Err(error) => {
+            errors.push(error);
+            return None;
+        }
+    };
+    remove_unknown(&mut table, source, &mut mending, errors);
+    let mut input = mending.read(table, source, errors)?;
+    for (key, value) in set {
+        if let Err(error) = set_keys(&mut input, source, &[(key.clone(), value.clone())]) {
+            mending.blamed.insert(part_of(key).to_owned());
+            errors.push(error);
+        }
+    }
+    for error in impossible(&input, source) {
+        let key = error.place().and_then(|place| place.key.clone());
+        errors.push(error);
+        mending.put_right(&mut input, part_of(&key?));
+    }
+    // Every round puts a further part right, and there are no more parts than keys.
+    loop {
+        let files = Files::in_folder(folder).into();
+        let error = match complete(input.clone(), source, files, None) {
+            Ok(case) => return Some(case),
+            Err(error) => error,
+        };
+        let key = error.place().and_then(|place| place.key.clone());
+        let part = key.as_deref().map(part_of);
+        // What was put right, or left out, may bring about an error that is not the user's.
+        if part.is_none_or(|part| !mending.is_known(part)) {
+            errors.push(error);
+        }
+        if !mending.put_right(&mut input, part?) {
+            return None;
+        }
+    }
+}
+
+/// What was blamed and put right so far.
+struct Mending {
+    /// A case that is right.
+    right: Table,
+    /// Parts with an error that was noted.
+    blamed: BTreeSet<String>,
+    /// Parts that were replaced as a whole.
+    replaced: BTreeSet<String>,
+}
+
+impl Mending {
+    fn is_known(&self, part: &str) -> bool {
+        self.blamed.contains(part) || self.replaced.contains(part)
+    }
+
+    /// Replaces a part by the right one; whether that is new.
+    fn put_right(&mut self, input: &mut CaseInput, part: &str) -> bool {
+        self.replaced.insert(part.to_owned()) && put_right(input, part, &self.right).is_some()
+    }
+
+    /// The case with every value that can be read, and the right one in place of the others.
+    fn read(
+        &mut self,
+        mut table: Table,
+        source: &Source,
+        errors: &mut Vec<CaseError>,
+    ) -> Option<CaseInput> {
+        let schema = schema();
+        for _ in 0..MAX_ERRORS {
+            let error = match serde_path_to_error::deserialize(Value::Table(table.clone())) {
+                Ok(input) => return Some(input),
+                Err(error) => error,
+            };
+            let key = key_of(error.path());
+            let message = error.inner().message().to_owned();
+            let missing = missing_key(key.as_deref(), &message);
+            let is_misspelt = missing
+                .as_deref()
+                .is_some_and(|key| self.blamed.contains(key));
+            if !is_misspelt {
+                errors.push(value_error(source, &schema, key.clone(), &message));
+            }
+            let blamed = missing.or(key)?;
+            self.blamed.insert(part_of(&blamed).to_owned());
+            if !change(&mut table, &blamed, value_at(&self.right, &blamed)) {
+                return None;
+            }
+        }
+        None
+    }
+}
+
+/// Takes the unknown keys away, each noted.
+fn remove_unknown(
+    table: &mut Table,
+    source: &Source,
+    mending: &mut Mending,
+    errors: &mut Vec<CaseError>,
+) {
+    let schema = schema();
+    let mut unknown: BTreeSet<String> = BTreeSet::new();
+    for path in source.key_paths() {
+        let is_below = |above: &String| path.starts_with(&format!("{above}."));
+        if unknown.iter().any(is_below) {
+            continue;
+        }
+        if let Some((key, nearest)) = first_unknown(&schema, std::iter::once(path)) {
+            // The key that was meant will be missing.
+            if let Some(meant) = &nearest {
+                let table = key.rsplit_once('.').map(|(table, _)| format!("{table}."));
+                let meant = format!("{}{meant}", table.unwrap_or_default());
+                mending.blamed.insert(part_of(&meant).to_owned());
+                mending.blamed.insert(meant);
+            }
+            errors.push(CaseError::UnknownKey {
+                place: source.place_of_key(key),
+                key: key.to_owned(),
+                nearest,
+            });
+            unknown.insert(key.to_owned());
+            change(table, key, None);
+        }
+    }
+}
+
+fn value_error(source: &Source, schema: &Json, key: Option<String>, message: &str) -> CaseError {
+    CaseError::Value {
+        place: source.place_of(key.as_deref().unwrap_or_default()),
+        message: plain(schema, key.as_deref(), message),
+        key,
+    }
+}
+
+/// The key that is missing below `table`, where that is the error.
+fn missing_key(table: Option<&str>, message: &str) -> Option<String> {
+    let rest = message.strip_prefix("missing field `")?;
+    let name = &rest[..rest.find('`')?];
+    Some(table.map_or(name.to_owned(), |table| format!("{table}.{name}")))
+}
+
+/// The part of a case that is put right as a whole: a table whose keys hang together, or a single key.
+fn part_of(key: &str) -> &str {
+    const WHOLE: [&str; 4] = ["gears", "lubricant", "surface.pinion", "surface.wheel"];
+    let is_in = |part: &&str| {
+        key.strip_prefix(*part)
+            .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+    };
+    WHOLE
+        .iter()
+        .copied()
+        .find(|part| is_in(part))
+        .unwrap_or(key)
+}
+
+fn put_right(input: &mut CaseInput, part: &str, right: &Table) -> Option<()> {
+    let mut table = Table::try_from(&*input).ok()?;
+    change(&mut table, part, value_at(right, part)).then_some(())?;
+    *input = Value::Table(table).try_into().ok()?;
+    Some(())
+}
+
+fn value_at(table: &Table, path: &str) -> Option<Value> {
+    let mut parts = path.split('.');
+    let mut value = table.get(parts.next()?)?;
+    for part in parts {
+        value = value.as_table()?.get(part)?;
+    }
+    Some(value.clone())
+}
+
+/// Puts `value` at `path`, or takes away what is there; whether the tables above are there.
+fn change(table: &mut Table, path: &str, value: Option<Value>) -> bool {
+    let (above, last) = path.rsplit_once('.').unwrap_or(("", path));
+    let mut at = table;
+    for part in above.split('.').filter(|part| !part.is_empty()) {
+        match at.get_mut(part).and_then(Value::as_table_mut) {
+            Some(inner) => at = inner,
+            None => return false,
+        }
+    }
+    match value {
+        Some(value) => {
+            at.insert(last.to_owned(), value);
+            true
+        }
+        None => at.remove(last).is_some(),
+    }
+}

@@ -1,0 +1,68 @@
+//! Modifications of the flanks and root form of a gear, as its drawing gives them.
+
+use asperity_core::quantity::Length;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Modifications of the flanks of one gear, its tip and its root.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GearFlankInput {
+    /// Relief of the tips; default none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tip_relief: Option<ReliefInput>,
+    /// Relief of the roots; default none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub root_relief: Option<ReliefInput>,
+    /// Radial chamfer of the tips, which shortens the active flank; default 0 mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tip_chamfer: Option<Length>,
+    /// Crowning along the face, zero in the middle; default 0 um.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub crowning: Option<Length>,
+    /// Lead slope over the face, with the tilt of the shaft; default 0 um.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lead_slope: Option<Length>,
+    /// Profile slope, positive where material is missing at the tip; default 0 um.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub profile_slope: Option<Length>,
+    /// Profile crowning, zero in the middle of the path of contact; default 0 um.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub profile_crowning: Option<Length>,
+    /// Dedendum h_fP* of the basic rack in modules; default 1.25.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dedendum: Option<f64>,
+    /// Radius ρ_fP* of the root rounding of the basic rack in modules; default 0.38.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fillet_radius: Option<f64>,
+}
+
+/// Relief of tips or roots: `{ amount = "10 um", length = "2.9 mm" }`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ReliefInput {
+    /// Amount at the end of the active flank.
+    pub amount: Length,
+    /// Roll length from the end of the active flank; this or `start_diameter`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub length: Option<Length>,
+    /// Diameter at which the relief starts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub start_diameter: Option<Length>,
+    /// Power with which it grows: 1 (linear, default) or 2 (parabolic).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub power: Option<u8>,
+}
+
+/// Relief of both ends of the face: `{ amount = "10 um", length = "3 mm" }`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct EndReliefInput {
+    /// Amount at the ends of the face.
+    pub amount: Length,
+    /// Length along the face.
+    pub length: Length,
+    /// Power with which it grows: 1 (linear, default) or 2 (parabolic).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub power: Option<u8>,
+}

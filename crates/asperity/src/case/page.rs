@@ -1,0 +1,252 @@
+//! The page docs/CASE_FILE.md: every key of a case file, made from its schema.
+
+use std::collections::BTreeMap;
+
+use serde_json::Value;
+
+use super::input::schema;
+use super::loaded::from_text;
+use super::plausibility::usual_of;
+use crate::error::Error;
+
+/// The shortest case: what it leaves out shows the defaults.
+const SHORTEST: &str = r#"
+gears = { teeth = [23, 68], module = "2 mm", face_width = "30 mm" }
+operation = { torque = "100 N m", speed = "3000 1/min", temperature = "60 °C" }
+lubricant = { oil = "m100" }
+surface = { pinion = { rq = "0.3 um" } }
+"#;
+
+const HEAD: &str = "\
+# The case file
+
+Made by `asperity schema --markdown` from the schema of the case file; a test holds it.
+
+A case is a TOML file (or JSON with the same keys). Quantities are text with a unit, as `\"1.8 mm\"`; files are named
+relative to the case file. `asperity check case.toml` tells every error at once and the defaults that a run would use;
+`--set key=value` sets any of these keys on the command line.
+
+The column \"default\" shows what the shortest case uses, in the formulation `corrected`; where it says \"-\", the key is
+needed, or has no default, or its default follows from others as its text says. Outside the usual range a case is run
+with warning W201.
+";
+
+const TAIL: &str = "\
+## Coefficients of Xu's law
+
+`model.xu_coefficients` names a JSON file with the coefficients of an own calibration:
+
+```json
+{ \"b\": [-8.916465, 1.03303, 1.036077, -0.354068, 2.812084, -0.100601, 0.752755, -0.390958, 0.620305] }
+```
+";
+
+/// A key and what the page tells of it.
+struct Key {
+    path: String,
+    takes: String,
+    meaning: String,
+}
+
+/// The page.
+///
+/// # Errors
+/// When the shortest case cannot be completed, which a test excludes.
+///
+/// ```
+/// let page = asperity::case::markdown()?;
+/// assert!(page.contains("| `operation.torque` |"));
+/// # Ok::<(), asperity::Error>(())
+/// ```
+pub fn markdown() -> Result<String, Error> {
+    let shortest = from_text("case.toml", SHORTEST, &|_| {
+        Err(std::io::ErrorKind::NotFound.into())
+    })?;
+    let defaults: BTreeMap<&str, &str> = shortest
+        .case
+        .defaults
+        .iter()
+        .map(|default| (&*default.key, default.value.as_str()))
+        .collect();
+    let schema = schema();
+    let mut page = HEAD.to_owned();
+    let tables = properties(&schema, &schema);
+    let (tables, keys): (Vec<_>, Vec<_>) = tables
+        .into_iter()
+        .partition(|(_, node)| is_table(&schema, node));
+    let top: Vec<Key> = keys
+        .into_iter()
+        .map(|(name, node)| key(&schema, name, node))
+        .collect();
+    section(&mut page, "Top of the file", "", &top, &defaults);
+    for (name, node) in tables {
+        let mut keys = Vec::new();
+        collect(&schema, name, node, &mut keys);
+        section(
+            &mut page,
+            &format!("[{name}]"),
+            &text_of(node),
+            &keys,
+            &defaults,
+        );
+    }
+    page.push('\n');
+    page.push_str(TAIL);
+    Ok(page)
+}
+
+fn section(
+    page: &mut String,
+    title: &str,
+    text: &str,
+    keys: &[Key],
+    defaults: &BTreeMap<&str, &str>,
+) {
+    page.push_str(&format!("\n## {title}\n\n"));
+    if !text.is_empty() {
+        page.push_str(&format!("{text}\n\n"));
+    }
+    page.push_str("| key | takes | default | usual | meaning |\n|---|---|---|---|---|\n");
+    for key in keys {
+        let default = defaults
+            .get(key.path.as_str())
+            .map_or("-".to_owned(), |value| format!("`{value}`"));
+        let usual = usual_of(&key.path).unwrap_or_default();
+        page.push_str(&format!(
+            "| `{}` | {} | {default} | {usual} | {} |\n",
+            key.path, key.takes, key.meaning
+        ));
+    }
+}
+
+/// The keys below `node`, tables opened; a flank of the wheel is told by that of the pinion.
+fn collect(schema: &Value, path: &str, node: &Value, keys: &mut Vec<Key>) {
+    for (name, inner) in properties(schema, node) {
+        let path = format!("{path}.{name}");
+        let is_twin = matches!(path.as_str(), "surface.wheel" | "material.wheel");
+        if is_table(schema, inner) && !is_twin {
+            collect(schema, &path, inner, keys);
+        } else if is_twin {
+            keys.push(Key {
+                takes: "the keys of the pinion".to_owned(),
+                meaning: text_of(inner),
+                path,
+            });
+        } else {
+            keys.push(key(schema, &path, inner));
+        }
+    }
+}
+
+fn key(schema: &Value, path: &str, node: &Value) -> Key {
+    Key {
+        path: path.to_owned(),
+        takes: takes(schema, node),
+        meaning: text_of(node),
+    }
+}
+
+/// A node with its references followed and the absent value left out.
+fn resolved<'a>(schema: &'a Value, node: &'a Value) -> Vec<&'a Value> {
+    if let Some(name) = node.get("$ref").and_then(Value::as_str) {
+        let name = name.trim_start_matches("#/$defs/");
+        let found = schema["$defs"].get(name);
+        return found.map_or(Vec::new(), |found| resolved(schema, found));
+    }
+    for kind in ["anyOf", "oneOf", "allOf"] {
+        if let Some(inner) = node.get(kind).and_then(Value::as_array) {
+            let is_there = |node: &&Value| node.get("type").and_then(Value::as_str) != Some("null");
+            let inner = inner.iter().filter(is_there);
+            return inner.flat_map(|node| resolved(schema, node)).collect();
+        }
+    }
+    vec![node]
+}
+
+/// Whether a value is one table with fixed keys, and nothing else.
+fn is_table(schema: &Value, node: &Value) -> bool {
+    matches!(resolved(schema, node)[..], [one] if one.get("properties").is_some())
+}
+
+fn properties<'a>(schema: &'a Value, node: &'a Value) -> Vec<(&'a str, &'a Value)> {
+    let fields = |node: &'a Value| node.get("properties")?.as_object();
+    let found = resolved(schema, node).into_iter().filter_map(fields);
+    found
+        .flatten()
+        .map(|(name, node)| (name.as_str(), node))
+        .collect()
+}
+
+fn text_of(node: &Value) -> String {
+    let text = node
+        .get("description")
+        .and_then(Value::as_str)
+        .unwrap_or_default();
+    text.replace('\n', " ").replace('|', "\\|")
+}
+
+/// What may stand at a key, in words.
+fn takes(schema: &Value, node: &Value) -> String {
+    let mut kinds: Vec<String> = Vec::new();
+    for kind in resolved(schema, node)
+        .into_iter()
+        .map(|node| kind(schema, node))
+    {
+        if !kinds.contains(&kind) {
+            kinds.push(kind);
+        }
+    }
+    kinds.join(", ")
+}
+
+fn kind(schema: &Value, node: &Value) -> String {
+    if let Some(name) = node.get("const").and_then(Value::as_str) {
+        return format!("`{name}`");
+    }
+    if let Some(names) = node.get("enum").and_then(Value::as_array) {
+        let names = names.iter().filter_map(Value::as_str);
+        return names
+            .map(|name| format!("`{name}`"))
+            .collect::<Vec<_>>()
+            .join(", ");
+    }
+    if let Some(fields) = node.get("properties").and_then(Value::as_object) {
+        let law = fields.get("law").and_then(|law| law.get("const")?.as_str());
+        let names: Vec<String> = fields
+            .iter()
+            .map(|(name, _)| match (name.as_str(), law) {
+                ("law", Some(law)) => format!("law = \"{law}\""),
+                (name, _) => name.to_owned(),
+            })
+            .collect();
+        return format!("`{{ {} }}`", names.join(", "));
+    }
+    let kind = match node.get("type") {
+        Some(Value::String(kind)) => kind.as_str(),
+        Some(Value::Array(kinds)) => kinds
+            .iter()
+            .filter_map(Value::as_str)
+            .find(|kind| *kind != "null")
+            .unwrap_or_default(),
+        _ => "",
+    };
+    match kind {
+        "string" => match text_of(node) {
+            text if text.contains("with a unit") => text,
+            _ => "text".to_owned(),
+        },
+        "number" => "number".to_owned(),
+        "integer" => "whole number".to_owned(),
+        "boolean" => "`true`, `false`".to_owned(),
+        "array" => {
+            let items = node
+                .get("items")
+                .or_else(|| node.get("prefixItems")?.get(0));
+            match items {
+                Some(items) => format!("list of {}", takes(schema, items)),
+                None => "list".to_owned(),
+            }
+        }
+        _ => "value".to_owned(),
+    }
+}

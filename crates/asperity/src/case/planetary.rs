@@ -1,0 +1,333 @@
+//! A planetary set as a case: sun, planets and ring, each mesh an ordinary case of its own.
+//!
+//! In the mesh of sun and planet the sun is the pinion; in that of planet and ring the planet is. Speeds are those
+//! relative to the carrier.
+
+use std::path::Path;
+
+use asperity_core::lubricant::LubricantInput;
+use asperity_core::quantity::{Angle, AngularSpeed, Length};
+use asperity_gear::GearError;
+use asperity_gear::planetary::{PlanetaryOperation, PlanetarySet, PlanetarySetInput};
+use asperity_roughness::form::Form;
+use asperity_roughness::gaussian_filter::Ends;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::builder::CaseBuilder;
+use super::defaults::{DefaultUsed, Defaults};
+use super::error::CaseError;
+use super::gear_input::GearFlankInput;
+use super::input::{
+    BodyInput, CaseInput, FlankInput, GearsInput, MaterialInput, ModelInput, OneOrTwo,
+    OperationInput, SurfaceInput,
+};
+use super::known_keys::first_unknown;
+use super::loaded::LoadedCase;
+use super::source::Source;
+use crate::error::Error;
+
+/// A planetary case as the user writes it. Torque and speed of the operation are those of the sun.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlanetaryCaseInput {
+    /// A line that names the case in every output.
+    pub title: Option<String>,
+    /// The set.
+    pub planetary: PlanetaryInput,
+    /// Steel; planets and ring are of that of the sun unless they have their own.
+    #[serde(default)]
+    pub material: PlanetaryMaterialInput,
+    /// Torque and speed of the sun, temperature.
+    pub operation: OperationInput,
+    /// The oil.
+    pub lubricant: LubricantInput,
+    /// The measured flanks and how they are prepared.
+    pub surface: PlanetarySurfaceInput,
+    /// Choices of the model, for both meshes.
+    #[serde(default)]
+    pub model: ModelInput,
+}
+
+/// Sun, planets and ring. Three values belong to sun, planet and ring.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlanetaryInput {
+    /// Tooth numbers; the ring's may be negative: `[27, 24, -75]`.
+    pub teeth: [i32; 3],
+    /// Number of planets.
+    pub planets: u32,
+    /// Normal module.
+    pub module: Length,
+    /// Helix angle β; default 0 deg.
+    pub helix: Option<Angle>,
+    /// Normal pressure angle; default 20 deg.
+    pub pressure_angle: Option<Angle>,
+    /// Face widths.
+    pub face_width: [Length; 3],
+    /// Profile shift coefficients; default `[0, 0, 0]`. A positive one brings the ring's teeth towards its axis.
+    pub profile_shift: Option<[f64; 3]>,
+    /// Distance of the planet axes from that of the sun; derived from the profile shifts when not given.
+    pub centre_distance: Option<Length>,
+    /// Tip diameters; derived from the addendum when not given.
+    pub tip_diameter: Option<[Length; 3]>,
+    /// Addendum in modules; default 1.
+    pub addendum: Option<f64>,
+    /// Speed of the ring; default 0, held.
+    pub ring_speed: Option<AngularSpeed>,
+    /// Load of the most loaded planet over the mean, K_γ, which raises pressures alone; default 1.
+    pub load_share_factor: Option<f64>,
+    /// Flanks, tip and root of the sun.
+    pub sun: Option<GearFlankInput>,
+    /// Flanks, tip and root of the planets.
+    pub planet: Option<GearFlankInput>,
+    /// Flanks, tip and root of the ring.
+    pub ring: Option<GearFlankInput>,
+}
+
+/// Steel of the set.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlanetaryMaterialInput {
+    /// The sun; also planets and ring unless given.
+    #[serde(default)]
+    pub sun: BodyInput,
+    /// The planets, where they differ.
+    pub planet: Option<BodyInput>,
+    /// The ring, where it differs.
+    pub ring: Option<BodyInput>,
+}
+
+/// The flanks of the set.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlanetarySurfaceInput {
+    /// Trace of the sun's flank.
+    pub sun: FlankInput,
+    /// Trace of a planet's flank, for both of its meshes; default: the sun's trace, mirrored.
+    pub planet: Option<FlankInput>,
+    /// Trace of the ring's flank; default: the planet's trace, mirrored.
+    pub ring: Option<FlankInput>,
+    /// Form removed from each trace; default `level` (a straight line).
+    pub form: Option<Form>,
+    /// Cut-off λc; default 0.8 mm.
+    pub cutoff: Option<Length>,
+    /// Cut-off λs; default 2.5 um.
+    pub noise_cutoff: Option<Length>,
+    /// What the filters do at the ends of a trace; default `cut`.
+    pub ends: Option<Ends>,
+}
+
+/// A planetary case, ready to run.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct LoadedPlanetary {
+    /// Title.
+    pub title: String,
+    /// The set.
+    pub set: PlanetarySet,
+    /// What drives it.
+    pub operation: PlanetaryOperation,
+    /// The meshes of sun and planet, and of planet and ring.
+    pub meshes: [LoadedCase; 2],
+    /// The case as read.
+    pub input: PlanetaryCaseInput,
+    /// Defaults of the set that were used; those of the meshes are theirs.
+    pub defaults: Vec<DefaultUsed>,
+}
+
+/// The JSON schema of a planetary case file.
+pub fn schema() -> serde_json::Value {
+    schemars::schema_for!(PlanetaryCaseInput).to_value()
+}
+
+/// Reads the planetary case file `path` and the traces it names; none when the file holds no `[planetary]`.
+///
+/// # Errors
+/// When a file cannot be read or says something that cannot be.
+pub fn load(path: &Path) -> Result<Option<LoadedPlanetary>, Error> {
+    // Files that cannot be read are told by the loader of ordinary cases.
+    let Ok(bytes) = std::fs::read(path) else {
+        return Ok(None);
+    };
+    let Ok(source) = Source::from_bytes(&path.display().to_string(), &bytes) else {
+        return Ok(None);
+    };
+    if !source.key_paths().any(|key| key == "planetary") {
+        return Ok(None);
+    }
+    let read = || {
+        if let Some((key, nearest)) = first_unknown(&schema(), source.key_paths()) {
+            return Err(CaseError::UnknownKey {
+                place: source.place_of_key(key),
+                key: key.to_owned(),
+                nearest,
+            });
+        }
+        let input: PlanetaryCaseInput = source.read()?;
+        let (set, operation, defaults) = set(&input, &source)?;
+        Ok((input, set, operation, defaults))
+    };
+    let (input, set, operation, defaults) =
+        read().map_err(|error| Error::in_text(error, source.clone()))?;
+    let folder = path.parent().unwrap_or(Path::new("."));
+    let meshes = meshes(&input, &set, &operation)
+        .map_err(|error| Error::in_text(refused(&source)(error), source.clone()))?;
+    let [sun_planet, planet_ring] = meshes;
+    let build = |case| CaseBuilder::of(case, folder).build();
+    Ok(Some(LoadedPlanetary {
+        title: input
+            .title
+            .clone()
+            .unwrap_or_else(|| "untitled set".to_owned()),
+        meshes: [build(sun_planet)?, build(planet_ring)?],
+        set,
+        operation,
+        input,
+        defaults,
+    }))
+}
+
+fn refused(source: &Source) -> impl Fn(GearError) -> CaseError + '_ {
+    |error| CaseError::Gears {
+        place: source.place_of_key("planetary"),
+        source: error,
+    }
+}
+
+fn set(
+    input: &PlanetaryCaseInput,
+    source: &Source,
+) -> Result<(PlanetarySet, PlanetaryOperation, Vec<DefaultUsed>), CaseError> {
+    let given = &input.planetary;
+    let mut defaults = Defaults::default();
+    let teeth = given.teeth.map(i32::unsigned_abs);
+    let standard = PlanetarySetInput::standard(
+        teeth,
+        given.planets,
+        given.module,
+        defaults.take("planetary.helix", given.helix, Angle::from_si(0.0)),
+        given.face_width[0],
+    );
+    if given.teeth[0] < 0 || given.teeth[1] < 0 {
+        return Err(CaseError::Conflict {
+            place: source.place_of("planetary.teeth"),
+            key: "planetary.teeth",
+            rule: "only the ring may have a negative number, as [27, 24, -75]",
+        });
+    }
+    let set = PlanetarySet::new(&PlanetarySetInput {
+        face_width: given.face_width,
+        pressure_angle: defaults.take(
+            "planetary.pressure_angle",
+            given.pressure_angle,
+            standard.pressure_angle,
+        ),
+        profile_shift: defaults.take("planetary.profile_shift", given.profile_shift, [0.0; 3]),
+        centre_distance: given.centre_distance,
+        tip_radius: given.tip_diameter.map(|d| d.map(|d| d / 2.0)),
+        addendum: defaults.take("planetary.addendum", given.addendum, standard.addendum),
+        ..standard
+    })
+    .map_err(refused(source))?;
+    let operation = PlanetaryOperation {
+        sun_torque: input.operation.torque,
+        sun_speed: input.operation.speed,
+        ring_speed: defaults.take(
+            "planetary.ring_speed",
+            given.ring_speed,
+            AngularSpeed::from_si(0.0),
+        ),
+        load_share_factor: defaults.take(
+            "planetary.load_share_factor",
+            given.load_share_factor,
+            1.0,
+        ),
+    };
+    Ok((set, operation, defaults.into_list()))
+}
+
+/// Two of the three gears, the first of them the pinion.
+struct Mesh {
+    gears: [usize; 2],
+    name: &'static str,
+}
+
+const MESHES: [Mesh; 2] = [
+    Mesh {
+        gears: [0, 1],
+        name: "sun and planet",
+    },
+    Mesh {
+        gears: [1, 2],
+        name: "planet and ring",
+    },
+];
+
+/// The case of each mesh.
+fn meshes(
+    input: &PlanetaryCaseInput,
+    set: &PlanetarySet,
+    operation: &PlanetaryOperation,
+) -> Result<[CaseInput; 2], GearError> {
+    let loads = set.meshes(operation)?;
+    let distance = set.sun_planet.centre_distance;
+    let of = |mesh: usize| {
+        let mut case = mesh_case(input, &MESHES[mesh]);
+        case.operation.torque = loads[mesh].torque;
+        case.operation.speed = loads[mesh].speed;
+        if mesh == 1 {
+            case.gears.centre_distance = Some(distance);
+        }
+        case
+    };
+    Ok([of(0), of(1)])
+}
+
+fn mesh_case(input: &PlanetaryCaseInput, mesh: &Mesh) -> CaseInput {
+    let set = &input.planetary;
+    let [i, j] = mesh.gears;
+    let flanks = [set.sun, set.planet, set.ring];
+    let teeth = set.teeth.map(i32::abs);
+    let wheel = if j == 2 { -teeth[j] } else { teeth[j] };
+    let mut gears = GearsInput::new([teeth[i], wheel], set.module, set.face_width[i]);
+    gears.helix = set.helix;
+    gears.pressure_angle = set.pressure_angle;
+    gears.face_width = OneOrTwo::Two([set.face_width[i], set.face_width[j]]);
+    let shift = set.profile_shift.unwrap_or_default();
+    gears.profile_shift = Some([shift[i], shift[j]]);
+    gears.centre_distance = set.centre_distance;
+    gears.tip_diameter = set.tip_diameter.map(|d| [d[i], d[j]]);
+    gears.addendum = set.addendum;
+    (gears.pinion, gears.wheel) = (flanks[i], flanks[j]);
+    let steel = &input.material;
+    let steels = [Some(steel.sun), steel.planet, steel.ring];
+    let surface = &input.surface;
+    let traces = [
+        Some(surface.sun.clone()),
+        surface.planet.clone(),
+        surface.ring.clone(),
+    ];
+    let title = input.title.as_deref().unwrap_or("untitled set");
+    CaseInput {
+        title: Some(format!("{title}: {}", mesh.name)),
+        formulation: None,
+        gears,
+        material: MaterialInput {
+            pinion: steels[i].unwrap_or(steel.sun),
+            // Its own, that of the sun otherwise, which the planet need not share.
+            wheel: Some(steels[j].unwrap_or(steel.sun)),
+        },
+        operation: input.operation,
+        lubricant: input.lubricant.clone(),
+        surface: SurfaceInput {
+            pinion: traces[i].clone().unwrap_or_else(|| surface.sun.clone()),
+            wheel: traces[j].clone(),
+            form: surface.form,
+            cutoff: surface.cutoff,
+            noise_cutoff: surface.noise_cutoff,
+            ends: surface.ends,
+        },
+        model: input.model.clone(),
+    }
+}

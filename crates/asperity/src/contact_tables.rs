@@ -1,0 +1,97 @@
+//! Rough contacts of a whole mesh, kept for other oils, speeds and temperatures.
+
+use std::collections::BTreeMap;
+
+use crate::case::Case;
+use crate::error::PositionError;
+use crate::load_share::ContactTable;
+use crate::station::Station;
+use crate::surfaces::{Surfaces, Texture};
+
+/// Contact tables of every position and offset of a case, made by
+/// [`pipeline::contact_tables`](crate::pipeline::contact_tables).
+///
+/// They know gears, torque, flanks and steel, but neither oil nor temperature nor speed: of those another
+/// costs film laws only, by [`pipeline::losses_with`](crate::pipeline::losses_with).
+#[derive(Debug, Clone)]
+pub struct ContactTables {
+    fingerprint: Vec<u64>,
+    rows: BTreeMap<[u64; 2], Vec<ContactTable>>,
+}
+
+impl ContactTables {
+    pub(crate) fn new(
+        case: &Case,
+        surfaces: &Surfaces,
+        rows: impl Iterator<Item = (Station, Vec<ContactTable>)>,
+    ) -> Self {
+        Self {
+            fingerprint: fingerprint(case, surfaces),
+            rows: rows
+                .map(|(station, tables)| (key(&station), tables))
+                .collect(),
+        }
+    }
+
+    /// Whether the tables are those of `case`.
+    pub(crate) fn check(&self, case: &Case, surfaces: &Surfaces) -> Result<(), PositionError> {
+        if self.fingerprint == fingerprint(case, surfaces) {
+            Ok(())
+        } else {
+            let differs = "flank, steel, window or number of offsets";
+            Err(PositionError::OtherTables { differs })
+        }
+    }
+
+    pub(crate) fn at(
+        &self,
+        station: &Station,
+        offset: usize,
+    ) -> Result<&ContactTable, PositionError> {
+        self.rows
+            .get(&key(station))
+            .and_then(|row| row.get(offset))
+            .ok_or(PositionError::OtherTables {
+                differs: "line load or radius",
+            })
+    }
+
+    /// Number of contact tables.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.rows.values().map(Vec::len).sum()
+    }
+
+    /// Whether there is none: the flanks are not measured, or the load share asks for none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+}
+
+/// Load and radius decide the contact of a window.
+fn key(station: &Station) -> [u64; 2] {
+    [station.load.si(), station.motion.radius.si()].map(f64::to_bits)
+}
+
+/// Bits of everything else that the contacts depend on.
+fn fingerprint(case: &Case, surfaces: &Surfaces) -> Vec<u64> {
+    let [pinion, wheel] = case.flow_pressure;
+    let mut bits: Vec<u64> = [
+        pinion.si(),
+        wheel.si(),
+        case.modulus.si(),
+        case.model.window,
+        case.model.tolerance,
+    ]
+    .map(f64::to_bits)
+    .to_vec();
+    bits.push(case.model.offsets as u64);
+    for texture in surfaces.textures() {
+        if let Texture::Trace(profile) = texture {
+            bits.push(profile.spacing().si().to_bits());
+            bits.extend(profile.heights().iter().map(|z| z.to_bits()));
+        }
+    }
+    bits
+}

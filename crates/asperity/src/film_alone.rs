@@ -1,0 +1,59 @@
+//! Friction of a film without asperities, as a law of the pipeline.
+
+use asperity_core::Checked;
+use asperity_core::quantity::Length;
+use asperity_ehl_regime::inlet_flow::CentralFilm;
+use asperity_tribo_friction::film_friction::solve;
+use asperity_tribo_friction::{
+    FilmContact, FilmFriction, FilmLineContact, FilmRheology, FilmSettings, FilmTraction,
+    FrictionError, ShearLaw,
+};
+
+/// Friction of a film of the oil of a case: shear law, limiting shear stress, heat of film and surfaces.
+#[derive(Debug, Clone)]
+pub(crate) struct FilmAlone {
+    rheology: FilmRheology,
+    central_film: CentralFilm,
+}
+
+impl FilmAlone {
+    pub(crate) fn new(rheology: &FilmRheology, central_film: CentralFilm) -> Self {
+        Self {
+            rheology: rheology.clone(),
+            central_film,
+        }
+    }
+
+    fn film(&self, at: &FilmContact<'_>) -> Length {
+        let (film, p0) = (at.position.central_film, at.position.max_pressure);
+        // Neither is negative here, so that both readings have a value.
+        self.central_film.thickness(film, p0).unwrap_or(film)
+    }
+}
+
+impl FilmFriction for FilmAlone {
+    fn name(&self) -> &str {
+        match self.rheology.laws().0 {
+            ShearLaw::Carreau => "carreau",
+            ShearLaw::Newton => "newton",
+            _ => "eyring",
+        }
+    }
+
+    fn traction(&self, at: &FilmContact<'_>) -> Result<Checked<FilmTraction>, FrictionError> {
+        let contact = FilmLineContact {
+            load: at.position.load,
+            radius: at.position.radius,
+            modulus: at.modulus,
+            speeds: at.surface_speeds,
+            film: self.film(at),
+            temperature: at.bulk_temperature,
+            bodies: at.materials,
+        };
+        let solved = solve(&self.rheology, &contact, FilmSettings::default())?;
+        Ok(solved.map(|solution| {
+            FilmTraction::of(solution.coefficient)
+                .with_rises(solution.surface_rise, solution.largest_film_rise)
+        }))
+    }
+}

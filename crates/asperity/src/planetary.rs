@@ -1,0 +1,147 @@
+//! The run of a planetary set: both kinds of meshes, and their loss together.
+
+use asperity_core::quantity::Power;
+use asperity_gear::planetary::{PlanetaryMesh, PlanetarySpeeds};
+use serde::{Deserialize, Serialize};
+
+use crate::case::planetary::LoadedPlanetary;
+use crate::error::{Error, PositionError};
+use crate::pipeline::{Progress, run};
+use crate::result::{Outcome, RunResult};
+
+/// The result of a planetary set; the results of its meshes stand beside it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct PlanetaryResult {
+    /// The program and its version.
+    pub program: String,
+    /// Title of the case.
+    pub title: String,
+    /// Number of planets.
+    pub planets: u32,
+    /// Efficiency of the set by its mesh losses alone.
+    pub efficiency: f64,
+    /// Loss of all meshes \[W\].
+    pub loss_w: f64,
+    /// Power that enters through sun, ring and carrier \[W\].
+    pub power_in_w: f64,
+    /// Power that passes the meshes: torque of the sun times its speed relative to the carrier \[W\].
+    pub rolling_power_w: f64,
+    /// Speed of the sun \[rad/s\].
+    pub sun_rad_per_s: f64,
+    /// Speed of the ring \[rad/s\].
+    pub ring_rad_per_s: f64,
+    /// Speed of the carrier \[rad/s\].
+    pub carrier_rad_per_s: f64,
+    /// Speed of the planets relative to the carrier \[rad/s\].
+    pub planet_relative_rad_per_s: f64,
+    /// Whether equally spaced planets can be assembled.
+    pub can_be_equally_spaced: bool,
+    /// Load of the most loaded planet over the mean, K_γ.
+    pub load_share_factor: f64,
+    /// Meshes of sun and planet, and of planet and ring.
+    pub meshes: Vec<MeshRow>,
+}
+
+/// One kind of mesh of a planetary set.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct MeshRow {
+    /// Which gears.
+    pub mesh: String,
+    /// Torque at its pinion \[N m\].
+    pub torque_nm: f64,
+    /// Speed of its pinion relative to the carrier \[rad/s\].
+    pub speed_rad_per_s: f64,
+    /// Loss of one such mesh \[W\].
+    pub loss_w: f64,
+    /// Efficiency of the mesh.
+    pub efficiency: f64,
+    /// Loss factor of its load.
+    pub loss_factor: f64,
+    /// Friction coefficient that explains its loss.
+    pub mu_equivalent: f64,
+    /// Highest Hertz pressure of its cells at the mean load \[MPa\].
+    pub hertz_pressure_mpa: f64,
+    /// The same at the most loaded planet, √K_γ times as high \[MPa\].
+    pub hertz_pressure_most_loaded_mpa: f64,
+}
+
+/// A run of a planetary set.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct PlanetaryOutcome {
+    /// Loss of the set and a row of each kind of mesh.
+    pub result: PlanetaryResult,
+    /// Sun and planet, planet and ring.
+    pub meshes: [Outcome; 2],
+}
+
+/// Runs both meshes of a planetary set.
+///
+/// # Errors
+/// When a mesh has no solution.
+pub fn run_planetary(
+    loaded: &LoadedPlanetary,
+    progress: Progress<'_>,
+) -> Result<PlanetaryOutcome, Error> {
+    let [first, second] = &loaded.meshes;
+    let meshes = [run(first, progress)?, run(second, progress)?];
+    let result = result(loaded, [&meshes[0].result, &meshes[1].result])
+        .map_err(|error| Error::Whole(Box::new(error)))?;
+    Ok(PlanetaryOutcome { result, meshes })
+}
+
+fn result(
+    loaded: &LoadedPlanetary,
+    runs: [&RunResult; 2],
+) -> Result<PlanetaryResult, PositionError> {
+    let (set, operation) = (&loaded.set, &loaded.operation);
+    let loads = set.meshes(operation)?;
+    let PlanetarySpeeds {
+        sun,
+        ring,
+        carrier,
+        planet_relative,
+        ..
+    } = set.speeds(operation.sun_speed, operation.ring_speed)?;
+    let [first, second] = runs.map(|run| Power::from_si(run.summary.loss_w));
+    let loss = set.loss(first, second).si();
+    let power_in = set.input_power(operation)?.si();
+    let share = operation.load_share_factor;
+    Ok(PlanetaryResult {
+        program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
+        title: loaded.title.clone(),
+        planets: set.planets,
+        efficiency: 1.0 - loss / power_in,
+        loss_w: loss,
+        power_in_w: power_in,
+        rolling_power_w: set.rolling_power(operation)?.si(),
+        sun_rad_per_s: sun.si(),
+        ring_rad_per_s: ring.si(),
+        carrier_rad_per_s: carrier.si(),
+        planet_relative_rad_per_s: planet_relative.si(),
+        can_be_equally_spaced: set.can_be_equally_spaced(),
+        load_share_factor: share,
+        meshes: vec![
+            row("sun and planet", &loads[0], runs[0], share),
+            row("planet and ring", &loads[1], runs[1], share),
+        ],
+    })
+}
+
+fn row(name: &str, load: &PlanetaryMesh, run: &RunResult, share: f64) -> MeshRow {
+    let pressures = run.path.iter().map(|row| row.hertz_pressure_mpa);
+    let highest = pressures.fold(0.0, f64::max);
+    MeshRow {
+        mesh: name.to_owned(),
+        torque_nm: load.torque.si(),
+        speed_rad_per_s: load.speed.si(),
+        loss_w: run.summary.loss_w,
+        efficiency: run.summary.efficiency,
+        loss_factor: run.summary.loss_factor_local,
+        mu_equivalent: run.summary.mu_equivalent,
+        hertz_pressure_mpa: highest,
+        hertz_pressure_most_loaded_mpa: highest * share.sqrt(),
+    }
+}

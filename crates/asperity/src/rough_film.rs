@@ -1,0 +1,171 @@
+//! Film and rough contact of one mesh position: the load share at any offset.
+
+use asperity_contact::SolverSettings;
+use asperity_core::Checked;
+use asperity_core::quantity::{Length, Pressure};
+use asperity_ehl_regime::TraceSpectrum;
+use asperity_ehl_regime::inlet_flow::Lay;
+
+use crate::case::{Case, Formulation};
+use crate::chosen_laws::ChosenLaws;
+use crate::encounter::Encounter;
+use crate::error::PositionError;
+use crate::load_share::{
+    AttenuatedTraces, ContactTable, LineContact, LoadShareSettings, LoadShareSolution,
+    PositionFilm, RoughContact, RoughWindow, SmoothFilm,
+};
+use crate::station::Station;
+use crate::surfaces::{Surfaces, Texture};
+
+/// Where the table of a window comes from.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Tables<'a> {
+    /// Made here, unless the window stays apart.
+    AtNeed,
+    /// Made before.
+    Made(&'a ContactTable),
+}
+
+/// Film of a position with the traces as its inlet leaves them.
+pub(crate) struct RoughFilm<'a> {
+    case: &'a Case,
+    contact: LineContact,
+    film: PositionFilm<'a>,
+    traces: AttenuatedTraces,
+}
+
+impl<'a> RoughFilm<'a> {
+    /// The film at `station`, where the law of the load share asks for the rough contact and both flanks are
+    /// measured.
+    pub(crate) fn at(
+        case: &'a Case,
+        laws: &ChosenLaws,
+        surfaces: &Surfaces,
+        station: &Station,
+    ) -> Result<Option<Self>, PositionError> {
+        let Some(supply) = laws.load_share.supply() else {
+            return Ok(None);
+        };
+        let (Some(rheology), Some([first, second])) = (&case.rheology, surfaces.spectra()) else {
+            return Ok(None);
+        };
+        if case.formulation == Formulation::Paper {
+            return Ok(None);
+        }
+        let model = &case.model;
+        let settings = LoadShareSettings {
+            boundary_friction: model.boundary_friction,
+            boundary_layer: model.boundary_layer,
+            lay: surfaces.lay(model.lay)?,
+            film_law: model.film,
+            thermal: model.thermal,
+            central_film: model.central_film,
+            supply,
+            spot_speed: model.spot_speed,
+            share_factor: model.asperity_share_factor,
+            ..LoadShareSettings::default()
+        };
+        let contact = line_contact(case, station);
+        let smooth = SmoothFilm {
+            central: station.film.central,
+            thermal_factor: station.thermal_reduction,
+        };
+        let film =
+            PositionFilm::with_film(rheology, &contact, case.temperature, &settings, smooth)?;
+        let traces = AttenuatedTraces::new([first, second], film.nabla_per_length())?;
+        Ok(Some(Self {
+            case,
+            contact,
+            film,
+            traces,
+        }))
+    }
+
+    /// Load share and friction at one offset.
+    pub(crate) fn share(
+        &mut self,
+        encounter: &Encounter,
+        tables: Tables<'_>,
+    ) -> Result<Checked<LoadShareSolution>, PositionError> {
+        let rms = self
+            .traces
+            .window_rms(encounter.starts, encounter.x.len())?;
+        if let Tables::Made(table) = tables {
+            return Ok(self.film.share(table, rms)?);
+        }
+        let mut contact = rough_contact(self.case, &self.contact, encounter)?;
+        let apart = self.film.share_apart(contact.first_touch_gap(), rms)?;
+        match apart {
+            Some(solution) => Ok(solution),
+            None => Ok(self.film.share(&ContactTable::build(&mut contact)?, rms)?),
+        }
+    }
+}
+
+/// The loaded line contact of a position.
+fn line_contact(case: &Case, station: &Station) -> LineContact {
+    LineContact {
+        load: station.load,
+        radius: station.motion.radius,
+        modulus: case.modulus,
+        speeds: [station.motion.u1, station.motion.u2],
+        bodies: case.materials,
+    }
+}
+
+/// The table of one window.
+pub(crate) fn table(
+    case: &Case,
+    station: &Station,
+    encounter: &Encounter,
+) -> Result<ContactTable, PositionError> {
+    let mut contact = rough_contact(case, &line_contact(case, station), encounter)?;
+    Ok(ContactTable::build(&mut contact)?)
+}
+
+fn rough_contact(
+    case: &Case,
+    contact: &LineContact,
+    encounter: &Encounter,
+) -> Result<RoughContact, PositionError> {
+    let [pinion, wheel] = case.flow_pressure.map(Pressure::si);
+    Ok(RoughContact::new(&RoughWindow {
+        composite: &encounter.composite(),
+        spacing: encounter.spacing,
+        load: contact.load,
+        radius: contact.radius,
+        modulus: contact.modulus,
+        flow_pressure: Pressure::from_si(pinion.min(wheel)),
+        settings: SolverSettings {
+            tolerance: case.model.tolerance,
+            ..SolverSettings::default()
+        },
+    })?)
+}
+
+impl Surfaces {
+    /// Spectra of both traces, where both flanks were measured.
+    fn spectra(&self) -> Option<[&TraceSpectrum; 2]> {
+        let [first, second] = self.spectra_of_traces()?;
+        Some([first, second])
+    }
+
+    /// Lay of both flanks together.
+    fn lay(&self, lays: [Lay; 2]) -> Result<Lay, PositionError> {
+        let rq = |texture: &Texture| match texture {
+            Texture::Trace(profile) => {
+                let z = profile.heights();
+                let n = z.len() as f64;
+                let mean = z.iter().sum::<f64>() / n;
+                let square = z.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / n;
+                Length::from_si(square.sqrt())
+            }
+            Texture::Values { rq, .. } => Length::from_si(*rq),
+        };
+        if lays[0] == lays[1] {
+            return Ok(lays[0]);
+        }
+        let [first, second] = self.textures();
+        Ok(Lay::of_pair(lays, [rq(first), rq(second)])?)
+    }
+}

@@ -1,0 +1,23 @@
+//! What a law of load distribution is given.
+
+use asperity_core::material::Material;
+use asperity_core::quantity::Torque;
+
+use super::law::LoadMapSettings;
+use crate::pair::GearPair;
+use crate::relief::MicroGeometry;
+
+/// What a law of load distribution knows of a mesh.
+#[derive(Debug, Clone, Copy)]
+pub struct LoadConditions<'a> {
+    /// The pair.
+    pub pair: &'a GearPair,
+    /// Torque at gear 1, of either sign.
+    pub torque: Torque,
+    /// Modifications of the flanks.
+    pub micro: &'a MicroGeometry,
+    /// Materials of gears 1 and 2.
+    pub materials: &'a [Material; 2],
+    /// Numbers of a load map that are not of the pair.
+    pub settings: &'a LoadMapSettings,
+}

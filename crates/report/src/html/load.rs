@@ -1,0 +1,84 @@
+//! Load over the flanks: along the path and over the face.
+
+use asperity::load_report::LoadRow;
+use asperity::result::RunResult;
+
+use super::path::points;
+use crate::chart::{Axis, Chart, Contour, Drawing, Line, Series};
+use crate::page_tables::PageTables;
+
+/// The line load along the path, of the map and of the cells that stand for it.
+pub(super) fn along_the_path(result: &RunResult, axis: Axis) -> Drawing {
+    let rows = &result.load.path;
+    let s: Vec<f64> = rows.iter().map(|row| row.s_mm).collect();
+    let of = |value: fn(&LoadRow) -> f64| -> Vec<f64> { rows.iter().map(value).collect() };
+    let (cells, loads): (Vec<f64>, Vec<f64>) = (result.path.iter())
+        .map(|row| (row.s_mm, row.line_load_n_per_mm))
+        .unzip();
+    let mut chart = Chart::new(
+        "load",
+        "Load per length of contact line",
+        "load.csv",
+        axis,
+        Axis::new("line load", "N/mm").from_zero(),
+    )
+    .marked(&points(result))
+    .with(Series::new(
+        "mean over the face",
+        Line::Solid,
+        &s,
+        &of(|row| row.mean_n_per_mm),
+    ));
+    if rows
+        .iter()
+        .any(|row| row.highest_n_per_mm > 1.01 * row.lowest_n_per_mm)
+    {
+        chart = chart
+            .with(Series::new(
+                "highest",
+                Line::Dashed,
+                &s,
+                &of(|row| row.highest_n_per_mm),
+            ))
+            .with(Series::new(
+                "lowest",
+                Line::Dashed,
+                &s,
+                &of(|row| row.lowest_n_per_mm),
+            ));
+    }
+    Drawing::Curves(chart.with(Series::new(
+        "contacts evaluated",
+        Line::Scatter,
+        &cells,
+        &loads,
+    )))
+}
+
+/// The load over path and face; none where no load map was written.
+pub(super) fn map(tables: &PageTables, axis: Axis) -> Option<Drawing> {
+    let rows = &tables.load_map;
+    let top = rows.first()?.y_mm;
+    let stride = rows.iter().take_while(|row| row.y_mm == top).count();
+    let columns: Vec<f64> = rows[..stride].iter().map(|row| row.s_mm).collect();
+    let mut across: Vec<f64> = rows.chunks(stride).map(|strip| strip[0].y_mm).collect();
+    let mut values: Vec<f64> = rows.iter().map(|row| row.load_n_per_mm).collect();
+    // A load that is the same over the face is drawn from end to end of it.
+    if across.len() == 1 {
+        let middle = across[0];
+        across = vec![0.0, 2.0 * middle];
+        values = values.repeat(2);
+    }
+    Some(Drawing::Contour(Contour {
+        id: "load-map".to_owned(),
+        title: "Load over the flank, from A to E and across the face".to_owned(),
+        source: tables.source("load_map.csv"),
+        x: axis,
+        y: Axis::new("across the face", "mm"),
+        value: "line load [N/mm]".to_owned(),
+        columns,
+        rows: across,
+        values,
+        height: 250.0,
+    }))
+}

@@ -1,0 +1,92 @@
+//! The result folder of a planetary set: a table of its meshes, and the folder of each.
+
+use std::path::Path;
+
+use asperity::planetary::{PlanetaryOutcome, PlanetaryResult};
+use asperity_storage::{check_folder, replace_folder};
+use maud::html;
+
+use crate::error::ReportError;
+use crate::folder::{Fields, fill, make_folder, write_json, write_text};
+use crate::html::page;
+use crate::tables;
+
+/// Folders of the meshes of sun and planet, and of planet and ring.
+const MESHES: [&str; 2] = ["sun_planet", "planet_ring"];
+
+/// Kind of the folder in messages.
+const KIND: &str = "planetary result";
+
+/// Whether a planetary result may be written as folder `target`, as for [`crate::check_place`].
+///
+/// # Errors
+/// When something else is there.
+pub fn check_planetary_place(target: &Path) -> Result<(), ReportError> {
+    Ok(check_folder(target, KIND)?)
+}
+
+/// Writes `outcome` as folder `target`: `planetary.json`, `meshes.csv`, `report.html` and a result folder for each
+/// kind of mesh.
+///
+/// # Errors
+/// When the system refuses, or `target` holds something else.
+pub fn write_planetary(
+    outcome: &PlanetaryOutcome,
+    target: &Path,
+    fields: &Fields,
+) -> Result<(), ReportError> {
+    replace_folder(target, KIND, |folder| {
+        let result = &outcome.result;
+        write_json(&folder.join("planetary.json"), result)?;
+        tables::write(&folder.join("meshes.csv"), &result.meshes)?;
+        for (mesh, name) in outcome.meshes.iter().zip(MESHES) {
+            let place = folder.join(name);
+            make_folder(&place)?;
+            fill(mesh, &place, fields)?;
+        }
+        write_text(&folder.join("report.html"), &summary_page(result))
+    })
+}
+
+fn summary_page(result: &PlanetaryResult) -> String {
+    let rpm = |speed: f64| format!("{:.1} 1/min", speed * 30.0 / std::f64::consts::PI);
+    let summary = html! {
+        dl.tiles {
+            div { dt { "efficiency (meshes only)" } dd { (format!("{:.4} %", 100.0 * result.efficiency)) } }
+            div { dt { "loss of all meshes" } dd { (format!("{:.1} W", result.loss_w)) } }
+            div { dt { "power in" } dd { (format!("{:.3} kW", 1e-3 * result.power_in_w)) } }
+            div { dt { "power through the meshes" } dd { (format!("{:.3} kW", 1e-3 * result.rolling_power_w)) } }
+            div { dt { "planets" } dd { (result.planets) } }
+            div { dt { "sun" } dd { (rpm(result.sun_rad_per_s)) } }
+            div { dt { "ring" } dd { (rpm(result.ring_rad_per_s)) } }
+            div { dt { "carrier" } dd { (rpm(result.carrier_rad_per_s)) } }
+        }
+        @if !result.can_be_equally_spaced {
+            p { "Equally spaced planets cannot be assembled with these tooth numbers." }
+        }
+    };
+    let meshes = html! {
+        table {
+            thead { tr {
+                th { "mesh" } th { "torque [N m]" } th { "loss of one [W]" } th { "efficiency [%]" }
+                th { "H_V" } th { "μ_eq" } th { "p₀ [MPa]" } th { "p₀ at K_γ [MPa]" }
+            } }
+            tbody { @for (row, folder) in result.meshes.iter().zip(MESHES) { tr {
+                td { a href={ (folder) "/report.html" } { (row.mesh) } }
+                td { (format!("{:.3}", row.torque_nm)) }
+                td { (format!("{:.2}", row.loss_w)) }
+                td { (format!("{:.4}", 100.0 * row.efficiency)) }
+                td { (format!("{:.4}", row.loss_factor)) }
+                td { (format!("{:.4}", row.mu_equivalent)) }
+                td { (format!("{:.0}", row.hertz_pressure_mpa)) }
+                td { (format!("{:.0}", row.hertz_pressure_most_loaded_mpa)) }
+            } } }
+        }
+        p { "data: " code { "meshes.csv" } }
+    };
+    page(
+        &result.title,
+        &result.program,
+        &[("Summary", summary), ("Meshes", meshes)],
+    )
+}

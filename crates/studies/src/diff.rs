@@ -1,0 +1,186 @@
+//! What differs between two results.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use asperity::result::RunResult;
+use serde::Serialize;
+use serde_json::Value;
+
+/// What differs between two results.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct ResultDiff {
+    /// Keys of the cases, and defaults used.
+    pub inputs: Vec<Change>,
+    /// Efficiency and losses.
+    pub summary: Vec<Change>,
+    /// Per column of the path, the position with the largest difference; empty where the numbers of positions
+    /// differ.
+    pub path: Vec<PathChange>,
+    /// Warnings of one result alone, first and second.
+    pub warnings: [Vec<String>; 2],
+    /// Tags of equations of one result alone, first and second.
+    pub equations: [Vec<String>; 2],
+}
+
+/// A value that differs.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Change {
+    /// Its path.
+    pub key: String,
+    /// Value in the first result, where there is one.
+    pub first: Option<Value>,
+    /// Value in the second result, where there is one.
+    pub second: Option<Value>,
+    /// Second minus first, of two numbers.
+    pub difference: Option<f64>,
+    /// The difference over the first, of two numbers.
+    pub relative: Option<f64>,
+}
+
+/// The largest difference in a column of the path.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct PathChange {
+    /// Name of the column.
+    pub column: String,
+    /// Number of the position.
+    pub position: usize,
+    /// Value in the first result.
+    pub first: f64,
+    /// Value in the second result.
+    pub second: f64,
+}
+
+impl ResultDiff {
+    /// Whether nothing differs.
+    pub fn is_empty(&self) -> bool {
+        let none = |lists: &[Vec<String>; 2]| lists.iter().all(Vec::is_empty);
+        self.inputs.is_empty()
+            && self.summary.is_empty()
+            && self.path.is_empty()
+            && none(&self.warnings)
+            && none(&self.equations)
+    }
+}
+
+/// What differs between `first` and `second`; the program and its version are not compared.
+///
+/// # Errors
+/// When a result cannot be written as JSON.
+pub fn diff(first: &RunResult, second: &RunResult) -> Result<ResultDiff, serde_json::Error> {
+    let inputs = |result: &RunResult| -> Result<BTreeMap<String, Value>, serde_json::Error> {
+        let mut values = BTreeMap::new();
+        flatten("", &serde_json::to_value(&result.inputs)?, &mut values);
+        for default in &result.defaults {
+            let value = serde_json::from_str(&default.value);
+            let value = value.unwrap_or_else(|_| Value::from(default.value.clone()));
+            values.insert(default.key.to_string(), value);
+        }
+        Ok(values)
+    };
+    let summary = |result: &RunResult| -> Result<BTreeMap<String, Value>, serde_json::Error> {
+        let mut values = BTreeMap::new();
+        flatten("", &serde_json::to_value(&result.summary)?, &mut values);
+        Ok(values)
+    };
+    let warnings = |result: &RunResult| -> BTreeSet<String> {
+        result.warnings.iter().map(ToString::to_string).collect()
+    };
+    let tags = |result: &RunResult| -> BTreeSet<String> {
+        let tags = result.equations.iter();
+        tags.map(|equation| equation.tag.to_string()).collect()
+    };
+    Ok(ResultDiff {
+        inputs: changes(&inputs(first)?, &inputs(second)?),
+        summary: changes(&summary(first)?, &summary(second)?),
+        path: path(first, second)?,
+        warnings: alone(&warnings(first), &warnings(second)),
+        equations: alone(&tags(first), &tags(second)),
+    })
+}
+
+/// Every value that is no table, by its path; a value that is absent is left out.
+fn flatten(path: &str, value: &Value, into: &mut BTreeMap<String, Value>) {
+    match value {
+        Value::Object(fields) => {
+            for (name, inner) in fields {
+                let path = match path {
+                    "" => name.clone(),
+                    path => format!("{path}.{name}"),
+                };
+                flatten(&path, inner, into);
+            }
+        }
+        Value::Null => {}
+        value => {
+            into.insert(path.to_owned(), value.clone());
+        }
+    }
+}
+
+fn changes(first: &BTreeMap<String, Value>, second: &BTreeMap<String, Value>) -> Vec<Change> {
+    let keys: BTreeSet<&String> = first.keys().chain(second.keys()).collect();
+    let change = |key: &String| {
+        let (a, b) = (first.get(key), second.get(key));
+        let numbers = a.and_then(Value::as_f64).zip(b.and_then(Value::as_f64));
+        let differs = match numbers {
+            // 1 and 1.0 are one number.
+            Some((a, b)) => a != b,
+            None => a != b,
+        };
+        let difference = numbers.map(|(a, b)| b - a);
+        differs.then(|| Change {
+            key: key.clone(),
+            first: a.cloned(),
+            second: b.cloned(),
+            difference,
+            relative: numbers
+                .filter(|(a, _)| *a != 0.0)
+                .map(|(a, b)| (b - a) / a.abs()),
+        })
+    };
+    keys.into_iter().filter_map(change).collect()
+}
+
+fn path(first: &RunResult, second: &RunResult) -> Result<Vec<PathChange>, serde_json::Error> {
+    if first.path.len() != second.path.len() {
+        return Ok(Vec::new());
+    }
+    let mut largest: BTreeMap<String, PathChange> = BTreeMap::new();
+    for (a, b) in first.path.iter().zip(&second.path) {
+        let (mut left, mut right) = (BTreeMap::new(), BTreeMap::new());
+        flatten("", &serde_json::to_value(a)?, &mut left);
+        flatten("", &serde_json::to_value(b)?, &mut right);
+        for (column, value) in &left {
+            let pair = value
+                .as_f64()
+                .zip(right.get(column).and_then(Value::as_f64));
+            let Some((x, y)) = pair.filter(|(x, y)| x != y) else {
+                continue;
+            };
+            let size = (y - x).abs();
+            let before = largest
+                .get(column)
+                .map(|found| (found.second - found.first).abs());
+            if before.is_none_or(|before| size > before) {
+                let change = PathChange {
+                    column: column.clone(),
+                    position: a.position,
+                    first: x,
+                    second: y,
+                };
+                largest.insert(column.clone(), change);
+            }
+        }
+    }
+    Ok(largest.into_values().collect())
+}
+
+fn alone(first: &BTreeSet<String>, second: &BTreeSet<String>) -> [Vec<String>; 2] {
+    [
+        first.difference(second).cloned().collect(),
+        second.difference(first).cloned().collect(),
+    ]
+}
