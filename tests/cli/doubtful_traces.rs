@@ -32,14 +32,14 @@ fn heights_in_a_wrong_unit_are_warned_of_and_no_case_runs_on_them() {
     );
     for command in [
         &["run", "case.toml", "--no-output"][..],
-        &["info", "case.toml"],
+        &["regime", "case.toml"],
     ] {
         let says = ["high.csv", "z_unit = \"um\" in surface.pinion"];
         bench.run(command).refused(2, "E131", &says);
     }
     let line = "pinion = { file = \"high.csv\", z_unit = \"um\" }";
     bench.write("case.toml", with_line("pinion =", line));
-    bench.run(&["info", "case.toml"]).well();
+    bench.run(&["regime", "case.toml", "-q"]).well();
 }
 
 #[test]
@@ -121,7 +121,7 @@ fn the_cut_offs_of_a_file_are_the_default_and_an_override_is_said() {
             .contains("cut-offs as the file states them")
     );
     let overridden = said(&["--lambda-c", "0.5mm"]).unwrapped();
-    let says = "the file's own cut-offs are overridden; to filter as the instrument did, pass --lambda-c \"0.25 mm\"";
+    let says = "the file's own cut-offs are overridden; to filter as the instrument did, pass --lambda-c \"250 um\" --lambda-s \"8 um\"";
     assert!(overridden.contains(says), "{overridden}");
 }
 
