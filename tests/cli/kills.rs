@@ -161,6 +161,8 @@ fn a_killed_comparison_leaves_the_older_one() {
 #[test]
 fn killed_figures_are_whole_or_the_older_ones() {
     let bench = bench();
+    // The stress below the surface is one of the figures.
+    bench.write("case.toml", E_DRIVE.replace("depths = 0", "depths = 8"));
     let figures = Killed {
         arguments: &["figures", "case.toml", "-o", "out"],
         place: "out",
