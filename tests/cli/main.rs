@@ -13,6 +13,7 @@ mod case_commands;
 mod case_messages;
 mod codes;
 mod contact;
+mod doubtful_traces;
 mod ehl;
 mod file_messages;
 mod fuzz;
