@@ -1,5 +1,6 @@
 //! The command line.
 
+mod ehl;
 mod profile;
 mod values;
 
@@ -9,6 +10,7 @@ use asperity::case::PathPoint;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+pub use ehl::{EhlArgs, ViscosityLawArg};
 pub use profile::{
     FormArg, PreparingArgs, ProfileCommand, ProfileConvertArgs, ProfileFilterArgs,
     ProfileGenerateArgs, ProfileInfoArgs, ProfilePart, ProfilePlotArgs, ReadingArgs, Wavelengths,
@@ -105,6 +107,14 @@ pub enum Command {
         asperity contact --flanks one.csv other.csv --radius \"10 mm\" --e-star \"115.4 GPa\" \\\n    \
         --load \"300 N/mm\" --pressure-limit \"3 GPa\" --running-in 8")]
     Contact(ContactArgs),
+    /// The mixed elastohydrodynamic contact: film, pressure and load against film of two rough surfaces
+    #[command(after_help = "Examples:\n  asperity ehl case.toml --position A\n  \
+        asperity ehl case.toml --compare --half-widths 10 --json\n  \
+        asperity ehl --radius \"10 mm\" --e-star \"115.4 GPa\" --load \"392 N/mm\" \\\n    \
+        --u1 \"5.5 m/s\" --u2 \"4.5 m/s\" --viscosity \"10 mPa s\" --pressure-viscosity \"18 1/GPa\"\n\n\
+        Without profiles the steady film of smooth surfaces. Ridges go across the whole face and cannot leak:\n\
+        where the roughness left in the contact is above three smooth films, measurement decides.")]
+    Ehl(EhlArgs),
     /// Fluid pressure across the film against its thickness (the paper's Fig. 8)
     Film(FilmArgs),
     /// Look at a profile file

@@ -67,6 +67,7 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
         Command::Regime(args) => commands::regime::regime(args, common),
         Command::Gear(args) => commands::gear::gear(args, common),
         Command::Contact(args) => commands::contact::contact(args, common),
+        Command::Ehl(args) => commands::ehl::ehl(args, common),
         Command::Film(args) => commands::film::film(args, common),
         Command::Profile(command) => commands::profile::run(command, common),
         Command::Equations(args) => commands::reference::equations(args, common),

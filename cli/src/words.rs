@@ -178,7 +178,7 @@ fn command(code: &str) -> Option<&'static str> {
         "E301" => {
             "asperity profile info shows the profile; the gap that was not closed is saved in the folder failed beside the results."
         }
-        "E212" | "E307" | "W201" => "asperity check lists every unusual number of a case.",
+        "E212" | "E308" | "W201" => "asperity check lists every unusual number of a case.",
         "E401" => "-o names another place in most commands.",
         _ => return None,
     })

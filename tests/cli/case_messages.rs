@@ -70,7 +70,7 @@ const VALUES: &[Bad] = &[
     bad("temperature", "temperature = \"-300 °C\"", "E204", &["operation.temperature", "not a possible temperature"]),
     bad("teeth", "teeth = \"many\"", "E204", &["gears.teeth", "string \"many\"", "expected two values"]),
     bad("teeth", "teeth = [23]", "E204", &["gears.teeth", "1 value does not fit", "expected two values"]),
-    bad("teeth", "teeth = [-23, 68]", "E204", &["gears.teeth", "`-23`", "whole number"]),
+    bad("teeth", "teeth = [-23, 68]", "E205", &["gears.teeth", "only the wheel may be a ring"]),
     bad("face_width", "face_width = 35", "E204", &["gears.face_width", "35 has no unit", "mm, um"]),
     bad("face_width", "face_width = \"35 cm2\"", "E204", &["gears.face_width", "\"cm2\" is not a unit of length"]),
     bad("base_oil", "base_oil = \"olive\"", "E204", &["lubricant.base_oil", "unknown choice `olive`", "`mineral`"]),
@@ -121,7 +121,7 @@ const DOMAINS: &[Bad] = &[
     bad("offsets", "offsets = 0", "E209", &["model.offsets = 0", "1 to 10000"]),
     bad("offsets", "window = nan", "E209", &["model.window = nan", "1.5 to 100"]),
     bad("offsets", "tolerance = 1e-30", "E209", &["model.tolerance = 1e-30", "1e-16 to 1e-4"]),
-    bad("offsets", "load_sharing = \"trapezoid\"", "E209", &["model.load_sharing", "for spur pairs"]),
+    bad("offsets", "load_distribution = \"trapezoid\"", "E209", &["model.load_distribution", "for spur pairs"]),
 ];
 
 #[test]

@@ -1,38 +1,61 @@
-//! The laws that a result shows side by side.
+//! The published laws that a result shows beside, each applied whole.
 
-use std::path::Path;
+use asperity::result::{PublishedOutcome, RunResult};
+use asperity_tests::{CaseText, assert_close, table_2};
 
-use asperity::result::{ComparisonOutcome, RunResult};
-use asperity_tests::{CaseText, assert_close, run};
+/// A law is given the oil temperature of its fit or none; `iso-14179-1` is made with the rolling loss in it.
+const LAWS: [&str; 4] = ["xu", "iso-14179-2", "benedict-kelley", "iso-14179-1"];
 
-const LAWS: [&str; 3] = ["xu", "iso-14179-2", "benedict-kelley"];
+fn result(case: CaseText) -> RunResult {
+    case.run().result
+}
 
-/// The shipped case of Table 2, mixed nearly everywhere.
-fn with_law(formulation: &str, law: &str) -> RunResult {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures");
-    let trace = folder.join("profiles/damaged.txt").display().to_string();
-    let text = std::fs::read_to_string(folder.join("cases/table2.toml")).unwrap();
-    let case = CaseText::new(&text)
-        .with("formulation", formulation)
-        .with("model.friction", law)
-        .with("surface.pinion.file", trace.clone())
-        .with("surface.wheel.file", trace);
-    run(&case.load()).result
+/// Losses \[W\] of `law` as shown, all and sliding.
+fn shown(result: &RunResult, law: &str) -> [f64; 2] {
+    let mut rows = result.published_laws.iter();
+    let row = rows.find(|shown| shown.law == law).unwrap();
+    let PublishedOutcome::Applied {
+        loss_w, sliding_w, ..
+    } = row.outcome
+    else {
+        panic!("{law} is refused");
+    };
+    [loss_w, sliding_w]
 }
 
 #[test]
-fn each_law_shown_beside_the_own_gives_what_it_gives_alone() {
-    for formulation in ["corrected", "paper"] {
-        let beside = with_law(formulation, "xu").friction_laws;
-        for law in LAWS {
-            let shown = beside.iter().find(|shown| shown.law == law).unwrap();
-            let ComparisonOutcome::Efficiency(shown) = shown.outcome else {
-                panic!("{law} is refused");
-            };
-            let alone = with_law(formulation, law).summary.efficiency;
-            let what = format!("{formulation} {law}");
-            // Means over the offsets, summed in another order.
-            assert_close(&what, shown, alone, 1e-13);
-        }
+fn a_law_applied_whole_loses_what_it_loses_where_the_film_carries_all() {
+    let beside = result(table_2());
+    for law in LAWS {
+        let [loss, sliding] = shown(&beside, law);
+        let alone = result(table_2().with("model.film_friction", law)).summary;
+        assert_close(law, sliding, alone.sliding_w, 1e-13);
+        let rolling = if law.starts_with("iso") {
+            0.0
+        } else {
+            alone.rolling_w
+        };
+        assert_close(law, loss, alone.sliding_w + rolling, 1e-13);
     }
+}
+
+#[test]
+fn no_asperities_are_added_to_a_law_that_has_them() {
+    // Peaks far above the film: everything rubs with the boundary coefficient, and no law notices.
+    let (smooth, rough) = (result(table_2()), {
+        let peaks =
+            |case: CaseText, flank: &str| case.with(&format!("surface.{flank}.rpk"), "5 um");
+        result(peaks(peaks(table_2(), "pinion"), "wheel"))
+    });
+    assert!(rough.summary.sliding_w > 1.5 * smooth.summary.sliding_w);
+    for law in LAWS {
+        assert_eq!(shown(&smooth, law), shown(&rough, law), "{law}");
+    }
+}
+
+#[test]
+fn a_law_outside_what_it_was_fitted_to_says_so() {
+    let hot = result(table_2().with("operation.temperature", "200 °C"));
+    assert!(hot.published_laws.iter().all(|row| !row.inside_its_range));
+    assert!(hot.published_laws.iter().all(|row| !row.outside.is_empty()));
 }

@@ -84,7 +84,7 @@ fn peaks_far_above_the_film_leave_boundary_friction_alone() {
 #[test]
 fn where_film_and_solids_rub_alike_the_share_does_not_matter() {
     let alike = |case: CaseText| {
-        case.with("model.friction", "constant")
+        case.with("model.film_friction", "constant")
             .with("model.constant_friction", 0.08)
             .with("model.boundary_friction", 0.08)
             .run()

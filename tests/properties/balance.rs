@@ -24,8 +24,7 @@ proptest! {
         let lost = summary.power_in_w - power_out(&outcome, drawn.speed);
         let parts = summary.sliding_w
             + summary.rolling_w
-            + summary.deformation_w.iter().sum::<f64>()
-            + summary.hysteresis_w;
+            + summary.deformation_w.iter().sum::<f64>();
         prop_assert!((lost - parts).abs() <= ROUNDING * summary.power_in_w, "{lost} W, {parts} W");
         prop_assert!((summary.loss_w - parts).abs() <= ROUNDING * parts);
     }

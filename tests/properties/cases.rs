@@ -52,7 +52,7 @@ impl Drawn {
     /// The same with one coefficient in film and asperities.
     pub fn with_constant_friction(&self, mu: f64) -> CaseText {
         self.case()
-            .with("model.friction", "constant")
+            .with("model.film_friction", "constant")
             .with("model.constant_friction", mu)
             .with("model.boundary_friction", mu)
     }

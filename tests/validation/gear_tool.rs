@@ -221,10 +221,10 @@ fn spur_pairs_are_those_of_an_independent_gear_tool() {
 }
 
 #[test]
-fn other_load_sharings_lie_around_that_of_an_independent_gear_tool() {
+fn other_load_distributions_lie_around_that_of_an_independent_gear_tool() {
     // The tool shares by tooth stiffness: between equal shares and a trapezoid.
     let with = |sharing: &str| {
-        let case = C14.case().with("model.load_sharing", sharing);
+        let case = C14.case().with("model.load_distribution", sharing);
         case.run().result.summary.loss_factor_local
     };
     assert!(with("trapezoid") < C14.local && C14.local < with("uniform"));

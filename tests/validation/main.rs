@@ -11,6 +11,7 @@ mod document;
 mod fluid_film;
 mod full_film_losses;
 mod gear_tool;
+mod load_share;
 mod paper_formulation;
 mod petry_johnson;
 mod rough_contact;

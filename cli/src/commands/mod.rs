@@ -7,6 +7,7 @@ pub mod completions;
 pub mod contact;
 pub mod demo;
 pub mod diff;
+pub mod ehl;
 pub mod figures;
 pub mod film;
 pub mod gear;

@@ -58,7 +58,7 @@ pub(crate) fn decide(
     })
 }
 
-fn lambda_star_of(
+pub(crate) fn lambda_star_of(
     laws: &ChosenLaws,
     station: &Station,
     roughness: &Roughness,

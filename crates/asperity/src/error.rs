@@ -296,7 +296,7 @@ impl PositionError {
             Self::TooCoarse { .. } => "E121",
             Self::TraceTooShort { .. } => "E122",
             Self::NoProfile => "E303",
-            Self::Impossible { .. } => "E307",
+            Self::Impossible { .. } => "E308",
             Self::Marching { .. } => "E304",
             Self::FlashNotSettled { .. } => "E301",
             Self::Contact(ContactError::NotConverged { .. })

@@ -114,7 +114,8 @@ explanations! {
     "E304" "the marching did not reach the load": "Lowering the surfaces into each other step by step did not meet the load within the numerical error." => "Reduce model.delta_step or raise model.numerical_error.";
     "E305" "outside the model": "An equation refuses the numbers it is given at a mesh position." => "Check the value named against the ranges in docs/EQUATIONS.md, or choose another law in model.";
     "E306" "the film alone would make the flank flow": "The flow pressure is below one and a half times the Hertz pressure, which the film carries without any asperity." => "Set material.pinion.flow_pressure to the indentation hardness: 6 to 8 GPa for case-hardened steel.";
-    "E307" "a state beyond physical sense": "Pressure, film, speed, friction or flash temperature at a mesh position are beyond what is physically possible, so that no efficiency would mean anything." => "Check the numbers of the case, the unusual ones first.";
+    "E307" "the lubricated contact did not converge": "Newton's method found no solution of the lubricated contact, or a time step failed at its smallest length. No result is reported." => "Take more cells, smoother profiles, a flow pressure where the surfaces flow, or another viscosity law.";
+    "E308" "a state beyond physical sense": "Pressure, film, speed, friction or flash temperature at a mesh position are beyond what is physically possible, so that no efficiency would mean anything." => "Check the numbers of the case, the unusual ones first.";
     "E401" "a result cannot be written": "The system refused to write, or the place is taken by something that is not a result." => "Choose another place or name, make its folder, or free some space.";
     "E402" "not a result": "What was named is not a result of a run, or lacks what was asked of it." => "Name a result folder, as results/e-drive, or its result.json.";
     "E501" "internal fault": "The program contradicts itself. This is a fault of the program, not of the input." => "Please report it with the case file.";
@@ -156,6 +157,7 @@ explanations! {
     "W423" "load over the teeth did not settle": "The load map ended its rounds before the loads settled." => "Compare another model.load_distribution, and please report the case.";
     "W424" "stiffness from ISO 6336-1": "The root of a tooth is undercut or cannot be drawn from the rack, so its compliance cannot be computed from its outline." => "Check gears.pinion.dedendum and gears.wheel.dedendum, or choose model.load_distribution = \"iso-stiffness\".";
     "W425" "tips may foul": "A ring with fewer than ten teeth more than its pinion may foul its tips away from the line of action, which is not checked." => "Check the tip clearance on the drawing.";
+    "W415" "ridges that cannot leak": "The roughness that is left in the contact is above three smooth films. The ridges of the model go across the whole face and oil cannot pass beside them, so that its mean film is too thick and its friction too low." => "Take it as no referee here: measurement decides.";
 }
 
 #[cfg(test)]

@@ -132,7 +132,7 @@ fn losses_of(
     let laws = ChosenLaws::of(&loaded.case);
     let chosen = (Detail::Losses, tables);
     let (map, positions) = positions(loaded, &laws, chosen, progress, &used)?;
-    let sums = || sums(loaded, &laws, &map, positions)?.losses();
+    let sums = || sums(loaded, &map, positions)?.losses();
     let mut losses = used.collect(sums).map_err(Box::new)?;
     (losses.equations, _) = provenance::used(&tags(loaded, &used));
     Ok(losses)
@@ -144,7 +144,7 @@ fn outcome(loaded: &LoadedCase, detail: Detail, progress: Progress<'_>) -> Resul
     let (map, positions) = positions(loaded, &laws, (detail, None), progress, &used)?;
     let sums = || {
         let points = points(loaded, &laws, &map)?;
-        sums(loaded, &laws, &map, positions)?.outcome(&points)
+        sums(loaded, &map, positions)?.outcome(&points)
     };
     let mut outcome = used.collect(sums).map_err(Box::new)?;
     let result = &mut outcome.result;
@@ -227,7 +227,6 @@ fn points(
 
 fn sums<'a>(
     loaded: &'a LoadedCase,
-    laws: &'a ChosenLaws,
     map: &'a LoadMap,
     positions: Vec<Position>,
 ) -> Result<Solved<'a>, PositionError> {
@@ -235,5 +234,5 @@ fn sums<'a>(
         .iter()
         .map(|position| friction::rolling(&loaded.case, &position.station))
         .collect::<Result<Vec<_>, _>>()?;
-    Solved::new(loaded, laws, map, positions, rolling)
+    Solved::new(loaded, map, positions, rolling)
 }

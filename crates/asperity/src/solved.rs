@@ -4,7 +4,6 @@ use asperity_efficiency::MeshEfficiency;
 use asperity_gear::LoadMap;
 
 use crate::case::LoadedCase;
-use crate::chosen_laws::ChosenLaws;
 use crate::error::PositionError;
 use crate::losses::efficiency_at;
 use crate::position::Position;
@@ -12,7 +11,6 @@ use crate::position::Position;
 /// Solved positions with the rolling force at each and the mesh at each offset.
 pub(crate) struct Solved<'a> {
     pub loaded: &'a LoadedCase,
-    pub laws: &'a ChosenLaws,
     /// Load over the flanks.
     pub map: &'a LoadMap,
     pub positions: Vec<Position>,
@@ -26,7 +24,6 @@ impl<'a> Solved<'a> {
     /// Sums the losses of the positions up.
     pub(crate) fn new(
         loaded: &'a LoadedCase,
-        laws: &'a ChosenLaws,
         map: &'a LoadMap,
         positions: Vec<Position>,
         rolling: Vec<f64>,
@@ -43,7 +40,6 @@ impl<'a> Solved<'a> {
             .collect::<Result<Vec<_>, _>>()?;
         Ok(Self {
             loaded,
-            laws,
             map,
             positions,
             rolling,

@@ -155,8 +155,16 @@ fn keys_are_set_by_their_path_and_nothing_else_changes() {
         ("surface.pinion.columns", "{ x = 1, z = 2 }"),
         ("surface.wheel.mirrored", "false"),
         ("surface.form", "poly2"),
-        ("model.load_sharing", "uniform"),
-        ("model.load_sharing", "{ table = [[0.0, 1.0], [1.0, 0.5]] }"),
+        ("model.load_distribution", "uniform"),
+        (
+            "model.load_distribution",
+            "{ table = [[0.0, 1.0], [1.0, 0.5]] }",
+        ),
+        (
+            "gears.pinion.tip_relief",
+            "{ amount = \"10 um\", length = \"2 mm\" }",
+        ),
+        ("gears.wheel.crowning", "4 um"),
         ("model.position", "B"),
         ("model.position", "0.25"),
         ("model.window", "nan"),

@@ -36,7 +36,8 @@ pub struct Evidence {
     pub steps: usize,
     /// Time steps that were repeated at half their length.
     pub steps_cut: usize,
-    /// Time steps ended while one or two nodes still flipped between states.
+    /// Time steps with one or two nodes that are too thin when full and swallow oil in contact, held in
+    /// contact. The iteration is converged; the oil they swallow is part of `complementarity`.
     pub loose_steps: usize,
 }
 

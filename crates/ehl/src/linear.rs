@@ -11,5 +11,4 @@ mod system;
 
 pub(crate) use dense_system::DenseSystem;
 pub(crate) use fourier_system::FourierSystem;
-pub(crate) use small_lu::dot;
-pub(crate) use system::{ElasticSystem, LinearEffort, Linearised};
+pub(crate) use system::{ElasticSystem, Linearised};

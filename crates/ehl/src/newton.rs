@@ -14,16 +14,19 @@ use crate::linear::{ElasticSystem, Linearised};
 use crate::reynolds::{Fields, Reynolds, Storage};
 use crate::rheology::Fluid;
 
-/// Balance of a node in contact, over the boundary film, below which it is released.
-const RELEASE: f64 = -1e-3;
 /// Largest void fraction.
 const MOST_VOID: f64 = 1.0 - 1e-9;
-/// Iterations from which few nodes that flip between states no longer count.
-const PATIENCE: usize = 12;
-/// Nodes that may flip then.
-const FLIPS: usize = 2;
-/// Multiple of the tolerance that the change must be below then.
-const LOOSE: f64 = 6.0;
+/// Iteration from which a node on the border of two states keeps them within [`SLACK`].
+const PATIENCE: usize = 9;
+/// Film that such a node may lack when full, and oil that it may swallow in contact, over the boundary film.
+const SLACK: f64 = 1e-2;
+/// Oil that a node in contact may swallow before, over the boundary film.
+const RELEASE: f64 = 1e-3;
+/// Iteration from which nodes stay in contact: one that is too thin when full and swallows oil in contact
+/// has no consistent state.
+const LAST_RELEASE: usize = 16;
+/// Most nodes without a consistent state in an accepted solution.
+const MOST_HELD: usize = 2;
 
 /// State of a node of the film.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -105,7 +108,7 @@ pub(crate) struct Effort {
     pub(crate) change: f64,
     /// Nodes that changed state in the last iteration.
     pub(crate) flips: usize,
-    /// Whether flipping nodes were let pass.
+    /// Whether a node without a consistent state was held in contact.
     pub(crate) loose: bool,
     /// Linear systems that ended at the cap of their iterations.
     pub(crate) capped: usize,
@@ -171,14 +174,25 @@ impl Newton {
             self.evaluate(problem, system, &unknowns);
             let load = problem.grid.integral(&unknowns.pressure) / FRAC_PI_2;
             let is_loaded = (load - 1.0).abs() <= limits.load;
-            if effort.iterations > 0 && is_loaded && has_converged(&mut effort, limits) {
-                return Ok(self.solution(unknowns, effort));
+            let least = -release_limit(effort.iterations) * problem.contact_film;
+            let is_settled = effort.change < limits.tolerance && effort.flips <= limits.flips;
+            if effort.iterations > 0 && is_loaded && is_settled {
+                let most = if effort.iterations < LAST_RELEASE {
+                    0
+                } else {
+                    MOST_HELD
+                };
+                let held = self.swallowing(least, &unknowns);
+                if held <= most {
+                    effort.loose = held > 0;
+                    return Ok(self.solution(unknowns, effort));
+                }
             }
             if effort.iterations >= limits.iterations || !effort.change.is_finite() {
                 return Err(effort);
             }
-            if effort.iterations > 0 {
-                self.release(problem.contact_film, &mut unknowns);
+            if (1..LAST_RELEASE).contains(&effort.iterations) {
+                self.release(least, &mut unknowns);
             }
             self.linearise(problem, &unknowns);
             let linearised = Linearised {
@@ -230,9 +244,16 @@ impl Newton {
         }
     }
 
+    /// Number of nodes in contact with a balance below `least`.
+    fn swallowing(&self, least: f64, unknowns: &Unknowns) -> usize {
+        let nodes = unknowns.state.iter().zip(&self.balance);
+        nodes
+            .filter(|(state, balance)| **state == NodeState::Contact && **balance < least)
+            .count()
+    }
+
     /// Releases the nodes in contact that would swallow oil.
-    fn release(&self, contact_film: f64, unknowns: &mut Unknowns) {
-        let least = RELEASE * contact_film;
+    fn release(&self, least: f64, unknowns: &mut Unknowns) {
         for (state, balance) in unknowns.state.iter_mut().zip(&self.balance) {
             if *state == NodeState::Contact && *balance < least {
                 *state = NodeState::Full;
@@ -310,6 +331,12 @@ impl Newton {
         system.displacement(&self.change, &mut self.displacement);
         let approach = self.step[nodes];
         effort.flips = 0;
+        let lack = if effort.iterations < PATIENCE {
+            0.0
+        } else {
+            SLACK
+        };
+        let touching = problem.contact_film * (1.0 - lack);
         for i in 1..nodes - 1 {
             let opened = problem.ceiling.map_or(0.0, |c| c.at(unknowns.pressure[i]));
             let film =
@@ -319,7 +346,8 @@ impl Newton {
                 unknowns.void[i] += factor * self.step[i];
             }
             let old = unknowns.state[i];
-            let new = next_state(old, unknowns.pressure[i], unknowns.void[i], film, problem);
+            let is_touching = film < touching;
+            let new = next_state(old, unknowns.pressure[i], unknowns.void[i], is_touching);
             effort.flips += usize::from(new != old);
             unknowns.state[i] = new;
             if new == NodeState::Cavitated {
@@ -345,6 +373,15 @@ impl Newton {
     }
 }
 
+/// Oil that a node in contact may swallow, over the boundary film.
+fn release_limit(iterations: usize) -> f64 {
+    if iterations < PATIENCE {
+        RELEASE
+    } else {
+        SLACK
+    }
+}
+
 fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |m: f64, v| {
         let size = v.abs();
@@ -356,23 +393,13 @@ fn largest(values: &[f64]) -> f64 {
     })
 }
 
-fn has_converged(effort: &mut Effort, limits: &Limits) -> bool {
-    if effort.change < limits.tolerance && effort.flips <= limits.flips {
-        return true;
-    }
-    effort.loose = effort.iterations > PATIENCE
-        && effort.flips <= FLIPS
-        && effort.change < LOOSE * limits.tolerance;
-    effort.loose
-}
-
-fn next_state(old: NodeState, pressure: f64, void: f64, film: f64, problem: &Problem) -> NodeState {
+fn next_state(old: NodeState, pressure: f64, void: f64, is_touching: bool) -> NodeState {
     let new = match old {
         NodeState::Full | NodeState::Contact if pressure < 0.0 => NodeState::Cavitated,
         NodeState::Cavitated if void < 0.0 => NodeState::Full,
         _ => old,
     };
-    if new == NodeState::Full && film < problem.contact_film {
+    if new == NodeState::Full && is_touching {
         NodeState::Contact
     } else {
         new

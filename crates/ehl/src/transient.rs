@@ -22,6 +22,9 @@ use crate::rheology::{Fluid, Oil};
 use crate::steady::{self, Window, check_cells, solve_sequence};
 use crate::stepper::{StepSettings, Stepper};
 
+/// Films of the distribution unless others are asked for \[m\].
+const FILMS: [f64; 6] = [5e-9, 1e-8, 2e-8, 5e-8, 1e-7, 2e-7];
+
 /// Limits of a time step.
 const STEP_LIMITS: Limits = Limits {
     // What is left after a step of this size is below 1e-6.
@@ -97,19 +100,18 @@ pub struct RecordSettings {
 
 impl Default for RecordSettings {
     fn default() -> Self {
-        let nm = |value: f64| Length::from_si(value * 1e-9);
         Self {
             cells: 512,
             window: Window::ROUGH,
-            contact_film: nm(5.0),
-            solid_film: nm(20.0),
+            contact_film: Length::from_si(5e-9),
+            solid_film: Length::from_si(2e-8),
             start: 3.0,
             length: 20.0,
             until: None,
             ramp: 1.0,
             courant: 1.0,
             ceiling: None,
-            films: [5.0, 10.0, 20.0, 50.0, 100.0, 200.0].map(nm).to_vec(),
+            films: FILMS.map(Length::from_si).to_vec(),
             friction: None,
             history: false,
             frame_interval: None,

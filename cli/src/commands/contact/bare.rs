@@ -7,8 +7,6 @@ use asperity_contact::two_flanks::TwoFlanks;
 use asperity_contact::{
     Boundary, ContactError, ContactProblem, Control, PeriodicKernel, SolverSettings, solve,
 };
-use asperity_core::Profile;
-use asperity_core::quantity::Length;
 
 use super::column_file::{self, Columns};
 use super::found::Found;
@@ -60,7 +58,10 @@ pub fn of_flanks(paths: &[std::path::PathBuf], args: &ContactArgs) -> Result<Fou
     let [first_path, second_path] = paths else {
         return Err(missing("--flanks", "two files"));
     };
-    let [first, second] = [profile(first_path)?, profile(second_path)?];
+    let [first, second] = [
+        column_file::profile(first_path)?,
+        column_file::profile(second_path)?,
+    ];
     let flanks = TwoFlanks {
         first: &first,
         second: &second,
@@ -102,18 +103,6 @@ pub fn of_flanks(paths: &[std::path::PathBuf], args: &ContactArgs) -> Result<Fou
         hertz_pressure: None,
         cycles,
     })
-}
-
-fn profile(path: &Path) -> Result<Profile, Failure> {
-    let file = column_file::read(path, column_file::HEIGHT)?;
-    // Positions printed with few digits give the same spacing to no more digits than that.
-    let spacing = Length::from_si(
-        format!("{:.9e}", file.spacing.si())
-            .parse()
-            .unwrap_or(file.spacing.si()),
-    );
-    Profile::new(spacing, file.values)
-        .map_err(|error| Failure::new("E209", format!("{}: {error}", path.display())))
 }
 
 fn prescribed(path: &Path, gap: &Columns) -> Result<Vec<f64>, Failure> {

@@ -5,6 +5,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
+use asperity_core::Profile;
 use asperity_core::quantity::Length;
 
 use crate::failure::Failure;
@@ -43,7 +44,7 @@ const X: Column = Column {
 /// Gap of the undeformed bodies.
 pub const GAP: Column = Column { name: "h", ..X };
 /// Heights of a profile out of its material.
-pub const HEIGHT: Column = Column { name: "z", ..X };
+const HEIGHT: Column = Column { name: "z", ..X };
 /// Pressure.
 pub const PRESSURE: Column = Column {
     name: "p",
@@ -86,6 +87,19 @@ pub fn read(path: &Path, column: Column) -> Result<Columns, Failure> {
         .advising("Save the columns as text, in UTF-8, UTF-16 or Latin-1.")
     })?;
     parse(&name, &text, column)
+}
+
+/// A profile of a file with the columns x and z.
+pub fn profile(path: &Path) -> Result<Profile, Failure> {
+    let file = read(path, HEIGHT)?;
+    // Positions printed with few digits give the same spacing to no more digits than that.
+    let spacing = Length::from_si(
+        format!("{:.9e}", file.spacing.si())
+            .parse()
+            .unwrap_or(file.spacing.si()),
+    );
+    Profile::new(spacing, file.values)
+        .map_err(|error| Failure::new("E209", format!("{}: {error}", path.display())))
 }
 
 /// The text of `bytes` in UTF-8, in UTF-16 with or without a byte order mark, or else in Latin-1; none

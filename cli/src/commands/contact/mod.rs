@@ -1,7 +1,7 @@
 //! `asperity contact`: the rough contact alone, of a case, of a bare gap or of two profiles.
 
 mod bare;
-mod column_file;
+pub mod column_file;
 mod found;
 mod stress;
 

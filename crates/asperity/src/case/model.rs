@@ -2,7 +2,6 @@
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, Ratio};
-use asperity_efficiency::swept::HYSTERESIS;
 use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay};
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
 use asperity_gear::{GearPair, LoadLaw};
@@ -91,7 +90,6 @@ pub(super) fn model(
     defaults: &mut Defaults,
 ) -> Result<Model, CaseError> {
     let own = ModelDefaults::of(formulation);
-    let paper = own.one_position;
     let pitch = PathPoint::Named(NamedPoint::C);
     let has_pitch = (0.0..=1.0).contains(&pitch.fraction_of(gears.path()));
     let point = match (own.one_position, given.position) {
@@ -112,7 +110,10 @@ pub(super) fn model(
     };
     // The paper's reading has none of these; its list of defaults leaves them out.
     let mut unused = Defaults::default();
-    let of_share = if paper { &mut unused } else { &mut *defaults };
+    let of_share = match own.one_position {
+        true => &mut unused,
+        false => &mut *defaults,
+    };
     let share_choices = ShareChoices::of(given, of_share);
     let model = Model {
         positions,
@@ -129,14 +130,7 @@ pub(super) fn model(
             given.film_friction,
             own.film_friction,
         ),
-        film_pressure_law: match paper {
-            true => given.film_pressure_law.unwrap_or_default(),
-            false => defaults.take(
-                "model.film_pressure_law",
-                given.film_pressure_law,
-                PressureLaw::default(),
-            ),
-        },
+        film_pressure_law: share_choices.film_pressure_law,
         friction_settings: friction_settings(given, own.clamp_roughness, defaults),
         lubricant_factor: defaults.take("model.lubricant_factor", given.lubricant_factor, 1.0),
         friction_scale: defaults.take("model.friction_scale", given.friction_scale, 1.0),
@@ -177,7 +171,7 @@ pub(super) fn model(
             .take(
                 "model.hysteresis",
                 given.hysteresis,
-                Ratio::new(if paper { 0.0 } else { HYSTERESIS }),
+                Ratio::new(own.hysteresis),
             )
             .value(),
         depths: defaults.take("model.depths", given.depths, 24),
@@ -194,6 +188,7 @@ struct ShareChoices {
     central_film: CentralFilm,
     spot_speed: SpotSpeed,
     factor: f64,
+    film_pressure_law: PressureLaw,
 }
 
 impl ShareChoices {
@@ -207,6 +202,11 @@ impl ShareChoices {
             central_film: defaults.take("model.central_film", film, CentralFilm::MassFlow),
             spot_speed: defaults.take("model.spot_speed", speed, SpotSpeed::Entrainment),
             factor: defaults.take("model.asperity_share_factor", factor, 1.0),
+            film_pressure_law: defaults.take(
+                "model.film_pressure_law",
+                given.film_pressure_law,
+                PressureLaw::default(),
+            ),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Defaults of the model that hang on its reading.
 
+use asperity_efficiency::swept::HYSTERESIS;
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
 use asperity_gear::LoadLaw;
 use asperity_ns_film::FluidModel;
@@ -18,6 +19,7 @@ pub(super) struct ModelDefaults {
     pub film_friction: FilmFrictionLaw,
     pub load_share: LoadShareName,
     pub boundary_friction: f64,
+    pub hysteresis: f64,
     pub film: FilmLaw,
     pub thermal: ThermalLaw,
     pub fluid_pressure: FluidModel,
@@ -31,6 +33,7 @@ const CORRECTED: ModelDefaults = ModelDefaults {
     film_friction: FilmFrictionLaw::Eyring,
     load_share: LoadShareName::Solved,
     boundary_friction: BOUNDARY_FRICTION,
+    hysteresis: HYSTERESIS,
     film: FilmLaw::DowsonToyoda,
     thermal: ThermalLaw::Gupta,
     fluid_pressure: FluidModel::ReynoldsCross,
@@ -45,6 +48,7 @@ const PAPER: ModelDefaults = ModelDefaults {
     load_share: LoadShareName::LambdaStar,
     // Metal on metal as the 2022 paper takes it (its Table 2).
     boundary_friction: 0.3,
+    hysteresis: 0.0,
     film: FilmLaw::HamrockDowson,
     thermal: ThermalLaw::None,
     fluid_pressure: FluidModel::Paper,

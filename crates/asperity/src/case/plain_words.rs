@@ -39,7 +39,8 @@ pub(super) fn plain(schema: &Value, key: Option<&str>, message: &str) -> String 
 /// What Rust calls a type, as a case file calls it.
 fn noun(expected: &str) -> &str {
     match expected {
-        "u32" | "usize" | "u64" => "a whole number, 0 or more",
+        "i32" | "i64" => "a whole number",
+        "u8" | "u32" | "usize" | "u64" => "a whole number, 0 or more",
         "f64" => "a number",
         "an array of length 2" => "two values, as [first, second]",
         "a boolean" => "true or false",
@@ -115,7 +116,7 @@ mod tests {
                 "invalid length 1, expected an array of length 2"
             ),
             "1 value does not fit, expected two values, as [first, second] \
-             (Numbers of teeth z, pinion then wheel)"
+             (Numbers of teeth z, pinion then wheel; negative for a ring: `[24, -75]`)"
         );
         assert_eq!(
             said("gears.module_plane", "unknown variant `x`, expected `y`"),

@@ -1,0 +1,165 @@
+//! A lubricated contact of bare numbers and profiles.
+
+use std::path::Path;
+
+use asperity::ehl::{
+    DensityLaw, FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling, RoughContact,
+    ShearLaw, ViscosityLaw,
+};
+use asperity::referee::attenuated_roughness;
+use asperity_core::Profile;
+use asperity_core::lubricant::LubricantInput;
+use asperity_core::quantity::{DynamicViscosity, Length, Pressure, PressureViscosity};
+
+use super::failed::of_referee;
+use crate::args::{EhlArgs, ViscosityLawArg};
+use crate::commands::contact::column_file;
+use crate::failure::Failure;
+
+/// Eyring stress of the friction law where the film is Newtonian.
+const EYRING_STRESS: Pressure = Pressure::from_si(5e6);
+/// Limiting stress of the film without pressure.
+const AMBIENT_LIMIT: Pressure = Pressure::from_si(2e6);
+/// Thickness of the boundary layer.
+const BOUNDARY_LAYER: Length = Length::from_si(10e-9);
+/// Compliance above the flow pressure, in cells.
+const COMPLIANCE: f64 = 10.0;
+/// Part of a profile over which its end fades into its beginning.
+const OVERLAP: f64 = 0.1;
+
+/// A contact as the options give it.
+pub struct Bare {
+    pub title: String,
+    pub rough: RoughContact,
+    pub friction: FrictionLaw,
+    pub ceiling: Option<PlasticCeiling>,
+    /// Roughness left in the contact, of both profiles together.
+    pub attenuated_roughness: Length,
+}
+
+impl Bare {
+    /// Whether neither surface has a profile.
+    pub fn is_smooth(&self) -> bool {
+        self.attenuated_roughness.si() == 0.0
+    }
+}
+
+/// Reads the options and the profiles that they name.
+pub fn read(args: &EhlArgs) -> Result<Bare, Failure> {
+    let bare = &args.bare;
+    let needed = |name| Failure::new("E205", format!("give a case file, or {name}"));
+    let contact = LineContact {
+        radius: bare.radius.ok_or_else(|| needed("--radius"))?,
+        modulus: bare.e_star.ok_or_else(|| needed("--e-star"))?,
+        load: bare.load.ok_or_else(|| needed("--load"))?,
+        speed_1: bare.u1.ok_or_else(|| needed("--u1"))?,
+        speed_2: bare.u2.ok_or_else(|| needed("--u2"))?,
+    };
+    let (viscosity, pressure_viscosity) = oil_state(args)?;
+    let oil = Oil {
+        viscosity,
+        pressure_viscosity,
+        viscosity_law: match bare.viscosity_law {
+            ViscosityLawArg::Roelands => ViscosityLaw::Roelands {
+                exponent: bare.roelands,
+            },
+            ViscosityLawArg::Barus => ViscosityLaw::Barus,
+            ViscosityLawArg::Isoviscous => ViscosityLaw::Isoviscous,
+        },
+        density_law: match bare.viscosity_law {
+            ViscosityLawArg::Roelands => DensityLaw::DowsonHigginson,
+            ViscosityLawArg::Barus | ViscosityLawArg::Isoviscous => DensityLaw::Incompressible,
+        },
+        shear_law: match args.eyring_stress {
+            Some(stress) => ShearLaw::Eyring { stress },
+            None => ShearLaw::Newtonian,
+        },
+    };
+    let title = "line contact".to_owned();
+    contact
+        .scales(&oil)
+        .map_err(|error| super::failed::of_contact(&title, &error))?;
+    let first = surface(bare.profile1.as_deref(), bare.periodic)?;
+    let second = surface(bare.profile2.as_deref(), bare.periodic)?;
+    let profiles: Vec<&Profile> = [&first, &second]
+        .into_iter()
+        .flatten()
+        .map(|(profile, _)| profile)
+        .collect();
+    let attenuated_roughness = match profiles[..] {
+        [] => Length::from_si(0.0),
+        _ => attenuated_roughness(&contact, &oil, &profiles)
+            .map_err(|error| of_referee(Path::new(&title), &error))?,
+    };
+    let moving = |surface: Option<(Profile, MovingProfile)>| {
+        surface.map_or_else(MovingProfile::smooth, |(_, moving)| moving)
+    };
+    Ok(Bare {
+        title,
+        rough: RoughContact {
+            contact,
+            oil,
+            surface_1: moving(first),
+            surface_2: moving(second),
+        },
+        friction: FrictionLaw {
+            viscosity,
+            pressure_viscosity,
+            eyring_stress: args.eyring_stress.unwrap_or(EYRING_STRESS),
+            limiting_stress: AMBIENT_LIMIT,
+            limiting_slope: bare.limiting_shear,
+            boundary_friction: bare.boundary_friction,
+            boundary_layer: BOUNDARY_LAYER,
+        },
+        ceiling: bare.pressure_limit.map(|pressure| PlasticCeiling {
+            pressure,
+            compliance: COMPLIANCE,
+        }),
+        attenuated_roughness,
+    })
+}
+
+/// Viscosity and its pressure coefficient at the inlet.
+fn oil_state(args: &EhlArgs) -> Result<(DynamicViscosity, PressureViscosity), Failure> {
+    let bare = &args.bare;
+    match (&bare.oil, bare.bulk, bare.viscosity, bare.pressure_viscosity) {
+        (Some(name), Some(bulk), _, _) => {
+            let input = LubricantInput {
+                oil: Some(name.clone()),
+                ..LubricantInput::default()
+            };
+            let state = input
+                .resolve(bulk)
+                .and_then(|oil| oil.at(bulk))
+                .map_err(|error| {
+                    Failure::new("E208", format!("--oil {name}: {error}"))
+                        .advising("Name an oil of the library, or pass --viscosity and --pressure-viscosity.")
+                })?
+                .value;
+            Ok((state.dynamic_viscosity, state.pressure_viscosity))
+        }
+        (_, _, Some(viscosity), Some(coefficient)) => Ok((viscosity, coefficient)),
+        _ => Err(Failure::new(
+            "E205",
+            "the oil is missing: pass --oil and --bulk, or --viscosity and --pressure-viscosity",
+        )
+        .advising("As --oil m100 --bulk \"90 °C\", or --viscosity \"10 mPa s\" --pressure-viscosity \"18 1/GPa\".")),
+    }
+}
+
+fn surface(
+    path: Option<&Path>,
+    is_periodic: bool,
+) -> Result<Option<(Profile, MovingProfile)>, Failure> {
+    let Some(path) = path else {
+        return Ok(None);
+    };
+    let profile = column_file::profile(path)?;
+    let moving = if is_periodic {
+        MovingProfile::periodic(&profile)
+    } else {
+        MovingProfile::blended(&profile, profile.length() * OVERLAP)
+            .map_err(|error| Failure::new("E209", format!("{}: {error}", path.display())))?
+    };
+    Ok(Some((profile, moving)))
+}

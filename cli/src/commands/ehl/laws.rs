@@ -1,0 +1,38 @@
+//! Laws of load sharing beside the referee, for reading.
+
+use asperity::referee::ShareComparison;
+
+/// The table of the laws.
+pub fn text(found: &ShareComparison) -> String {
+    let or_dash = |value: Option<f64>, digits: usize| {
+        value.map_or_else(|| String::from("-"), |value| format!("{value:.digits$}"))
+    };
+    let mut text = format!(
+        "  laws over {} windows of the same traces; referee: mean of the loads below 20 and 50 nm\n  \
+         {:<18} {:>11} {:>9} {:>12} {:>9}\n  {:<18} {:>11.4} {:>9} {:>12.4} {:>9}\n",
+        found.windows,
+        "law",
+        "solid share",
+        "off by",
+        "mean gap um",
+        "friction",
+        "referee",
+        found.referee_share,
+        "",
+        found.referee_mean_film_um,
+        or_dash(found.referee_friction, 5),
+    );
+    for law in &found.laws {
+        let off = law
+            .minus_referee
+            .map_or_else(String::new, |off| format!("{off:+.4}"));
+        text.push_str(&format!(
+            "  {:<18} {:>11} {off:>9} {:>12} {:>9}\n",
+            law.law,
+            or_dash(law.solid_share, 4),
+            or_dash(law.mean_gap_um, 4),
+            or_dash(law.friction, 5),
+        ));
+    }
+    text
+}

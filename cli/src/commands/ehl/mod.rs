@@ -1,0 +1,104 @@
+//! `asperity ehl`: the mixed elastohydrodynamic contact of a case at one position, or of bare numbers.
+
+mod bare;
+mod failed;
+mod laws;
+mod rough;
+mod smooth;
+
+use std::path::Path;
+
+use asperity::ehl::RecordSettings;
+use asperity::referee::{RefereeContact, RefereeSettings, shares};
+
+use super::{load_case, on_the_path};
+use crate::args::{Common, EhlArgs};
+use crate::failure::Failure;
+use crate::output::{beside, print_json, print_text, save};
+
+/// `asperity ehl`
+pub fn ehl(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
+    let common = &match &args.output {
+        Some(output) => beside(output, common)?,
+        None => common.clone(),
+    };
+    match &args.case {
+        Some(case) => of_case(case, args, common),
+        None => of_numbers(args, common),
+    }
+}
+
+fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> {
+    let loaded = load_case(path, &args.set, None)?;
+    let place = on_the_path(&loaded, args.position)?.unwrap_or(loaded.case.model.position);
+    let settings = RefereeSettings {
+        record: record_settings(args),
+        eyring_stress: args.eyring_stress,
+    };
+    let about = |error| failed::of_referee(path, &error);
+    let contact = RefereeContact::of(&loaded, place, &settings).map_err(about)?;
+    let title = format!("{} at {place:.4} of the path", path.display());
+    if args.smooth {
+        let film = smooth::solve(title, &contact.rough, contact.record.friction, args.cells)?;
+        return tell(args, common, &film.json(), &film.text(), &|| film.points());
+    }
+    let mut record = rough::solve(title, &contact.rough, &contact.record, common)?;
+    record.attenuated_roughness = Some(contact.attenuated_roughness);
+    let comparison = match args.compare {
+        true => Some(shares(&loaded, &contact, &record.solved.value).map_err(about)?),
+        false => None,
+    };
+    let json = record.json(comparison.as_ref());
+    let mut text = record.text();
+    if let Some(comparison) = &comparison {
+        text.push_str(&laws::text(comparison));
+    }
+    tell(args, common, &json, &text, &|| record.points())
+}
+
+fn of_numbers(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
+    let bare = bare::read(args)?;
+    if bare.is_smooth() {
+        let film = smooth::solve(bare.title, &bare.rough, Some(bare.friction), args.cells)?;
+        return tell(args, common, &film.json(), &film.text(), &|| film.points());
+    }
+    let settings = RecordSettings {
+        friction: Some(bare.friction),
+        ceiling: bare.ceiling,
+        ..record_settings(args)
+    };
+    let mut record = rough::solve(bare.title, &bare.rough, &settings, common)?;
+    record.attenuated_roughness = Some(bare.attenuated_roughness);
+    tell(args, common, &record.json(None), &record.text(), &|| {
+        record.points()
+    })
+}
+
+fn record_settings(args: &EhlArgs) -> RecordSettings {
+    RecordSettings {
+        cells: args.cells,
+        start: args.start,
+        length: args.half_widths,
+        solid_film: args.solid_film,
+        contact_film: args.contact_film,
+        frame_interval: args.output.is_some().then_some(args.every),
+        ..RecordSettings::default()
+    }
+}
+
+/// Writes the points where they are asked for, and prints the rest.
+fn tell(
+    args: &EhlArgs,
+    common: &Common,
+    json: &serde_json::Value,
+    text: &str,
+    points: &dyn Fn() -> String,
+) -> Result<(), Failure> {
+    if let Some(output) = &args.output {
+        save(output, points().as_bytes())?;
+    }
+    match common.json {
+        true => print_json(json),
+        false => print_text(common, text),
+    }
+}

@@ -1,0 +1,243 @@
+//! The record of two rough surfaces: its words, its JSON and its points.
+
+use std::time::Instant;
+
+use asperity::ehl::transient::record_watched;
+use asperity::ehl::{EhlError, Estimate, NodeState, Record, RecordSettings, RoughContact, Solved};
+use asperity::referee::{LARGEST_ROUGHNESS, ShareComparison};
+use asperity_core::quantity::Length;
+use serde_json::{Value, json};
+
+use super::failed::of_contact;
+use crate::args::Common;
+use crate::failure::Failure;
+use crate::output::{PATIENCE, progress};
+
+/// A record with what it is of.
+pub struct Recorded {
+    pub title: String,
+    pub solid_film: Length,
+    pub cells: usize,
+    pub solved: Solved<Record>,
+    /// Roughness left in the contact, of both surfaces together.
+    pub attenuated_roughness: Option<Length>,
+}
+
+/// Solves a record and shows how far it is.
+pub fn solve(
+    title: String,
+    contact: &RoughContact,
+    settings: &RecordSettings,
+    common: &Common,
+) -> Result<Recorded, Failure> {
+    let begin = Instant::now();
+    let bar = progress(common.quiet);
+    bar.set_message("half-widths travelled");
+    let found: Result<Solved<Record>, EhlError> = record_watched(contact, settings, |now| {
+        if begin.elapsed() >= PATIENCE {
+            bar.set_length(now.end.ceil() as u64);
+            bar.set_position(now.time as u64);
+        }
+        true
+    });
+    bar.finish_and_clear();
+    Ok(Recorded {
+        solved: found.map_err(|error| of_contact(&title, &error))?,
+        title,
+        solid_film: settings.solid_film,
+        cells: settings.cells,
+        attenuated_roughness: None,
+    })
+}
+
+impl Recorded {
+    /// Roughness left in the contact over the smooth film.
+    fn roughness_over_film(&self) -> Option<f64> {
+        let smooth = self.solved.value.smooth_film;
+        Some(self.attenuated_roughness? / smooth)
+    }
+
+    /// Codes and words of what is doubtful.
+    fn warnings(&self) -> Vec<(&'static str, String)> {
+        let mut warnings = Vec::new();
+        if let Some(ratio) = self
+            .roughness_over_film()
+            .filter(|r| *r > LARGEST_ROUGHNESS)
+        {
+            warnings.push((
+                "W415",
+                format!(
+                    "the roughness left in the contact is {ratio:.2} smooth films (above {LARGEST_ROUGHNESS}): ridges \
+                     that cannot leak make this no referee, measurement decides"
+                ),
+            ));
+        }
+        warnings
+    }
+
+    /// The record for programs.
+    pub fn json(&self, comparison: Option<&ShareComparison>) -> Value {
+        let (record, evidence) = (&self.solved.value, &self.solved.evidence);
+        let scales = &record.scales;
+        let below: Vec<Value> = record
+            .load_below
+            .iter()
+            .map(|below| {
+                json!({
+                    "film_nm": nanometres(below.film),
+                    "share": below.share.mean,
+                    "standard_error": finite(below.share.standard_error),
+                })
+            })
+            .collect();
+        let friction = record.friction.as_ref().map(|friction| {
+            json!({
+                "graded": estimate(&friction.graded),
+                "stepped": estimate(&friction.stepped),
+                "film_alone": estimate(&friction.film),
+            })
+        });
+        let warnings: Vec<Value> = self
+            .warnings()
+            .into_iter()
+            .map(|(code, text)| json!({ "code": code, "text": text }))
+            .collect();
+        json!({
+            "title": self.title,
+            "kind": "rough",
+            "cells": self.cells,
+            "half_width_um": scales.half_width.si() * 1e6,
+            "hertz_pressure_pa": scales.max_pressure.si(),
+            "moes_load": scales.moes_load,
+            "moes_lubricant": scales.moes_lubricant,
+            "slide_to_roll": scales.slide_to_roll,
+            "travel_half_widths": record.travel,
+            "blocks": record.blocks,
+            "solid_film_nm": nanometres(self.solid_film),
+            "solid_share": record.solid_share.mean,
+            "solid_share_standard_error": finite(record.solid_share.standard_error),
+            "load_below": below,
+            "central_film_um": record.smooth_film.si() * 1e6,
+            "mean_film_um": record.mean_film.mean * 1e6,
+            "mean_film_standard_error_um": finite(record.mean_film.standard_error * 1e6),
+            "film_spread_um": record.film_spread.si() * 1e6,
+            "attenuated_roughness_um": self.attenuated_roughness.map(|s| s.si() * 1e6),
+            "roughness_over_film": self.roughness_over_film(),
+            "mean_max_pressure_pa": record.mean_max_pressure.mean,
+            "max_pressure_pa": record.max_pressure.si(),
+            "plastic_share": record.plastic_share.mean,
+            "friction": friction,
+            "steps": evidence.steps,
+            "steps_cut": evidence.steps_cut,
+            "loose_steps": evidence.loose_steps,
+            "newton_iterations": evidence.newton_iterations,
+            "gmres_iterations": evidence.gmres_iterations,
+            "gmres_capped": evidence.gmres_capped,
+            "load_error": evidence.load_error,
+            "complementarity": evidence.complementarity,
+            "mass_balance": evidence.mass_balance,
+            "comparison": comparison,
+            "warnings": warnings,
+        })
+    }
+
+    /// The record for reading.
+    pub fn text(&self) -> String {
+        let (record, evidence) = (&self.solved.value, &self.solved.evidence);
+        let scales = &record.scales;
+        let mut text = format!(
+            "{}\n  half width {:.4}   p0 {:.4}   slide-to-roll {:.3}   M {:.1}, L {:.1}\n  \
+             smooth central film {:.4} um   mean film {:.4} +- {:.4} um, spread {:.4} um\n  \
+             solid share (below {:.0} nm) {:.4} +- {:.4} over {:.1} half-widths\n",
+            self.title,
+            scales.half_width,
+            scales.max_pressure,
+            scales.slide_to_roll,
+            scales.moes_load,
+            scales.moes_lubricant,
+            record.smooth_film.si() * 1e6,
+            record.mean_film.mean * 1e6,
+            record.mean_film.standard_error * 1e6,
+            record.film_spread.si() * 1e6,
+            nanometres(self.solid_film),
+            record.solid_share.mean,
+            record.solid_share.standard_error,
+            record.travel,
+        );
+        for below in &record.load_below {
+            text.push_str(&format!(
+                "    load below {:>4.0} nm {:.4} +- {:.4}\n",
+                nanometres(below.film),
+                below.share.mean,
+                below.share.standard_error
+            ));
+        }
+        text.push_str(&format!(
+            "  largest pressure {:.3} GPa in the mean, {:.3} GPa ever; {:.4} of the load above the flow pressure\n",
+            record.mean_max_pressure.mean * 1e-9,
+            record.max_pressure.si() * 1e-9,
+            record.plastic_share.mean
+        ));
+        if let Some(friction) = &record.friction {
+            text.push_str(&format!(
+                "  friction {:.5} +- {:.5} (boundary below the solid film {:.5}, film alone {:.5})\n",
+                friction.graded.mean,
+                friction.graded.standard_error,
+                friction.stepped.mean,
+                friction.film.mean
+            ));
+        }
+        text.push_str(&format!(
+            "  {} steps, {} cut, {} with a held node; {:.1} Newton a step, {:.1} GMRES a Newton; load error {:.1e}\n",
+            evidence.steps,
+            evidence.steps_cut,
+            evidence.loose_steps,
+            evidence.newton_iterations as f64 / evidence.steps.max(1) as f64,
+            evidence.gmres_iterations as f64 / evidence.newton_iterations.max(1) as f64,
+            evidence.load_error,
+        ));
+        for (code, warning) in self.warnings() {
+            text.push_str(&format!("{code} {warning}\n"));
+        }
+        text
+    }
+
+    /// Pressure, film and state per point at every time kept.
+    pub fn points(&self) -> String {
+        let record = &self.solved.value;
+        let a = record.scales.half_width.si();
+        let p_0 = record.scales.max_pressure.si();
+        let mut text = String::from("travel_half_widths,x_m,pressure_pa,film_m,state\n");
+        for frame in &record.frames {
+            for (i, x) in record.x.iter().enumerate() {
+                let state = match frame.state[i] {
+                    NodeState::Full => "full",
+                    NodeState::Cavitated => "cavitated",
+                    NodeState::Contact => "contact",
+                };
+                text.push_str(&format!(
+                    "{},{:e},{:e},{:e},{state}\n",
+                    frame.time,
+                    x * a,
+                    frame.pressure[i] * p_0,
+                    record.scales.film_length(frame.film[i]).si(),
+                ));
+            }
+        }
+        text
+    }
+}
+
+fn nanometres(film: Length) -> f64 {
+    // Films are asked for in whole nanometres or few digits.
+    (film.si() * 1e15).round() * 1e-6
+}
+
+fn estimate(found: &Estimate) -> Value {
+    json!({ "mean": found.mean, "standard_error": finite(found.standard_error) })
+}
+
+/// A record of one block has no standard error.
+fn finite(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
+}

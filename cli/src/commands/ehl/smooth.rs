@@ -1,0 +1,173 @@
+//! The steady film of smooth surfaces: its words, its JSON and its points.
+
+use asperity::ehl::traction::{Traction, TractionLaw, traction};
+use asperity::ehl::{
+    FrictionLaw, RoughContact, ShearLaw, Solved, SteadyFilm, SteadySettings, Warning, steady,
+};
+use serde_json::{Value, json};
+
+use super::failed::of_contact;
+use crate::failure::Failure;
+
+/// A steady film and its traction.
+pub struct Smooth {
+    title: String,
+    cells: usize,
+    solved: Solved<SteadyFilm>,
+    traction: Option<Traction>,
+}
+
+/// Solves the contact without its surfaces, and its isothermal traction where a law is given.
+pub fn solve(
+    title: String,
+    contact: &RoughContact,
+    friction: Option<FrictionLaw>,
+    cells: usize,
+) -> Result<Smooth, Failure> {
+    let RoughContact { contact, oil, .. } = contact;
+    let settings = SteadySettings {
+        cells,
+        window: None,
+    };
+    let failed = |error| of_contact(&title, &error);
+    let solved = steady::solve(contact, oil, &settings).map_err(failed)?;
+    let law = friction.map(|law| TractionLaw {
+        shear: match oil.shear_law {
+            ShearLaw::Newtonian => ShearLaw::Eyring {
+                stress: law.eyring_stress,
+            },
+            other => other,
+        },
+        limit: Some(law.limiting_slope),
+        heat: None,
+    });
+    let traction = law
+        .map(|law| traction(contact, oil, &solved.value, &law))
+        .transpose()
+        .map_err(|error| of_contact(&title, &error))?;
+    Ok(Smooth {
+        title,
+        cells,
+        solved,
+        traction,
+    })
+}
+
+impl Smooth {
+    fn warnings(&self) -> Vec<(&'static str, String)> {
+        let told = |warning: &Warning| match warning {
+            Warning::InletUnresolved { cells } => format!(
+                "the inlet zone spans {cells:.1} cells (2 needed): the film reads low; pass more --cells"
+            ),
+            Warning::SteepBarus { exponent } => format!(
+                "alpha p0 is {exponent:.1} under Barus' law: the pressure spike grows with every finer grid"
+            ),
+            Warning::ExtrapolatedViscosity { pressure } => {
+                format!("at {pressure:.4} the viscosity law is extrapolated far")
+            }
+            _ => String::from("outside the range of the solver"),
+        };
+        let warnings = self.solved.value.warnings.iter();
+        warnings.map(|warning| ("W401", told(warning))).collect()
+    }
+
+    /// The film for programs.
+    pub fn json(&self) -> Value {
+        let (film, evidence) = (&self.solved.value, &self.solved.evidence);
+        let scales = &film.scales;
+        let warnings: Vec<Value> = self
+            .warnings()
+            .into_iter()
+            .map(|(code, text)| json!({ "code": code, "text": text }))
+            .collect();
+        json!({
+            "title": self.title,
+            "kind": "smooth",
+            "cells": self.cells,
+            "half_width_um": scales.half_width.si() * 1e6,
+            "hertz_pressure_pa": scales.max_pressure.si(),
+            "moes_load": scales.moes_load,
+            "moes_lubricant": scales.moes_lubricant,
+            "slide_to_roll": scales.slide_to_roll,
+            "solid_share": 0.0,
+            "central_film_um": film.central_film.si() * 1e6,
+            "minimum_film_um": film.minimum_film.si() * 1e6,
+            "minimum_place": film.minimum_place,
+            "flux": film.flux,
+            "spike_pressure_pa": film.spike.map(|(p, _)| p * scales.max_pressure.si()),
+            "spike_place": film.spike.map(|(_, x)| x),
+            "exit": film.exit,
+            "rolling_force_n_per_m": film.rolling_force.si(),
+            "traction_coefficient": self.traction.map(|traction| traction.coefficient),
+            "newton_iterations": evidence.newton_iterations,
+            "gmres_iterations": evidence.gmres_iterations,
+            "load_error": evidence.load_error,
+            "complementarity": evidence.complementarity,
+            "mass_balance": evidence.mass_balance,
+            "warnings": warnings,
+        })
+    }
+
+    /// The film for reading.
+    pub fn text(&self) -> String {
+        let (film, evidence) = (&self.solved.value, &self.solved.evidence);
+        let scales = &film.scales;
+        let spike = match film.spike {
+            Some((pressure, place)) => format!(
+                "spike {:.3} GPa at x/a {place:.3}",
+                pressure * scales.max_pressure.si() * 1e-9
+            ),
+            None => String::from("no spike"),
+        };
+        let mut text = format!(
+            "{}, smooth\n  half width {:.4}   p0 {:.4}   slide-to-roll {:.3}   M {:.1}, L {:.1}\n  \
+             central film {:.4} um   minimum film {:.4} um at x/a {:.3}\n  \
+             {spike}   pressure ends at x/a {:.3}   rolling force {:.2} N/m a surface\n",
+            self.title,
+            scales.half_width,
+            scales.max_pressure,
+            scales.slide_to_roll,
+            scales.moes_load,
+            scales.moes_lubricant,
+            film.central_film.si() * 1e6,
+            film.minimum_film.si() * 1e6,
+            film.minimum_place,
+            film.exit,
+            film.rolling_force.si(),
+        );
+        if let Some(traction) = &self.traction {
+            text.push_str(&format!(
+                "  isothermal traction coefficient {:.5}\n",
+                traction.coefficient
+            ));
+        }
+        text.push_str(&format!(
+            "  {} Newton, {} GMRES; load error {:.1e}, mass balance {:.1e}\n",
+            evidence.newton_iterations,
+            evidence.gmres_iterations,
+            evidence.load_error,
+            evidence.mass_balance
+        ));
+        for (code, warning) in self.warnings() {
+            text.push_str(&format!("{code} {warning}\n"));
+        }
+        text
+    }
+
+    /// Pressure, film and void fraction per point.
+    pub fn points(&self) -> String {
+        let film = &self.solved.value;
+        let scales = &film.scales;
+        let mut text = String::from("x_m,pressure_pa,film_m,void_fraction\n");
+        for (i, x) in film.x.iter().enumerate() {
+            text.push_str(&format!(
+                "{:e},{:e},{:e},{:e}\n",
+                x * scales.half_width.si(),
+                film.pressure[i] * scales.max_pressure.si(),
+                scales.film_length(film.film[i]).si(),
+                film.void[i],
+            ));
+        }
+        text
+    }
+}

@@ -1,0 +1,43 @@
+//! Reasons why the referee has no answer.
+
+use asperity_core::lubricant::LubricantError;
+use asperity_ehl::EhlError;
+
+use crate::error::PositionError;
+use crate::load_share::LoadShareError;
+
+/// Why the referee has no answer.
+#[derive(Debug, Clone, thiserror::Error)]
+#[non_exhaustive]
+pub enum RefereeError {
+    /// The place on the path has no smooth contact, or a flank no trace.
+    #[error(transparent)]
+    Position(#[from] PositionError),
+    /// The lubricated contact has no solution, or did not converge.
+    #[error(transparent)]
+    Ehl(#[from] EhlError),
+    /// The solved share to compare with has no solution.
+    #[error(transparent)]
+    Share(#[from] LoadShareError),
+    /// The base oil is not known, and with it the Eyring stress.
+    #[error("the shear thinning of the film follows from the base oil, and the case names none")]
+    NoBaseOil,
+}
+
+macro_rules! by_position {
+    ($($error:ty),+) => {
+        $(impl From<$error> for RefereeError {
+            fn from(error: $error) -> Self {
+                Self::Position(error.into())
+            }
+        })+
+    };
+}
+
+by_position!(
+    asperity_core::DomainError,
+    asperity_ehl_regime::RegimeError,
+    asperity_roughness::RoughnessError,
+    asperity_tribo_friction::FrictionError,
+    LubricantError
+);

@@ -1,0 +1,15 @@
+//! The referee of the load share: the transient mixed lubrication of a case at one place of the path.
+//!
+//! [`RefereeContact::of`] makes of a case and a place the rough contact and the record that
+//! [`asperity_ehl`] solves; [`shares`] sets the laws of load sharing beside it.
+//!
+//! Its ridges go across the whole face and cannot leak. Where the roughness that is left in the contact is above
+//! [`LARGEST_ROUGHNESS`] smooth films it is no referee: measurement decides.
+
+mod comparison;
+mod error;
+mod settings;
+
+pub use comparison::{LawShare, ShareComparison, shares};
+pub use error::RefereeError;
+pub use settings::{LARGEST_ROUGHNESS, RefereeContact, RefereeSettings, attenuated_roughness};

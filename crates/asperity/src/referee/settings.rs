@@ -1,0 +1,191 @@
+//! From a case and a place on its path to the rough contact that the referee solves.
+
+use asperity_contact::hertz_line::HertzLine;
+use asperity_core::quantity::{Length, Pressure};
+use asperity_core::{DomainError, Profile};
+use asperity_ehl::{
+    DensityLaw, FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling, RecordSettings,
+    RoughContact, ShearLaw, ViscosityLaw,
+};
+use asperity_ehl_regime::{FilmConditions, MoesNumbers, TraceSpectrum};
+use asperity_roughness::gaussian_filter::{Ends, mean_line};
+use asperity_tribo_friction::FilmRheology;
+
+use super::error::RefereeError;
+use crate::case::{Case, LoadedCase};
+use crate::error::PositionError;
+use crate::station::Station;
+use crate::stations::station_at;
+use crate::surfaces::Texture;
+
+/// Attenuated roughness over the smooth film beyond which ridges that cannot leak make the contact no referee:
+/// compared with gear tests, gap and friction are off from about 3 on.
+pub const LARGEST_ROUGHNESS: f64 = 3.0;
+/// Roelands' exponent of the film; one that follows from α and η₀ moves the shares by some 2 %.
+const ROELANDS: f64 = 0.6;
+/// Compliance above the flow pressure in cells: holds the pressure within some 5 % of it.
+const COMPLIANCE: f64 = 10.0;
+/// Shortest wavelength kept; shorter ones move the load below 20 nm by 2 %.
+const SHORTEST_WAVE: Length = Length::from_si(8e-6);
+/// Cells that the shortest wave spans at least.
+const CELLS_A_WAVE: f64 = 8.0;
+/// Part of a trace over which its end fades into its beginning.
+const OVERLAP: f64 = 0.1;
+/// Parts of the traces at which a record begins: the pairs of a record are unrelated.
+const OFFSETS: [f64; 2] = [0.07, 0.44];
+
+/// Choices of the referee.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RefereeSettings {
+    /// Grid, length and films of the record; its law of friction and ceiling are those of the case.
+    pub record: RecordSettings,
+    /// Eyring stress in place of that of the base oil.
+    pub eyring_stress: Option<Pressure>,
+}
+
+/// The lubricated contact of a case at one place, with what was measured of its roughness.
+#[derive(Debug, Clone)]
+pub struct RefereeContact {
+    /// Place on the path, 0 at A and 1 at E.
+    pub path_fraction: f64,
+    /// The smooth mesh position.
+    pub station: Station,
+    /// Bodies, oil and surfaces.
+    pub rough: RoughContact,
+    /// Grid, length, friction and ceiling.
+    pub record: RecordSettings,
+    /// Both traces as the referee sees them: without what is too short for its cells.
+    pub traces: [Profile; 2],
+    /// Standard deviation of the roughness that is left in the contact, of both traces together.
+    pub attenuated_roughness: Length,
+}
+
+impl RefereeContact {
+    /// The contact of `loaded` at `path_fraction`, 0 at A and 1 at E.
+    ///
+    /// # Errors
+    /// When an equation refuses the place, a flank has no trace, a trace is too short for the filter, or the base
+    /// oil is not known.
+    pub fn of(
+        loaded: &LoadedCase,
+        path_fraction: f64,
+        settings: &RefereeSettings,
+    ) -> Result<Self, RefereeError> {
+        let case = &loaded.case;
+        let path = case.gears.path();
+        let station = station_at(case, path.a + (path.e - path.a) * path_fraction)?;
+        let [Texture::Trace(first), Texture::Trace(second)] = loaded.surfaces.textures() else {
+            return Err(PositionError::NoProfile.into());
+        };
+        let contact = line_contact(case, &station);
+        let rheology = rheology(case)?;
+        let constants = rheology.constants();
+        let stress = settings.eyring_stress.unwrap_or(constants.eyring_stress);
+        let oil = Oil {
+            viscosity: case.oil.dynamic_viscosity,
+            pressure_viscosity: case.oil.pressure_viscosity,
+            viscosity_law: ViscosityLaw::Roelands { exponent: ROELANDS },
+            density_law: DensityLaw::DowsonHigginson,
+            shear_law: ShearLaw::Eyring { stress },
+        };
+        let mut record = settings.record.clone();
+        record.friction = Some(FrictionLaw {
+            viscosity: oil.viscosity,
+            pressure_viscosity: oil.pressure_viscosity,
+            eyring_stress: stress,
+            limiting_stress: constants.ambient_limit,
+            limiting_slope: constants.limiting_shear,
+            boundary_friction: case.model.boundary_friction,
+            boundary_layer: case.model.boundary_layer,
+        });
+        let [pinion, wheel] = case.flow_pressure.map(Pressure::si);
+        record.ceiling = Some(PlasticCeiling {
+            pressure: Pressure::from_si(pinion.min(wheel)),
+            compliance: COMPLIANCE,
+        });
+        let window = record.window.outlet - record.window.inlet;
+        let cell = station.hertz.half_width * (window / record.cells.max(1) as f64);
+        let shortest = Length::from_si(SHORTEST_WAVE.si().max(CELLS_A_WAVE * cell.si()));
+        let traces = [smoothed(first, shortest)?, smoothed(second, shortest)?];
+        let rough = RoughContact {
+            contact,
+            oil,
+            surface_1: moving(&traces[0], OFFSETS[0])?,
+            surface_2: moving(&traces[1], OFFSETS[1])?,
+        };
+        let attenuated_roughness = attenuated_roughness(&contact, &oil, &[&traces[0], &traces[1]])?;
+        Ok(Self {
+            path_fraction,
+            station,
+            rough,
+            record,
+            traces,
+            attenuated_roughness,
+        })
+    }
+}
+
+fn line_contact(case: &Case, station: &Station) -> LineContact {
+    LineContact {
+        radius: station.motion.radius,
+        modulus: case.modulus,
+        load: station.load,
+        speed_1: station.motion.u1,
+        speed_2: station.motion.u2,
+    }
+}
+
+/// The oil in the film: that of the case, or the constants of its base oil.
+pub(super) fn rheology(case: &Case) -> Result<FilmRheology, RefereeError> {
+    match (&case.rheology, case.lubricant.base_oil()) {
+        (Some(rheology), _) => Ok(rheology.clone()),
+        (None, Some(base)) => Ok(FilmRheology::new(&case.lubricant, base.into())?),
+        (None, None) => Err(RefereeError::NoBaseOil),
+    }
+}
+
+/// The trace without waves shorter than `shortest`.
+fn smoothed(trace: &Profile, shortest: Length) -> Result<Profile, RefereeError> {
+    if shortest < trace.spacing() * 2.0 {
+        return Ok(trace.clone());
+    }
+    let heights = mean_line(trace, shortest, Ends::Reg0)?;
+    Ok(Profile::new(trace.spacing(), heights)?)
+}
+
+/// The trace as a surface that repeats, begun at a part of its length.
+fn moving(trace: &Profile, offset: f64) -> Result<MovingProfile, DomainError> {
+    let length = trace.length();
+    Ok(MovingProfile::blended(trace, length * OVERLAP)?.shifted(length * offset))
+}
+
+/// Standard deviation σ_d of the roughness that rough surfaces keep in a lubricated contact: the root of the
+/// sum of the mean squares of their attenuated traces, which pass each other and are unrelated.
+///
+/// # Errors
+/// When a number is outside its domain, or a height is not finite.
+pub fn attenuated_roughness(
+    contact: &LineContact,
+    oil: &Oil,
+    traces: &[&Profile],
+) -> Result<Length, RefereeError> {
+    let conditions = FilmConditions {
+        entrainment: (contact.speed_1 + contact.speed_2) * 0.5,
+        radius: contact.radius,
+        load: contact.load,
+        modulus: contact.modulus,
+        viscosity: oil.viscosity,
+        pressure_viscosity: oil.pressure_viscosity,
+        contact_length: None,
+    };
+    let hertz = HertzLine::new(contact.load, contact.radius, contact.modulus)
+        .map_err(PositionError::from)?;
+    let numbers = MoesNumbers::of(&conditions.line_groups()?)?;
+    let nabla = numbers.nabla_per_length(hertz.half_width)?;
+    let mut squares = 0.0;
+    for trace in traces {
+        let left = TraceSpectrum::new(trace.heights(), trace.spacing())?.attenuated(nabla)?;
+        squares += left.iter().map(|z| z * z).sum::<f64>() / left.len() as f64;
+    }
+    Ok(Length::from_si(squares.sqrt()))
+}

@@ -1,0 +1,333 @@
+//! The load over the teeth in runs: laws, relief, helix, rings, planetary sets.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
+
+use std::path::{Path, PathBuf};
+
+use asperity::case::{CaseInput, LoadedCase, load, planetary};
+use asperity::gear_report::gear_report;
+use asperity::planetary::run_planetary;
+use asperity::result::{Losses, RunResult};
+
+fn fixtures() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures")
+}
+
+/// A shipped case with other keys.
+fn shipped(name: &str, keys: &[(&str, &str)]) -> LoadedCase {
+    let path = fixtures().join("cases").join(name).with_extension("toml");
+    changed(&load(&path, None).unwrap(), keys)
+}
+
+/// All keys at once: one without the other may be refused.
+fn changed(case: &LoadedCase, keys: &[(&str, &str)]) -> LoadedCase {
+    let set = |input: &mut CaseInput| {
+        for (key, value) in keys {
+            input.set(key, value).unwrap();
+        }
+    };
+    case.with(set).unwrap()
+}
+
+fn losses(case: &LoadedCase) -> Losses {
+    asperity::losses(case, &|_, _| ()).unwrap()
+}
+
+fn run(case: &LoadedCase) -> RunResult {
+    asperity::run(case, &|_, _| ()).unwrap().result
+}
+
+#[track_caller]
+fn close(actual: f64, expected: f64, tolerance: f64) {
+    assert!(
+        (actual - expected).abs() <= tolerance * expected.abs(),
+        "{actual} is not {expected} within {tolerance}"
+    );
+}
+
+/// Full contact of the traces needs many offsets; two tell the same of the load.
+const FEW: (&str, &str) = ("model.offsets", "2");
+
+#[test]
+fn a_helix_of_a_thousandth_of_a_degree_is_none() {
+    for name in ["e-drive", "fzg-c"] {
+        let with = |helix| losses(&shipped(name, &[FEW, ("gears.helix", helix)]));
+        let [spur, helical] = ["0 deg", "0.001 deg"].map(with);
+        let [a, b] = [&spur, &helical].map(|losses| losses.summary.loss_factor_local);
+        assert!((a - b).abs() < 1e-4, "{name}: H_V {a} and {b}");
+        close(helical.summary.loss_w, spur.summary.loss_w, 1e-3);
+    }
+}
+
+/// Linear relief of both tips over the double contact of e-drive, with the steel of the reference values.
+fn relieved(amount: &str, torque: &str) -> LoadedCase {
+    let plain = shipped("e-drive", &[FEW, ("material.pinion.young", "206 GPa")]);
+    let path = plain.case.gears.path();
+    let length = (path.eps_alpha - 1.0) * path.base_pitch.si() * 1e3;
+    let relief = format!("{{ amount = \"{amount}\", length = \"{length} mm\" }}");
+    changed(
+        &plain,
+        &[
+            ("operation.torque", torque),
+            ("gears.amounts", "normal"),
+            ("gears.pinion.tip_relief", &relief),
+            ("gears.wheel.tip_relief", &relief),
+        ],
+    )
+}
+
+#[test]
+fn ten_micrometres_of_relief_take_a_quarter_of_the_loss_factor_and_more_at_part_load() {
+    // MESH values with 206 GPa: 0.1503, 0.1119 and at a tenth of the torque 0.0611; 64 cells of the face are
+    // good to 5e-3 with relief.
+    let factor = |case: &LoadedCase| losses(case).summary.loss_factor_local;
+    let plain = shipped("e-drive", &[FEW, ("material.pinion.young", "206 GPa")]);
+    close(factor(&plain), 0.1503, 1e-3);
+    close(factor(&relieved("10 um", "145 N m")), 0.1119, 5e-3);
+    close(factor(&relieved("10 um", "14.5 N m")), 0.0611, 5e-3);
+}
+
+#[test]
+fn relief_that_takes_contact_off_stops_no_run() {
+    let case = relieved("20 um", "40 N m");
+    let result = run(&case);
+    let path = result.gears.path();
+    let ends = [&result.path[0], result.path.last().unwrap()];
+    assert!(ends[0].s_mm > 1e3 * path.a.si() && ends[1].s_mm < 1e3 * path.e.si());
+    // A and E carry nothing and are not shown; the cells span the loaded part alone.
+    let points: Vec<_> = result.points.iter().map(|row| &*row.point).collect();
+    assert!(
+        !points.contains(&"A") && !points.contains(&"E"),
+        "{points:?}"
+    );
+    let length: f64 = result.path.iter().map(|row| row.weight_m).sum();
+    assert!(length < result.gears.mean_contact_length().si());
+    let noted = |code| result.warnings.iter().any(|warning| warning.code == code);
+    assert!(!noted("W421"), "relieved tips need no note on their edges");
+    assert!(result.summary.loss_w > 0.0 && result.summary.efficiency < 1.0);
+}
+
+#[test]
+fn cells_that_the_traces_do_not_resolve_are_counted_and_stop_no_run() {
+    let result = run(&relieved("15 um", "145 N m"));
+    let note = result
+        .warnings
+        .iter()
+        .find(|warning| warning.code == "W422");
+    let unresolved = |row: &&asperity::result::PositionRow| row.half_width_um < 20.0 * 0.5;
+    let count = result.path.iter().filter(unresolved).count();
+    match note {
+        Some(note) => assert!(note.text.starts_with(&format!("{count} of ")), "{note}"),
+        None => assert_eq!(count, 0),
+    }
+}
+
+#[test]
+fn mean_length_with_32_positions_is_the_loss_of_version_1() {
+    // 1132 W; every choice named that is of another default now or may be.
+    let loss = losses(&shipped(
+        "e-drive",
+        &[
+            ("model.load_distribution", "mean-length"),
+            ("model.positions", "32"),
+            ("model.offsets", "16"),
+            ("model.film_friction", "xu"),
+            ("model.load_share", "lambda-star"),
+            ("model.film", "dowson-toyoda"),
+            ("model.thermal", "gupta"),
+            ("model.boundary_friction", "0.1"),
+            ("model.hysteresis", "0 %"),
+        ],
+    ));
+    close(loss.summary.loss_w, 1132.0, 5e-3);
+    close(loss.summary.loss_factor_local, 0.1485, 5e-4);
+}
+
+#[test]
+fn constant_friction_is_exact_over_any_number_of_cells() {
+    for positions in ["5", "16", "40"] {
+        let summary = losses(&shipped(
+            "e-drive",
+            &[
+                FEW,
+                ("model.positions", positions),
+                ("model.film_friction", "constant"),
+                ("model.load_share", "lambda-star"),
+                ("model.constant_friction", "0.05"),
+                ("model.boundary_friction", "0.05"),
+            ],
+        ))
+        .summary;
+        let expected = 0.05 * summary.loss_factor_local * summary.power_in_w;
+        close(summary.sliding_w, expected, 1e-12);
+    }
+}
+
+/// Sun, planet and ring of 1.5 mm at 40 N m.
+fn pair(teeth: &str, helix: &str) -> LoadedCase {
+    shipped(
+        "fzg-c",
+        &[
+            FEW,
+            ("gears.profile_shift", "[0.0, 0.0]"),
+            ("gears.teeth", teeth),
+            ("gears.module", "1.5 mm"),
+            ("gears.face_width", "20 mm"),
+            ("gears.helix", helix),
+            ("operation.torque", "40 N m"),
+            ("material.pinion.young", "206 GPa"),
+        ],
+    )
+}
+
+#[test]
+fn ring_pairs_run_and_have_the_loss_factors_of_the_reference() {
+    // Elastic H_V of the reference, 206 GPa.
+    for (teeth, helix, expected) in [
+        ("[27, 24]", "0 deg", 0.165_14),
+        ("[24, -75]", "0 deg", 0.078_55),
+        ("[27, 24]", "15 deg", 0.1958),
+        ("[24, -75]", "15 deg", 0.0816),
+    ] {
+        let result = run(&pair(teeth, helix));
+        close(result.summary.loss_factor_local, expected, 1.5e-3);
+        assert!(result.path.iter().all(|row| row.radius_mm > 0.0));
+        assert!((0.9..1.0).contains(&result.summary.efficiency));
+    }
+}
+
+#[test]
+fn rings_that_cannot_mesh_are_refused_with_their_reason() {
+    let case = pair("[24, -75]", "0 deg");
+    let refusal = |key: &str, value: &str| case.with_key(key, value).unwrap_err().to_string();
+    let said = refusal("gears.teeth", "[24, -24]");
+    assert!(said.contains("ring") || said.contains("teeth"), "{said}");
+    let said = refusal("gears.teeth", "[-75, 24]");
+    assert!(said.contains("only the wheel may be a ring"), "{said}");
+}
+
+const SET: &str = r#"
+title = "a set"
+[planetary]
+teeth = [27, 24, -75]
+planets = 3
+module = "1.5 mm"
+face_width = ["20 mm", "20 mm", "20 mm"]
+[material.sun]
+young = "206 GPa"
+[operation]
+torque = "120 N m"
+speed = "3000 1/min"
+temperature = "90 °C"
+[lubricant]
+oil = "m100"
+[surface]
+sun = { rq = "0.3 um" }
+[model]
+offsets = 1
+"#;
+
+#[test]
+fn a_planetary_set_is_the_run_of_its_two_meshes() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("set.toml");
+    std::fs::write(&file, SET).unwrap();
+    let set = planetary::load(&file).unwrap().unwrap();
+    let outcome = run_planetary(&set, &|_, _| ()).unwrap();
+    let result = &outcome.result;
+    let [sun, ring] = &result.meshes[..] else {
+        panic!("{} meshes", result.meshes.len())
+    };
+    assert_eq!(sun.torque_nm, 40.0);
+    close(ring.torque_nm, 35.556, 1e-4);
+    close(ring.speed_rad_per_s, 259.874, 1e-5);
+    close(sun.loss_factor, 0.165_14, 1.5e-3);
+    close(result.loss_w, 3.0 * (sun.loss_w + ring.loss_w), 1e-12);
+    // The carrier turns at 27/102 of the sun; nothing else drives.
+    close(result.power_in_w, 120.0 * result.sun_rad_per_s, 1e-12);
+    close(
+        result.carrier_rad_per_s,
+        result.sun_rad_per_s * 27.0 / 102.0,
+        1e-12,
+    );
+    assert!(result.efficiency > sun.efficiency * ring.efficiency);
+    assert!(
+        planetary::load(&fixtures().join("cases/fzg-c.toml"))
+            .unwrap()
+            .is_none()
+    );
+}
+
+#[test]
+fn a_planetary_set_that_does_not_fit_is_refused_with_its_reason() {
+    let folder = tempfile::tempdir().unwrap();
+    let refusal = |from: &str, to: &str| {
+        let file = folder.path().join("set.toml");
+        std::fs::write(&file, SET.replace(from, to)).unwrap();
+        planetary::load(&file).unwrap_err()
+    };
+    let error = refusal("planets = 3", "planets = 12");
+    assert!(
+        error.to_string().contains("12 planets do not fit"),
+        "{error}"
+    );
+    assert_eq!(error.code(), "E206");
+    let error = refusal("planets = 3", "planet = 3");
+    assert_eq!(error.code(), "E203");
+}
+
+#[test]
+fn the_gear_report_tells_every_law() {
+    let found = gear_report(&shipped("e-drive", &[]).case).unwrap();
+    let factor = |law: &str| {
+        let mut rows = found.loss_factors.iter();
+        rows.find(|row| row.law == law).unwrap()
+    };
+    close(
+        factor("elastic").loss_factor.unwrap(),
+        found.loss_factor,
+        1e-12,
+    );
+    close(factor("uniform").loss_factor.unwrap(), 0.148_29, 2e-4);
+    close(factor("mean-length").loss_factor.unwrap(), 0.1485, 5e-4);
+    assert!(
+        factor("trapezoid")
+            .refused
+            .as_ref()
+            .unwrap()
+            .contains("spur")
+    );
+    let band = found.band.unwrap();
+    assert!(band.low < found.loss_factor && found.loss_factor < band.high);
+    let error = found.transmission_error.unwrap();
+    // 206 GPa: 11.4 um; the steel of the case has 210 GPa.
+    close(error.mean.si(), 11.4e-6, 0.03);
+    close(found.iso_mesh_stiffness_n_per_mm_um.unwrap(), 18.2, 5e-3);
+}
+
+#[test]
+fn relief_is_told_by_its_length_or_by_its_start_and_not_by_both() {
+    let case = shipped("e-drive", &[FEW]);
+    let refusal = |value: &str| {
+        let error = case.with_key("gears.pinion.tip_relief", value).unwrap_err();
+        (error.code(), error.to_string())
+    };
+    for value in [
+        "{ amount = \"10 um\" }",
+        "{ amount = \"10 um\", length = \"1 mm\", start_diameter = \"45 mm\" }",
+    ] {
+        let (code, text) = refusal(value);
+        assert!(code == "E205" && text.contains("start_diameter"), "{text}");
+    }
+    let (code, text) = refusal("{ amount = \"10 um\", length = \"1 mm\", power = 3 }");
+    assert!(code == "E205" && text.contains("parabolic"), "{text}");
+    let uniform = case.with_key("model.load_distribution", "uniform").unwrap();
+    let relief = "{ amount = \"10 um\", length = \"1 mm\" }";
+    let error = uniform
+        .with_key("gears.pinion.tip_relief", relief)
+        .unwrap_err();
+    assert!(
+        error.to_string().contains("knows no deflections"),
+        "{error}"
+    );
+}

@@ -1,0 +1,220 @@
+//! The mixed lubricated contact: what its options do, what it tells, and what it refuses.
+
+use std::fmt::Write;
+
+use serde_json::Value;
+
+use crate::bench::{Bench, E_DRIVE};
+
+/// The gear case of the validation: p0 1.2 GPa, 5 m/s, slide-to-roll ratio 0.2.
+const GEAR: [&str; 15] = [
+    "ehl",
+    "--radius",
+    "10 mm",
+    "--e-star",
+    "115.4 GPa",
+    "--load",
+    "392.021 N/mm",
+    "--u1",
+    "5.5 m/s",
+    "--u2",
+    "4.5 m/s",
+    "--viscosity",
+    "10 mPa s",
+    "--pressure-viscosity",
+    "18 1/GPa",
+];
+
+fn number(value: &Value, key: &str) -> f64 {
+    value[key]
+        .as_f64()
+        .unwrap_or_else(|| panic!("{key} is {} and no number", value[key]))
+}
+
+fn gear(options: &[&'static str]) -> Vec<&'static str> {
+    [&GEAR[..], options].concat()
+}
+
+/// A sum of two waves over 0.4 mm [um].
+fn wave(amplitude: f64) -> String {
+    let mut text = String::from("x_um,z_um\n");
+    for i in 0..800 {
+        let x = 0.5 * f64::from(i);
+        let turn = std::f64::consts::TAU * x / 400.0;
+        let z = amplitude * ((7.0 * turn).sin() + 0.6 * (16.0 * turn + 1.0).sin());
+        writeln!(text, "{x},{z:e}").unwrap();
+    }
+    text
+}
+
+#[test]
+fn a_smooth_contact_has_its_film_spike_and_traction() {
+    let bench = Bench::new();
+    let found = bench
+        .run(&gear(&["--json", "-o", "film.csv"]))
+        .well()
+        .json();
+    // The film of another program on this window: 4.2286 in Moes' units, 0.279 um.
+    assert!((number(&found, "central_film_um") / 0.279 - 1.0).abs() < 0.01);
+    assert!(number(&found, "load_error") < 1e-10);
+    assert!(number(&found, "rolling_force_n_per_m") > 48.0);
+    // Isothermal, Eyring 5 MPa with a limit of 0.05 p: between 0.03 and 0.04.
+    assert!((0.03..0.04).contains(&number(&found, "traction_coefficient")));
+    let points = std::fs::read_to_string(bench.path("film.csv")).unwrap();
+    assert_eq!(points.lines().count(), 514);
+    assert!(points.starts_with("x_m,pressure_pa,film_m,void_fraction\n"));
+    let text = bench.run(&gear(&[])).well().out;
+    assert!(
+        text.contains("central film 0.27") && text.contains("spike"),
+        "{text}"
+    );
+    let oil = bench.run(&[&GEAR[..11], &["--oil", "m100", "--bulk", "90 °C", "--json"]].concat());
+    assert!(number(&oil.well().json(), "central_film_um") > 0.1);
+}
+
+#[test]
+fn two_rough_surfaces_have_a_record_with_its_evidence() {
+    let bench = Bench::new();
+    bench.write("one.csv", wave(0.15));
+    bench.write("other.csv", wave(0.1));
+    let options = [
+        "--profile1",
+        "one.csv",
+        "--profile2",
+        "other.csv",
+        "--periodic",
+        "--eyring-stress",
+        "5 MPa",
+        "--cells",
+        "128",
+        "--half-widths",
+        "2",
+        "--start",
+        "1",
+        "-o",
+        "frames.csv",
+        "--every",
+        "1",
+        "--json",
+    ];
+    let found = bench.run(&gear(&options)).well().json();
+    let share = number(&found, "solid_share");
+    assert!((0.0..=1.0).contains(&share));
+    assert!(number(&found, "solid_share_standard_error") >= 0.0);
+    assert!(number(&found, "mean_film_um") > 0.05);
+    assert!(number(&found, "central_film_um") > 0.2);
+    assert!(number(&found, "load_error") < 1e-5);
+    assert!(number(&found, "steps") > 60.0);
+    assert!(number(&found, "steps_cut") <= 0.02 * number(&found, "steps"));
+    let below = found["load_below"].as_array().unwrap();
+    let shares: Vec<f64> = below.iter().map(|row| number(row, "share")).collect();
+    assert!(shares.is_sorted() && below.len() == 6, "{shares:?}");
+    assert_eq!(number(&below[2], "film_nm"), 20.0);
+    assert!((shares[2] - share).abs() < 1e-12);
+    let friction = number(&found["friction"]["graded"], "mean");
+    assert!((0.02..0.1).contains(&friction), "{friction}");
+    let frames = std::fs::read_to_string(bench.path("frames.csv")).unwrap();
+    assert!(
+        (frames.lines().count() - 1).is_multiple_of(129),
+        "whole frames of 129 nodes"
+    );
+    assert!(frames.lines().nth(1).unwrap().ends_with("full") || frames.contains(",full"));
+    // The same on one thread.
+    let once = bench.run(&[&gear(&options)[..], &["--threads", "1"]].concat());
+    assert_eq!(once.well().json(), found);
+}
+
+#[test]
+fn a_case_is_set_beside_the_laws_of_load_sharing() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    let options = [
+        "ehl",
+        "case.toml",
+        "--position",
+        "A",
+        "--compare",
+        "--cells",
+        "256",
+        "--half-widths",
+        "1",
+        "--start",
+        "1",
+        "--json",
+    ];
+    let found = bench.run(&options).well().json();
+    assert!(number(&found, "attenuated_roughness_um") > 0.1);
+    let comparison = &found["comparison"];
+    let laws = comparison["laws"].as_array().unwrap();
+    let names: Vec<&str> = laws
+        .iter()
+        .map(|law| law["law"].as_str().unwrap())
+        .collect();
+    let expected = ["solved", "lambda-star", "zhu-hu", "masjedi-khonsari", "jgp"];
+    assert_eq!(names, expected);
+    let referee = number(comparison, "referee_share");
+    for law in laws.iter().filter(|law| !law["solid_share"].is_null()) {
+        let share = number(law, "solid_share");
+        assert!((0.0..=1.0).contains(&share), "{law}");
+        assert!((number(law, "minus_referee") - (share - referee)).abs() < 1e-12);
+    }
+    let smooth = bench
+        .run(&["ehl", "case.toml", "--smooth", "--json"])
+        .well()
+        .json();
+    assert_eq!(smooth["kind"], "smooth");
+}
+
+#[test]
+fn ridges_that_cannot_leak_are_told() {
+    let bench = Bench::new();
+    bench.write("one.csv", wave(0.4));
+    let options = [
+        "--profile1",
+        "one.csv",
+        "--periodic",
+        "--cells",
+        "128",
+        "--half-widths",
+        "1",
+        "--start",
+        "0",
+    ];
+    // A hundredth of the speed: a film below a tenth of the roughness.
+    let slow: Vec<&str> = gear(&options)
+        .into_iter()
+        .map(|word| match word {
+            "5.5 m/s" => "0.055 m/s",
+            "4.5 m/s" => "0.045 m/s",
+            "10 mPa s" => "3 mPa s",
+            other => other,
+        })
+        .collect();
+    let text = bench.run(&slow).well().out;
+    assert!(
+        text.contains("W415 ") && text.contains("cannot leak"),
+        "{text}"
+    );
+}
+
+#[test]
+fn what_cannot_be_solved_is_refused_with_its_reason() {
+    let bench = Bench::new();
+    bench
+        .run(&GEAR[..11])
+        .refused(2, "E205", &["--oil", "--viscosity"]);
+    bench
+        .run(&gear(&["--cells", "100"]))
+        .refused(2, "E209", &["100 cells", "multiple of 64"]);
+    bench
+        .run(&[&GEAR[..11], &["--oil", "nothing", "--bulk", "90 °C"]].concat())
+        .refused(2, "E208", &["nothing"]);
+    bench
+        .run(&gear(&["--profile1", "absent.csv"]))
+        .refused(2, "E103", &["absent.csv"]);
+    bench.write("one.csv", wave(0.1));
+    bench
+        .run(&gear(&["--profile1", "one.csv", "--half-widths", "0.5"]))
+        .refused(2, "E209", &["length of the record"]);
+}

@@ -1,0 +1,152 @@
+//! The gears of a case from the command: `asperity gear`, relief, rings, planetary sets, the load map.
+
+use std::fs;
+
+use crate::bench::{Bench, E_DRIVE, with_line};
+
+fn bench(case: &str) -> Bench {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", case);
+    bench
+}
+
+fn codes(result: &serde_json::Value) -> Vec<&str> {
+    let warnings = result["warnings"].as_array().unwrap().iter();
+    warnings.map(|w| w["code"].as_str().unwrap()).collect()
+}
+
+const RELIEF: &str = "face_width = [\"35 mm\", \"32 mm\"]\n\
+    pinion.tip_relief = { amount = \"15 um\", length = \"2.9 mm\" }\n\
+    wheel.tip_relief = { amount = \"15 um\", length = \"2.9 mm\" }";
+
+#[test]
+fn the_gear_command_tells_geometry_stiffness_and_every_law() {
+    let bench = bench(E_DRIVE);
+    let said = bench.run(&["gear", "case.toml"]).well().out;
+    for part in [
+        "teeth 23/68",
+        "eps_alpha 1.5",
+        "transmission error",
+        "by ISO 6336-1",
+        "mean-length",
+    ] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    let json = bench.run(&["gear", "case.toml", "--json"]).well().json();
+    assert_eq!(json["law"], "elastic");
+    assert_eq!(json["loss_factors"].as_array().unwrap().len(), 6);
+}
+
+#[test]
+fn unrelieved_tips_are_noted_and_relieved_ones_are_not() {
+    let plain = bench(E_DRIVE)
+        .run(&["run", "case.toml", "--json"])
+        .well()
+        .json();
+    assert!(codes(&plain).contains(&"W421"));
+    assert!(plain["load"]["band"]["low"].as_f64() < plain["load"]["loss_factor"].as_f64());
+    let relieved = bench(&with_line("face_width", RELIEF));
+    let relieved = relieved.run(&["run", "case.toml", "--json"]).well().json();
+    assert!(!codes(&relieved).contains(&"W421"));
+    let factor =
+        |result: &serde_json::Value| result["summary"]["loss_factor_local"].as_f64().unwrap();
+    assert!(factor(&relieved) < 0.75 * factor(&plain));
+}
+
+#[test]
+fn cells_that_carry_almost_nothing_are_counted() {
+    // Where relief has nearly taken the contact off, it is narrower than the points of the traces resolve.
+    let case = with_line("face_width", RELIEF)
+        .replace("positions = 4", "positions = 24")
+        .replace("145 N m", "60 N m");
+    let result = bench(&case)
+        .run(&["run", "case.toml", "--json"])
+        .well()
+        .json();
+    assert!(codes(&result).contains(&"W422"), "{:?}", codes(&result));
+}
+
+#[test]
+fn a_root_that_cannot_be_drawn_and_tips_that_may_foul_are_told() {
+    let root = with_line(
+        "face_width",
+        "face_width = \"32 mm\"\npinion.dedendum = 5.0",
+    );
+    let result = bench(&root)
+        .run(&["run", "case.toml", "--json"])
+        .well()
+        .json();
+    assert!(codes(&result).contains(&"W424"), "{:?}", codes(&result));
+    let ring = with_line("teeth", "teeth = [60, -68]").replace("helix = \"23.4 deg\"\n", "");
+    let said = bench(&ring).run(&["run", "case.toml", "--json"]);
+    let result = said.well().json();
+    assert!(codes(&result).contains(&"W425"), "{:?}", codes(&result));
+}
+
+#[test]
+fn the_load_map_is_written_when_it_is_asked_for() {
+    let bench = bench(E_DRIVE);
+    bench.run(&["run", "case.toml", "-o", "plain"]).well();
+    assert!(!bench.path("plain/map.csv").exists());
+    bench
+        .run(&["run", "case.toml", "-o", "whole", "--load-map"])
+        .well();
+    let map = fs::read_to_string(bench.path("whole/map.csv")).unwrap();
+    assert!(map.starts_with("phase,xi,s_mm,y_mm,load_n_per_mm,weight_mm\n"));
+    assert!(map.lines().count() > 1000);
+    let page = fs::read_to_string(bench.path("whole/report.html")).unwrap();
+    assert!(page.contains("Load over the flank, from A to E and across the face"));
+    // A result with its map is replaced as a whole.
+    bench.run(&["run", "case.toml", "-o", "whole"]).well();
+    assert!(!bench.path("whole/map.csv").exists());
+}
+
+const SET: &str = r#"
+title = "small set"
+[planetary]
+teeth = [27, 24, -75]
+planets = 3
+module = "1.5 mm"
+face_width = ["20 mm", "20 mm", "20 mm"]
+[operation]
+torque = "120 N m"
+speed = "3000 1/min"
+temperature = "90 °C"
+[lubricant]
+oil = "m100"
+[surface]
+cutoff = "0.25 mm"
+sun = { file = "pinion.csv" }
+planet = { file = "wheel.csv", mirrored = true }
+[model]
+positions = 8
+offsets = 2
+depths = 0
+"#;
+
+#[test]
+fn a_planetary_set_gives_a_table_and_a_result_for_each_mesh() {
+    let bench = bench(SET);
+    let said = bench.run(&["run", "case.toml", "-o", "set"]).well().out;
+    assert!(said.contains("3 planets   carrier 794.1 1/min"), "{said}");
+    assert!(said.contains("planet and ring"), "{said}");
+    for file in [
+        "planetary.json",
+        "meshes.csv",
+        "report.html",
+        "sun_planet/result.json",
+        "planet_ring/report.html",
+    ] {
+        assert!(bench.path("set").join(file).is_file(), "{file}");
+    }
+    let json = bench
+        .run(&["run", "case.toml", "--no-output", "--json"])
+        .well()
+        .json();
+    assert_eq!(json["meshes"].as_array().unwrap().len(), 2);
+    bench.write("case.toml", SET.replace("planets = 3", "planets = 12"));
+    bench
+        .run(&["run", "case.toml"])
+        .refused(2, "E206", &["12 planets do not fit"]);
+}
