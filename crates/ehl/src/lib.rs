@@ -28,19 +28,21 @@ pub mod moving_profile;
 mod newton;
 mod reynolds;
 pub mod rheology;
+mod scales;
 pub mod steady;
 mod stepper;
 pub mod traction;
 pub mod transient;
 
 pub use batch_means::Estimate;
-pub use dimensionless::{LineContact, Scales};
+pub use dimensionless::LineContact;
 pub use error::EhlError;
 pub use evidence::{Evidence, Solved};
 pub use friction::{Friction, FrictionLaw};
 pub use moving_profile::MovingProfile;
 pub use newton::NodeState;
 pub use rheology::{DensityLaw, Oil, ShearLaw, ViscosityLaw};
+pub use scales::Scales;
 pub use steady::{SteadyFilm, SteadySettings, Warning, Window};
 pub use transient::{PlasticCeiling, Record, RecordSettings, RoughContact};
 

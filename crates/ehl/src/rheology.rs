@@ -15,7 +15,7 @@ use asperity_core::quantity::{DynamicViscosity, Pressure, PressureViscosity};
 use asperity_core::{DomainError, cite};
 use serde::{Deserialize, Serialize};
 
-use crate::dimensionless::Scales;
+use crate::scales::Scales;
 
 /// Roelands' constant 1/p_r (Roelands 1966) \[1/Pa\].
 const ROELANDS_PER_PASCAL: f64 = 5.1e-9;

@@ -129,7 +129,7 @@ struct Rises {
 impl State {
     fn new(
         oil: &Oil,
-        scales: &crate::dimensionless::Scales,
+        scales: &crate::scales::Scales,
         film: &SteadyFilm,
         shear: ShearLaw,
         limit: f64,

@@ -3,7 +3,7 @@
 use asperity::load_report::LoadRow;
 use asperity::result::RunResult;
 
-use super::path::points;
+use super::path_points::points;
 use crate::chart::{Axis, Chart, Contour, Drawing, Line, Series};
 use crate::page_tables::PageTables;
 
