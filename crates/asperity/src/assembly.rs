@@ -14,7 +14,7 @@ use crate::result::{
     SCHEMA_VERSION, Summary,
 };
 use crate::solved::{Solved, mean};
-use crate::{attention, formulation, friction};
+use crate::{attention, formulation, rolling};
 
 impl Solved<'_> {
     /// Losses alone.
@@ -90,7 +90,7 @@ impl Solved<'_> {
         points
             .iter()
             .map(|(point, position)| {
-                let rolling = friction::rolling(case, &position.station)?;
+                let rolling = rolling::rolling(case, &position.station)?;
                 Ok(PointRow {
                     point: (*point).into(),
                     row: row(case, position, rolling, per_width),

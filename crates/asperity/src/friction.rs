@@ -6,13 +6,12 @@ use asperity_core::lubricant::{LubricantState, roelands};
 use asperity_core::quantity::{Length, LineLoad, Pressure, Speed, Temperature};
 use asperity_tribo_friction::{
     FilmContact, FilmFriction, FlashConditions, FrictionConditions, MeshConditions,
-    RollingConditions, flash_temperature, mixed_friction, rolling_force,
+    flash_temperature, mixed_friction,
 };
 
 use crate::branch::Carried;
 use crate::case::Case;
 use crate::error::PositionError;
-use crate::formulation;
 use crate::load_share_law::SharedLoad;
 use crate::local_roughness::Roughness;
 use crate::station::Station;
@@ -207,21 +206,6 @@ impl Rubbing {
             self.boundary_force,
         ]
     }
-}
-
-/// Rolling friction force per metre of contact line on one surface \[N/m\], hysteresis of the steel included.
-pub(crate) fn rolling(case: &Case, station: &Station) -> Result<f64, PositionError> {
-    let film = rolling_force(&RollingConditions {
-        entrainment: station.motion.entrainment,
-        radius: station.motion.radius,
-        load: station.load,
-        modulus: case.modulus,
-        viscosity: case.oil.dynamic_viscosity,
-        pressure_viscosity: case.oil.pressure_viscosity,
-        thermal_factor: station.thermal_reduction,
-    })?;
-    let surfaces = formulation::of(case.formulation).rolling_surfaces();
-    Ok(film.si() + hysteresis_force(case, station) / surfaces.count())
 }
 
 /// Resistance to rolling by hysteresis per metre of contact line \[N/m\]: α_h 2 f a/(3πR).

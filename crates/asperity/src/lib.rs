@@ -60,6 +60,7 @@ pub mod prelude;
 mod provenance;
 pub mod referee;
 pub mod result;
+mod rolling;
 mod rough_film;
 mod solve;
 mod solved;

@@ -23,11 +23,11 @@ use crate::detail::Detail;
 use crate::encounter::meeting;
 use crate::error::{Error, PositionError};
 use crate::formulation;
-use crate::friction;
 use crate::physical_sense::{check_position, check_station};
 use crate::position::Position;
 use crate::provenance;
 use crate::result::{Losses, Outcome};
+use crate::rolling;
 use crate::rough_film;
 use crate::solve::Run;
 use crate::solved::Solved;
@@ -232,7 +232,7 @@ fn sums<'a>(
 ) -> Result<Solved<'a>, PositionError> {
     let rolling = positions
         .iter()
-        .map(|position| friction::rolling(&loaded.case, &position.station))
+        .map(|position| rolling::rolling(&loaded.case, &position.station))
         .collect::<Result<Vec<_>, _>>()?;
     Solved::new(loaded, map, positions, rolling)
 }
