@@ -164,7 +164,7 @@ fn an_unusual_number_warns_and_a_state_beyond_sense_has_no_efficiency() {
     ]);
     said.refused(
         4,
-        "E307",
+        "E308",
         &[
             "speed of the flanks",
             "beyond physical sense",
