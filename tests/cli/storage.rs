@@ -191,8 +191,7 @@ fn names_and_titles_do_nothing_in_a_spreadsheet_or_a_terminal() {
         "case.toml",
         "--finish",
         "@SUM(A1)=pinion.csv",
-        "--finish",
-        "-1+1=wheel.csv",
+        "--finish=-1+1=wheel.csv",
         "--offsets",
         "2",
         "-o",
@@ -240,6 +239,8 @@ fn flat_flanks_give_no_number_that_is_none() {
     if said.status == 0 {
         for file in ["out/path.csv", "out/result.json", "out/report.html"] {
             let text = fs::read_to_string(bench.path(file)).unwrap();
+            // The script of the page breaks its lines with one.
+            let text = text.replace("? NaN :", "");
             assert!(!text.contains("NaN") && !text.contains(",inf,"), "{file}");
         }
         bench.run(&["report", "out"]).well();
