@@ -213,15 +213,15 @@ fn a_flank_known_by_ra_or_rz_alone_runs_and_lists_what_follows() {
     for (given, follows) in [
         (
             "{ ra = \"0.2 um\" }",
-            "surface.pinion.rq = \"0.2507 um\"  (Ra/0.798",
+            "surface.pinion.rq = \"250.7 nm\"  (Ra/0.798",
         ),
         (
             "{ rz = \"1.2 um\" }",
-            "surface.pinion.rq = \"0.2 um\"  (Rz/6",
+            "surface.pinion.rq = \"200 nm\"  (Rz/6",
         ),
         (
             "{ rq = \"0.2 um\" }",
-            "surface.pinion.ra = \"0.1596 um\"  (0.798 Rq",
+            "surface.pinion.ra = \"159.6 nm\"  (0.798 Rq",
         ),
     ] {
         bench.write(
