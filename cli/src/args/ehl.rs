@@ -8,6 +8,8 @@ use asperity_core::quantity::{
 };
 use clap::{Args, ValueEnum};
 
+use super::SetArgs;
+
 /// A lubricated line contact: of a case, or of bare numbers.
 #[derive(Debug, Args)]
 pub struct EhlArgs {
@@ -20,6 +22,9 @@ pub struct EhlArgs {
     /// Set the laws of load sharing beside the solution
     #[arg(long, requires = "case")]
     pub compare: bool,
+    /// Keys of the case.
+    #[command(flatten)]
+    pub set: SetArgs,
     /// Bodies, speeds and oil without a case.
     #[command(flatten)]
     pub bare: BareArgs,

@@ -1,9 +1,7 @@
 //! The lubricant of a case, from its text to its state.
 #![allow(clippy::unwrap_used)] // Helpers outside test functions.
 
-use asperity_core::lubricant::{
-    BaseOil, LubricantError, LubricantInput, LubricantState, ViscosityLaw, library,
-};
+use asperity_core::lubricant::{LubricantError, LubricantInput, LubricantState, library};
 use asperity_core::quantity::{PerKelvin, Temperature};
 
 fn input(text: &str) -> LubricantInput {

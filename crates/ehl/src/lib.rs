@@ -19,6 +19,7 @@ pub mod dimensionless;
 pub mod equations;
 pub mod error;
 pub mod evidence;
+mod fluid;
 pub mod friction;
 pub mod graded;
 mod grid;

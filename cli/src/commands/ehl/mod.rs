@@ -29,7 +29,7 @@ pub fn ehl(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
 }
 
 fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> {
-    let loaded = load_case(path, None)?;
+    let loaded = load_case(path, &args.set, None)?;
     let place = on_the_path(&loaded, args.position)?.unwrap_or(loaded.case.model.position);
     let settings = RefereeSettings {
         record: record_settings(args),
