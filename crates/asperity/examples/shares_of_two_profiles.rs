@@ -49,7 +49,9 @@ pub fn main() -> Outcome<()> {
     let factor = number("amplitude", 1.0)?;
     let read = |path: &String| -> Outcome<Vec<f64>> {
         let text = std::fs::read_to_string(path)?;
-        let heights = text.split_whitespace().map(|word| Ok(factor * word.parse::<f64>()?));
+        let heights = text
+            .split_whitespace()
+            .map(|word| Ok(factor * word.parse::<f64>()?));
         heights.collect()
     };
     let heights = [read(first)?, read(second)?];
@@ -104,8 +106,7 @@ pub fn main() -> Outcome<()> {
             bodies: [steel(), steel()],
         };
         let mut film = PositionFilm::new(&rheology, &contact, bulk(), &settings)?;
-        let traces =
-            AttenuatedTraces::new([&spectra[0], &spectra[1]], film.nabla_per_length())?;
+        let traces = AttenuatedTraces::new([&spectra[0], &spectra[1]], film.nabla_per_length())?;
         let mut sums = [0.0; 4];
         for (starts, table) in &windows {
             let rms = traces.window_rms(*starts, points)?;
