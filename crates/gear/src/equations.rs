@@ -394,7 +394,7 @@ pub const EQUATIONS: &[Equation] = &[
         "Loss-5",
         "Loss factor of a load map",
         "H_V = (1/cos β_b) ∫∫ f |V_s| dy dξ/(T₁ ω₁)",
-        "crates/gear/src/load_map/mod.rs",
+        "crates/gear/src/load_map/map.rs",
         "elastic_loss_factors_are_those_of_the_reference",
         &[WIMMER_2006],
     ),

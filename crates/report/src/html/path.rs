@@ -13,7 +13,7 @@ const SOURCE: &str = "path.csv";
 
 pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
     let mut drawings = drawings(result);
-    drawings.insert(1, load::along_the_path(result, along()));
+    drawings.insert(1, load::along_the_path(result, along(), &points(result)));
     if let Some(map) = load::map(tables, along()) {
         drawings.insert(2, map);
     }
@@ -26,7 +26,7 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
 }
 
 /// The points A to E [mm from T₁].
-pub(super) fn points(result: &RunResult) -> Vec<Mark> {
+fn points(result: &RunResult) -> Vec<Mark> {
     let path = &result.gears.path;
     let named = [
         ("A", path.a),
