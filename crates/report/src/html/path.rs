@@ -6,7 +6,7 @@ use maud::{Markup, html};
 use super::load;
 use super::page::figure;
 use super::path_points::points;
-use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series, Strip};
+use crate::chart::{Axis, Chart, Drawing, Line, Series, Strip};
 use crate::page_tables::PageTables;
 
 /// The table of this section.
