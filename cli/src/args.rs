@@ -78,7 +78,7 @@ pub enum Command {
     /// Compare finishes: several profile sets on one case, with paired differences
     #[command(after_help = "Examples:\n  asperity compare demo/case.toml \\\n    \
         --finish ground=demo/ground_pinion.csv,demo/ground_wheel.csv \\\n    \
-        --finish superfinished=demo/superfinished.csv\n\n\
+        --finish superfinished=demo/superfinished_pinion.csv,demo/superfinished_wheel.csv\n\n\
         The first finish is what the others are compared with. One file serves both flanks, mirrored\n\
         for the wheel; two files, separated by a comma, are pinion and wheel.")]
     Compare(CompareArgs),

@@ -41,6 +41,11 @@ pub fn save(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     asperity_storage::save(file, bytes).map_err(|error| Failure::new("E401", error.to_string()))
 }
 
+/// Writes a file whose name the user did not choose: never over another.
+pub fn save_new(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    asperity_storage::save_new(file, bytes).map_err(|error| Failure::new("E401", error.to_string()))
+}
+
 /// Options for what is printed beside a file: nothing where the file itself goes to standard output.
 pub fn beside(file: &Path, common: &Common) -> Result<Common, Failure> {
     if !is_standard_output(file) {

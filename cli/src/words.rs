@@ -219,6 +219,6 @@ mod tests {
                 "State the spacing of the points, as 0.5 um (--dx; in a case dx in surface.pinion)."
             )
         );
-        assert_eq!(advice("E999"), None);
+        assert_eq!(advice("none of ours"), None);
     }
 }

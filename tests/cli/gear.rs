@@ -78,7 +78,9 @@ fn a_root_that_cannot_be_drawn_and_tips_that_may_foul_are_told() {
         .well()
         .json();
     assert!(codes(&result).contains(&"W424"), "{:?}", codes(&result));
-    let ring = with_line("teeth", "teeth = [60, -68]").replace("helix = \"23.4 deg\"\n", "");
+    let ring = with_line("teeth", "teeth = [60, -68]")
+        .replace("helix = \"23.4 deg\"\n", "")
+        .replace("positions = 4", "positions = 16");
     let said = bench(&ring).run(&["run", "case.toml", "--json"]);
     let result = said.well().json();
     assert!(codes(&result).contains(&"W425"), "{:?}", codes(&result));

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
-use crate::bench::{Bench, E_DRIVE, program};
+use crate::bench::{Bench, E_DRIVE, program, trace};
 
 /// Kills of each command; `ASPERITY_KILLS` asks for more, as 200.
 fn kills() -> u64 {
@@ -24,10 +24,27 @@ fn start(bench: &Bench, arguments: &[&str]) -> Child {
         .unwrap()
 }
 
-fn drafts(bench: &Bench) -> Vec<String> {
-    let mut names = bench.listing();
-    names.retain(|name| name.starts_with(".asperity-"));
+/// Hidden entries in `place`, a folder of the bench.
+fn drafts_in(bench: &Bench, place: &str) -> Vec<String> {
+    let entries = fs::read_dir(bench.path(place)).into_iter().flatten();
+    let names = entries.flatten().map(|entry| entry.file_name());
     names
+        .map(|name| name.to_string_lossy().into_owned())
+        .filter(|name| name.starts_with(".asperity-"))
+        .collect()
+}
+
+/// Lets `child` work until it has a draft in `place`; false where it ended before one was seen.
+fn caught_writing(child: &mut Child, bench: &Bench, place: &str) -> bool {
+    loop {
+        if !drafts_in(bench, place).is_empty() {
+            return true;
+        }
+        if !matches!(child.try_wait(), Ok(None)) {
+            return false;
+        }
+        std::thread::sleep(Duration::from_micros(200));
+    }
 }
 
 fn bench() -> Bench {
@@ -37,18 +54,29 @@ fn bench() -> Bench {
     bench
 }
 
-/// Kills `arguments` after times spread over the time of a whole run, and checks with `whole` what is
-/// there after each.
-fn kill(bench: &Bench, arguments: &[&str], whole: impl Fn()) {
+/// A command that is killed, and where it has its drafts.
+struct Killed<'a> {
+    arguments: &'a [&'a str],
+    place: &'a str,
+}
+
+/// Kills a command again and again, every other time while it writes and else at moments spread over
+/// the time of a whole run, and checks with `whole` what is there after each.
+fn kill(bench: &Bench, killed: &Killed<'_>, whole: impl Fn()) {
+    let Killed { arguments, place } = *killed;
     let begin = std::time::Instant::now();
     bench.run(arguments).well();
     let time = begin.elapsed().as_micros() as u64;
-    let count = kills();
+    let (count, mut caught) = (kills(), 0);
     for k in 0..count {
-        // The golden ratio spreads any number of moments evenly; the last part writes.
-        let share = (0.618_034 * (k + 1) as f64).fract().sqrt();
         let mut child = start(bench, arguments);
-        std::thread::sleep(Duration::from_micros((share * time as f64) as u64));
+        if k % 2 == 0 {
+            caught += u64::from(caught_writing(&mut child, bench, place));
+        } else {
+            // The golden ratio spreads any number of moments evenly; the last part writes.
+            let share = (0.618_034 * (k + 1) as f64).fract().sqrt();
+            std::thread::sleep(Duration::from_micros((share * time as f64) as u64));
+        }
         let _ = child.kill();
         child.wait().unwrap();
         whole();
@@ -56,12 +84,13 @@ fn kill(bench: &Bench, arguments: &[&str], whole: impl Fn()) {
     // The next start clears up, and works; a draft that was killed before it had its lock is taken for
     // one that is being made for some seconds.
     bench.run(arguments).well();
-    if !drafts(bench).is_empty() {
+    if !drafts_in(bench, place).is_empty() {
         std::thread::sleep(Duration::from_secs(6));
         bench.run(arguments).well();
     }
-    assert_eq!(drafts(bench), Vec::<String>::new());
+    assert_eq!(drafts_in(bench, place), Vec::<String>::new());
     whole();
+    println!("{arguments:?}: {count} kills, {caught} seen to hit a draft");
 }
 
 fn is_json(file: &Path) {
@@ -76,7 +105,11 @@ fn is_page(file: &Path) {
 #[test]
 fn a_killed_run_leaves_the_older_result() {
     let bench = bench();
-    kill(&bench, &["run", "case.toml", "-o", "out"], || {
+    let run = Killed {
+        arguments: &["run", "case.toml", "-o", "out"],
+        place: "",
+    };
+    kill(&bench, &run, || {
         // The name is never lost, not even for a moment: the system exchanges two names at once.
         if cfg!(target_os = "linux") {
             is_json(&bench.path("out/result.json"));
@@ -89,9 +122,11 @@ fn a_killed_run_leaves_the_older_result() {
 fn a_killed_report_leaves_a_whole_page() {
     let bench = bench();
     bench.run(&["run", "case.toml", "-o", "out", "-q"]).well();
-    kill(&bench, &["report", "out"], || {
-        is_page(&bench.path("out/report.html"))
-    });
+    let report = Killed {
+        arguments: &["report", "out"],
+        place: "out",
+    };
+    kill(&bench, &report, || is_page(&bench.path("out/report.html")));
     // And what was killed in the middle is still a result that may be replaced.
     bench.run(&["run", "case.toml", "-o", "out", "-q"]).well();
 }
@@ -111,7 +146,11 @@ fn a_killed_comparison_leaves_the_older_one() {
         "-o",
         "out",
     ];
-    kill(&bench, &arguments, || {
+    let compare = Killed {
+        arguments: &arguments,
+        place: "",
+    };
+    kill(&bench, &compare, || {
         if cfg!(target_os = "linux") {
             is_json(&bench.path("out/compare.json"));
             is_page(&bench.path("out/compare.html"));
@@ -120,25 +159,98 @@ fn a_killed_comparison_leaves_the_older_one() {
 }
 
 #[test]
-fn a_killed_conversion_leaves_the_older_file() {
+fn killed_figures_are_whole_or_the_older_ones() {
     let bench = bench();
-    let lines = |name: &str| {
-        fs::read_to_string(bench.path(name))
-            .unwrap()
-            .lines()
-            .count()
+    // The stress below the surface is one of the figures.
+    bench.write("case.toml", E_DRIVE.replace("depths = 0", "depths = 8"));
+    let figures = Killed {
+        arguments: &["figures", "case.toml", "-o", "out"],
+        place: "out",
     };
+    kill(&bench, &figures, || {
+        for entry in fs::read_dir(bench.path("out")).unwrap() {
+            let path = entry.unwrap().path();
+            match path.extension().and_then(|ending| ending.to_str()) {
+                Some("svg") => {
+                    let text = fs::read_to_string(&path).unwrap();
+                    assert!(text.trim_end().ends_with("</svg>"), "{path:?}");
+                }
+                Some("csv") => assert!(fs::read(&path).unwrap().ends_with(b"\n"), "{path:?}"),
+                Some("json") => is_json(&path),
+                _ => {}
+            }
+        }
+    });
+}
+
+/// A trace so long that writing it takes a while, converted to `out.csv`.
+const CONVERT: [&str; 4] = ["profile", "convert", "long.csv", "out.csv"];
+
+fn with_a_long_trace() -> Bench {
+    let bench = Bench::new();
+    bench.write("long.csv", trace("x_um,z_um", 300_000));
     bench
-        .run(&["profile", "convert", "pinion.csv", "out.csv"])
-        .well();
-    let whole = lines("out.csv");
-    kill(
-        &bench,
-        &["profile", "convert", "pinion.csv", "out.csv"],
-        || {
-            assert_eq!(lines("out.csv"), whole);
-        },
-    );
+}
+
+#[test]
+fn a_killed_conversion_leaves_the_older_file() {
+    let bench = with_a_long_trace();
+    bench.run(&CONVERT).well();
+    let older = fs::read(bench.path("out.csv")).unwrap();
+    let convert = Killed {
+        arguments: &CONVERT,
+        place: "",
+    };
+    kill(&bench, &convert, || {
+        assert!(fs::read(bench.path("out.csv")).unwrap() == older);
+    });
+}
+
+/// Sends a signal while the command has a draft, and checks that it goes; the times it was caught so.
+#[cfg(unix)]
+fn signalled_while_writing(bench: &Bench, arguments: &[&str], whole: impl Fn()) -> usize {
+    /// On a busy machine a draft may come and go between two looks.
+    const TRIES: usize = 12;
+    const WANTED: usize = 2;
+    let mut caught = 0;
+    for k in 0..TRIES {
+        let mut child = start(bench, arguments);
+        if caught_writing(&mut child, bench, "") {
+            let signal = ["-INT", "-TERM"][k % 2];
+            let sent = Command::new("kill")
+                .args([signal, &child.id().to_string()])
+                .status();
+            assert!(sent.is_ok());
+            caught += 1;
+        }
+        child.wait().unwrap();
+        assert_eq!(drafts_in(bench, ""), Vec::<String>::new());
+        whole();
+        if caught == WANTED {
+            break;
+        }
+    }
+    caught
+}
+
+#[cfg(unix)]
+#[test]
+fn a_signal_in_the_middle_of_writing_leaves_no_draft() {
+    let bench = with_a_long_trace();
+    bench.run(&CONVERT).well();
+    let older = fs::read(bench.path("out.csv")).unwrap();
+    let caught = signalled_while_writing(&bench, &CONVERT, || {
+        assert!(fs::read(bench.path("out.csv")).unwrap() == older);
+    });
+    assert!(caught > 0);
+    let bench = self::bench();
+    let run = ["run", "case.toml", "-o", "out", "-q"];
+    bench.run(&run).well();
+    let caught = signalled_while_writing(&bench, &run, || {
+        is_json(&bench.path("out/result.json"));
+        is_page(&bench.path("out/report.html"));
+    });
+    assert!(caught > 0);
 }
 
 #[cfg(unix)]
@@ -156,7 +268,7 @@ fn a_signal_leaves_nothing_behind() {
             .status();
         assert!(sent.is_ok());
         child.wait().unwrap();
-        assert_eq!(drafts(&bench), Vec::<String>::new(), "{signal}");
+        assert_eq!(drafts_in(&bench, ""), Vec::<String>::new(), "{signal}");
         assert_eq!(fs::read(bench.path("out/result.json")).unwrap(), before);
     }
 }

@@ -9,9 +9,11 @@
 
 mod bench;
 
+mod case_commands;
 mod case_messages;
 mod codes;
 mod contact;
+mod doubtful_traces;
 mod ehl;
 mod file_messages;
 mod fuzz;

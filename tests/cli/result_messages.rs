@@ -265,7 +265,7 @@ fn a_gap_file_is_held_to_the_same_rules() {
 /// Runs the small case with a changed line; the warning with `code` must say all of `says`.
 #[track_caller]
 fn warns(bench: &Bench, options: &[&str], code: &str, says: &[&str]) {
-    let mut arguments = vec!["run", "case.toml", "--no-output"];
+    let mut arguments = vec!["run", "case.toml", "--no-output", "--notes"];
     arguments.extend(options);
     let said = bench.run(&arguments).well();
     let text = said.unwrapped();
@@ -409,6 +409,7 @@ fn the_shipped_case_of_the_paper_warns_as_its_documents_say() {
         "--no-output",
         "--formulation",
         "paper",
+        "--notes",
     ];
     let said = bench.run(&arguments).well().out;
     for says in ["W402 mu_eq 0.32", "W404 ", "W405 p0 621 MPa"] {

@@ -32,7 +32,7 @@ fn summary(name: &str, keys: &[(&str, &str)]) -> Summary {
 const FEW: [(&str, &str); 2] = [("model.positions", "16"), ("model.offsets", "4")];
 
 fn few(name: &str, keys: &[(&str, &str)]) -> Summary {
-    summary(name, &[&FEW, keys].concat())
+    summary(name, &[&FEW[..], keys].concat())
 }
 
 #[test]
@@ -167,12 +167,8 @@ fn an_oil_without_a_family_is_refused_or_assumed() {
             input.lubricant.assume_base_oil = Some(asperity::core::lubricant::BaseOil::Mineral);
         })
         .unwrap();
-    let listed = case.case.defaults.iter();
-    assert!(
-        listed
-            .into_iter()
-            .any(|used| used.key.ends_with("base_oil"))
-    );
+    let mut listed = case.case.defaults.iter();
+    assert!(listed.any(|used| used.key.ends_with("base_oil")));
 }
 
 /// A gate: what was measured, its rule, what comes out, whether it holds.
@@ -292,4 +288,48 @@ fn most_gates_of_measurement_hold_together() {
     println!("{}", beside_measured());
     // They are reported, never tuned one by one.
     assert!(2 * held > gates.len(), "{}", beside_measured());
+}
+
+/// One key changed on the shipped drive, ground flanks.
+const CHANGES: [(&str, &str); 16] = [
+    ("model.boundary_friction", "0.065"),
+    ("model.boundary_friction", "0.12"),
+    ("model.boundary_layer", "5 nm"),
+    ("model.boundary_layer", "20 nm"),
+    ("model.lay", "0.16666666666666666"),
+    ("model.central_film", "gap"),
+    ("model.spot_speed", "half-sliding"),
+    ("model.asperity_share_factor", "0.5"),
+    ("material.pinion.flow_pressure", "2.5 GPa"),
+    ("model.film_pressure_law", "roelands"),
+    ("model.film_friction", "xu"),
+    ("model.load_share", "lambda-star"),
+    ("model.load_share", "jgp"),
+    ("model.load_distribution", "mean-length"),
+    ("lubricant.base_oil", "mineral"),
+    ("operation.temperature", "60 °C"),
+];
+
+/// What one changed key does to the loss.
+pub fn one_key_changed() -> String {
+    let base = few("e-drive", &[]).loss_w;
+    let mut text = format!(
+        "| key | value | loss W | change |\n|---|---|---|---|\n| - | defaults | {base:.0} | |\n"
+    );
+    for (key, value) in CHANGES {
+        let loss = few("e-drive", &[(key, value)]).loss_w;
+        let change = 100.0 * (loss / base - 1.0);
+        let _ = writeln!(text, "| `{key}` | {value} | {loss:.0} | {change:+.0} % |");
+    }
+    text
+}
+
+#[test]
+fn every_choice_of_the_load_share_moves_the_loss() {
+    println!("{}", one_key_changed());
+    let base = few("e-drive", &[]).loss_w;
+    for (key, value) in CHANGES {
+        let loss = few("e-drive", &[(key, value)]).loss_w;
+        assert!((loss / base - 1.0).abs() > 1e-4, "{key} {value}: {loss}");
+    }
 }

@@ -39,7 +39,7 @@ pub enum ProfileCommand {
 pub struct ProfilePlotArgs {
     /// Profile file, or - for standard input
     pub file: PathBuf,
-    /// SVG file to write [default: the name of the profile with .svg]
+    /// SVG file to write [default: the name of the profile with .svg, unless another file has it]
     #[arg(long, short)]
     pub output: Option<PathBuf>,
     /// How it is prepared.

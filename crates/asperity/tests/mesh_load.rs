@@ -272,7 +272,7 @@ fn a_planetary_set_that_does_not_fit_is_refused_with_its_reason() {
         "{error}"
     );
     assert_eq!(error.code(), "E206");
-    let error = refusal("planets = 3", "planet = 3");
+    let error = refusal("planets = 3", "planetss = 3");
     assert_eq!(error.code(), "E203");
 }
 

@@ -7,8 +7,8 @@
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, cite};
 
+use crate::dimensionless::Scales;
 use crate::error::EhlError;
-use crate::scales::Scales;
 
 /// ∇ = (λ/a)·M^(3/4)·L^(−1/2) of a wave of the length λ.
 ///

@@ -17,7 +17,6 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::EhlError;
 use crate::rheology::{Oil, ViscosityLaw};
-use crate::scales::Scales;
 
 /// Two cylinders in lubricated line contact.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -32,6 +31,34 @@ pub struct LineContact {
     pub speed_1: Speed,
     /// Speed u₂ of the second surface relative to the contact, along x.
     pub speed_2: Speed,
+}
+
+/// Scales and numbers of a lubricated line contact.
+///
+/// λ = 12·u_m·η₀·R²/(a³·p₀) = 3π²/(8·M²)                                    `[EHL-scales]`
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Scales {
+    /// Half width a of the Hertz contact.
+    pub half_width: Length,
+    /// Largest Hertz pressure p₀.
+    pub max_pressure: Pressure,
+    /// Film scale a²/R \[m\].
+    #[serde(skip)]
+    pub(crate) film: f64,
+    /// Mean speed u_m \[m/s\].
+    #[serde(skip)]
+    pub(crate) entrainment: f64,
+    /// Sliding speed u₁ − u₂ \[m/s\].
+    #[serde(skip)]
+    pub(crate) sliding: f64,
+    /// λ of the Reynolds equation.
+    pub speed: f64,
+    /// Slide-to-roll ratio (u₁ − u₂)/u_m.
+    pub slide_to_roll: f64,
+    /// Moes' load parameter M.
+    pub moes_load: f64,
+    /// Moes' lubricant parameter L; zero for an isoviscous oil.
+    pub moes_lubricant: f64,
 }
 
 impl LineContact {
@@ -68,8 +95,6 @@ impl LineContact {
         })
     }
 
-    /// λ = 12·u_m·η₀·R²/(a³·p₀) = 3π²/(8·M²)                                    `[EHL-scales]`
-    ///
     /// Scales of this contact with `oil`.
     ///
     /// # Errors

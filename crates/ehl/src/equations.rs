@@ -32,6 +32,7 @@ const VENNER_1997: Reference = Reference {
 };
 const JOHNSON_1985: Reference = asperity_core::material::JOHNSON_1985;
 
+const FLUID: &str = "crates/ehl/src/fluid.rs";
 const RHEOLOGY: &str = "crates/ehl/src/rheology.rs";
 const REYNOLDS: &str = "crates/ehl/src/reynolds.rs";
 const STEADY: &str = "crates/ehl/src/steady.rs";
@@ -61,7 +62,7 @@ pub const EQUATIONS: &[Equation] = &[
         "Tangent-Eyring",
         "Fluidity along the sliding, Eyring",
         "1/(dτ/dγ) = √(φ² + y²)",
-        RHEOLOGY,
+        FLUID,
         "the_fluidity_of_a_sliding_film_is_that_of_the_tangent",
         &[EYRING_1936],
     ),
@@ -69,7 +70,7 @@ pub const EQUATIONS: &[Equation] = &[
         "Tangent-Carreau",
         "Fluidity along the sliding, Carreau",
         "1/(dτ/dγ) = φⁿ·(φ² + y²)^((3 − n)/2)/(φ² + n·y²)",
-        RHEOLOGY,
+        FLUID,
         "the_fluidity_of_a_sliding_film_is_that_of_the_tangent",
         &[CARREAU_1972],
     ),

@@ -6,14 +6,14 @@
 use asperity_core::cite;
 use serde::Serialize;
 
-use crate::dimensionless::LineContact;
+use crate::dimensionless::{LineContact, Scales};
 use crate::error::EhlError;
 use crate::evidence::{Evidence, Solved};
+use crate::fluid::Fluid;
 use crate::grid::Grid;
 use crate::linear::DenseSystem;
 use crate::newton::{Effort, Limits, Newton, Problem, Solution};
-use crate::rheology::{Fluid, Oil, Viscosity};
-use crate::scales::Scales;
+use crate::rheology::{Oil, Viscosity};
 use crate::steady::{SteadyFilm, Window, hertz_start, parabola, transfer};
 
 /// Limits of the dense iteration, which has no linear tolerance.

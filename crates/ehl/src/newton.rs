@@ -9,10 +9,10 @@ use std::f64::consts::FRAC_PI_2;
 use asperity_core::cite;
 
 use crate::bands::Bands;
+use crate::fluid::Fluid;
 use crate::grid::Grid;
 use crate::linear::{ElasticSystem, Linearised};
 use crate::reynolds::{Fields, Reynolds, Storage};
-use crate::rheology::Fluid;
 
 /// Largest void fraction.
 const MOST_VOID: f64 = 1.0 - 1e-9;

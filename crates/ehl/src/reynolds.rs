@@ -11,8 +11,8 @@
 use asperity_core::cite;
 
 use crate::bands::Bands;
+use crate::fluid::Fluid;
 use crate::grid::Grid;
-use crate::rheology::Fluid;
 
 /// Thinnest film in the Poiseuille conductance; thinner or negative films occur between iterations.
 const LEAST_FILM: f64 = 1e-9;
@@ -197,7 +197,8 @@ fn add_face(bands: &mut Bands, i: usize, slopes: [f64; 3]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rheology::{DensityLaw, Oil, ShearLaw, Thinning, ViscosityLaw};
+    use crate::fluid::Thinning;
+    use crate::rheology::{DensityLaw, Oil, ShearLaw, ViscosityLaw};
     use asperity_core::quantity::{DynamicViscosity, PressureViscosity};
 
     fn fluid(thinning: Thinning) -> Fluid {

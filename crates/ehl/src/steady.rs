@@ -8,14 +8,14 @@ use asperity_core::cite;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 use serde::{Deserialize, Serialize};
 
-use crate::dimensionless::LineContact;
+use crate::dimensionless::{LineContact, Scales};
 use crate::error::EhlError;
 use crate::evidence::{Evidence, Solved};
+use crate::fluid::Fluid;
 use crate::grid::Grid;
 use crate::linear::{ElasticSystem, FourierSystem};
 use crate::newton::{Effort, Limits, Newton, NodeState, Problem, Solution, Unknowns};
-use crate::rheology::{Fluid, Oil};
-use crate::scales::Scales;
+use crate::rheology::Oil;
 
 /// The number of cells must be a multiple of this.
 pub(crate) const CELL_MULTIPLE: usize = 64;

@@ -9,14 +9,14 @@
 use asperity_core::cite;
 use asperity_core::quantity::Length;
 
+use crate::dimensionless::Scales;
 use crate::error::EhlError;
+use crate::fluid::Fluid;
 use crate::grid::Grid;
 use crate::linear::FourierSystem;
 use crate::moving_profile::MovingProfile;
 use crate::newton::{Ceiling, Limits, Newton, NodeState, Problem, Solution, Unknowns};
 use crate::reynolds::Storage;
-use crate::rheology::Fluid;
-use crate::scales::Scales;
 use crate::steady::{Found, parabola};
 
 /// Smallest part of a step.

@@ -129,7 +129,7 @@ struct Rises {
 impl State {
     fn new(
         oil: &Oil,
-        scales: &crate::scales::Scales,
+        scales: &crate::dimensionless::Scales,
         film: &SteadyFilm,
         shear: ShearLaw,
         limit: f64,

@@ -12,14 +12,14 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::batch_means::{BatchMeans, Estimate};
-use crate::dimensionless::LineContact;
+use crate::dimensionless::{LineContact, Scales};
 use crate::error::EhlError;
 use crate::evidence::{Evidence, Solved};
+use crate::fluid::Fluid;
 use crate::friction::{Friction, FrictionLaw};
 use crate::moving_profile::MovingProfile;
 use crate::newton::{Ceiling, Limits, NodeState};
-use crate::rheology::{Fluid, Oil};
-use crate::scales::Scales;
+use crate::rheology::Oil;
 use crate::steady::{self, Window, check_cells, solve_sequence};
 use crate::stepper::{StepSettings, Stepper};
 

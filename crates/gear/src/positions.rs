@@ -155,10 +155,16 @@ impl GearPair {
         let eps_alpha = self.path.eps_alpha;
         let mut inner = vec![self.path.eps_2];
         if self.is_spur() {
-            let changes = 1..=eps_alpha.floor() as u32;
-            inner.extend(changes.flat_map(|k| [f64::from(k), eps_alpha - f64::from(k)]));
+            inner.extend(self.changes_of_contact());
         }
         breakpoints(0.0, eps_alpha, inner)
+    }
+
+    /// Coordinates at which another pair of teeth enters or leaves contact in a transverse section.
+    pub(crate) fn changes_of_contact(&self) -> impl Iterator<Item = f64> + use<> {
+        let eps_alpha = self.path.eps_alpha;
+        let changes = 1..=eps_alpha.floor() as u32;
+        changes.flat_map(move |k| [f64::from(k), eps_alpha - f64::from(k)])
     }
 }
 

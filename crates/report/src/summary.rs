@@ -41,6 +41,8 @@ pub fn brief(result: &RunResult) -> String {
     text
 }
 
+/// Relative load error above which a solution is not called converged: the paper stops at 1 %.
+const LARGE_LOAD_ERROR: f64 = 0.011;
 /// Warnings that a first screen shows.
 const SHOWN_NOTES: usize = 2;
 /// Codes of warnings that put the efficiency in doubt and tell what to do, the weightiest first.
@@ -127,7 +129,13 @@ fn write_regime(text: &mut String, result: &RunResult) -> std::fmt::Result {
         1 => "the one position".to_owned(),
         n => format!("all {n} positions"),
     };
-    if s.mixed_share > 0.0 {
+    if s.worst_load_error > LARGE_LOAD_ERROR {
+        writeln!(
+            text,
+            "not converged  {count}: the load is met within {:.0} %, as model.numerical_error allows",
+            100.0 * s.worst_load_error
+        )?;
+    } else if s.mixed_share > 0.0 {
         writeln!(
             text,
             "converged  {count} (worst load error {:.0e}, duality gap {:.0e})",

@@ -172,3 +172,13 @@ fn recipes_without_a_profile_are_refused() {
         assert!(bad.generate().is_err(), "{bad:?}");
     }
 }
+
+#[test]
+fn no_section_at_all_is_refused() {
+    let profile = rough(500);
+    for mode in [Mode::Iso4287, Mode::Iso21920] {
+        let refused = in_sections(&profile, mode, 0);
+        assert!(matches!(refused, Err(RoughnessError::Domain(_))));
+        assert!(in_sections(&profile, mode, 1).is_ok());
+    }
+}

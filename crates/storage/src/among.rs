@@ -20,7 +20,7 @@ pub fn check_among(folder: &Path, names: &[&str]) -> Result<(), StorageError> {
         return Err(StorageError::Dash);
     }
     clear(folder);
-    let manifest = Manifest::read(folder).unwrap_or_default();
+    let manifest = Manifest::read(folder).unwrap_or_else(Manifest::new);
     for name in names {
         let path = folder.join(name);
         if look(&path).map_err(StorageError::io(&path))?.is_some() {
@@ -57,7 +57,7 @@ pub fn write_among(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), Sto
     if is_foreign {
         return Err(StorageError::Changed { path: place });
     }
-    let mut manifest = Manifest::read(folder).unwrap_or_default();
+    let mut manifest = Manifest::read(folder).unwrap_or_else(Manifest::new);
     for (name, bytes) in files {
         let sums = manifest.sha256.entry(name.clone()).or_default();
         sums.insert(sum_of(bytes));

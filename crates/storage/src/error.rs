@@ -48,6 +48,12 @@ pub enum StorageError {
         /// The file.
         path: PathBuf,
     },
+    /// A file is in a place that nobody named.
+    #[error("{path}: exists; choose another with -o, or name it with -o to replace it")]
+    Exists {
+        /// The file.
+        path: PathBuf,
+    },
     /// A name that would be a folder called `-`.
     #[error("-: a folder cannot go to standard output; name one with -o")]
     Dash,

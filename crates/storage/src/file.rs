@@ -54,3 +54,35 @@ pub fn save(file: &Path, bytes: &[u8]) -> Result<(), StorageError> {
     };
     written().map_err(&refused)
 }
+
+/// Writes `bytes` as `file` unless another file is there. One with these bytes is left as it is.
+///
+/// For names that the user did not choose.
+///
+/// # Errors
+/// When something else is there, there is no folder for it, or the system refuses.
+///
+/// ```
+/// let place = tempfile::tempdir()?;
+/// let file = place.path().join("flank.svg");
+/// asperity_storage::save_new(&file, b"<svg/>")?;
+/// asperity_storage::save_new(&file, b"<svg/>")?;
+/// assert!(asperity_storage::save_new(&file, b"<svg></svg>").is_err());
+/// assert_eq!(std::fs::read(&file)?, b"<svg/>");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn save_new(file: &Path, bytes: &[u8]) -> Result<(), StorageError> {
+    let Some(found) = look(file).map_err(StorageError::io(file))? else {
+        return save(file, bytes);
+    };
+    let is_same = found.is_file()
+        && found.len() == bytes.len() as u64
+        && fs::read(file).is_ok_and(|there| there == bytes);
+    if is_same {
+        Ok(())
+    } else {
+        Err(StorageError::Exists {
+            path: file.to_owned(),
+        })
+    }
+}

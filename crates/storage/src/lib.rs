@@ -3,6 +3,7 @@
 //! | what | how |
 //! |---|---|
 //! | a file ([`save`]) | written beside its place, flushed to the disk, renamed |
+//! | a file whose name nobody chose ([`save_new`]) | the same, but never over another |
 //! | a folder ([`replace_folder`]) | filled beside its place, flushed, exchanged with the older one by one rename where the system can, by two with a journal where it cannot |
 //! | files of ours among others ([`write_among`]) | each as a file, the manifest before and after |
 //! | what is ours | a manifest with the SHA-256 of every file; whatever is not in it, or was changed since, is never touched |
@@ -26,7 +27,7 @@ mod system;
 pub use among::{check_among, write_among};
 pub use draft::{Draft, abandon};
 pub use error::StorageError;
-pub use file::save;
+pub use file::{save, save_new};
 pub use finite::{NotFinite, check_finite};
 pub use folder::{check_folder, new_folder, replace_folder};
 pub use manifest::MANIFEST;

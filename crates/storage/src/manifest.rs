@@ -15,7 +15,7 @@ pub const MANIFEST: &str = "manifest.json";
 
 /// Files of a folder by their paths in it, with the sums they may have. While a file is replaced it has
 /// two: the old and the new one.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Manifest {
     /// The program that wrote the files.
     pub written_by: String,

@@ -74,6 +74,22 @@ fn drafts_of_the_dead_go_and_all_else_stays() {
     assert_eq!(names(place.path()), rest);
 }
 
+#[cfg(unix)]
+#[test]
+fn a_draft_killed_before_its_lock_goes_at_the_next_start_once_it_is_old() {
+    let place = tempfile::tempdir().unwrap();
+    let at = |name: &str| place.path().join(name);
+    for (folder, age) in [(".asperity-old789", 10), (".asperity-new789", 1)] {
+        fs::create_dir(at(folder)).unwrap();
+        fs::write(at(folder).join("making"), "").unwrap();
+        let then = std::time::SystemTime::now() - std::time::Duration::from_secs(age);
+        let folder = fs::File::open(at(folder)).unwrap();
+        folder.set_modified(then).unwrap();
+    }
+    save(&at("out.csv"), b"1").unwrap();
+    assert_eq!(names(place.path()), [".asperity-new789", "out.csv"]);
+}
+
 #[test]
 fn a_file_of_the_user_in_a_replaced_folder_is_refused_and_kept() {
     let place = tempfile::tempdir().unwrap();

@@ -1,5 +1,7 @@
 //! `asperity profile plot`: a profile in four panels.
 
+use std::path::{Path, PathBuf};
+
 use asperity_core::Profile;
 use asperity_roughness::material_ratio::{RkParameters, abbott_curve};
 use asperity_roughness::spectral::power_spectrum;
@@ -8,7 +10,7 @@ use super::evaluated::{Evaluated, refusal, um};
 use super::svg::{Curve, Panel, document};
 use crate::args::{Common, ProfilePlotArgs};
 use crate::failure::Failure;
-use crate::output::{beside, print_text, save};
+use crate::output::{beside, print_text, save, save_new};
 
 const GREY: &str = "#777777";
 const BLUE: &str = "#1f5fa8";
@@ -18,10 +20,6 @@ const GREEN: &str = "#2e7d32";
 /// `asperity profile plot`
 pub fn plot(args: &ProfilePlotArgs, common: &Common) -> Result<(), Failure> {
     let found = Evaluated::of(&args.file, &args.preparing, &args.reading)?;
-    let output = args
-        .output
-        .clone()
-        .unwrap_or_else(|| args.file.with_extension("svg"));
     let rough = &found.parts.roughness.profile;
     let curve = abbott_curve(rough.heights())
         .map_err(|e| refusal(&found.reading, &found.plan, &e.into()))?;
@@ -51,8 +49,17 @@ pub fn plot(args: &ProfilePlotArgs, common: &Common) -> Result<(), Failure> {
             ),
         ],
     );
-    let common = &beside(&output, common)?;
-    save(&output, svg.as_bytes())?;
+    let Some(output) = &args.output else {
+        // Standard input has no name to go by.
+        let output = match args.file.as_path() {
+            name if name == Path::new("-") => PathBuf::from("profile.svg"),
+            name => name.with_extension("svg"),
+        };
+        save_new(&output, svg.as_bytes())?;
+        return print_text(common, &format!("{}\n", output.display()));
+    };
+    let common = &beside(output, common)?;
+    save(output, svg.as_bytes())?;
     print_text(common, &format!("{}\n", output.display()))
 }
 

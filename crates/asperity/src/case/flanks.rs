@@ -15,6 +15,7 @@ use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::preparation::prepare;
 use sha2::{Digest, Sha256};
 
+use super::defaults::DefaultUsed;
 use super::domain::domain;
 use super::error::CaseError;
 use super::files::{Content, FILE_OF_PINION, FILE_OF_WHEEL, Files};
@@ -31,6 +32,8 @@ pub(super) struct Flanks {
     pub surfaces: Surfaces,
     pub reports: [FlankReport; 2],
     pub warnings: Vec<Warning>,
+    /// Roughness values that follow from others.
+    pub assumed: Vec<DefaultUsed>,
     /// Equations of the preparation.
     pub provenance: Provenance,
 }
@@ -48,6 +51,8 @@ struct Flank {
     texture: Texture,
     report: FlankReport,
     raw: Option<Profile>,
+    /// Roughness values that follow from others.
+    assumed: Vec<DefaultUsed>,
 }
 
 /// Reads and prepares the flanks that `case` names.
@@ -77,6 +82,10 @@ fn both(case: &Case, source: &Source, files: &Files) -> Result<Flanks, CaseError
     let wheel = flank(&wheel_input, "surface.wheel", given, &mut warnings)?;
     // Rows of one surface are traces of their own.
     let same_trace = pinion.raw.is_some() && pinion.raw == wheel.raw;
+    let mut assumed = pinion.assumed;
+    if case.input.surface.wheel.is_some() {
+        assumed.extend(wheel.assumed);
+    }
     let reports = [pinion.report, wheel.report];
     if reports[0].file.is_some() && reports[0].file == reports[1].file {
         // Said once, for the file they share.
@@ -89,6 +98,7 @@ fn both(case: &Case, source: &Source, files: &Files) -> Result<Flanks, CaseError
         surfaces: Surfaces::new(textures, case.preparation.lambda_s, same_trace),
         reports,
         warnings,
+        assumed,
         provenance: Provenance::new(),
     })
 }
@@ -100,8 +110,9 @@ fn flank(
     warnings: &mut Vec<Warning>,
 ) -> Result<Flank, CaseError> {
     let source = given.source;
-    match (&input.file, input.rq) {
-        (Some(_), Some(_)) => Err(CaseError::Conflict {
+    let values_given = input.rq.or(input.ra).or(input.rz);
+    match (&input.file, values_given) {
+        (Some(_), Some(_)) if input.rq.is_some() => Err(CaseError::Conflict {
             place: source.place_of(key),
             key,
             rule: "give either file or rq, not both",
@@ -109,10 +120,10 @@ fn flank(
         (None, None) => Err(CaseError::Conflict {
             place: source.place_of_key(key),
             key,
-            rule: "give file, the trace of the flank, or rq when there is none",
+            rule: "give file, the trace of the flank, or rq (ra or rz) when there is none",
         }),
-        (None, Some(rq)) => values(input, rq, key, source),
-        (Some(file), None) => {
+        (None, Some(_)) => values(input, key, source),
+        (Some(file), _) => {
             // The wheel may run on the trace of the pinion.
             let named = match given.case.input.surface.wheel {
                 Some(_) if key == "surface.wheel" => FILE_OF_WHEEL,
@@ -123,27 +134,47 @@ fn flank(
     }
 }
 
-fn values(
-    input: &FlankInput,
-    rq: Length,
-    key: &'static str,
-    source: &Source,
-) -> Result<Flank, CaseError> {
+fn values(input: &FlankInput, key: &'static str, source: &Source) -> Result<Flank, CaseError> {
     let checked = |name, length: Option<Length>| match length {
         None => Ok(None),
         Some(length) => DomainError::positive(name, length)
             .map(Some)
             .map_err(domain(source, key_of(key, name))),
     };
-    let rq = checked("Rq", Some(rq))?.unwrap_or_default();
     /// Ra of a Gaussian surface is Rq·√(2/π).
     const GAUSSIAN_RA: f64 = 0.797_884_560_802_865_4;
     /// Rz of a Gaussian surface over five cut-offs is near six times its Rq.
     const GAUSSIAN_RZ: f64 = 6.0;
+    let mut assumed = Vec::new();
+    let mut follows = |name: &str, value: f64, source: &'static str| {
+        assumed.push(DefaultUsed {
+            key: format!("{key}.{name}").into(),
+            value: format!("\"{:.4}\"", Length::from_si(value)),
+            source: Some(source.into()),
+        });
+        value
+    };
+    let given = [
+        checked("Rq", input.rq)?,
+        checked("Ra", input.ra)?,
+        checked("Rz", input.rz)?,
+    ];
+    let rq = match given {
+        [Some(rq), ..] => rq,
+        [None, Some(ra), _] => follows("rq", ra / GAUSSIAN_RA, "Ra/0.798, a Gaussian surface"),
+        [None, None, rz] => {
+            let rz = rz.unwrap_or_default();
+            follows("rq", rz / GAUSSIAN_RZ, "Rz/6, a Gaussian surface")
+        }
+    };
+    let ra =
+        given[1].unwrap_or_else(|| follows("ra", GAUSSIAN_RA * rq, "0.798 Rq, a Gaussian surface"));
+    let rz =
+        given[2].unwrap_or_else(|| follows("rz", GAUSSIAN_RZ * rq, "6 Rq, a Gaussian surface"));
     let texture = Texture::Values {
         rq,
-        ra: checked("Ra", input.ra)?.unwrap_or(GAUSSIAN_RA * rq),
-        rz: checked("Rz", input.rz)?.unwrap_or(GAUSSIAN_RZ * rq),
+        ra,
+        rz,
         rpk: checked("Rpk", input.rpk)?,
         asperity_radius: checked("asperity radius", input.asperity_radius)?.map(Length::from_si),
     };
@@ -151,6 +182,7 @@ fn values(
         texture,
         report: FlankReport::default(),
         raw: None,
+        assumed,
     })
 }
 
@@ -208,6 +240,7 @@ fn trace(
         texture: Texture::Trace(prepared.profile),
         report,
         raw: Some(read.profile),
+        assumed: Vec::new(),
     })
 }
 

@@ -262,9 +262,9 @@ pub struct FlankInput {
     pub uneven: Option<Uneven>,
     /// Rq of a flank without a file; the rough contact is then not computed.
     pub rq: Option<Length>,
-    /// Ra of a flank without a file; default Rq·√(2/π), a Gaussian surface.
+    /// Ra of a flank without a file; default Rq·√(2/π), a Gaussian surface. Given alone, Rq follows from it.
     pub ra: Option<Length>,
-    /// Rz of a flank without a file.
+    /// Rz of a flank without a file; default 6·Rq. Given alone, Rq follows from it.
     pub rz: Option<Length>,
     /// Rpk of a flank without a file.
     pub rpk: Option<Length>,

@@ -256,16 +256,25 @@ pub(super) fn complete(
         surfaces,
         reports,
         warnings,
+        assumed,
         provenance: of_flanks,
     } = match before {
         Some(before) if before.case.input.surface == case.input.surface => Flanks {
             surfaces: before.surfaces.clone(),
             reports: before.flanks.clone(),
             warnings: of_files(&before.warnings),
+            assumed: before
+                .case
+                .defaults
+                .iter()
+                .filter(|default| is_of_a_flank(&default.key))
+                .cloned()
+                .collect(),
             provenance: before.of_flanks.clone(),
         },
         _ => flanks(&case, source, &files)?,
     };
+    case.defaults.extend(assumed);
     let mut warnings = warnings;
     warnings.splice(0..0, unusual(&case));
     provenance.include(&of_flanks);
@@ -279,6 +288,13 @@ pub(super) fn complete(
         name: source.name().into(),
         files,
     })
+}
+
+/// Whether a default is a roughness value of a flank.
+fn is_of_a_flank(key: &str) -> bool {
+    ["surface.pinion.", "surface.wheel."]
+        .iter()
+        .any(|table| key.starts_with(table))
 }
 
 fn xu_calibration(file: &Path, source: &Source, files: &Files) -> Result<XuCalibration, CaseError> {

@@ -90,9 +90,19 @@ pub(super) fn model(
     defaults: &mut Defaults,
 ) -> Result<Model, CaseError> {
     let own = ModelDefaults::of(formulation);
+    let pitch = PathPoint::Named(NamedPoint::C);
+    let has_pitch = (0.0..=1.0).contains(&pitch.fraction_of(gears.path()));
     let point = match (own.one_position, given.position) {
-        (true, given) => defaults.take("model.position", given, PathPoint::Named(NamedPoint::C)),
-        (false, given) => given.unwrap_or(PathPoint::Named(NamedPoint::C)),
+        (true, None) if !has_pitch => {
+            return Err(CaseError::Conflict {
+                place: source.place_of("gears"),
+                key: "gears",
+                rule: "the pitch point lies outside the path of contact, so model.position needs a value from 0 (A) to 1 (E)",
+            });
+        }
+        (false, None) if !has_pitch => PathPoint::Fraction(0.5),
+        (true, given) => defaults.take("model.position", given, pitch),
+        (false, given) => given.unwrap_or(pitch),
     };
     let positions = match own.one_position {
         true => 1,

@@ -37,7 +37,13 @@ const TAIL: &str = "\
 `model.xu_coefficients` names a JSON file with the coefficients of an own calibration:
 
 ```json
-{ \"b\": [-8.916465, 1.03303, 1.036077, -0.354068, 2.812084, -0.100601, 0.752755, -0.390958, 0.620305] }
+{
+  \"source\": \"own twin-disc tests, 2024\",
+  \"oil\": \"0W-20 transmission fluid\",
+  \"coefficients\": {
+    \"b1\": -8.9, \"b2\": 1.0, \"b3\": 1.0, \"b4\": -0.35, \"b5\": 2.8, \"b6\": -0.1, \"b7\": 0.75, \"b8\": -0.39, \"b9\": 0.62
+  }
+}
 ```
 ";
 

@@ -62,7 +62,11 @@ pub(super) fn parse<Q: Quantity>(text: &str) -> Result<Q, QuantityError> {
         text: text.trim().to_owned(),
         accepted: accepted::<Q>(),
     })?;
-    if matches!(found.scale, Scale::Celsius) && value < 0.0 {
+    // A temperature, in °C or in K, is not below absolute zero.
+    let is_temperature = Q::UNITS
+        .iter()
+        .any(|unit| matches!(unit.scale, Scale::Celsius));
+    if is_temperature && value < 0.0 {
         return Err(impossible());
     }
     if value.is_finite() {

@@ -14,7 +14,7 @@ use asperity_core::cite;
 use asperity_core::quantity::{Force, Length, LineLoad};
 use serde::Serialize;
 
-use super::map::{LoadMap, LoadSample, Model};
+use super::map::{LoadMap, LoadSample, Model, NARROW_OVERLAP};
 use crate::error::GearError;
 use crate::positions::spread;
 use crate::quadrature::breakpoints;
@@ -82,8 +82,8 @@ impl Sums {
 impl LoadMap {
     /// ξ̄ = ∫ ξ dP/∫ dP, ln f̄ = ∫ ln f dP/∫ dP over each of K cells, dP = f |V_s| dl   [Cell-1]
     ///
-    /// The cells span the loaded part of the path; none straddles the pitch point nor, on spur
-    /// pairs, a change of the number of pairs in contact. Cells that carry no power are left out.
+    /// The cells span the loaded part of the path; none straddles the pitch point nor, on spur pairs and
+    /// those of little overlap, a change of the number of pairs in contact. Cells that carry no power are left out.
     ///
     /// # Errors
     /// When `count` is less than the number of segments of the path, or absurdly large.
@@ -143,8 +143,13 @@ impl LoadMap {
         if high < eps_alpha && high > eps_alpha - slack {
             high = eps_alpha;
         }
-        let inner = self.pair.segment_ends();
-        breakpoints(low, high, inner.into_iter().chain([self.pair.path.eps_2]))
+        let mut inner = self.pair.segment_ends();
+        inner.push(self.pair.path.eps_2);
+        // Where the contact lines cross it within a cell, the load changes almost as suddenly as on a spur pair.
+        if self.pair.path.eps_beta < NARROW_OVERLAP {
+            inner.extend(self.pair.changes_of_contact());
+        }
+        breakpoints(low, high, inner)
     }
 
     fn cell_edges(&self, count: usize, breaks: &[f64]) -> Vec<f64> {

@@ -16,6 +16,9 @@ use asperity_core::quantity::{Length, LineLoad, Torque};
 use asperity_core::{DomainError, cite};
 use serde::{Deserialize, Serialize};
 
+/// Overlap ratio below which a pair is sampled and cut into cells like a spur pair: about the width of a cell.
+pub(super) const NARROW_OVERLAP: f64 = 0.1;
+
 /// A point of a line of contact with its load.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LoadSample {
@@ -184,7 +187,9 @@ impl LoadMap {
             Model::Elastic(grid, _) => (grid.cells == 1, grid.separation.pitches()),
             Model::Rigid(_) | Model::Along(_) => (self.pair.is_spur(), 1),
         };
-        let phases = phases(&self.pair, &self.marks, single_row, pitches);
+        // With little overlap a phase meets few places of the path, as with a single row.
+        let fine = single_row || self.pair.path.eps_beta < NARROW_OVERLAP;
+        let phases = phases(&self.pair, &self.marks, fine, pitches);
         let mut rows = Vec::new();
         let mut samples = Vec::new();
         let mut evidence = self.evidence.clone();

@@ -11,7 +11,7 @@ const ORDER: NonZeroUsize = NonZeroUsize::MIN.saturating_add(1);
 /// Longest piece of the phase between breakpoints.
 const LONGEST_PIECE: f64 = 1.0 / 16.0;
 
-/// The same for a map of a single row, whose phases cost little.
+/// The same for a map of a single row, whose phases cost little, and of little overlap.
 const LONGEST_PIECE_OF_A_ROW: f64 = 1.0 / 64.0;
 
 /// A phase of the mesh cycle.
@@ -25,13 +25,8 @@ pub(crate) struct Phase {
 
 /// Two Gauss phases in each piece between the phases at which a line of contact starts, ends or
 /// passes a mark.
-pub(crate) fn phases(
-    pair: &GearPair,
-    marks: &[f64],
-    single_row: bool,
-    pitches: usize,
-) -> Vec<Phase> {
-    let longest = if single_row {
+pub(crate) fn phases(pair: &GearPair, marks: &[f64], fine: bool, pitches: usize) -> Vec<Phase> {
+    let longest = if fine {
         LONGEST_PIECE_OF_A_ROW
     } else {
         LONGEST_PIECE

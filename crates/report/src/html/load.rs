@@ -3,12 +3,11 @@
 use asperity::load_report::LoadRow;
 use asperity::result::RunResult;
 
-use super::path_points::points;
-use crate::chart::{Axis, Chart, Contour, Drawing, Line, Series};
+use crate::chart::{Axis, Chart, Contour, Drawing, Line, Mark, Series};
 use crate::page_tables::PageTables;
 
 /// The line load along the path, of the map and of the cells that stand for it.
-pub(super) fn along_the_path(result: &RunResult, axis: Axis) -> Drawing {
+pub(super) fn along_the_path(result: &RunResult, axis: Axis, points: &[Mark]) -> Drawing {
     let rows = &result.load.path;
     let s: Vec<f64> = rows.iter().map(|row| row.s_mm).collect();
     let of = |value: fn(&LoadRow) -> f64| -> Vec<f64> { rows.iter().map(value).collect() };
@@ -22,7 +21,7 @@ pub(super) fn along_the_path(result: &RunResult, axis: Axis) -> Drawing {
         axis,
         Axis::new("line load", "N/mm").from_zero(),
     )
-    .marked(&points(result))
+    .marked(points)
     .with(Series::new(
         "mean over the face",
         Line::Solid,

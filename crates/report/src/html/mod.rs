@@ -10,7 +10,6 @@ mod load;
 mod overview;
 mod page;
 mod path;
-mod path_points;
 
 pub use contact::drawings as drawings_of_contact;
 pub use overview::losses as drawing_of_losses;

@@ -5,8 +5,7 @@ use maud::{Markup, html};
 
 use super::load;
 use super::page::figure;
-use super::path_points::points;
-use crate::chart::{Axis, Chart, Drawing, Line, Series, Strip};
+use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series, Strip};
 use crate::page_tables::PageTables;
 
 /// The table of this section.
@@ -14,7 +13,7 @@ const SOURCE: &str = "path.csv";
 
 pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
     let mut drawings = drawings(result);
-    drawings.insert(1, load::along_the_path(result, along()));
+    drawings.insert(1, load::along_the_path(result, along(), &points(result)));
     if let Some(map) = load::map(tables, along()) {
         drawings.insert(2, map);
     }
@@ -24,6 +23,24 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
         }
         div.charts { @for drawing in &drawings { (figure(drawing)) } }
     }
+}
+
+/// The points A to E [mm from T₁].
+fn points(result: &RunResult) -> Vec<Mark> {
+    let path = &result.gears.path;
+    let named = [
+        ("A", path.a),
+        ("B", path.b),
+        ("C", path.c),
+        ("D", path.d),
+        ("E", path.e),
+    ];
+    let mut points = named.map(|(label, at)| Mark {
+        at: 1e3 * at.si(),
+        label: label.to_owned(),
+    });
+    points.sort_by(|a, b| a.at.total_cmp(&b.at));
+    points.to_vec()
 }
 
 /// How a value is taken from a row; none where it is not known.

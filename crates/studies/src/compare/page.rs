@@ -34,16 +34,16 @@ fn losses(comparison: &Comparison) -> Markup {
     html! {
         div.scroll { table {
             thead { tr {
-                th { "finish" } th.number { "efficiency" } th.number { "loss" } th.number { "less the first" } th.number { "mixed" }
+                th { "finish" } th.number { "efficiency" } th.number { "loss" } th.number { "minus the first" } th.number { "mixed" }
             } }
             tbody { @for finish in &comparison.finishes {
                 tr {
                     th scope="row" { (finish.name) }
                     td.number { (format!("{:.4} %", 100.0 * finish.efficiency)) }
-                    td.number { (format!("{:.1} ± {:.1} W", finish.loss_w.mean, finish.loss_w.half_width)) }
+                    td.number { (format!("{:.1}{} W", finish.loss_w.mean, finish.loss_w.spread())) }
                     td.number { @match &finish.difference_w {
                         None => "reference",
-                        Some(interval) => (format!("{:+.1} ± {:.1} W", interval.mean, interval.half_width)),
+                        Some(interval) => (format!("{:+.1}{} W", interval.mean, interval.spread())),
                     } }
                     td.number { (format!("{:.0} %", 100.0 * finish.mixed_share)) }
                 }
@@ -59,7 +59,7 @@ fn bars(comparison: &Comparison) -> Drawing {
     let bars = comparison.finishes.iter().map(|finish| Bar {
         name: finish.name.clone(),
         value: Some(finish.loss_w.mean),
-        spread: Some(finish.loss_w.half_width).filter(|half| half.is_finite()),
+        spread: finish.loss_w.half_width,
         text: format!("{:.0} W", finish.loss_w.mean),
     });
     Drawing::Bars(BarChart {
@@ -78,7 +78,7 @@ fn differences(comparison: &Comparison) -> Option<Drawing> {
     }
     let mut chart = Chart::new(
         "differences",
-        &format!("Loss less that of {}, offset by offset", first.name),
+        &format!("Loss minus that of {}, offset by offset", first.name),
         "offsets.csv",
         Axis::new("offset", ""),
         Axis::new("difference", "W").from_zero(),

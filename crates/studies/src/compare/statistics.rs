@@ -10,21 +10,31 @@ use serde::Serialize;
 pub struct Interval {
     /// The mean.
     pub mean: f64,
-    /// Half the width of the interval; none can be had from a single value.
-    pub half_width: f64,
+    /// Half the width of the interval; none from a single value.
+    pub half_width: Option<f64>,
     /// Values it rests on.
     pub values: usize,
 }
 
+impl Interval {
+    /// " ± 1.3", or nothing where a single value has no interval.
+    pub(super) fn spread(&self) -> String {
+        let half = self.half_width.map(|half| format!(" ± {half:.1}"));
+        half.unwrap_or_default()
+    }
+}
+
 /// x̄ ± t(ν, c) s/√n,  ν = n − 1
 ///
-/// The half width is not a number for fewer than two values.
+/// Fewer than two values have no half width.
 ///
 /// ```
 /// use asperity_studies::compare::paired_interval;
 /// let found = paired_interval(&[1.0, 2.0, 3.0, 4.0, 5.0], 0.95);
 /// // t(4, 95 %) = 2.7764, s/√n = 0.70711.
-/// assert!(found.mean == 3.0 && (found.half_width - 1.96324).abs() < 1e-5);
+/// assert_eq!(found.mean, 3.0);
+/// assert!(found.half_width.is_some_and(|half| (half - 1.96324).abs() < 1e-5));
+/// assert_eq!(paired_interval(&[1.0], 0.95).half_width, None);
 /// ```
 pub fn paired_interval(values: &[f64], confidence: f64) -> Interval {
     let n = values.len();
@@ -32,7 +42,7 @@ pub fn paired_interval(values: &[f64], confidence: f64) -> Interval {
     if n < 2 {
         return Interval {
             mean,
-            half_width: f64::NAN,
+            half_width: None,
             values: n,
         };
     }
@@ -40,7 +50,7 @@ pub fn paired_interval(values: &[f64], confidence: f64) -> Interval {
     let error = (square / ((n - 1) as f64 * n as f64)).sqrt();
     Interval {
         mean,
-        half_width: student_t(n - 1, confidence) * error,
+        half_width: Some(student_t(n - 1, confidence) * error),
         values: n,
     }
 }

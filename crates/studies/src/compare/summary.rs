@@ -21,16 +21,13 @@ pub fn summary(comparison: &Comparison) -> String {
     for finish in &comparison.finishes {
         let difference = match &finish.difference_w {
             None => "reference".to_owned(),
-            Some(interval) => format!("{:+.1} ± {:.1}", interval.mean, interval.half_width),
+            Some(interval) => format!("{:+.1}{}", interval.mean, interval.spread()),
         };
         text.push_str(&format!(
             "{:width$}  {:>8.4} %  {:>20}  {difference:>24}\n",
             finish.name,
             100.0 * finish.efficiency,
-            format!(
-                "{:.1} ± {:.1}",
-                finish.loss_w.mean, finish.loss_w.half_width
-            ),
+            format!("{:.1}{}", finish.loss_w.mean, finish.loss_w.spread()),
         ));
     }
     let offsets = comparison

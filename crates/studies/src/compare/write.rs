@@ -46,7 +46,7 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
         finish: Cow<'a, str>,
         efficiency_percent: f64,
         loss_w: f64,
-        loss_half_width_w: f64,
+        loss_half_width_w: Option<f64>,
         difference_w: Option<f64>,
         difference_half_width_w: Option<f64>,
         mixed_share_percent: f64,
@@ -59,7 +59,7 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
             loss_w: finish.loss_w.mean,
             loss_half_width_w: finish.loss_w.half_width,
             difference_w: finish.difference_w.map(|interval| interval.mean),
-            difference_half_width_w: finish.difference_w.map(|interval| interval.half_width),
+            difference_half_width_w: finish.difference_w.and_then(|interval| interval.half_width),
             mixed_share_percent: 100.0 * finish.mixed_share,
         }),
     )

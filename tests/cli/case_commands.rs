@@ -1,0 +1,346 @@
+//! Commands about a case beside its run: keys set past it, standard input, `check`, `oils`, `diff`.
+
+use std::io::Write as _;
+use std::process::{Command, Stdio};
+
+use crate::bench::{Bench, E_DRIVE, program, root, with_line};
+
+fn bench() -> Bench {
+    let bench = Bench::new();
+    bench.write("case.toml", E_DRIVE);
+    bench.write_flanks();
+    bench
+}
+
+#[test]
+fn a_key_set_past_the_case_is_the_same_key_in_the_case() {
+    let bench = bench();
+    bench.write("other.toml", with_line("torque", "torque = \"200 N m\""));
+    let run = |arguments: &[&str]| bench.run(arguments).well().json()["summary"].clone();
+    let set = run(&[
+        "run",
+        "case.toml",
+        "--no-output",
+        "--json",
+        "--set",
+        "operation.torque=200 N m",
+    ]);
+    assert_eq!(set, run(&["run", "other.toml", "--no-output", "--json"]));
+    assert_ne!(set, run(&["run", "case.toml", "--no-output", "--json"]));
+    for command in ["regime", "film", "contact", "gear"] {
+        let set = ["--set", "operation.torque=200 N m"];
+        let by_key = bench
+            .run(&[&[command, "case.toml"][..], &set].concat())
+            .well();
+        let by_file = bench.run(&[command, "other.toml"]).well();
+        assert_eq!(
+            by_key.out,
+            by_file.out.replace("other.toml", "case.toml"),
+            "{command}"
+        );
+    }
+}
+
+#[test]
+fn a_key_that_is_set_wrong_names_itself_and_no_line_of_the_file() {
+    let bench = bench();
+    for (set, code, says) in [
+        ("operation.torqe=3 N m", "E203", "Did you mean \"torque\"?"),
+        (
+            "operation.torque=3 N",
+            "E204",
+            "\"N\" is not a unit of torque",
+        ),
+        (
+            "operation.torque=0 N m",
+            "E209",
+            "operation.torque = 0 N m: must be",
+        ),
+        ("gears.module=1.8 m", "E212", "gears.module = 1.8 m"),
+    ] {
+        let said = bench.run(&["run", "case.toml", "--no-output", "--set", set]);
+        said.refused(2, code, &["case.toml (changed): ", says]);
+    }
+    let said = bench.run(&["run", "case.toml", "--set", "torque"]);
+    assert!(
+        said.status == 2 && said.err.contains("must be a key and its value"),
+        "{said:?}"
+    );
+}
+
+#[test]
+fn a_case_is_read_from_standard_input() {
+    let bench = bench();
+    let mut child = Command::new(program())
+        .args(["run", "-", "--no-output", "--json"])
+        .current_dir(bench.path(""))
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child
+        .stdin
+        .take()
+        .unwrap()
+        .write_all(E_DRIVE.as_bytes())
+        .unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert!(output.status.success());
+    let piped: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let read = bench
+        .run(&["run", "case.toml", "--no-output", "--json"])
+        .well()
+        .json();
+    assert_eq!(piped["summary"], read["summary"]);
+}
+
+#[test]
+fn check_tells_every_error_at_once_and_runs_nothing() {
+    let bench = bench();
+    let bad = E_DRIVE
+        .replace("module = \"1.8 mm\"", "module = 1.8")
+        .replace("torque = \"145 N m\"", "torqe = \"145 N m\"")
+        .replace("speed = \"9000 1/min\"", "speed = \"0 rpm\"")
+        .replace("\"pinion.csv\"", "\"nosuch.csv\"")
+        .replace("offsets = 2", "offsets = 0\nwindow = 0.1");
+    bench.write("bad.toml", &bad);
+    let before = bench.listing();
+    let said = bench.run(&["check", "bad.toml"]);
+    assert_eq!(said.status, 2);
+    for says in [
+        "E203 bad.toml:",
+        "\"operation.torqe\"",
+        "gears.module: 1.8 has no unit",
+        "operation.speed = \"0 rpm\"",
+        "model.offsets = 0",
+        "model.window = 0.1",
+        "nosuch.csv",
+    ] {
+        assert!(said.err.contains(says), "{says} is not in {}", said.err);
+    }
+    assert!(said.err.contains("bad.toml: 6 errors"), "{}", said.err);
+    let listed = bench.run(&["check", "bad.toml", "--json"]);
+    assert_eq!(listed.json()["errors"].as_array().unwrap().len(), 6);
+    assert_eq!(bench.listing(), before);
+}
+
+#[test]
+fn check_of_a_good_case_lists_defaults_and_work() {
+    let bench = bench();
+    let said = bench.run(&["check", "case.toml"]).well().out;
+    for says in [
+        "case.toml: no errors",
+        "model.window = 3",
+        "a run takes about",
+    ] {
+        assert!(said.contains(says), "{says} is not in {said}");
+    }
+    let told = bench.run(&["check", "case.toml", "--json"]).well().json();
+    assert_eq!(told["errors"].as_array().unwrap().len(), 0);
+    assert!(told["estimate"]["contacts"].as_u64().unwrap() > 0);
+}
+
+#[test]
+fn an_unusual_number_warns_and_a_state_beyond_sense_has_no_efficiency() {
+    let bench = bench();
+    let unusual = [
+        "run",
+        "case.toml",
+        "--no-output",
+        "--notes",
+        "--set",
+        "operation.speed=70000 1/min",
+    ];
+    let said = bench.run(&unusual).well();
+    let says = "W201 operation.speed = 70000 1/min is unusual; usual is 1 to 60000 1/min";
+    assert!(said.unwrapped().contains(says), "{}", said.out);
+    // 0.9 million revolutions a minute of this pinion are 2 km/s.
+    let said = bench.run(&[
+        "run",
+        "case.toml",
+        "--no-output",
+        "--set",
+        "operation.speed=9e5 1/min",
+    ]);
+    said.refused(
+        4,
+        "E308",
+        &[
+            "speed of the flanks",
+            "beyond physical sense",
+            "No efficiency is reported",
+        ],
+    );
+}
+
+#[test]
+fn every_oil_of_the_library_runs_the_case_by_its_name_alone() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    let oils = bench.run(&["oils", "--json"]).well().json();
+    let names: Vec<String> = oils["oils"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|oil| oil["name"].as_str().unwrap().to_owned())
+        .collect();
+    assert!(names.len() >= 6);
+    let listed = bench.run(&["oils"]).well().out;
+    let lines: Vec<&str> = E_DRIVE
+        .lines()
+        .filter(|line| {
+            !["viscosity", "density", "base_oil"]
+                .iter()
+                .any(|key| line.starts_with(key))
+        })
+        .collect();
+    for name in names {
+        assert!(listed.contains(&name));
+        let oil = format!("[lubricant]\noil = \"{name}\"");
+        bench.write("case.toml", lines.join("\n").replace("[lubricant]", &oil));
+        let said = bench
+            .run(&["run", "case.toml", "--no-output", "--json"])
+            .well()
+            .json();
+        let efficiency = said["summary"]["efficiency"].as_f64().unwrap();
+        assert!((0.97..1.0).contains(&efficiency), "{name}: {efficiency}");
+    }
+}
+
+#[test]
+fn a_flank_known_by_ra_or_rz_alone_runs_and_lists_what_follows() {
+    let bench = bench();
+    for (given, follows) in [
+        (
+            "{ ra = \"0.2 um\" }",
+            "surface.pinion.rq = \"250.7 nm\"  (Ra/0.798",
+        ),
+        (
+            "{ rz = \"1.2 um\" }",
+            "surface.pinion.rq = \"200 nm\"  (Rz/6",
+        ),
+        (
+            "{ rq = \"0.2 um\" }",
+            "surface.pinion.ra = \"159.6 nm\"  (0.798 Rq",
+        ),
+    ] {
+        bench.write(
+            "case.toml",
+            with_line("pinion", &format!("pinion = {given}")),
+        );
+        let said = bench
+            .run(&["run", "case.toml", "--no-output", "--explain-defaults"])
+            .well();
+        assert!(said.out.contains(follows), "{}", said.out);
+    }
+}
+
+#[test]
+fn diff_names_the_key_that_differs_and_what_follows() {
+    let bench = bench();
+    bench
+        .run(&["run", "case.toml", "-o", "one", "--quiet"])
+        .well();
+    bench
+        .run(&["run", "case.toml", "-o", "same", "--quiet"])
+        .well();
+    let set = ["--set", "operation.torque=200 N m"];
+    bench
+        .run(&[&["run", "case.toml", "-o", "two", "--quiet"][..], &set].concat())
+        .well();
+    assert_eq!(
+        bench.run(&["diff", "one", "same"]).well().out,
+        "no difference\n"
+    );
+    let said = bench.run(&["diff", "one", "two"]).well().out;
+    for says in [
+        "operation.torque",
+        "145 N m -> 200 N m",
+        "loss_w",
+        "largest difference along the path",
+    ] {
+        assert!(said.contains(says), "{says} is not in {said}");
+    }
+    let told = bench.run(&["diff", "one", "two", "--json"]).well().json();
+    assert_eq!(told["inputs"].as_array().unwrap().len(), 1);
+    bench
+        .run(&["diff", "one", "nosuch"])
+        .refused(2, "E402", &["nosuch"]);
+}
+
+#[test]
+fn the_first_screen_of_the_demo_fits_and_tells_the_rest_in_a_line() {
+    let bench = Bench::new();
+    bench.run(&["demo"]).well();
+    let said = bench.run(&["run", "demo/case.toml"]).well().out;
+    assert!(said.lines().count() <= 24, "{said}");
+    assert!(said.contains("efficiency (mesh only)"), "{said}");
+    let notes = said.lines().filter(|line| line.starts_with('W')).count();
+    assert!(notes <= 2, "{said}");
+}
+
+#[test]
+fn cite_prints_an_entry_for_each_source() {
+    let bench = bench();
+    let entries = bench
+        .run(&["run", "case.toml", "--no-output", "--cite"])
+        .well()
+        .out;
+    let result = bench
+        .run(&["run", "case.toml", "--no-output", "--json"])
+        .well()
+        .json();
+    let sources = result["references"].as_array().unwrap();
+    assert_eq!(entries.matches("@misc{").count(), sources.len());
+    for source in sources {
+        let key = source["key"].as_str().unwrap();
+        assert!(entries.contains(&format!("@misc{{{key},")), "{key}");
+    }
+    assert_eq!(entries.matches('{').count(), entries.matches('}').count());
+}
+
+#[test]
+fn compare_reads_the_files_of_a_finish_as_the_case_reads_its_own() {
+    let bench = Bench::new();
+    // Heights alone, without unit or spacing: the keys of the case tell both.
+    for name in ["a.txt", "b.txt"] {
+        let heights = crate::bench::heights(6000);
+        let text: String = heights.iter().map(|z| format!("{z:.5}\n")).collect();
+        bench.write(name, text);
+    }
+    let keys = "dx = \"0.5 um\", z_unit = \"um\"";
+    let case = with_line(
+        "pinion",
+        &format!("pinion = {{ file = \"a.txt\", {keys} }}"),
+    )
+    .replace("wheel = { file = \"wheel.csv\", mirrored = true }\n", "");
+    bench.write("case.toml", case);
+    let arguments = [
+        "compare",
+        "case.toml",
+        "--finish",
+        "a=a.txt",
+        "--finish",
+        "b=b.txt",
+        "--offsets",
+        "2",
+    ];
+    let said = bench.run(&arguments).well().out;
+    assert!(said.contains("finish"), "{said}");
+    // Two offsets are no basis for a correlation; warnings are printed.
+    assert!(
+        !said.contains("correlation") && said.contains("W404"),
+        "{said}"
+    );
+}
+
+#[test]
+fn the_page_of_the_case_file_is_made_from_the_schema() {
+    let bench = Bench::new();
+    let made = bench.run(&["schema", "--markdown"]).well().out;
+    let page = std::fs::read_to_string(root().join("docs/CASE_FILE.md")).unwrap();
+    assert_eq!(
+        page, made,
+        "asperity schema --markdown > docs/CASE_FILE.md writes it anew"
+    );
+}

@@ -1,0 +1,177 @@
+//! Traces that read well and are not what they seem: wrong units, uneven grids, roll lengths, another
+//! involute, cut-offs of the instrument.
+
+use std::io::Write;
+use std::process::{Command, Stdio};
+
+use crate::bench::{Bench, program, rows, trace, with_line};
+
+fn codes(bench: &Bench, arguments: &[&str]) -> Vec<String> {
+    let found = bench.run(&[arguments, &["--json"]].concat()).well().json();
+    let warnings = found["warnings"].as_array().unwrap();
+    let code = |warning: &serde_json::Value| warning["code"].as_str().unwrap().to_owned();
+    warnings.iter().map(code).collect()
+}
+
+/// Micrometres under a header that says millimetres.
+fn a_thousand_times_too_high() -> String {
+    let table = rows(6000, |i, z| format!("{:.1},{z:.5}", 0.5 * i as f64));
+    format!("x_um,z_mm\n{table}")
+}
+
+#[test]
+fn heights_in_a_wrong_unit_are_warned_of_and_no_case_runs_on_them() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("high.csv", a_thousand_times_too_high());
+    let info = ["profile", "info", "high.csv", "--lambda-c", "0.25mm"];
+    assert_eq!(codes(&bench, &info), ["W124"]);
+    bench.write(
+        "case.toml",
+        with_line("pinion =", "pinion = { file = \"high.csv\" }"),
+    );
+    for command in [
+        &["run", "case.toml", "--no-output"][..],
+        &["regime", "case.toml"],
+    ] {
+        let says = ["high.csv", "z_unit = \"um\" in surface.pinion"];
+        bench.run(command).refused(2, "E131", &says);
+    }
+    let line = "pinion = { file = \"high.csv\", z_unit = \"um\" }";
+    bench.write("case.toml", with_line("pinion =", line));
+    bench.run(&["regime", "case.toml", "-q"]).well();
+}
+
+#[test]
+fn uneven_positions_are_warned_of_and_resampled_on_request() {
+    let bench = Bench::new();
+    let uneven = rows(2000, |i, z| {
+        let off = if i % 2 == 0 { 0.0 } else { 0.05 };
+        format!("{:.3},{z:.5}", 0.5 * i as f64 + off)
+    });
+    bench.write("uneven.csv", format!("x_um,z_um\n{uneven}"));
+    let info = ["profile", "info", "uneven.csv", "--level"];
+    assert_eq!(codes(&bench, &info), ["W125"]);
+    let resampled = [&info[..], &["--uneven", "resample"]].concat();
+    assert_eq!(codes(&bench, &resampled), ["W126"]);
+}
+
+#[test]
+fn roll_lengths_need_the_base_radius() {
+    let bench = Bench::new();
+    let table = rows(2000, |i, z| format!("{:.4},{z:.5}", 8.0 + 0.002 * i as f64));
+    bench.write("roll.csv", format!("roll length [mm],z [um]\n{table}"));
+    let info = ["profile", "info", "roll.csv", "--lambda-c", "0.25mm"];
+    bench
+        .run(&info)
+        .refused(2, "E130", &["roll.csv", "Pass --base-radius"]);
+    let converted = [&info[..], &["--base-radius", "40mm"]].concat();
+    assert!(codes(&bench, &converted).contains(&"W127".to_owned()));
+    // A base radius is of no use to distances along the flank.
+    bench.write("flank.csv", trace("x_um,z_um", 2000));
+    let idle = [
+        "profile",
+        "info",
+        "flank.csv",
+        "--level",
+        "--base-radius",
+        "40mm",
+    ];
+    bench.run(&idle).refused(2, "E205", &["--base-radius"]);
+}
+
+#[test]
+fn another_involute_than_that_of_the_trace_is_told() {
+    let bench = Bench::new();
+    // No involute at all: taking one off leaves a parabola of x²/(2ρ).
+    bench.write("flank.csv", trace("x_um,z_um", 6000));
+    let info = ["profile", "info", "flank.csv", "--lambda-c", "0.25mm"];
+    let involute = [
+        "--form",
+        "involute",
+        "--base-radius",
+        "50mm",
+        "--roll-length",
+        "15mm",
+    ];
+    assert!(codes(&bench, &[&info[..], &involute].concat()).contains(&"W128".to_owned()));
+    assert!(!codes(&bench, &info).contains(&"W128".to_owned()));
+}
+
+#[test]
+fn the_cut_offs_of_a_file_are_the_default_and_an_override_is_said() {
+    let bench = Bench::new();
+    let table = rows(6000, |_, z| format!("{z:.4}"));
+    bench.write("stated.tx1", format!("3.00000\n6000\n{table}"));
+    bench.write(
+        "stated.tx3",
+        "Evaluation length\t3.0mm\nCutoff\t0.25mm\nCutoff Ls\t8um\n",
+    );
+    let said = |options: &[&str]| {
+        let all = [&["profile", "info", "stated.tx1"][..], options].concat();
+        bench.run(&all).well()
+    };
+    let json = |options: &[&str]| said(&[options, &["--json"]].concat()).json()["iso4287"].take();
+    let stated = json(&[]);
+    assert_eq!(stated, json(&["--lambda-c", "0.25mm", "--lambda-s", "8um"]));
+    assert_ne!(stated, json(&["--lambda-c", "0.5mm"]));
+    assert!(
+        said(&[])
+            .unwrapped()
+            .contains("cut-offs as the file states them")
+    );
+    let overridden = said(&["--lambda-c", "0.5mm"]).unwrapped();
+    let says = "the file's own cut-offs are overridden; to filter as the instrument did, pass --lambda-c \"250 um\" --lambda-s \"8 um\"";
+    assert!(overridden.contains(says), "{overridden}");
+}
+
+#[test]
+fn standard_input_is_a_file_like_any_other() {
+    let bench = Bench::new();
+    let text = trace("x_um,z_um", 6000);
+    bench.write("flank.csv", &text);
+    let piped = |arguments: &[&str]| {
+        let mut child = Command::new(program())
+            .args(arguments)
+            .current_dir(bench.path(""))
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut input = child.stdin.take().unwrap();
+        input.write_all(text.as_bytes()).unwrap();
+        drop(input);
+        let said = child.wait_with_output().unwrap();
+        assert!(said.status.success(), "{said:?}");
+        String::from_utf8(said.stdout).unwrap()
+    };
+    let options = ["--lambda-c", "0.25mm", "--json"];
+    let of = |text: &str| serde_json::from_str::<serde_json::Value>(text).unwrap();
+    let from_pipe = of(&piped(&[&["profile", "info", "-"][..], &options].concat()));
+    let from_file = bench.run(&[&["profile", "info", "flank.csv"][..], &options].concat());
+    assert_eq!(from_pipe["iso4287"], from_file.well().json()["iso4287"]);
+    let converted = piped(&["profile", "convert", "-", "-"]);
+    let of_file = bench.run(&["profile", "convert", "flank.csv", "-"]).well();
+    assert_eq!(converted, of_file.out);
+}
+
+#[test]
+fn a_picture_without_a_name_replaces_no_other_file() {
+    let bench = Bench::new();
+    bench.write("flank.csv", trace("x_um,z_um", 6000));
+    bench.write("flank.svg", "mine");
+    let plot = ["profile", "plot", "flank.csv", "--lambda-c", "0.25mm"];
+    bench
+        .run(&plot)
+        .refused(2, "E401", &["flank.svg: exists", "-o"]);
+    assert_eq!(std::fs::read(bench.path("flank.svg")).unwrap(), b"mine");
+    let named = [&plot[..], &["-o", "flank.svg"]].concat();
+    bench.run(&named).well();
+    let picture = std::fs::read(bench.path("flank.svg")).unwrap();
+    assert!(picture.starts_with(b"<svg"));
+    // The same picture again is no loss.
+    bench.run(&plot).well();
+    assert_eq!(std::fs::read(bench.path("flank.svg")).unwrap(), picture);
+    assert_eq!(bench.listing(), ["flank.csv", "flank.svg"]);
+}
