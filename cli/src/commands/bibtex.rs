@@ -11,7 +11,7 @@ pub fn bibtex(result: &RunResult) -> String {
         let tags: Vec<&str> = result
             .equations
             .iter()
-            .filter(|equation| equation.references.iter().any(|key| *key == source.key))
+            .filter(|equation| equation.references.contains(&source.key))
             .map(|equation| equation.tag.as_ref())
             .collect();
         let (authors, title) = parts(&source.text);
