@@ -215,4 +215,19 @@ fn what_cannot_be_solved_is_refused_with_its_reason() {
     bench
         .run(&gear(&["--profile1", "one.csv", "--half-widths", "0.5"]))
         .refused(2, "E209", &["length of the record"]);
+    // Waves of 30 um on 64 cells: no time step is short enough.
+    bench.write("steep.csv", wave(30.0));
+    bench
+        .run(&gear(&[
+            "--profile1",
+            "steep.csv",
+            "--periodic",
+            "--cells",
+            "64",
+            "--half-widths",
+            "1",
+            "--start",
+            "0",
+        ]))
+        .refused(3, "E307", &["did not converge"]);
 }

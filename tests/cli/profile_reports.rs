@@ -333,7 +333,7 @@ fn a_trace_too_short_is_told_what_it_is_long_enough_for() {
     let many = ["profile", "info", "1mm.csv", "--as-is", "--sections", "900"];
     bench
         .run(&many)
-        .refused(2, "E120", &["Say fewer --sections"]);
+        .refused(2, "E120", &["Pass fewer --sections"]);
 }
 
 #[test]

@@ -88,6 +88,7 @@ fn the_default_result_is_small_and_fields_are_kept_on_request() {
     };
     let small = [
         "friction_laws.csv",
+        "load.csv",
         "losses.csv",
         "manifest.json",
         "offsets.csv",
@@ -190,8 +191,7 @@ fn names_and_titles_do_nothing_in_a_spreadsheet_or_a_terminal() {
         "case.toml",
         "--finish",
         "@SUM(A1)=pinion.csv",
-        "--finish",
-        "-1+1=wheel.csv",
+        "--finish=-1+1=wheel.csv",
         "--offsets",
         "2",
         "-o",
@@ -239,6 +239,8 @@ fn flat_flanks_give_no_number_that_is_none() {
     if said.status == 0 {
         for file in ["out/path.csv", "out/result.json", "out/report.html"] {
             let text = fs::read_to_string(bench.path(file)).unwrap();
+            // The script of the page breaks its lines with one.
+            let text = text.replace("? NaN :", "");
             assert!(!text.contains("NaN") && !text.contains(",inf,"), "{file}");
         }
         bench.run(&["report", "out"]).well();
@@ -257,7 +259,7 @@ fn work_beyond_a_limit_is_refused_and_threads_are_capped() {
         .replace("positions = 4", "positions = 2000")
         .replace("offsets = 2", "offsets = 1000");
     bench.write("large.toml", large);
-    let says = ["2000000 rough contacts", "pass --max-hours"];
+    let says = ["rough contacts take about", "pass --max-hours"];
     let run = ["run", "large.toml", "--no-output", "--max-hours", "0.01"];
     bench.run(&run).refused(2, "E209", &says);
     let run = ["run", "case.toml", "--no-output", "--max-gb", "0.0001"];

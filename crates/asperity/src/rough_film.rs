@@ -17,6 +17,9 @@ use crate::load_share::{
 use crate::station::Station;
 use crate::surfaces::{Surfaces, Texture};
 
+/// Loosest tolerance of the contacts that decide the loss: at 1e-4 it would move by 3e-5.
+const LOOSEST_TOLERANCE: f64 = 1e-8;
+
 /// Where the table of a window comes from.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Tables<'a> {
@@ -137,7 +140,7 @@ fn rough_contact(
         modulus: contact.modulus,
         flow_pressure: Pressure::from_si(pinion.min(wheel)),
         settings: SolverSettings {
-            tolerance: case.model.tolerance,
+            tolerance: case.model.tolerance.min(LOOSEST_TOLERANCE),
             ..SolverSettings::default()
         },
     })?)
