@@ -8,7 +8,7 @@ use asperity_core::quantity::{
 };
 use clap::{Args, ValueEnum};
 
-use super::SetArgs;
+use super::set::SetArgs;
 
 /// A lubricated line contact: of a case, or of bare numbers.
 #[derive(Debug, Args)]

@@ -276,7 +276,7 @@ pub(super) fn complete(
     };
     case.defaults.extend(assumed);
     let mut warnings = warnings;
-    warnings.splice(0..0, unusual(&case));
+    warnings.splice(0..0, unusual(&case.input, &case.oil));
     provenance.include(&of_flanks);
     Ok(LoadedCase {
         case,

@@ -12,15 +12,12 @@ use serde::Serialize;
 
 use super::defaults::Defaults;
 use super::domain::domain;
-use super::error::CaseError;
+use super::error::{CaseError, LOOSEST_TOLERANCE};
 use super::input::{Formulation, ModelInput, NamedPoint, OneOrTwo, PathPoint};
 use super::law_names::{FilmFrictionLaw, LoadShareName};
 use super::model_defaults::ModelDefaults;
 use super::source::Source;
 use crate::load_share::SpotSpeed;
-
-/// Loosest tolerance of a rough contact: at 1e-2 pressures were 56 to 65 % off.
-pub(super) const LOOSEST_TOLERANCE: f64 = 1e-4;
 
 /// Choices of the model, all made.
 #[derive(Debug, Clone, PartialEq, Serialize)]

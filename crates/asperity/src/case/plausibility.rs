@@ -10,7 +10,6 @@ use asperity_core::quantity::Quantity;
 
 use super::error::CaseError;
 use super::input::{BodyInput, CaseInput, FlankInput};
-use super::resolve::Case;
 use super::source::Source;
 use crate::message::Warning;
 
@@ -311,15 +310,15 @@ pub(super) fn refuse_stiff_oil(oil: &LubricantState, source: &Source) -> Result<
 }
 
 /// Warnings about the unusual numbers of a case.
-pub(super) fn unusual(case: &Case) -> Vec<Warning> {
+pub(super) fn unusual(input: &CaseInput, oil: &LubricantState) -> Vec<Warning> {
     let note = |row: &Row| {
-        let value = row.outside(&case.input, row.usual)?;
+        let value = row.outside(input, row.usual)?;
         let value = with_unit(&digits(value), row.unit);
         let text = format!("{} = {value} is unusual; usual is {}", row.key, row.usual());
         Some(Warning::new(UNUSUAL, text))
     };
     let mut warnings: Vec<Warning> = rows().filter_map(note).collect();
-    let viscosity = case.oil.dynamic_viscosity.si();
+    let viscosity = oil.dynamic_viscosity.si();
     if !within(viscosity, OIL_USUAL) {
         warnings.push(Warning::new(
             UNUSUAL,
