@@ -46,7 +46,7 @@ fn the_demo_is_compared_and_its_report_drawn_anew() {
             "c",
         ],
     ));
-    assert!(text.contains("superfinished") && text.contains("goes with the loss"));
+    assert!(text.contains("superfinished") && text.contains("ground"));
     assert!(
         text.lines().all(|line| line.chars().count() <= 100),
         "{text}"

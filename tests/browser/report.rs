@@ -93,7 +93,7 @@ fn every_chart_of_the_report_draws_and_zooms_and_nothing_is_fetched() {
         let found = opened.selftest();
         assert_eq!(
             found["drawn"].as_array().unwrap().len(),
-            25,
+            26,
             "all charts of a rough contact are there"
         );
     }
@@ -166,13 +166,13 @@ fn a_report_is_drawn_anew_from_its_folder_with_another_position() {
     let first = std::fs::read_to_string(&page).unwrap();
     asperity_report::redraw(&folder.join("result.json"), None).unwrap();
     assert_eq!(std::fs::read_to_string(&page).unwrap(), first);
-    asperity_report::redraw(&folder, Some(32)).unwrap();
+    asperity_report::redraw(&folder, Some(16)).unwrap();
     assert!(
         std::fs::read_to_string(&page)
             .unwrap()
-            .contains("Position 32 of 32")
+            .contains("Position 16 of 16")
     );
-    assert!(asperity_report::redraw(&folder, Some(33)).is_err());
+    assert!(asperity_report::redraw(&folder, Some(17)).is_err());
 }
 
 #[test]

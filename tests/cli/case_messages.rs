@@ -88,8 +88,8 @@ const VALUES: &[Bad] = &[
 const DOMAINS: &[Bad] = &[
     bad("pinion", "pinion = { file = \"pinion.csv\", rq = \"1 um\" }", "E205", &["surface.pinion", "either file or rq"]),
     bad("pinion", "pinion = { }", "E205", &["surface.pinion", "give file", "or rq"]),
-    about_table("depths", "friction = \"constant\"", "E205", &["model.constant_friction", "is missing", "constant_friction = 0.05"], "[model]"),
-    bad("depths", "constant_friction = 0.05", "E205", &["model.constant_friction", "friction = \"constant\" only"]),
+    about_table("depths", "film_friction = \"constant\"", "E205", &["model.constant_friction", "is missing", "constant_friction = 0.05"], "[model]"),
+    bad("depths", "constant_friction = 0.05", "E205", &["model.constant_friction", "film_friction = \"constant\" only"]),
     about_table("helix", "profile_shift = [5, 5]", "E206", &["tooth of the pinion is pointed"], "[gears]"),
     about_table("helix", "centre_distance = \"10 mm\"", "E206", &["10 mm", "base radii"], "[gears]"),
     bad("base_oil", "pressure_viscosity = \"2e-8 mm2/N\"", "E207", &["lubricant.pressure_viscosity = \"2e-8 mm2/N\"", "10^6 below any oil", "Did you mean 2e-8 m2/N?"]),

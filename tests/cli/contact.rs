@@ -166,7 +166,7 @@ fn the_stress_below_a_cylinder_is_that_of_hertz() {
         "--load",
         "300 N/mm",
         "--stress",
-        "below/stress.csv",
+        "stress.csv",
         "--elastic-limit",
         "500 MPa",
     ];
@@ -182,7 +182,7 @@ fn the_stress_below_a_cylinder_is_that_of_hertz() {
     assert!(number(&shear["x_m"]).abs() < 1e-6);
     let zone = &stress["yield_zone"];
     assert!(number(&zone["shallowest_m"]) < 0.786 * b && number(&zone["deepest_m"]) > 0.786 * b);
-    let file = std::fs::read_to_string(bench.path("below/stress.csv")).unwrap();
+    let file = std::fs::read_to_string(bench.path("stress.csv")).unwrap();
     let lines: Vec<&str> = file.lines().collect();
     assert_eq!(
         lines[0],

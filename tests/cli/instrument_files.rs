@@ -99,7 +99,7 @@ fn a_case_runs_on_rows_of_a_surface() {
     assert_eq!(said.status, 2);
     for part in [
         "E119 surface.x3p: the file holds 3 profiles",
-        "Pass --row 1 .. 3",
+        "Write row = 1 .. 3 in surface.pinion",
         &place,
         "row in surface.pinion",
     ] {

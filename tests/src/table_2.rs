@@ -92,6 +92,8 @@ pub fn petry_johnson() -> CaseText {
 
         [model]
         load_distribution = "trapezoid"
+        # Cells enough for the digits of the computation compared with.
+        positions = 256
         # The laws of the reference computation, by name.
         film_friction = "xu"
         load_share = "lambda-star"

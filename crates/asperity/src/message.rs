@@ -152,12 +152,12 @@ explanations! {
     "W412" "no sliding at the paper's position": "The paper's reading takes one position for the whole mesh; at the pitch point nothing slides, so there is no sliding loss." => "Set model.position between 0 (A) and 1 (E), or use the corrected formulation.";
     "W413" "the contact runs into the end of the window": "The pressure is not zero at a free end, so the contact would go on beyond it; the pressures are those of a strip that ends there." => "Widen the gap on that side, or lower the load.";
     "W414" "the gap spans far more than the deformation": "The undeformed gap spans more than 1000 times what the bodies deform: an outlier, a sentinel for missing points, or a wrong unit." => "Look at the gap; the contact itself is solved to its tolerance.";
+    "W415" "ridges that cannot leak": "The roughness that is left in the contact is above three smooth films. The ridges of the model go across the whole face and oil cannot pass beside them, so that its mean film is too thick and its friction too low." => "Take it as no referee here: measurement decides.";
     "W421" "tip edges are not relieved": "Under load the teeth approach each other by more than 5 um, so unrelieved tip edges touch before A and after E. The load map leaves that out; both loss factors are told." => "Give gears.pinion.tip_relief and gears.wheel.tip_relief, or set model.edge_contact = true.";
     "W422" "contact of lightly loaded cells not resolved": "Cells that carry almost no loss have a contact narrower than the points of the traces resolve. The roughness of the whole traces stands for their windows." => "Measure with a smaller spacing if these cells matter.";
     "W423" "load over the teeth did not settle": "The load map ended its rounds before the loads settled." => "Compare another model.load_distribution, and please report the case.";
     "W424" "stiffness from ISO 6336-1": "The root of a tooth is undercut or cannot be drawn from the rack, so its compliance cannot be computed from its outline." => "Check gears.pinion.dedendum and gears.wheel.dedendum, or choose model.load_distribution = \"iso-stiffness\".";
     "W425" "tips may foul": "A ring with fewer than ten teeth more than its pinion may foul its tips away from the line of action, which is not checked." => "Check the tip clearance on the drawing.";
-    "W415" "ridges that cannot leak": "The roughness that is left in the contact is above three smooth films. The ridges of the model go across the whole face and oil cannot pass beside them, so that its mean film is too thick and its friction too low." => "Take it as no referee here: measurement decides.";
 }
 
 #[cfg(test)]

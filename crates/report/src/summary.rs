@@ -77,13 +77,7 @@ fn write_losses(text: &mut String, result: &RunResult) -> std::fmt::Result {
         watts(s.power_in_w),
     )?;
     let mut parts = vec![
-        format!(
-            "sliding {} = film {} + lubricated asperities {} + boundary {}",
-            watts(s.sliding_w),
-            watts(s.film_w),
-            watts(s.lubricated_asperity_w),
-            watts(s.boundary_w),
-        ),
+        format!("sliding {}", watts(s.sliding_w)),
         format!("rolling {}", watts(s.rolling_w)),
     ];
     let [pinion, wheel] = s.deformation_w;
@@ -97,7 +91,14 @@ fn write_losses(text: &mut String, result: &RunResult) -> std::fmt::Result {
     );
     let together = losses.chars().count() + 3 + factors.chars().count();
     let between = if together <= COLUMNS { "   " } else { "\n  " };
-    writeln!(text, "{losses}{between}{factors}")
+    writeln!(text, "{losses}{between}{factors}")?;
+    writeln!(
+        text,
+        "  sliding in film {}, lubricated asperities {}, boundary layer {}",
+        watts(s.film_w),
+        watts(s.lubricated_asperity_w),
+        watts(s.boundary_w),
+    )
 }
 
 fn write_regime(text: &mut String, result: &RunResult) -> std::fmt::Result {

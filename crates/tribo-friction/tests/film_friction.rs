@@ -183,9 +183,9 @@ fn film_friction_of_fourteen_conditions() {
         close(&c.case, "mu, 96 nodes", fine, c.mu_n96, 1e-8);
         let cold = isothermal(&rheology, &contact, 32);
         close(&c.case, "isothermal", cold, c.mu_isothermal, 1e-8);
-        // Sixteen nodes: 4e-6 at little sliding (e2), below 1e-6 else.
+        // Sixteen nodes: 1.3e-5 in case m2, 4e-6 in e2, below 1e-6 else.
         let coarse = friction(&rheology, &contact, 16).coefficient;
-        close(&c.case, "mu, 16 nodes", coarse, c.mu_n96, 5e-6);
+        close(&c.case, "mu, 16 nodes", coarse, c.mu_n96, 2e-5);
     }
 }
 
