@@ -1,7 +1,7 @@
 //! Cam and flat follower: the film over a turn, one steady contact after the other.
 //!
 //! ```text
-//! cargo run --release -p asperity-ehl --example cam
+//! cargo run --release -p asperity-ehl --example lubricated_cam
 //! ```
 //!
 //! An eccentric circular cam of 15 mm radius and 5 mm eccentricity under a follower with a spring. The
