@@ -93,7 +93,7 @@ const DOMAINS: &[Bad] = &[
     about_table("helix", "profile_shift = [5, 5]", "E206", &["tooth of the pinion is pointed"], "[gears]"),
     about_table("helix", "centre_distance = \"10 mm\"", "E206", &["10 mm", "base radii"], "[gears]"),
     bad("base_oil", "pressure_viscosity = \"2e-8 mm2/N\"", "E207", &["lubricant.pressure_viscosity = \"2e-8 mm2/N\"", "10^6 below any oil", "Did you mean 2e-8 m2/N?"]),
-    about_table("base_oil", "", "E208", &["no pressure-viscosity coefficient", "base_oil (mineral, pao"], "[lubricant]"),
+    about_table("base_oil", "", "E208", &["no pressure-viscosity coefficient", "base_oil (mineral, naphthenic"], "[lubricant]"),
     about_table("density", "", "E208", &["no density"], "[lubricant]"),
     about_table("viscosity", "oil = \"olive\"", "E208", &["no oil \"olive\"", "m100"], "[lubricant]"),
     about_table("viscosity", "viscosity = { law = \"given\", dynamic_viscosity = \"97.5 mPa s\" }", "E208", &["no temperature coefficient", "0.02 to 0.06 1/K"], "[lubricant]"),

@@ -4,9 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Arc;
 
-use asperity::case::{
-    Case, FilmFrictionLaw, Formulation, LoadShareName, LoadedCase, Model, load,
-};
+use asperity::case::{Case, FilmFrictionLaw, Formulation, LoadShareName, LoadedCase, Model, load};
 use asperity::result::EquationUse;
 use asperity_ehl_regime::{FilmLaw, LoadShareLaw, ThermalLaw};
 

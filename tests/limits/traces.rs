@@ -75,8 +75,7 @@ fn a_periodic_trace_is_nearly_the_same_wherever_it_meets_a_smooth_one() {
     // hundredth at most, and the loss of half a per cent with it.
     assert!(spread < 2e-5, "{spread}");
     // The waves' own Rq.
-    let ratio =
-        outcome.result.path[8].film_minimum_um / outcome.result.path[8].film_ratio.unwrap();
+    let ratio = outcome.result.path[8].film_minimum_um / outcome.result.path[8].film_ratio.unwrap();
     assert_close("S", ratio, 0.4 / 2f64.sqrt(), 0.01);
 }
 
