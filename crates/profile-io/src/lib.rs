@@ -2,7 +2,7 @@
 //! them without losing a bit.
 //!
 //! [`read`] recognises the format of a file and gives its [`Profile`](asperity_core::Profile) with units,
-//! spacing, metadata and [`Warning`]s, or a typed refusal; [`write`] makes the bytes of a file. The crate
+//! spacing, metadata and [`Warning`]s, or a typed refusal; [`mod@write`] makes the bytes of a file. The crate
 //! has no filters and no parameters: they are in `asperity-roughness`.
 //!
 //! ```
