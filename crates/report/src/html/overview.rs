@@ -16,7 +16,7 @@ pub(super) fn section(result: &RunResult) -> Markup {
             }
         }
         @if !result.warnings.is_empty() {
-            h3 { "Calls for attention" }
+            h3 { "Warnings" }
             ul.warnings {
                 @for warning in &result.warnings { li { code { (warning.code) } " " (warning.text) } }
             }

@@ -56,7 +56,7 @@ pub struct FinishResult {
     pub difference_w: Option<Interval>,
     /// Share of the path in mixed lubrication.
     pub mixed_share: f64,
-    /// Codes and texts of what calls for attention.
+    /// Codes and texts of the warnings.
     pub warnings: Vec<String>,
     /// Losses at each offset.
     #[serde(skip)]

@@ -145,7 +145,7 @@ fn provenance(comparison: &Comparison) -> Markup {
             } } }
         } }
         @for finish in &comparison.finishes { @if !finish.warnings.is_empty() {
-            h3 { "Calls for attention: " (finish.name) }
+            h3 { "Warnings: " (finish.name) }
             ul.warnings { @for warning in &finish.warnings { li { (warning) } } }
         } }
     }
