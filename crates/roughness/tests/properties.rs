@@ -61,10 +61,11 @@ proptest! {
     fn turning_a_profile_upside_down_swaps_peaks_and_pits(profile in any_rough()) {
         let turned = map(&profile, |z| -z);
         let (a, b) = (rk_parameters(profile.heights()).unwrap(), rk_parameters(turned.heights()).unwrap());
-        // Ends of the window of least slope lie between points: 1.2e-6 was seen.
+        // The flattest window of 40 % is sought at points of the curve; turned over, a neighbour may win. The worst
+        // seen: 1.2e-6 in the slope, and since the window moves, 6.7e-5 in Rpk and 8e-5 in Mr1.
         prop_assert!(close(a.rk.si(), b.rk.si(), 1e-5));
-        prop_assert!(close(a.rpk.si(), b.rvk.si(), 1e-4), "{} {}", a.rpk.si(), b.rvk.si());
-        prop_assert!(close(a.mr1, 100.0 - b.mr2, 1e-4), "{} {}", a.mr1, b.mr2);
+        prop_assert!(close(a.rpk.si(), b.rvk.si(), 2e-4));
+        prop_assert!(close(a.mr1, 100.0 - b.mr2, 2e-4));
         let (a, b) = (in_sections(&profile, Mode::Iso4287, 5).unwrap(), in_sections(&turned, Mode::Iso4287, 5).unwrap());
         prop_assert_eq!((a.rp, a.rv, a.ra), (b.rv, b.rp, b.ra));
         prop_assert!(close(a.rsk.unwrap(), -b.rsk.unwrap(), 1e-9));
