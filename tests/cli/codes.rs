@@ -18,11 +18,6 @@ const NOT_PROVOKED: &[(&str, &str)] = &[
         "W423",
         "the rounds of the load map settle for every mesh that is known",
     ),
-    (
-        "E307",
-        "which contacts Newton's method cannot solve is not known beforehand: the random ones of \
-         crates/ehl/tests/properties.rs meet the error, at most 5 times in 100",
-    ),
 ];
 
 fn is_code(word: &str) -> bool {
