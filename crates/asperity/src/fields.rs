@@ -35,7 +35,10 @@ pub(crate) fn fields(
     };
     let gap = match &carried.solids {
         Some(solids) => solids.gap.clone(),
-        None => vec![station.film.central.si(); n],
+        None => match scene.full_film {
+            Some(film) => film.gap_at(&encounter.x, station.motion.radius),
+            None => vec![station.film.central.si(); n],
+        },
     };
     // Friction drags the pinion's flank against its sliding.
     let sign = -station.motion.sliding.si().signum();

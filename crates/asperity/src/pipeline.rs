@@ -26,6 +26,7 @@ use crate::formulation;
 use crate::physical_sense::{check_position, check_station};
 use crate::position::Position;
 use crate::provenance;
+use crate::records::{self, PathRecords};
 use crate::result::{Losses, Outcome};
 use crate::rolling;
 use crate::rough_film;
@@ -131,8 +132,8 @@ fn losses_of(
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
     let chosen = (Detail::Losses, tables);
-    let (map, positions) = positions(loaded, &laws, chosen, progress, &used)?;
-    let sums = || sums(loaded, &map, positions)?.losses();
+    let found = positions(loaded, &laws, chosen, progress, &used)?;
+    let sums = || sums(loaded, &found.map, found.positions, found.records.as_ref())?.losses();
     let mut losses = used.collect(sums).map_err(Box::new)?;
     (losses.equations, _) = provenance::used(&tags(loaded, &used));
     Ok(losses)
@@ -141,10 +142,11 @@ fn losses_of(
 fn outcome(loaded: &LoadedCase, detail: Detail, progress: Progress<'_>) -> Result<Outcome, Error> {
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
-    let (map, positions) = positions(loaded, &laws, (detail, None), progress, &used)?;
+    let found = positions(loaded, &laws, (detail, None), progress, &used)?;
     let sums = || {
-        let points = points(loaded, &laws, &map)?;
-        sums(loaded, &map, positions)?.outcome(&points)
+        let records = found.records.as_ref();
+        let points = points(loaded, &laws, &found.map, records)?;
+        sums(loaded, &found.map, found.positions, records)?.outcome(&points)
     };
     let mut outcome = used.collect(sums).map_err(Box::new)?;
     let result = &mut outcome.result;
@@ -165,17 +167,20 @@ fn positions(
     (detail, tables): (Detail, Option<&ContactTables>),
     progress: Progress<'_>,
     used: &Provenance,
-) -> Result<(LoadMap, Vec<Position>), Error> {
+) -> Result<Found, Error> {
     let case = &loaded.case;
     let (map, stations) = used
         .collect(|| stations_with(case, laws))
         .map_err(Box::new)?;
+    let recorded = || records::of_case(loaded, laws, &stations, progress);
+    let (records, count_of_records) = used.collect(recorded).map_err(Box::new)?;
     let run = Run {
         case,
         laws,
         surfaces: &loaded.surfaces,
         detail,
         tables,
+        records: records.as_ref(),
     };
     let count = stations.len();
     let done = AtomicUsize::new(0);
@@ -187,7 +192,8 @@ fn positions(
                 let position = run.solve(station)?;
                 check_position(&position).map(|()| position)
             });
-            progress(1 + done.fetch_add(1, Ordering::Relaxed), count);
+            let before = count_of_records + done.fetch_add(1, Ordering::Relaxed);
+            progress(1 + before, count_of_records + count);
             position
         })
         .collect();
@@ -199,7 +205,18 @@ fn positions(
         })
     };
     let positions: Result<_, _> = solved.into_iter().enumerate().map(of_position).collect();
-    Ok((map, positions?))
+    Ok(Found {
+        map,
+        positions: positions?,
+        records,
+    })
+}
+
+/// What the sums are made of.
+struct Found {
+    map: LoadMap,
+    positions: Vec<Position>,
+    records: Option<PathRecords>,
 }
 
 /// The points A to E of the path by the film's formulae, for display.
@@ -207,6 +224,7 @@ fn points(
     loaded: &LoadedCase,
     laws: &ChosenLaws,
     map: &LoadMap,
+    records: Option<&PathRecords>,
 ) -> Result<Vec<(&'static str, Position)>, PositionError> {
     let case = &loaded.case;
     if formulation::of(case.formulation).takes_one_position() {
@@ -218,6 +236,7 @@ fn points(
         surfaces: &loaded.surfaces,
         detail: Detail::Losses,
         tables: None,
+        records,
     };
     let stations = named_points(case, laws, map)?.into_iter();
     stations
@@ -229,10 +248,12 @@ fn sums<'a>(
     loaded: &'a LoadedCase,
     map: &'a LoadMap,
     positions: Vec<Position>,
+    records: Option<&'a PathRecords>,
 ) -> Result<Solved<'a>, PositionError> {
     let rolling = positions
         .iter()
         .map(|position| rolling::rolling(&loaded.case, &position.station))
         .collect::<Result<Vec<_>, _>>()?;
-    Solved::new(loaded, map, positions, rolling)
+    let solved = Solved::new(loaded, map, positions, rolling)?;
+    Ok(Solved { records, ..solved })
 }

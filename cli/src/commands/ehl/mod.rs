@@ -34,6 +34,7 @@ fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> 
     let settings = RefereeSettings {
         record: record_settings(args),
         eyring_stress: args.eyring_stress,
+        beginning: 0,
     };
     let about = |error| failed::of_referee(path, &error);
     let contact = RefereeContact::of(&loaded, place, &settings).map_err(about)?;

@@ -12,4 +12,5 @@ mod settings;
 
 pub use comparison::{LawShare, ShareComparison, shares};
 pub use error::RefereeError;
+pub(crate) use settings::smooth_contact;
 pub use settings::{LARGEST_ROUGHNESS, RefereeContact, RefereeSettings, attenuated_roughness};

@@ -1,0 +1,168 @@
+//! What is kept of a record of transient mixed lubrication.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | φ | share of the load on films not above the solid film | - |
+//! | b | share of the load on the boundary layer | - |
+//! | μ, μ_s, μ_τ | friction with graded boundary share, with boundary friction below the solid film, of the film alone | - |
+//! | μ_b | boundary friction | - |
+//! | μ_f, μ_l | film friction above and below the solid film | - |
+
+use asperity_core::cite;
+use asperity_core::quantity::{Length, Pressure};
+use asperity_ehl::{Estimate, FrictionLaw, Record, Solved};
+use serde::{Deserialize, Serialize};
+
+use crate::referee::RefereeContact;
+
+/// Points at which friction is summed over the Hertz pressure.
+const HERTZ_POINTS: usize = 200;
+/// Share below which no load is called solid \[-\].
+const NO_SHARE: f64 = 1e-9;
+
+/// Means of a record of transient mixed lubrication with its evidence.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct PathRecord {
+    /// Share φ of the load on films not above the solid film.
+    pub solid_share: Estimate,
+    /// Share of the load on films not above 50 nm.
+    pub share_below_50_nm: Estimate,
+    /// Share b of the load on the boundary layer.
+    pub boundary_share: Estimate,
+    /// Mean gap within the half-width \[m\].
+    pub mean_film: Estimate,
+    /// Central film of smooth flanks.
+    pub smooth_film: Length,
+    /// Friction with a boundary share that fades over the boundary layer, isothermal.
+    pub friction: Estimate,
+    /// Film friction of the load above the solid film, isothermal.
+    pub film_friction: f64,
+    /// Film friction of the load below it, isothermal.
+    pub lubricated_friction: f64,
+    /// Friction of a smooth film under the Hertz pressure by the same law.
+    pub smooth_friction: f64,
+    /// Mean over time of the largest pressure \[Pa\].
+    pub mean_max_pressure: Estimate,
+    /// Largest pressure of all times.
+    pub max_pressure: Pressure,
+    /// Standard deviation of the roughness that is left in the contact.
+    pub attenuated_roughness: Length,
+    /// Travel in half-widths.
+    pub travel: f64,
+    /// Places of the nodes over a.
+    pub x: Vec<f64>,
+    /// Mean over time of the pressure over p₀ on the nodes.
+    pub pressure: Vec<f64>,
+    /// Mean over time of the film on the nodes \[m\].
+    pub film: Vec<f64>,
+    /// Largest load error of a step.
+    pub load_error: f64,
+    /// Time steps.
+    pub steps: usize,
+    /// Steps repeated at half their length.
+    pub steps_cut: usize,
+    /// Steps with a node held in contact.
+    pub loose_steps: usize,
+    /// Newton iterations.
+    pub newton_iterations: usize,
+    /// GMRES iterations.
+    pub gmres_iterations: usize,
+    /// Tags of the equations used.
+    pub(super) tags: Vec<String>,
+}
+
+impl PathRecord {
+    /// What is kept of `solved`, the record of `contact` with a friction law.
+    ///
+    /// ```text
+    /// μ_l = (μ_τ − (μ_s − μ_b·φ))/φ,  μ = (1 − φ)·μ_f + (φ − b)·μ_l + b·μ_b, b ≤ φ    [Record-friction]
+    /// ```
+    pub(super) fn new(
+        contact: &RefereeContact,
+        solved: &Solved<Record>,
+        law: &FrictionLaw,
+    ) -> Self {
+        cite!("Record-friction");
+        let (record, evidence) = (&solved.value, &solved.evidence);
+        let friction = record.friction.unwrap_or_default();
+        let (phi, mu_b) = (record.solid_share.mean, law.boundary_friction);
+        let alone = friction.film.mean;
+        let mu_l = if phi > NO_SHARE {
+            (alone - (friction.stepped.mean - mu_b * phi)) / phi
+        } else {
+            alone
+        };
+        let b = friction.boundary_share.mean.min(phi);
+        let rest = friction.graded.mean - (phi - b) * mu_l - b * mu_b;
+        let mu_f = if phi < 1.0 { rest / (1.0 - phi) } else { alone };
+        let below_50 = record.load_below.iter().find(|below| {
+            let nanometres = below.film.si() * 1e9;
+            (nanometres - 50.0).abs() < 1e-6
+        });
+        let scales = &record.scales;
+        Self {
+            solid_share: record.solid_share,
+            share_below_50_nm: below_50.map_or(record.solid_share, |below| below.share),
+            boundary_share: friction.boundary_share,
+            mean_film: record.mean_film,
+            smooth_film: record.smooth_film,
+            friction: friction.graded,
+            film_friction: mu_f,
+            lubricated_friction: mu_l,
+            smooth_friction: smooth_friction(contact, law, record.smooth_film),
+            mean_max_pressure: record.mean_max_pressure,
+            max_pressure: record.max_pressure,
+            attenuated_roughness: contact.attenuated_roughness,
+            travel: record.travel,
+            x: record.x.clone(),
+            pressure: record.mean_pressure.clone(),
+            film: record
+                .mean_film_on_nodes
+                .iter()
+                .map(|film| scales.film_length(*film).si())
+                .collect(),
+            load_error: evidence.load_error,
+            steps: evidence.steps,
+            steps_cut: evidence.steps_cut,
+            loose_steps: evidence.loose_steps,
+            newton_iterations: evidence.newton_iterations,
+            gmres_iterations: evidence.gmres_iterations,
+            tags: Vec::new(),
+        }
+    }
+
+    /// Share of the solid load on the boundary layer, at most 1.
+    pub(super) fn boundary_part(&self) -> f64 {
+        let phi = self.solid_share.mean;
+        if phi > NO_SHARE {
+            (self.boundary_share.mean / phi).min(1.0)
+        } else {
+            0.0
+        }
+    }
+
+    /// Film friction of the record over that of the smooth film.
+    pub(super) fn film_ratio(&self) -> f64 {
+        if self.smooth_friction > 0.0 {
+            self.film_friction / self.smooth_friction
+        } else {
+            1.0
+        }
+    }
+}
+
+/// Friction coefficient of a film of one thickness under the Hertz pressure.
+fn smooth_friction(contact: &RefereeContact, law: &FrictionLaw, film: Length) -> f64 {
+    let line = &contact.rough.contact;
+    let rate = (line.speed_1 - line.speed_2).si().abs() / film.si();
+    let p_0 = contact.station.hertz.max_pressure.si();
+    let (mut stress, mut load) = (0.0, 0.0);
+    for k in 0..HERTZ_POINTS {
+        let x = (k as f64 + 0.5) / HERTZ_POINTS as f64;
+        let pressure = p_0 * (1.0 - x * x).sqrt();
+        stress += law.film_stress(pressure, rate);
+        load += pressure;
+    }
+    stress / load
+}
