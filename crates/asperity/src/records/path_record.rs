@@ -74,28 +74,19 @@ pub struct PathRecord {
 
 impl PathRecord {
     /// What is kept of `solved`, the record of `contact` with a friction law.
-    ///
-    /// ```text
-    /// μ_l = (μ_τ − (μ_s − μ_b·φ))/φ,  μ = (1 − φ)·μ_f + (φ − b)·μ_l + b·μ_b, b ≤ φ    [Record-friction]
-    /// ```
     pub(super) fn new(
         contact: &RefereeContact,
         solved: &Solved<Record>,
         law: &FrictionLaw,
     ) -> Self {
-        cite!("Record-friction");
         let (record, evidence) = (&solved.value, &solved.evidence);
         let friction = record.friction.unwrap_or_default();
-        let (phi, mu_b) = (record.solid_share.mean, law.boundary_friction);
-        let alone = friction.film.mean;
-        let mu_l = if phi > NO_SHARE {
-            (alone - (friction.stepped.mean - mu_b * phi)) / phi
-        } else {
-            alone
-        };
-        let b = friction.boundary_share.mean.min(phi);
-        let rest = friction.graded.mean - (phi - b) * mu_l - b * mu_b;
-        let mu_f = if phi < 1.0 { rest / (1.0 - phi) } else { alone };
+        let [mu_f, mu_l] = parts(
+            record.solid_share.mean,
+            [friction.graded, friction.stepped, friction.film].map(|part| part.mean),
+            friction.boundary_share.mean,
+            law.boundary_friction,
+        );
         let below_50 = record.load_below.iter().find(|below| {
             let nanometres = below.film.si() * 1e9;
             (nanometres - 50.0).abs() < 1e-6
@@ -152,6 +143,27 @@ impl PathRecord {
     }
 }
 
+/// Film friction above and below the solid film, so that the parts make up the friction of the record.
+///
+/// ```text
+/// μ_l = (μ_τ − (μ_s − μ_b·φ))/φ,  μ = (1 − φ)·μ_f + (φ − b)·μ_l + b·μ_b,  b ≤ φ    [Record-friction]
+/// ```
+fn parts(phi: f64, [mu, mu_s, mu_tau]: [f64; 3], b: f64, mu_b: f64) -> [f64; 2] {
+    cite!("Record-friction");
+    let mu_l = if phi > NO_SHARE {
+        (mu_tau - (mu_s - mu_b * phi)) / phi
+    } else {
+        mu_tau
+    };
+    let b = b.min(phi);
+    let mu_f = if phi < 1.0 {
+        (mu - (phi - b) * mu_l - b * mu_b) / (1.0 - phi)
+    } else {
+        mu_tau
+    };
+    [mu_f, mu_l]
+}
+
 /// Friction coefficient of a film of one thickness under the Hertz pressure.
 fn smooth_friction(contact: &RefereeContact, law: &FrictionLaw, film: Length) -> f64 {
     let line = &contact.rough.contact;
@@ -165,4 +177,24 @@ fn smooth_friction(contact: &RefereeContact, law: &FrictionLaw, film: Length) ->
         load += pressure;
     }
     stress / load
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn friction_of_a_record_is_the_sum_of_its_parts() {
+        // A fifth of the load below the solid film, sheared at 0.04, the rest at 0.02; half of the fifth, and of the
+        // rest nothing, on a boundary layer of 0.1.
+        let (phi, b, mu_b) = (0.2, 0.1, 0.1);
+        let (above, below) = (0.8 * 0.02, 0.2 * 0.04);
+        let graded = above + 0.5 * below + b * mu_b;
+        let [mu_f, mu_l] = parts(phi, [graded, above + phi * mu_b, above + below], b, mu_b);
+        assert!((mu_f - 0.02).abs() < 1e-15 && (mu_l - 0.04).abs() < 1e-15);
+        let whole = (1.0 - phi) * mu_f + (phi - b) * mu_l + b * mu_b;
+        assert!((whole - graded).abs() < 1e-15);
+        assert_eq!(parts(0.0, [0.03, 0.03, 0.03], 0.0, 0.1), [0.03, 0.03]);
+        assert_eq!(parts(1.0, [0.1, 0.1, 0.04], 1.0, 0.1)[1], 0.04);
+    }
 }
