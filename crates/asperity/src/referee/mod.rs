@@ -13,4 +13,6 @@ mod settings;
 pub use comparison::{LawShare, ShareComparison, shares};
 pub use error::RefereeError;
 pub(crate) use settings::smooth_contact;
-pub use settings::{LARGEST_ROUGHNESS, RefereeContact, RefereeSettings, attenuated_roughness};
+pub use settings::{
+    LARGEST_ROUGHNESS, RefereeContact, RefereeSettings, attenuated_roughness, formula_film,
+};

@@ -7,7 +7,8 @@ use asperity_ehl::{
     DensityLaw, FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling, RecordSettings,
     RoughContact, ShearLaw, ViscosityLaw,
 };
-use asperity_ehl_regime::{FilmConditions, MoesNumbers, TraceSpectrum};
+use asperity_ehl_regime::inlet_flow::CentralFilm;
+use asperity_ehl_regime::{FilmConditions, FilmLaw, MoesNumbers, TraceSpectrum};
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
 use asperity_tribo_friction::FilmRheology;
 
@@ -207,15 +208,7 @@ pub fn attenuated_roughness(
     oil: &Oil,
     traces: &[&Profile],
 ) -> Result<Length, RefereeError> {
-    let conditions = FilmConditions {
-        entrainment: (contact.speed_1 + contact.speed_2) * 0.5,
-        radius: contact.radius,
-        load: contact.load,
-        modulus: contact.modulus,
-        viscosity: oil.viscosity,
-        pressure_viscosity: oil.pressure_viscosity,
-        contact_length: None,
-    };
+    let conditions = conditions(contact, oil);
     let hertz = HertzLine::new(contact.load, contact.radius, contact.modulus)
         .map_err(PositionError::from)?;
     let numbers = MoesNumbers::of(&conditions.line_groups()?)?;
@@ -226,4 +219,30 @@ pub fn attenuated_roughness(
         squares += left.iter().map(|z| z * z).sum::<f64>() / left.len() as f64;
     }
     Ok(Length::from_si(squares.sqrt()))
+}
+
+/// Gap in the middle and minimum film of smooth surfaces by Dowson and Toyoda, and Dowson and Higginson; their
+/// central film is a flow of mass, and the gap thinner by the density under the Hertz pressure.
+///
+/// # Errors
+/// When a number is outside its domain.
+pub fn formula_film(contact: &LineContact, oil: &Oil) -> Result<[Length; 2], RefereeError> {
+    let film = FilmLaw::DowsonToyoda.film(&conditions(contact, oil))?.value;
+    let hertz = HertzLine::new(contact.load, contact.radius, contact.modulus)
+        .map_err(PositionError::from)?;
+    let gap = CentralFilm::Gap.thickness(film.central, hertz.max_pressure)?;
+    Ok([gap, film.minimum])
+}
+
+/// What film formulas see of a contact.
+fn conditions(contact: &LineContact, oil: &Oil) -> FilmConditions {
+    FilmConditions {
+        entrainment: (contact.speed_1 + contact.speed_2) * 0.5,
+        radius: contact.radius,
+        load: contact.load,
+        modulus: contact.modulus,
+        viscosity: oil.viscosity,
+        pressure_viscosity: oil.pressure_viscosity,
+        contact_length: None,
+    }
 }
