@@ -2,9 +2,9 @@
 
 use asperity_core::quantity::Length;
 use asperity_ehl::traction::{Heat, TractionLaw, traction};
-use asperity_ehl::{ShearLaw, SteadySettings, steady};
+use asperity_ehl::{Oil, ShearLaw, SteadySettings, ViscosityLaw, steady};
 use asperity_ehl_regime::inlet_flow::CentralFilm;
-use asperity_tribo_friction::ShearLaw as FilmShearLaw;
+use asperity_tribo_friction::{PressureLaw, ShearLaw as FilmShearLaw};
 use serde::{Deserialize, Serialize};
 
 use crate::case::{Case, FullFilmName};
@@ -93,7 +93,12 @@ impl FullFilm {
         let coefficient = match law {
             Some(_) => {
                 let law = traction_law(case)?;
-                Some(traction(&contact, &oil, &film, &law)?.coefficient)
+                // The film is solved with Roelands' law; its shear is that of the case's friction.
+                let sheared = Oil {
+                    viscosity_law: viscosity_law(case, oil.viscosity_law),
+                    ..oil
+                };
+                Some(traction(&contact, &sheared, &film, &law)?.coefficient)
             }
             None => None,
         };
@@ -209,6 +214,14 @@ struct Fields {
     x: Vec<f64>,
     pressure: Vec<f64>,
     film: Vec<f64>,
+}
+
+/// Viscosity over pressure of the film friction of the case.
+fn viscosity_law(case: &Case, of_film: ViscosityLaw) -> ViscosityLaw {
+    match case.model.film_pressure_law {
+        PressureLaw::Barus => ViscosityLaw::Barus,
+        _ => of_film,
+    }
 }
 
 /// Shear law of the film friction with the limiting stress and the heat of the case.
