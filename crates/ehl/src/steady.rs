@@ -408,6 +408,7 @@ pub(crate) fn hertz_start(grid: &Grid, system: &mut impl ElasticSystem, film: f6
         }
     }
     Unknowns {
+        flow: vec![None; nodes],
         pressure,
         void,
         state,
@@ -428,6 +429,7 @@ pub(crate) fn transfer(grid: &Grid, solution: &Solution, onto: &Grid) -> Unknown
         void: vec![0.0; nodes],
         state: vec![NodeState::Full; nodes],
         rigid: known.rigid,
+        flow: vec![None; nodes],
     };
     for i in 1..nodes - 1 {
         if onto.x[i] > exit {

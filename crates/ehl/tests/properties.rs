@@ -86,8 +86,8 @@ fn forty_cold_starts_converge() {
     }
 }
 
-/// A random smooth problem at 128 cells: whether it converged.
-fn random_smooth(state: &mut u64) -> bool {
+/// A random smooth problem at 128 cells; what it is, where it was refused.
+fn random_smooth(state: &mut u64) -> Option<(ViscosityLaw, f64, f64)> {
     let mut between = |low: f64, high: f64| low * (high / low).powf(uniform(state));
     let (p_0, u_m, eta) = (
         between(0.2e9, 3e9),
@@ -116,9 +116,12 @@ fn random_smooth(state: &mut u64) -> bool {
         Ok(solved) => {
             assert!(solved.evidence.load_error < 1e-9);
             assert!(solved.value.film.iter().all(|h| h.is_finite()));
-            true
+            None
         }
-        Err(EhlError::NotConverged { .. }) => false,
+        Err(EhlError::NotConverged { .. }) => {
+            let scales = contact(p_0, u_m, 0.0).scales(&oil).unwrap();
+            Some((viscosity_law, alpha * p_0, scales.moes_load))
+        }
         Err(other) => panic!("{other}"),
     }
 }
@@ -126,9 +129,10 @@ fn random_smooth(state: &mut u64) -> bool {
 #[test]
 fn random_smooth_problems_converge_or_are_refused() {
     let mut state = 7;
-    let converged = (0..100).filter(|_| random_smooth(&mut state)).count();
-    // Measured 94 to 97 in a hundred; what does not converge is refused with its evidence.
-    assert!(converged >= 90, "{converged} of 100");
+    let refused: Vec<_> = (0..100).filter_map(|_| random_smooth(&mut state)).collect();
+    // What does not converge is refused with its evidence.
+    println!("{refused:?}");
+    assert!(refused.len() <= 6, "{refused:?}");
 }
 
 /// `cargo test --release -p asperity-ehl --test properties -- --ignored`
@@ -136,9 +140,13 @@ fn random_smooth_problems_converge_or_are_refused() {
 #[ignore = "long: two thousand problems"]
 fn two_thousand_random_smooth_problems_converge_or_are_refused() {
     let mut state = 11;
-    let converged = (0..2000).filter(|_| random_smooth(&mut state)).count();
-    println!("{converged} of 2000 converged");
-    assert!(converged >= 1900, "{converged} of 2000");
+    let refused: Vec<_> = (0..2000)
+        .filter_map(|_| random_smooth(&mut state))
+        .collect();
+    for (law, exponent, load) in &refused {
+        println!("{law:?} alpha p0 {exponent:.1} M {load:.0}");
+    }
+    assert!(refused.len() <= 80, "{} of 2000 refused", refused.len());
 }
 
 #[test]
@@ -302,14 +310,11 @@ fn shear_thinning_makes_the_thin_films() {
 }
 
 #[test]
-fn the_ceiling_holds_the_pressure_within_a_tenth() {
+fn the_ceiling_holds_the_pressure() {
     let contact = rough(0.2, 0.3e-6);
     let elastic = run(&contact, &settings(256, 1.0, 2.0)).value;
     let flow = elastic.max_pressure / 1.3;
-    let ceiling = PlasticCeiling {
-        pressure: flow,
-        compliance: 50.0,
-    };
+    let ceiling = PlasticCeiling { pressure: flow };
     let limited = run(
         &contact,
         &RecordSettings {
@@ -319,7 +324,7 @@ fn the_ceiling_holds_the_pressure_within_a_tenth() {
     )
     .value;
     assert!(
-        limited.max_pressure < flow * 1.1,
+        limited.max_pressure <= flow * (1.0 + 1e-12),
         "{}",
         limited.max_pressure
     );

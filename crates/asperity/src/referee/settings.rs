@@ -24,8 +24,6 @@ use crate::surfaces::Texture;
 pub const LARGEST_ROUGHNESS: f64 = 3.0;
 /// Roelands' exponent of the film; one that follows from α and η₀ moves the shares by some 2 %.
 const ROELANDS: f64 = 0.6;
-/// Compliance above the flow pressure in cells: holds the pressure within some 5 % of it.
-const COMPLIANCE: f64 = 10.0;
 /// Shortest wavelength kept; shorter ones move the load below 20 nm by 2 %.
 const SHORTEST_WAVE: Length = Length::from_si(8e-6);
 /// Cells that the shortest wave spans at least.
@@ -117,7 +115,6 @@ impl RefereeContact {
         let [pinion, wheel] = case.flow_pressure.map(Pressure::si);
         record.ceiling = Some(PlasticCeiling {
             pressure: Pressure::from_si(pinion.min(wheel)),
-            compliance: COMPLIANCE,
         });
         let window = record.window.outlet - record.window.inlet;
         let cell = station.hertz.half_width * (window / record.cells.max(1) as f64);

@@ -66,7 +66,7 @@ impl Levels {
     /// J·x.
     fn multiply(&mut self, system: &Linearised, x: &[f64], output: &mut [f64]) {
         let nodes = self.pressure.len();
-        for ((p, value), cavitated) in self.pressure.iter_mut().zip(x).zip(system.cavitated) {
+        for ((p, value), cavitated) in self.pressure.iter_mut().zip(x).zip(system.masked) {
             *p = if *cavitated { 0.0 } else { *value };
         }
         self.product.apply(&self.pressure, &mut self.displacement);
