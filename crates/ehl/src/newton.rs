@@ -20,6 +20,11 @@ const MOST_VOID: f64 = 1.0 - 1e-9;
 const PATIENCE: usize = 9;
 /// Film that such a node may lack when full, and oil that it may swallow in contact, over the boundary film.
 const SLACK: f64 = 1e-2;
+/// Iteration from which such a node may stay full with a film down to [`THINNEST`]: its oil is conserved, and only the
+/// boundary film, which stands for no measured length, is undercut.
+const LAST_CONTACT: usize = 12;
+/// Thinnest film of a node that stays full, over the boundary film.
+const THINNEST: f64 = 0.1;
 /// Oil that a node in contact may swallow before, over the boundary film.
 const RELEASE: f64 = 1e-3;
 /// Iteration from which nodes stay in contact: one that is too thin when full and swallows oil in contact
@@ -328,12 +333,7 @@ impl Newton {
         system.displacement(&self.change, &mut self.displacement);
         let approach = self.step[nodes];
         effort.flips = 0;
-        let lack = if effort.iterations < PATIENCE {
-            0.0
-        } else {
-            SLACK
-        };
-        let touching = problem.contact_film * (1.0 - lack);
+        let touching = problem.contact_film * least_film(effort.iterations);
         for i in 1..nodes - 1 {
             let flowed = match unknowns.flow[i] {
                 Some(_) => self.step[i],
@@ -391,6 +391,15 @@ fn flow_changes(ceiling: Option<Ceiling>, unknowns: &mut Unknowns, i: usize) -> 
             true
         }
         _ => false,
+    }
+}
+
+/// Film below which a full node comes into contact, over the boundary film.
+fn least_film(iterations: usize) -> f64 {
+    match iterations {
+        0..PATIENCE => 1.0,
+        PATIENCE..LAST_CONTACT => 1.0 - SLACK,
+        _ => THINNEST,
     }
 }
 
