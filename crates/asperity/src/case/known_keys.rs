@@ -68,7 +68,7 @@ fn objects<'a>(schema: &'a Value, node: &'a Value) -> Vec<&'a Value> {
         .collect()
 }
 
-fn properties(object: &Value) -> impl Iterator<Item = &str> {
+fn properties(object: &Value) -> impl Iterator<Item = &str> + Clone {
     object
         .get("properties")
         .and_then(Value::as_object)
