@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use asperity::UnsolvedContact;
+use asperity::kept_fields::KeptFields;
 use asperity::result::{Outcome, RunResult};
 use asperity_storage::{check_finite, check_folder, replace_folder, save, write_among};
 use serde::Serialize;
@@ -40,6 +41,16 @@ pub enum Fields {
 }
 
 impl Fields {
+    /// The fields that a run must hold for this folder and its page.
+    #[must_use]
+    pub fn kept(&self) -> KeptFields {
+        match self {
+            Self::Page => KeptFields::Highest,
+            Self::Positions(wanted) => KeptFields::Positions(wanted.clone()),
+            Self::All => KeptFields::All,
+        }
+    }
+
     fn keep(&self, position: usize) -> bool {
         match self {
             Self::Page => false,
@@ -67,22 +78,25 @@ pub fn check_place(target: &Path) -> Result<(), ReportError> {
 /// When the system refuses, a position of `fields` does not exist, a number is not finite, or `target`
 /// holds something else.
 pub fn write_folder(outcome: &Outcome, target: &Path, fields: &Fields) -> Result<(), ReportError> {
-    if let Fields::Positions(wanted) = fields {
-        for &number in wanted {
-            shown_position(&outcome.result, Some(number))?;
-            if outcome
-                .fields
-                .iter()
-                .all(|fields| fields.position != number)
-            {
-                return Err(ReportError::NoFields {
-                    number,
-                    place: None,
-                });
-            }
+    check_fields(outcome, fields)?;
+    replace_folder(target, KIND, |folder| fill(outcome, folder, fields))
+}
+
+/// Whether `outcome` holds the fields that are to be written.
+pub(crate) fn check_fields(outcome: &Outcome, fields: &Fields) -> Result<(), ReportError> {
+    let Fields::Positions(wanted) = fields else {
+        return Ok(());
+    };
+    for &number in wanted {
+        shown_position(&outcome.result, Some(number))?;
+        if outcome.fields.iter().all(|held| held.position != number) {
+            return Err(ReportError::NoFields {
+                number,
+                place: None,
+            });
         }
     }
-    replace_folder(target, KIND, |folder| fill(outcome, folder, fields))
+    Ok(())
 }
 
 /// Adds every point of the load map of `outcome` to its result folder, as `map.csv`.
