@@ -143,7 +143,7 @@ fn a_case_filters_as_its_file_states_unless_it_says_otherwise() {
     let cutoffs = |found: &serde_json::Value| {
         [0, 1].map(|body| {
             let recipe = &found["flanks"][body]["preparation"]["recipe"];
-            [&recipe["lambda_c"], &recipe["lambda_s"]].map(|text| text.as_str().unwrap().to_owned())
+            [&recipe["lambda-c"], &recipe["lambda-s"]].map(|text| text.as_str().unwrap().to_owned())
         })
     };
     let open = result("open.toml");

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use asperity::UnsolvedContact;
 use asperity::kept_fields::KeptFields;
+use asperity::profile_io::read::whole_file;
 use asperity::result::{Outcome, RunResult};
 use asperity_storage::{check_finite, check_folder, replace_folder, save, write_among};
 use serde::Serialize;
@@ -23,6 +24,9 @@ const PAGE: &str = "report.html";
 const PAGE_TABLES: &str = "page.json";
 /// Kind of the folder in messages.
 const KIND: &str = "result";
+
+/// Bytes of the largest table of a result that is read back.
+const LARGEST: u64 = 1_000_000_000;
 
 /// Every point of the load map, where it was asked for.
 const MAP: &str = "map.csv";
@@ -229,8 +233,11 @@ fn read_json<T: DeserializeOwned>(file: &Path) -> Result<T, ReportError> {
         path: file.to_owned(),
         reason,
     };
-    let text = fs::read_to_string(file).map_err(|_| refused("there is no such file"))?;
-    let mut reader = serde_json::Deserializer::from_str(&text);
+    let bytes = whole_file(file, LARGEST).map_err(|error| match error.kind() {
+        std::io::ErrorKind::Other => refused("it is no file, or too large for a result"),
+        _ => refused("there is no such file"),
+    })?;
+    let mut reader = serde_json::Deserializer::from_slice(&bytes);
     let found = serde_path_to_error::deserialize(&mut reader);
     let value = found.map_err(|error| {
         if error.inner().is_syntax() || error.inner().is_eof() {

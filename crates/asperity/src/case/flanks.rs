@@ -9,7 +9,7 @@ use asperity_core::{DomainError, Profile};
 use asperity_profile_io::Warning as ReadWarning;
 use asperity_profile_io::read::steepness::implausible;
 use asperity_profile_io::read::{
-    FilterState, Format, LengthUnit, ReadError, ReadOptions, Reading, read_bytes,
+    FilterState, Format, LengthUnit, ReadError, ReadOptions, Reading, read_with_conditions,
 };
 use asperity_roughness::Parameters;
 use asperity_roughness::composite::resampled;
@@ -369,7 +369,9 @@ fn read_trace(
         }
     };
     let options = read_options(input);
-    let read = read_bytes(&file.display().to_string(), &bytes, &options);
+    let conditions = given.files.conditions(file);
+    let name = file.display().to_string();
+    let read = read_with_conditions(&name, &bytes, conditions.as_deref(), &options);
     let plausible = read.and_then(|reading| reading.check_heights().map(|()| reading));
     let reading = plausible.map_err(|error| CaseError::Profile {
         place: source.place_of(key),

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use asperity_core::provenance::Provenance;
+use asperity_profile_io::read::whole_file;
 use asperity_tribo_friction::XuCalibration;
 
 use super::defaults::DefaultUsed;
@@ -204,12 +205,15 @@ pub fn open_source(path: &Path) -> Result<Source, Error> {
     Ok(open(path)?)
 }
 
+/// Bytes of the largest case file: no case is longer.
+const LARGEST_CASE: u64 = 10_000_000;
+
 fn open(path: &Path) -> Result<Source, CaseError> {
     let file = path.display().to_string();
     if path.is_dir() {
         return Err(CaseError::Folder { file });
     }
-    match std::fs::read(path) {
+    match whole_file(path, LARGEST_CASE) {
         Ok(bytes) => Source::from_bytes(&file, &bytes),
         Err(reason) => Err(CaseError::Open { file, reason }),
     }

@@ -26,7 +26,7 @@ use super::input::{
     OperationInput, SurfaceInput,
 };
 use super::known_keys::first_unknown;
-use super::loaded::{LoadedCase, complete};
+use super::loaded::{LoadedCase, complete, open_source};
 use super::set::set_key;
 use super::source::{MeshKeys, Source};
 use crate::error::Error;
@@ -156,10 +156,7 @@ pub fn is_planetary(source: &Source) -> bool {
 /// When a file cannot be read or says something that cannot be.
 pub fn load(path: &Path) -> Result<Option<LoadedPlanetary>, Error> {
     // Files that cannot be read are told by the loader of ordinary cases.
-    let Ok(bytes) = std::fs::read(path) else {
-        return Ok(None);
-    };
-    let Ok(source) = Source::from_bytes(&path.display().to_string(), &bytes) else {
+    let Ok(source) = open_source(path) else {
         return Ok(None);
     };
     if !is_planetary(&source) {
