@@ -153,3 +153,59 @@ fn a_planetary_set_gives_a_table_and_a_result_for_each_mesh() {
         .run(&["run", "case.toml"])
         .refused(2, "E206", &["12 planets do not fit"]);
 }
+
+#[test]
+fn a_planetary_set_takes_keys_and_standard_input_and_is_checked() {
+    let bench = bench(SET);
+    let other = SET.replace("120 N m", "100 N m");
+    bench.write("other.toml", &other);
+    let loss = |arguments: &[&str]| bench.run(arguments).well().json()["loss_w"].clone();
+    let of_file = loss(&["run", "other.toml", "--no-output", "--json"]);
+    let by_key = ["run", "case.toml", "--no-output", "--json", "--set"];
+    assert_eq!(
+        loss(&[&by_key[..], &["operation.torque=100 N m"]].concat()),
+        of_file
+    );
+    assert_ne!(
+        loss(&["run", "case.toml", "--no-output", "--json"]),
+        of_file
+    );
+    let piped = bench.run_with_input(&["run", "-", "--no-output", "--json"], &other);
+    assert_eq!(piped.well().json()["loss_w"], of_file);
+    bench
+        .run(&["run", "case.toml", "--set", "planetary.plantes=4"])
+        .refused(2, "E203", &["Did you mean \"planets\"?"]);
+
+    let said = bench.run(&["check", "case.toml"]).well().out;
+    for says in [
+        "planetary.ring_speed",
+        "material.ring.young",
+        "32 rough contacts",
+    ] {
+        assert!(said.contains(says), "{says} is not in {said}");
+    }
+    assert!(!said.contains("material.pinion"), "{said}");
+}
+
+#[test]
+fn check_tells_every_error_of_a_planetary_set_once() {
+    let bad = SET
+        .replace("1.5 mm", "1.5 m")
+        .replace("m100", "m1000")
+        .replace("wheel.csv", "nosuch.csv")
+        .replace("planets = 3", "planets = 3\nplanet = 3");
+    let bench = bench(&bad);
+    let before = bench.listing();
+    let said = bench.run(&["check", "case.toml"]);
+    assert_eq!(said.status, 2);
+    for says in [
+        "E204 case.toml:6: planetary.planet",
+        "E212 case.toml:7 (mesh of the sun, its pinion, and a planet): gears.module = \"1.5 m\"",
+        "E208 case.toml:13: lubricant",
+        "E103 nosuch.csv",
+        "case.toml: 4 errors",
+    ] {
+        assert!(said.err.contains(says), "{says} is not in {}", said.err);
+    }
+    assert_eq!(bench.listing(), before);
+}

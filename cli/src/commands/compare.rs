@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::case::{self, CaseInput, FlankInput, LoadedCase, Source};
+use asperity::kept_fields::KeptFields;
 use asperity_studies::compare::{self, Finish};
 
 use super::work::check_work;
@@ -44,7 +45,12 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
         })
         .collect::<Result<Vec<_>, Failure>>()?;
     if let Some(first) = finishes.first() {
-        check_work(&args.work, &first.case, finishes.len())?;
+        check_work(
+            &args.work,
+            &first.case,
+            &KeptFields::Highest,
+            finishes.len(),
+        )?;
     }
     let folder = args.output.clone().unwrap_or_else(|| {
         let stem = stem(&args.case).to_string_lossy();

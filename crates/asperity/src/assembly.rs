@@ -268,7 +268,7 @@ fn row(case: &Case, position: &Position, rolling: f64, per_width: f64) -> Positi
         boundary_w_per_m: parts[2] * sliding,
         rolling_w_per_m: surfaces * rolling * motion.entrainment.si(),
         contact_fraction: touching(|contact| contact.contact_fraction),
-        p_max_mpa: touching(|contact| contact.p_max * 1e-6),
+        p_max_mpa: position.rough_pressure(),
         plastic_work_j_per_m: touching(|contact| contact.plastic_work),
         von_mises_max_mpa: position.von_mises.map(|(stress, _)| stress.si() * 1e-6),
         von_mises_depth_um: position.von_mises.map(|(_, depth)| depth.si() * 1e6),

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use asperity_contact::plasticity::{FIRST_YIELD, first_yield_pressure};
+use asperity_contact::{ContactWarning, SUSPECT_GAP};
 use asperity_core::OutOfRange;
 use asperity_efficiency::equivalent_friction;
 use asperity_gear::StiffnessSource;
@@ -47,6 +48,7 @@ pub(crate) fn warnings(
     }
     no_sliding(loaded, positions, &mut found);
     stress(loaded, positions, &mut found)?;
+    contacts(positions, &mut found);
     roughness(loaded, positions, &mut found);
     Ok(found)
 }
@@ -200,6 +202,33 @@ fn no_sliding(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warni
     }
 }
 
+/// W413, W414: a contact that runs into the end of its window, and a gap that no flank has.
+fn contacts(positions: &[Position], found: &mut Vec<Warning>) {
+    let count = positions.len();
+    let doubts = |is_meant: fn(&ContactWarning) -> bool| {
+        let has_one = |position: &&Position| position.doubts.iter().any(is_meant);
+        positions.iter().filter(has_one).count()
+    };
+    let at_end = doubts(|doubt| matches!(doubt, ContactWarning::PressureAtEnd { .. }));
+    if at_end > 0 {
+        found.push(Warning::new(
+            "W413",
+            format!(
+                "the rough contact runs into the end of its window at {at_end} of {count} positions: raise model.window"
+            ),
+        ));
+    }
+    let beyond = doubts(|doubt| matches!(doubt, ContactWarning::GapBeyondDeformation { .. }));
+    if beyond > 0 {
+        found.push(Warning::new(
+            "W414",
+            format!(
+                "the gap under the contact spans more than {SUSPECT_GAP} times the deformation at {beyond} of {count} positions: an outlier or a wrong unit"
+            ),
+        ));
+    }
+}
+
 /// W405, W409, W410: yield below the surface, and flow of the asperities.
 fn stress(
     loaded: &LoadedCase,
@@ -252,7 +281,7 @@ fn stress(
         found.push(Warning::new(
             "W410",
             format!(
-                "von Mises stress under the asperities passes the elastic limit {:.0} MPa at {strained} of {} positions",
+                "von Mises stress under the asperities of the first offset passes the elastic limit {:.0} MPa at {strained} of {} positions",
                 limit * 1e-6,
                 positions.len()
             ),

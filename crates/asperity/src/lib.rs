@@ -45,6 +45,7 @@ pub mod fluid;
 mod formulation;
 mod friction;
 pub mod gear_report;
+pub mod kept_fields;
 pub mod laws;
 pub mod load_report;
 pub mod load_share;

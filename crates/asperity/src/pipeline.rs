@@ -23,6 +23,7 @@ use crate::detail::Detail;
 use crate::encounter::meeting;
 use crate::error::{Error, PositionError};
 use crate::formulation;
+use crate::kept_fields::{Keeper, KeptFields};
 use crate::physical_sense::{check_position, check_station};
 use crate::position::Position;
 use crate::provenance;
@@ -43,7 +44,33 @@ pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 /// # Errors
 /// When a position has no solution; the first one along the path is named.
 pub fn run(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, Error> {
-    outcome(loaded, Detail::Fields, progress)
+    outcome(loaded, Detail::Fields, &KeptFields::All, progress)
+}
+
+/// The same, holding the fields of some positions alone: a megabyte each with the stress below the surface.
+/// All else in the outcome is as without.
+///
+/// # Errors
+/// As [`run`].
+///
+/// ```
+/// use asperity::case;
+/// use asperity::kept_fields::KeptFields;
+/// use asperity::pipeline::run_keeping;
+/// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+/// let case = case::load_with(file, &|input| {
+///     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+/// })?;
+/// assert_eq!(run_keeping(&case, &KeptFields::Highest, &|_, _| {})?.fields.len(), 1);
+/// assert_eq!(run_keeping(&case, &KeptFields::All, &|_, _| {})?.fields.len(), 4);
+/// # Ok::<(), asperity::Error>(())
+/// ```
+pub fn run_keeping(
+    loaded: &LoadedCase,
+    kept: &KeptFields,
+    progress: Progress<'_>,
+) -> Result<Outcome, Error> {
+    outcome(loaded, Detail::Fields, kept, progress)
 }
 
 /// Runs a case with the rough contacts at every offset, without fields and stress below the surface.
@@ -51,7 +78,7 @@ pub fn run(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, Error
 /// # Errors
 /// As [`run`].
 pub fn contacts(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, Error> {
-    outcome(loaded, Detail::Contacts, progress)
+    outcome(loaded, Detail::Contacts, &KeptFields::All, progress)
 }
 
 /// Losses alone, equal to those of [`run`] to the last digit. The rough contacts are solved where the losses
@@ -131,17 +158,26 @@ fn losses_of(
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
     let chosen = (Detail::Losses, tables);
-    let (map, positions) = positions(loaded, &laws, chosen, progress, &used)?;
+    let keeper = Keeper::new(&KeptFields::All);
+    let (map, positions) = positions(loaded, &laws, chosen, &keeper, progress, &used)?;
     let sums = || sums(loaded, &map, positions)?.losses();
     let mut losses = used.collect(sums).map_err(Box::new)?;
     (losses.equations, _) = provenance::used(&tags(loaded, &used));
     Ok(losses)
 }
 
-fn outcome(loaded: &LoadedCase, detail: Detail, progress: Progress<'_>) -> Result<Outcome, Error> {
+fn outcome(
+    loaded: &LoadedCase,
+    detail: Detail,
+    kept: &KeptFields,
+    progress: Progress<'_>,
+) -> Result<Outcome, Error> {
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
-    let (map, positions) = positions(loaded, &laws, (detail, None), progress, &used)?;
+    let keeper = Keeper::new(kept);
+    let chosen = (detail, None);
+    let (map, mut positions) = positions(loaded, &laws, chosen, &keeper, progress, &used)?;
+    keeper.give_back(&mut positions);
     let sums = || {
         let points = points(loaded, &laws, &map)?;
         sums(loaded, &map, positions)?.outcome(&points)
@@ -163,6 +199,7 @@ fn positions(
     loaded: &LoadedCase,
     laws: &ChosenLaws,
     (detail, tables): (Detail, Option<&ContactTables>),
+    keeper: &Keeper<'_>,
     progress: Progress<'_>,
     used: &Provenance,
 ) -> Result<(LoadMap, Vec<Position>), Error> {
@@ -184,8 +221,10 @@ fn positions(
         .map(|station| {
             let position = used.collect(|| {
                 check_station(&station)?;
-                let position = run.solve(station)?;
-                check_position(&position).map(|()| position)
+                let mut position = run.solve(station)?;
+                check_position(&position)?;
+                keeper.take(&mut position);
+                Ok(position)
             });
             progress(1 + done.fetch_add(1, Ordering::Relaxed), count);
             position

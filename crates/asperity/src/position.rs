@@ -1,5 +1,6 @@
 //! One solved mesh position, as data.
 
+use asperity_contact::ContactWarning;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::Regime;
 
@@ -7,6 +8,7 @@ use crate::friction::{InFilm, Rubbing};
 use crate::load_share::LoadShareSolution;
 use crate::local_roughness::Roughness;
 use crate::result::PositionFields;
+use crate::solved::mean;
 use crate::station::Station;
 
 /// A mesh position with everything that varies over the offsets.
@@ -18,6 +20,25 @@ pub(crate) struct Position {
     pub fields: Option<PositionFields>,
     /// Largest von Mises stress below the first offset's contact, and its depth.
     pub von_mises: Option<(Pressure, Length)>,
+    /// Doubts about the rough contacts that were solved.
+    pub doubts: Vec<ContactWarning>,
+}
+
+impl Position {
+    /// Largest pressure of the rough contact, as a mean over the offsets where the flanks touch \[MPa\]; none
+    /// where they don't.
+    pub fn rough_pressure(&self) -> Option<f64> {
+        let contacts = self.offsets.iter().filter_map(|offset| offset.contact);
+        let pressures: Vec<f64> = contacts.map(|contact| contact.p_max * 1e-6).collect();
+        (!pressures.is_empty()).then(|| mean(pressures.into_iter()))
+    }
+
+    /// The same, or the Hertz pressure where the flanks don't touch: a report shows the position where it is
+    /// highest.
+    pub fn shown_pressure(&self) -> f64 {
+        let hertz = self.station.hertz.max_pressure.si() * 1e-6;
+        self.rough_pressure().unwrap_or(hertz)
+    }
 }
 
 /// One offset of the traces at a mesh position.

@@ -1,6 +1,6 @@
 //! One mesh position solved at every offset: regime, friction and, where asked for, contact and fields.
 
-use asperity_contact::Solver;
+use asperity_contact::{ContactSolution, Solver};
 use asperity_core::Checked;
 
 use crate::case::Case;
@@ -51,6 +51,7 @@ impl Run<'_> {
             offsets: Vec::with_capacity(count),
             fields: None,
             von_mises: None,
+            doubts: Vec::new(),
             station,
         };
         let mut workspace = Workspace {
@@ -166,6 +167,8 @@ impl Run<'_> {
         offset.rubbing = strategy.rubbing(&scene, &carried)?;
         offset.film_share = strategy.film_share(&scene, &carried, &offset.rubbing);
         offset.deformation = strategy.deformation(&scene, &carried)?;
+        let doubts = carried.solids.iter().flat_map(ContactSolution::warnings);
+        position.doubts.extend(doubts);
         offset.contact = carried.solids.as_ref().map(|solids| ContactNumbers {
             contact_fraction: solids.contact_fraction,
             p_max: peak(&solids.pressure, &carried.fluid),

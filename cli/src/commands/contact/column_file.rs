@@ -1,12 +1,12 @@
 //! Two columns of a bare text file on an even grid: positions x and a gap, a profile or a pressure, with
 //! their units in the header.
 
-use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
+use asperity_profile_io::read::regular_file;
 
 use crate::failure::Failure;
 
@@ -65,7 +65,7 @@ pub fn read(path: &Path, column: Column) -> Result<Columns, Failure> {
             .advising("Check the name and the permissions.")
     };
     let mut bytes = vec![];
-    let file = File::open(path).map_err(cannot)?;
+    let file = regular_file(path).map_err(cannot)?;
     file.take(MAX_BYTES + 1)
         .read_to_end(&mut bytes)
         .map_err(cannot)?;

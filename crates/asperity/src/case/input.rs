@@ -219,10 +219,10 @@ pub struct SurfaceInput {
     pub wheel: Option<FlankInput>,
     /// Form removed from each trace; default `level` (a straight line).
     pub form: Option<Form>,
-    /// Cut-off λc that separates waviness from roughness; default 0.8 mm, "0 mm" keeps the
-    /// waviness.
+    /// Cut-off λc that separates waviness from roughness; default as the file states, else 0.25 mm; "0 mm" keeps
+    /// the waviness.
     pub cutoff: Option<Length>,
-    /// Cut-off λs below which detail is noise; default 2.5 um, "0 um" for none.
+    /// Cut-off λs below which detail is noise; default as the file states, else 2.5 um, "0 um" for none.
     pub noise_cutoff: Option<Length>,
     /// What the filters do at the ends of a trace; default `cut`.
     pub ends: Option<Ends>,

@@ -33,6 +33,8 @@ pub struct Contour {
     pub rows: Vec<f64>,
     /// Values row by row.
     pub values: Vec<f64>,
+    /// A value whose line is drawn over the bands.
+    pub isoline: Option<f64>,
     /// Height of the box in units of the drawing.
     pub height: f64,
 }
@@ -104,6 +106,9 @@ impl Contour {
             };
             canvas.path(&format!("band b{}", colour(band, levels.len())), &outline);
         }
+        if let Some(level) = self.isoline {
+            canvas.path("isoline", &self.line_at(level, &frame));
+        }
         canvas.raw("</g></g>");
         self.draw_scale(&mut canvas, &frame, &levels);
         document(dress, &self.title, frame.height, &canvas.into_text())
@@ -159,6 +164,39 @@ impl Contour {
             }
             if let Some(from) = run {
                 block(&mut d, [px[from], px[nx - 1]], [py[j], py[j + 1]]);
+            }
+        }
+        d
+    }
+
+    /// The line where the field is `level`, cell by cell.
+    fn line_at(&self, level: f64, frame: &Frame) -> String {
+        let (nx, ny) = (self.columns.len(), self.rows.len());
+        let px: Vec<f64> = self.columns.iter().map(|x| frame.px(*x)).collect();
+        let py: Vec<f64> = self.rows.iter().map(|y| frame.py(*y)).collect();
+        let at = |i: usize, j: usize| self.values[j * nx + i];
+        let mut d = String::new();
+        for j in 0..ny.saturating_sub(1) {
+            for i in 0..nx.saturating_sub(1) {
+                let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
+                let mut crossings = Vec::with_capacity(4);
+                for k in 0..4 {
+                    let ([(i1, j1), (i2, j2)], [a, b]) = {
+                        let ends = [corners[k], corners[(k + 1) % 4]];
+                        (ends, ends.map(|(i, j)| at(i, j)))
+                    };
+                    if (a >= level) != (b >= level) {
+                        let share = (level - a) / (b - a);
+                        crossings.push([
+                            px[i1] + share * (px[i2] - px[i1]),
+                            py[j1] + share * (py[j2] - py[j1]),
+                        ]);
+                    }
+                }
+                for pair in crossings.chunks_exact(2) {
+                    let [[x1, y1], [x2, y2]] = [pair[0], pair[1]];
+                    let _ = write!(d, "M{x1:.1} {y1:.1}L{x2:.1} {y2:.1}");
+                }
             }
         }
         d

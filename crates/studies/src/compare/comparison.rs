@@ -4,6 +4,7 @@ use std::path::Path;
 
 use asperity::Error;
 use asperity::case::LoadedCase;
+use asperity::kept_fields::KeptFields;
 use asperity::pipeline::{self, Progress};
 use asperity::result::{OffsetRow, Outcome};
 use serde::Serialize;
@@ -85,7 +86,7 @@ pub fn compare(finishes: &[Finish], progress: Progress<'_>) -> Result<Comparison
     let mut results: Vec<FinishResult> = Vec::with_capacity(finishes.len());
     let (mut title, mut power_in_w) = (String::new(), 0.0);
     for finish in finishes {
-        let outcome = pipeline::run(&finish.case, &|_, _| {})?;
+        let outcome = pipeline::run_keeping(&finish.case, &KeptFields::Highest, &|_, _| {})?;
         title.clone_from(&outcome.result.title);
         power_in_w = outcome.result.summary.power_in_w;
         results.push(finish_result(finish, outcome, results.first())?);

@@ -14,15 +14,21 @@ use super::figure::{Figure, FigureError};
 /// File, chart of the report, title, table it is kept in.
 const FIGURES: &[(&str, &str, &str, &str)] = &[
     (
-        "fig09a_pinion",
-        "flank-contact-pinion",
-        "Fig. 9: pinion before, in and after contact",
+        "fig09a_touch",
+        "flanks-touch",
+        "Fig. 9: both flanks before the contact, facing each other",
         SURFACE,
     ),
     (
-        "fig09b_wheel",
-        "flank-contact-wheel",
-        "Fig. 9: wheel before, in and after contact",
+        "fig09b_load",
+        "flanks-load",
+        "Fig. 9: both flanks in contact, facing each other",
+        SURFACE,
+    ),
+    (
+        "fig09c_change",
+        "flanks-change",
+        "Fig. 9: change of the flanks, from before to after",
         SURFACE,
     ),
     (
