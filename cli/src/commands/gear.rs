@@ -83,7 +83,9 @@ fn write_mesh(text: &mut String, found: &GearReport) -> std::fmt::Result {
     writeln!(
         text,
         "torque {} N m   normal force {:.1} N   K_Hbeta {:.3}",
-        found.torque_nm, found.normal_force_n, found.face_load_factor
+        (found.torque_nm * 1e3).round() / 1e3,
+        found.normal_force_n,
+        found.face_load_factor
     )?;
     if let Some(error) = &found.transmission_error {
         writeln!(
