@@ -137,9 +137,11 @@ pub enum Command {
     },
     /// Write a worked case with synthetic profiles into a new folder
     Demo {
-        /// The folder to make
-        #[arg(default_value = "demo")]
-        folder: PathBuf,
+        /// The folder to make [default: demo, with --paper table2]
+        folder: Option<PathBuf>,
+        /// Table 2 of the 2022 paper on a synthetic damaged flank instead
+        #[arg(long)]
+        paper: bool,
     },
 }
 

@@ -163,6 +163,11 @@ impl Chart {
         Frame::new(self.height, rows, 0.0, x, y, self.y.downward)
     }
 
+    /// Height of the chart as a file of its own.
+    pub(super) fn height_alone(&self) -> f64 {
+        self.frame(Dress::Alone).height
+    }
+
     /// The chart as SVG.
     pub fn svg(&self, dress: Dress) -> String {
         let frame = self.frame(dress);

@@ -198,9 +198,13 @@ fn von_mises(
     Some(Drawing::Contour(Contour {
         id: "von-mises".to_owned(),
         title: match passes {
-            true => format!("Von Mises stress below the surface; line: elastic limit {limit:.0}"),
+            true => format!(
+                "Von Mises stress below the surface; line: elastic limit {limit_mpa:.0} MPa"
+            ),
             false => {
-                format!("Von Mises stress below the surface; elastic limit {limit:.0} not reached")
+                format!(
+                    "Von Mises stress below the surface; elastic limit {limit_mpa:.0} MPa not reached"
+                )
             }
         },
         isoline: passes.then_some(limit_mpa),
