@@ -133,7 +133,9 @@ fn damaged_planetary_cases_are_read_or_refused() {
 #[test]
 fn damaged_cases_with_their_traces_are_read_or_refused() {
     let unit = "file = \"pinion.csv\", dx = \"0.5 um\", z_unit = \"um\"";
-    let seed = E_DRIVE
+    // Half of the text is a remark, so that some damage does no harm.
+    let remark = format!("# {}\n", "a small case of an electric drive, ".repeat(24));
+    let seed = (remark + E_DRIVE)
         .replace("file = \"pinion.csv\"", unit)
         .replace("file = \"wheel.csv\"", &unit.replace("pinion", "wheel"));
     hold(&[&seed], 150, text(|text| parsers::case("case.toml", text)));
@@ -142,11 +144,14 @@ fn damaged_cases_with_their_traces_are_read_or_refused() {
 #[test]
 fn damaged_gaps_are_read_or_refused() {
     let rows: String = (0..120)
-        .map(|i| format!("{};{:.3}\n", i, f64::from(i * i) * 1e-3))
+        .map(|i| format!("{i};{:.3}\n", f64::from(i * i) * 1e-3))
+        .collect();
+    let other: String = (0..120)
+        .map(|i| format!("{:.3}\t{i}\n", f64::from(i * i) * 1e-3))
         .collect();
     let seeds = [
         format!("x_um;h_um\n{rows}"),
-        format!("h [nm]\tx [mm]\n{}", rows.replace(';', "\t")),
+        format!("h [nm]\tx [mm]\n{other}"),
     ];
     let seeds: Vec<&str> = seeds.iter().map(String::as_str).collect();
     hold(&seeds, 1500, asperity_cli::fuzzing::gap);

@@ -1,4 +1,4 @@
-//! What holds for every parser, whatever it is given: it returns a value without fault, or refuses with a code.
+//! Property of every parser, whatever it is given: it returns a value without fault, or refuses with a code.
 //!
 //! The fuzz targets in `fuzz/` and their deterministic twins in `tests/cli/mutated.rs` call the same functions.
 
@@ -22,10 +22,7 @@ fn trace() -> Vec<u8> {
 /// # Panics
 /// When it does neither.
 pub fn units(text: &str) -> bool {
-    fn same<Q: Quantity>(text: &str) -> bool
-    where
-        Q: std::str::FromStr + std::fmt::Display,
-    {
+    fn same<Q: Quantity + std::str::FromStr + std::fmt::Display>(text: &str) -> bool {
         let Ok(read) = text.parse::<Q>() else {
             return false;
         };

@@ -189,7 +189,10 @@ fn a_film_that_falls_with_the_speed_is_noted() {
     let film = |faster: f64| {
         let loading = position.loading * faster * faster;
         let factor = gupta(p0, MODULUS, loading, 0.0).unwrap();
-        let noted = factor.outside.iter().any(|note| note.correlation.contains("film falls"));
+        let noted = factor
+            .outside
+            .iter()
+            .any(|note| note.correlation.contains("film falls"));
         (factor.value * faster.powf(0.69), noted)
     };
     let mut seen = [0, 0];

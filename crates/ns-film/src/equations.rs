@@ -37,7 +37,7 @@ const fn row(
     }
 }
 
-/// What the paper assumes of its flow, with which the momentum has the terms that it has.
+/// An assumption of the paper about its flow, with which the momentum has the terms that it has.
 const fn assumption(tag: &'static str, title: &'static str, formula: &'static str) -> Equation {
     row(
         tag,
@@ -59,7 +59,9 @@ pub const EQUATIONS: &[Equation] = &[
         PAPER,
         "the_papers_velocities_conserve_mass",
         &[RODRIGUEZ_2022],
-        Some("misprinted there; the standard equation (derived), which the velocities of equations 30 and 31 fulfil"),
+        Some(
+            "misprinted there; the standard equation (derived), which the velocities of equations 30 and 31 fulfil",
+        ),
     ),
     row(
         "P23",
@@ -73,9 +75,17 @@ pub const EQUATIONS: &[Equation] = &[
         ),
     ),
     assumption("P24", "Assumption: no flow along the axis", "u_z = 0"),
-    assumption("P25", "Assumption: radial velocity the same along the axis", "∂ⁱu_r/∂zⁱ = 0"),
+    assumption(
+        "P25",
+        "Assumption: radial velocity the same along the axis",
+        "∂ⁱu_r/∂zⁱ = 0",
+    ),
     assumption("P26", "Assumption: steady flow", "∂uᵢ/∂t = 0"),
-    assumption("P27", "Assumption: velocity along the film the same along the axis", "∂ⁱu_θ/∂zⁱ = 0"),
+    assumption(
+        "P27",
+        "Assumption: velocity along the film the same along the axis",
+        "∂ⁱu_θ/∂zⁱ = 0",
+    ),
     assumption("P28", "Assumption: no gravity", "g = 0"),
     row(
         "P29",
@@ -124,7 +134,9 @@ pub const EQUATIONS: &[Equation] = &[
         PAPER,
         "the_base_radius_is_half_of_what_is_printed",
         &[RODRIGUEZ_2022],
-        Some("sets a radial velocity equal to the free stream along the film, at a δ_BL that is never given; D follows from equation 36 instead"),
+        Some(
+            "sets a radial velocity equal to the free stream along the film, at a δ_BL that is never given; D follows from equation 36 instead",
+        ),
     ),
     row(
         "P34",

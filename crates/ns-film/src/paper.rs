@@ -2,7 +2,7 @@
 //!
 //! The paper assumes a parabola through the film whose argument is the gap at the angle θ, so
 //! that u_θ depends on θ alone, takes u_r from continuity and integrates dP/dr from wall 2 to wall 1.
-//! The misprints are mended; the field still admits no single-valued pressure and is kept only to compare
+//! The misprints are corrected; the field still admits no single-valued pressure and is kept only to compare
 //! with the paper. At the pitch point, where both walls move alike, the difference is that of the
 //! consistent film; with sliding the terms in ∂u/∂θ take over and are far too large.
 //!
@@ -17,7 +17,7 @@
 //! | f, f', f'' | first to third derivative of u_θ over θ | m/s |
 //! | ρ, μ | density, viscosity | kg/m³, Pa s |
 //!
-//! What the paper numbers and nothing here computes: continuity, which the velocities below fulfil; its
+//! Numbers of the paper that nothing here computes: continuity, which the velocities below fulfil; its
 //! assumptions, with which the momentum is that of a plane and steady flow; and three statements, of which the
 //! first two are not used.
 //!

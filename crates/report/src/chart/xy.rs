@@ -75,7 +75,7 @@ pub struct Level {
 pub struct Chart {
     /// Name for links.
     pub id: String,
-    /// What it shows.
+    /// Title of the drawing.
     pub title: String,
     /// The table it was drawn from.
     pub source: String,
@@ -273,7 +273,7 @@ impl Chart {
         }
     }
 
-    /// What the script needs for zoom and read-off.
+    /// Data of the script for zoom and read-off.
     pub fn data(&self) -> Value {
         let frame = self.frame(Dress::Page);
         let mut data = frame.data(&self.x, &self.y);

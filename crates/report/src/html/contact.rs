@@ -74,7 +74,7 @@ fn column<R>(rows: &[R], value: impl Fn(&R) -> f64) -> Vec<f64> {
     rows.iter().map(value).collect()
 }
 
-/// What is shown across the contact, in Hertz half widths to either side.
+/// Range shown across the contact, in Hertz half widths to either side.
 const REACH: f64 = 1.6;
 
 /// Both flanks facing each other at first touch and under load, the gap between them, and what stays.
