@@ -43,7 +43,7 @@ fn said(output: Output) -> Said {
     }
 }
 
-/// What the program said and how it ended.
+/// Output of the program and its exit status.
 #[derive(Debug)]
 pub struct Said {
     /// Exit status.

@@ -310,7 +310,7 @@ const CHANGES: [(&str, &str); 16] = [
     ("operation.temperature", "60 °C"),
 ];
 
-/// What one changed key does to the loss.
+/// Effect of one changed key on the loss.
 pub fn one_key_changed() -> String {
     let base = few("e-drive", &[]).loss_w;
     let mut text = format!(

@@ -58,7 +58,7 @@ pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
     print_text(common, &text(&name, sound))
 }
 
-/// What is told of a case without errors.
+/// Report on a case without errors.
 struct Sound {
     warnings: Vec<Warning>,
     defaults: Vec<DefaultUsed>,

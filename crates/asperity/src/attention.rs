@@ -281,7 +281,7 @@ fn stress(
         found.push(Warning::new(
             "W410",
             format!(
-                "von Mises stress under the asperities of the first offset passes the elastic limit {:.0} MPa at {strained} of {} positions",
+                "von Mises stress under the asperities passes the elastic limit {:.0} MPa at {strained} of {} positions",
                 limit * 1e-6,
                 positions.len()
             ),

@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 pub struct Warning {
     /// Stable code, `W402`.
     pub code: Cow<'static, str>,
-    /// What was seen, what was expected.
+    /// Values seen and expected.
     pub text: String,
 }
 
@@ -34,7 +34,7 @@ impl std::fmt::Display for Warning {
     }
 }
 
-/// What a code means and what to do.
+/// Meaning of a code and its remedy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Explanation {
     /// Stable code.
@@ -43,7 +43,7 @@ pub struct Explanation {
     pub title: &'static str,
     /// Why it is said.
     pub meaning: &'static str,
-    /// What to do.
+    /// Advice.
     pub remedy: &'static str,
     /// The settings that the remedy is about.
     pub settings: &'static [Setting],
@@ -148,7 +148,7 @@ explanations! {
     "W407" "offsets overlap": "The traces are so short that the windows of different offsets overlap; the spread is a lower bound." => "Measure longer traces.";
     "W408" "regime without a profile": "A flank is given by roughness values; the rough contact was not computed. Losses in mixed lubrication follow from the load share; without rpk and asperity_radius the classical film ratio decides the regime." => "Give a measured profile for contact pressures, plasticity and running-in.";
     "W409" "asperities flow": "The contact reaches the flow pressure: these flanks run in. The energy of one pass is reported apart from the efficiency." => "Look at running_in in the result.";
-    "W410" "stress below asperities passes the elastic limit": "The von Mises stress under the rough contact passes the elastic limit; flow below the surface is not modelled." => "Look at the subsurface fields of the positions named.";
+    "W410" "stress below asperities passes the elastic limit": "The von Mises stress under the rough contact passes the elastic limit; flow below the surface is not modelled. It is computed at the first offset of the traces alone, so that positions without this warning may pass it at another." => "Look at the subsurface fields of the positions named.";
     "W411" "no peaks under the contact": "The windows that meet have no peaks above the core of the profile, so Lambda* is not defined; the classical film ratio decided between full film and mixed." => "Look at the trace: a regular pattern (feed marks) has no peaks in the sense of ISO 13565-2.";
     "W412" "no sliding at the paper's position": "The paper's reading takes one position for the whole mesh; at the pitch point nothing slides, so there is no sliding loss." => "Set model.position between 0 (A) and 1 (E), or use the corrected formulation.";
     "W413" "the contact runs into the end of the window": "The pressure is not zero at a free end, so the contact would go on beyond it; the pressures are those of a strip that ends there." => "Widen the gap on that side, or lower the load.";

@@ -58,7 +58,7 @@ pub(crate) struct Offset {
     pub solved: Option<LoadShareSolution>,
     /// Friction in the film.
     pub friction: InFilm,
-    /// What the asperities and the film contribute to the friction force.
+    /// Contributions of asperities and film to the friction force.
     pub rubbing: Rubbing,
     /// Friction force per metre of contact line \[N/m\].
     pub friction_force: f64,

@@ -121,7 +121,7 @@ pub struct PublishedLawRow {
     pub includes_asperities: bool,
     /// Whether it was made without the rolling loss, which is then that of this result.
     pub excludes_rolling: bool,
-    /// What it was fitted to.
+    /// Data it was fitted to.
     pub fitted_to: String,
     /// Whether every input lies inside what it was fitted to.
     pub inside_its_range: bool,
@@ -242,7 +242,7 @@ pub struct PositionRow {
 pub struct PointRow {
     /// A, B, C, D or E.
     pub point: Cow<'static, str>,
-    /// What holds there.
+    /// Property that holds there.
     #[serde(flatten)]
     pub row: PositionRow,
 }

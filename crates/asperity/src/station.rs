@@ -53,12 +53,12 @@ pub struct Station {
     pub load: LineLoad,
     /// Smooth dry contact.
     pub hertz: HertzLine,
-    /// What the film laws see.
+    /// Inputs of the film laws.
     pub film_conditions: FilmConditions,
     /// Thermal reduction φ of film and rolling.
     pub thermal_reduction: f64,
     /// Smooth film with thermal reduction.
     pub film: FilmThickness,
-    /// What left its fitted range.
+    /// Inputs that left their fitted range.
     pub outside: Vec<OutOfRange>,
 }

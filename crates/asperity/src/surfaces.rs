@@ -192,7 +192,7 @@ pub struct FlankReport {
     pub trace: Option<Profile>,
     /// Whether the trace was run from its other end.
     pub mirrored: bool,
-    /// What was done to the trace.
+    /// Record of the preparation of the trace.
     pub preparation: Option<PreparationRecord>,
     /// Parameters of the prepared trace.
     pub parameters: Option<Parameters>,

@@ -79,14 +79,19 @@ pub fn read(path: &Path, column: Column) -> Result<Columns, Failure> {
         )
         .advising("Give a file with one row per point."));
     }
-    let text = decoded(&bytes).ok_or_else(|| {
+    of_bytes(&name, &bytes, column)
+}
+
+/// Reads the positions and one more column of the content of a file called `name`.
+pub fn of_bytes(name: &str, bytes: &[u8], column: Column) -> Result<Columns, Failure> {
+    let text = decoded(bytes).ok_or_else(|| {
         Failure::new(
             "E108",
             format!("{name}: not text: it holds bytes that no text has"),
         )
         .advising("Save the columns as text, in UTF-8, UTF-16 or Latin-1.")
     })?;
-    parse(&name, &text, column)
+    parse(name, &text, column)
 }
 
 /// A profile of a file with the columns x and z.

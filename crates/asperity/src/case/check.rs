@@ -130,7 +130,7 @@ pub(super) fn completed(
     }
 }
 
-/// What was blamed and put right so far.
+/// Parts blamed and put right so far.
 pub(super) struct Mending {
     /// A case that is right.
     right: Table,

@@ -19,7 +19,7 @@ pub(super) const XU_COEFFICIENTS: &str = "model.xu_coefficients";
 /// Bytes of the largest file that a case may name.
 const LARGEST: u64 = 1_000_000_000;
 
-/// What stands behind the name of a file.
+/// Content behind the name of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Content {
     /// The bytes of a file.
@@ -86,7 +86,7 @@ impl Files {
         self.held.insert(name.to_owned(), content);
     }
 
-    /// What is kept under this name.
+    /// Content kept under this name.
     pub(super) fn held(&self, name: &Path) -> Option<&Content> {
         self.held.get(name)
     }
@@ -101,7 +101,7 @@ impl Files {
         whole_file(&path, LARGEST).ok().map(Into::into)
     }
 
-    /// What stands behind `name`, which stands at `key` of the case.
+    /// Content behind `name`, which stands at `key` of the case.
     pub(super) fn open(
         &self,
         name: &Path,

@@ -40,7 +40,7 @@ pub(super) struct Flanks {
     pub provenance: Provenance,
 }
 
-/// What is shared by the reading of both flanks.
+/// Context shared by the reading of both flanks.
 #[derive(Clone, Copy)]
 struct Given<'a> {
     case: &'a Case,
@@ -396,7 +396,7 @@ fn read_trace(
     })
 }
 
-/// What the keys of a flank say to the reader.
+/// Options of the reader from the keys of a flank.
 fn read_options(input: &FlankInput) -> ReadOptions {
     ReadOptions {
         x_unit: input.x_unit,

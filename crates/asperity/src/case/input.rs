@@ -60,7 +60,7 @@ pub enum Formulation {
     /// Dimensionally and physically consistent.
     #[default]
     Corrected,
-    /// The paper's reading, only its misprints mended.
+    /// The paper's reading, only its misprints corrected.
     Paper,
 }
 
@@ -224,7 +224,7 @@ pub struct SurfaceInput {
     pub cutoff: Option<Length>,
     /// Cut-off λs below which detail is noise; default as the file states, else 2.5 um, "0 um" for none.
     pub noise_cutoff: Option<Length>,
-    /// What the filters do at the ends of a trace; default `cut`.
+    /// Treatment of the ends of a trace by the filters; default `cut`.
     pub ends: Option<Ends>,
 }
 
@@ -254,7 +254,7 @@ pub struct FlankInput {
     pub gaps: Option<Gaps>,
     /// Which profile of a file that holds several (a row of a surface), from 1.
     pub row: Option<usize>,
-    /// What the positions are: `distance`, `roll-length`, `roll-degrees`, `roll-radians`; default as the header says.
+    /// Meaning of the positions: `distance`, `roll-length`, `roll-degrees`, `roll-radians`; default as the header says.
     pub abscissa: Option<Abscissa>,
     /// Base radius of the gear, for positions that are roll lengths or roll angles.
     pub base_radius: Option<Length>,

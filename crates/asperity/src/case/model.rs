@@ -36,7 +36,7 @@ pub struct Model {
     pub film_friction: FilmFrictionLaw,
     /// Viscosity over pressure in it.
     pub film_pressure_law: PressureLaw,
-    /// What the laws leave to choose.
+    /// Choices that the laws leave open.
     pub friction_settings: FrictionSettings,
     /// Factor on the coefficient.
     pub friction_scale: f64,

@@ -118,7 +118,7 @@ pub struct PlanetarySurfaceInput {
     pub cutoff: Option<Length>,
     /// Cut-off λs; default as the file states, else 2.5 um.
     pub noise_cutoff: Option<Length>,
-    /// What the filters do at the ends of a trace; default `cut`.
+    /// Treatment of the ends of a trace by the filters; default `cut`.
     pub ends: Option<Ends>,
 }
 
@@ -130,7 +130,7 @@ pub struct LoadedPlanetary {
     pub title: String,
     /// The set.
     pub set: PlanetarySet,
-    /// What drives it.
+    /// Operating point.
     pub operation: PlanetaryOperation,
     /// The meshes of sun and planet, and of planet and ring.
     pub meshes: [LoadedCase; 2],
@@ -285,7 +285,7 @@ fn all(
     loaded(input, set, operation, defaults, meshes).ok()
 }
 
-/// What an error is about: its code with the line it names, or with its text where it names none.
+/// Identity of an error: its code with the line it names, or with its text where it names none.
 fn identity(error: &CaseError) -> (&'static str, Option<usize>, String) {
     let line = error.place().and_then(|place| place.line);
     let text = line.map_or_else(|| error.to_string(), |_| String::new());
@@ -300,7 +300,7 @@ lubricant = { oil = "m100" }
 surface = { sun = { rq = "0.3 um" }, planet = { rq = "0.3 um" }, ring = { rq = "0.3 um" } }
 "#;
 
-/// What follows from a planetary case: the set, and the cases of its meshes.
+/// Set and mesh cases derived from a planetary case.
 struct Derived {
     set: PlanetarySet,
     operation: PlanetaryOperation,

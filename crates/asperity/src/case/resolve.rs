@@ -57,7 +57,7 @@ pub struct Case {
     pub oil: LubricantState,
     /// The oil in the film, where film friction or load share look at it.
     pub rheology: Option<FilmRheology>,
-    /// What about the oil was outside the range of its laws.
+    /// Properties of the oil outside the range of its laws.
     pub oil_notes: Vec<OutOfRange>,
     /// How the traces are prepared.
     pub preparation: Preparation,

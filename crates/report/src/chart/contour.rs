@@ -17,7 +17,7 @@ const BANDS: usize = 10;
 pub struct Contour {
     /// Name for links.
     pub id: String,
-    /// What it shows.
+    /// Title of the drawing.
     pub title: String,
     /// The table it was drawn from.
     pub source: String,
@@ -25,7 +25,7 @@ pub struct Contour {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
-    /// What the colours mean, with its unit.
+    /// Quantity shown by the colours, with its unit.
     pub value: String,
     /// Places of the columns, rising.
     pub columns: Vec<f64>,
@@ -202,7 +202,7 @@ impl Contour {
         d
     }
 
-    /// What the script needs for zoom and read-off.
+    /// Data of the script for zoom and read-off.
     pub fn data(&self) -> Value {
         let mut data = self.frame(Dress::Page).data(&self.x, &self.y);
         data["kind"] = json!("contour");

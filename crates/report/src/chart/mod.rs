@@ -13,6 +13,7 @@ mod decimate;
 mod drawing;
 mod dress;
 mod frame;
+mod stacked;
 mod strip;
 mod xy;
 
@@ -22,5 +23,6 @@ pub use contour::Contour;
 pub use decimate::decimated;
 pub use drawing::Drawing;
 pub use dress::{Dress, STYLE};
+pub use stacked::stacked;
 pub use strip::Strip;
 pub use xy::{Chart, Level, Line, Mark, Series};

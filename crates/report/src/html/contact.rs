@@ -74,7 +74,7 @@ fn column<R>(rows: &[R], value: impl Fn(&R) -> f64) -> Vec<f64> {
     rows.iter().map(value).collect()
 }
 
-/// What is shown across the contact, in Hertz half widths to either side.
+/// Range shown across the contact, in Hertz half widths to either side.
 const REACH: f64 = 1.6;
 
 /// Both flanks facing each other at first touch and under load, the gap between them, and what stays.
@@ -198,9 +198,13 @@ fn von_mises(
     Some(Drawing::Contour(Contour {
         id: "von-mises".to_owned(),
         title: match passes {
-            true => format!("Von Mises stress below the surface; line: elastic limit {limit:.0}"),
+            true => format!(
+                "Von Mises stress below the surface; line: elastic limit {limit_mpa:.0} MPa"
+            ),
             false => {
-                format!("Von Mises stress below the surface; elastic limit {limit:.0} not reached")
+                format!(
+                    "Von Mises stress below the surface; elastic limit {limit_mpa:.0} MPa not reached"
+                )
             }
         },
         isoline: passes.then_some(limit_mpa),

@@ -34,7 +34,7 @@ pub(super) fn section(result: &RunResult) -> Markup {
 /// Name of a number, its value as text, its key in `result.json`.
 type Tile = (&'static str, String, &'static str);
 
-/// What a design review asks first: efficiency and loss.
+/// Headline of a design review: efficiency and loss.
 fn headline(result: &RunResult) -> Vec<Tile> {
     let s = &result.summary;
     let band = match s.efficiency_deviation {

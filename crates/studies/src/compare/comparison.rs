@@ -24,7 +24,7 @@ pub struct Finish {
     pub case: LoadedCase,
 }
 
-/// What several finishes give; the first is the one the others are compared with.
+/// Results of several finishes; the first is the one the others are compared with.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Comparison {
     /// The program and its version.
@@ -42,7 +42,7 @@ pub struct Comparison {
     pub windows: usize,
 }
 
-/// What a finish gives.
+/// Result of a finish.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FinishResult {
     /// Its name.

@@ -66,7 +66,7 @@ const SURFACE: &str = "fig09_fig10_surface.csv";
 const SUBSURFACE: &str = "fig11_subsurface.csv";
 const LOSSES: &str = "fig12_losses.csv";
 const MARCHING: &str = "fig13_convergence.csv";
-/// What a zoom shows of the contact [µm] and below it.
+/// Range of a zoom into the contact [µm] and below it.
 const ZOOM_UM: [f64; 2] = [-110.0, -70.0];
 const ZOOM_DEPTH_UM: f64 = 20.0;
 
