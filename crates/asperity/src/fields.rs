@@ -35,7 +35,7 @@ pub(crate) fn fields(
     };
     let gap = match &carried.solids {
         Some(solids) => solids.gap.clone(),
-        None => vec![station.film.central.si(); n],
+        None => vec![station.film_shown.central.si(); n],
     };
     // Friction drags the pinion's flank against its sliding.
     let sign = -station.motion.sliding.si().signum();

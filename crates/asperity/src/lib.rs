@@ -62,6 +62,7 @@ pub mod referee;
 pub mod result;
 mod rolling;
 mod rough_film;
+pub mod run_in;
 mod solve;
 mod solved;
 pub mod station;

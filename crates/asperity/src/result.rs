@@ -12,6 +12,7 @@ use crate::case::{CaseInput, DefaultUsed, Formulation};
 use crate::flank_record::FlankRecord;
 use crate::load_report::LoadReport;
 use crate::message::Warning;
+pub use crate::run_in::{FlankHeights, RunInCycle};
 
 /// Version of the structure of `result.json`; raised when a field changes its meaning.
 pub const SCHEMA_VERSION: u32 = 2;
@@ -41,6 +42,9 @@ pub struct RunResult {
     pub points: Vec<PointRow>,
     /// Plastic work of the first engagement.
     pub running_in: RunningIn,
+    /// The mesh with flanks that have run in, where the case asks for it; all else is of the flanks as measured.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub run_in: Option<RunInFlanks>,
     /// Warnings.
     pub warnings: Vec<Warning>,
     /// The flanks as read and prepared.
@@ -259,6 +263,22 @@ pub struct RunningIn {
     pub included: bool,
 }
 
+/// The mesh with flanks that have run in.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct RunInFlanks {
+    /// Efficiency and losses of the run-in flanks.
+    pub summary: Summary,
+    /// Plastic work that an engagement still does.
+    pub running_in: RunningIn,
+    /// Roughness of the flanks as measured.
+    pub measured: FlankHeights,
+    /// Roughness of the run-in flanks.
+    pub run_in: FlankHeights,
+    /// Every cycle of the running-in.
+    pub cycles: Vec<RunInCycle>,
+}
+
 /// An equation the result rests on.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
@@ -381,6 +401,9 @@ pub struct Losses {
     pub path: Vec<PositionRow>,
     /// Efficiency and losses at each offset, whose mean is the summary.
     pub offsets: Vec<OffsetRow>,
+    /// Losses with flanks that have run in, where the case asks for them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub run_in: Option<RunInFlanks>,
     /// Equations used.
     pub equations: Vec<EquationUse>,
 }

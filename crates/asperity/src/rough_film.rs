@@ -11,8 +11,8 @@ use crate::chosen_laws::ChosenLaws;
 use crate::encounter::Encounter;
 use crate::error::PositionError;
 use crate::load_share::{
-    AttenuatedTraces, ContactTable, LineContact, LoadShareSettings, LoadShareSolution,
-    PositionFilm, RoughContact, RoughWindow, SmoothFilm,
+    AttenuatedTraces, ContactState, ContactTable, LineContact, LoadShareSettings,
+    LoadShareSolution, PositionFilm, RoughContact, RoughWindow, SmoothFilm,
 };
 use crate::station::Station;
 use crate::surfaces::{Surfaces, Texture};
@@ -96,13 +96,25 @@ impl<'a> RoughFilm<'a> {
         if let Tables::Made(table) = tables {
             return Ok(self.film.share(table, rms)?);
         }
-        let mut contact = rough_contact(self.case, &self.contact, encounter)?;
+        let (composite, spacing) = (encounter.composite(), encounter.spacing);
+        let mut contact = rough_contact(self.case, &self.contact, &composite, spacing)?;
         let apart = self.film.share_apart(contact.first_touch_gap(), rms)?;
         match apart {
             Some(solution) => Ok(solution),
             None => Ok(self.film.share(&ContactTable::build(&mut contact)?, rms)?),
         }
     }
+}
+
+/// The contact of a window of heights `composite` that carries the whole load without a film.
+pub(crate) fn without_film(
+    case: &Case,
+    station: &Station,
+    composite: &[f64],
+    spacing: Length,
+) -> Result<ContactState, PositionError> {
+    let mut contact = rough_contact(case, &line_contact(case, station), composite, spacing)?;
+    Ok(contact.at(1.0)?)
 }
 
 /// The loaded line contact of a position.
@@ -122,19 +134,21 @@ pub(crate) fn table(
     station: &Station,
     encounter: &Encounter,
 ) -> Result<ContactTable, PositionError> {
-    let mut contact = rough_contact(case, &line_contact(case, station), encounter)?;
+    let (composite, spacing) = (encounter.composite(), encounter.spacing);
+    let mut contact = rough_contact(case, &line_contact(case, station), &composite, spacing)?;
     Ok(ContactTable::build(&mut contact)?)
 }
 
 fn rough_contact(
     case: &Case,
     contact: &LineContact,
-    encounter: &Encounter,
+    composite: &[f64],
+    spacing: Length,
 ) -> Result<RoughContact, PositionError> {
     let [pinion, wheel] = case.flow_pressure.map(Pressure::si);
     Ok(RoughContact::new(&RoughWindow {
-        composite: &encounter.composite(),
-        spacing: encounter.spacing,
+        composite,
+        spacing,
         load: contact.load,
         radius: contact.radius,
         modulus: contact.modulus,

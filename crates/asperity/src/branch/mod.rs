@@ -9,7 +9,7 @@ mod mixed;
 mod printed_deformation;
 mod rough_contact;
 
-pub(crate) use bodies::Bodies;
+pub(crate) use bodies::{Bodies, flow_shares};
 pub(crate) use carried::Carried;
 pub(crate) use full_film::full_film;
 pub(crate) use marching::march;

@@ -275,6 +275,14 @@ pub(super) fn complete(
         _ => flanks(&case, source, &files)?,
     };
     case.defaults.extend(assumed);
+    if case.model.run_in && !surfaces.are_measured() {
+        let key = "model.run_in";
+        return Err(CaseError::Conflict {
+            place: source.place_of(key),
+            key,
+            rule: "needs the traces of both flanks",
+        });
+    }
     let mut warnings = warnings;
     warnings.splice(0..0, unusual(&case.input, &case.oil));
     provenance.include(&of_flanks);

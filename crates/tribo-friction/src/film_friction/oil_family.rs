@@ -6,10 +6,9 @@
 //! | τ₀ | `eyring_stress` | Pa |
 //! | k | `conductivity` at ambient pressure | W/(m K) |
 //! | c₁, c₂ | `conductivity_rise`, `conductivity_bend` in k(p) = k (1 + c₁ p/(1 + c₂ p)) | 1/GPa |
-//! | s, t | `gold_factor`, `gold_exponent` in α = s ν^t | 1/GPa, - |
 //!
 //! The numbers are data (`data/oil_families.json`), each with its band where one is known, its source and
-//! how sure it is ([`Mark`]). The families are those of the base oil; additives are not in them.
+//! how sure it is ([`Mark`]). Gold's constants for α are those of the base oil in `asperity-core`. The families are those of the base oil; additives are not in them.
 
 use std::sync::OnceLock;
 
@@ -69,10 +68,6 @@ pub struct OilFamilyData {
     pub conductivity_rise: MarkedValue,
     /// Coefficient c₂ of the conductivity over pressure \[1/GPa\].
     pub conductivity_bend: MarkedValue,
-    /// Gold's factor s \[1/GPa\].
-    pub gold_factor: MarkedValue,
-    /// Gold's exponent t.
-    pub gold_exponent: MarkedValue,
 }
 
 #[derive(Debug, Deserialize)]
@@ -110,6 +105,19 @@ impl From<BaseOil> for OilFamily {
             BaseOil::Pao => Self::Pao,
             BaseOil::Ester => Self::Ester,
             BaseOil::Polyglycol => Self::Polyglycol,
+        }
+    }
+}
+
+impl From<OilFamily> for BaseOil {
+    fn from(family: OilFamily) -> Self {
+        match family {
+            OilFamily::Mineral => Self::Mineral,
+            OilFamily::Naphthenic => Self::Naphthenic,
+            OilFamily::GroupIii => Self::GroupIii,
+            OilFamily::Pao => Self::Pao,
+            OilFamily::Ester => Self::Ester,
+            OilFamily::Polyglycol => Self::Polyglycol,
         }
     }
 }
@@ -190,8 +198,6 @@ mod tests {
                 &data.conductivity,
                 &data.conductivity_rise,
                 &data.conductivity_bend,
-                &data.gold_factor,
-                &data.gold_exponent,
             ] {
                 assert!(number.value > 0.0);
                 assert!(number.low.is_none_or(|low| low < number.value));
