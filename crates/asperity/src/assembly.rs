@@ -192,6 +192,13 @@ fn summary(
             power(LossKind::DeformationPinion),
             power(LossKind::DeformationWheel),
         ],
+        deformation_after_contact_w: [0, 1].map(|body: usize| {
+            let of = |offset: &Offset| offset.deformation.after_contact[body];
+            let at = positions
+                .iter()
+                .map(|position| mean(position.offsets.iter().map(of)));
+            at.sum()
+        }),
         hysteresis_w: 0.0,
         elastic_cycling_w: 0.0,
         asperity_share: share_of(&|offset| 1.0 - offset.film_share),

@@ -3,6 +3,7 @@
 use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::Regime;
 
+use crate::branch::PrintedDeformation;
 use crate::friction::{InFilm, Rubbing};
 use crate::load_share::LoadShareSolution;
 use crate::local_roughness::Roughness;
@@ -45,8 +46,8 @@ pub(crate) struct Offset {
     pub flash: f64,
     /// Numbers of the rough contact, where it was asked for and the flanks touch.
     pub contact: Option<ContactNumbers>,
-    /// Deformation loss of the paper's reading, per surface \[W\].
-    pub deformation: [f64; 2],
+    /// Deformation loss of the paper's reading.
+    pub deformation: PrintedDeformation,
 }
 
 /// Numbers kept of a rough contact.

@@ -91,6 +91,9 @@ pub struct Summary {
     pub rolling_w: f64,
     /// Deformation loss of pinion and wheel \[W\], where the formulation counts it.
     pub deformation_w: [f64; 2],
+    /// Part of it after contact, by plastic displacement alone \[W\].
+    #[serde(default)]
+    pub deformation_after_contact_w: [f64; 2],
     /// Part of the rolling loss by hysteresis of the steel \[W\].
     pub hysteresis_w: f64,
     /// Elastic work put into the flanks and given back, but for hysteresis \[W\]; no loss.

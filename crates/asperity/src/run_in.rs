@@ -99,10 +99,7 @@ pub(crate) fn run_in(
     if stations.is_empty() {
         return Err(PositionError::NoProfile);
     }
-    let widths: f64 = stations
-        .iter()
-        .map(|s| 2.0 * s.hertz.half_width.si())
-        .sum();
+    let widths: f64 = stations.iter().map(|s| 2.0 * s.hertz.half_width.si()).sum();
     let passes = (COVERAGE * pinion.length().si() * stations.len() as f64 / widths).ceil() as usize;
     let mut running = Running {
         case,

@@ -3,6 +3,7 @@
 use asperity_contact::Solver;
 use asperity_core::Checked;
 
+use crate::branch::PrintedDeformation;
 use crate::case::Case;
 use crate::chosen_laws::ChosenLaws;
 use crate::contact_tables::ContactTables;
@@ -102,7 +103,7 @@ impl Run<'_> {
             friction_force: 0.0,
             flash: 0.0,
             contact: None,
-            deformation: [0.0; 2],
+            deformation: PrintedDeformation::default(),
         };
         let first = position.offsets.is_empty() && self.detail == Detail::Fields;
         let needed = first || (offset.solved.is_none() && self.solves_contacts());
@@ -165,7 +166,7 @@ impl Run<'_> {
         let mut carried = strategy.carry(&scene, solver)?;
         offset.rubbing = strategy.rubbing(&scene, &carried)?;
         offset.film_share = strategy.film_share(&scene, &carried, &offset.rubbing);
-        offset.deformation = strategy.deformation(&scene, &carried)?;
+        offset.deformation = strategy.deformation(&scene, &carried, offset.friction.mu)?;
         offset.contact = carried.solids.as_ref().map(|solids| ContactNumbers {
             contact_fraction: solids.contact_fraction,
             p_max: peak(&solids.pressure, &carried.fluid),

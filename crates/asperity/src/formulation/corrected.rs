@@ -9,7 +9,7 @@ use asperity_efficiency::{LossKind, RollingSurfaces};
 use asperity_gear::{LoadCell, LoadMap};
 
 use super::strategy::{Scene, Strategy};
-use crate::branch::{Carried, Mixed, full_film, load_path, mixed};
+use crate::branch::{Carried, Mixed, PrintedDeformation, full_film, load_path, mixed};
 use crate::case::Case;
 use crate::deformation_losses::running_in_power;
 use crate::error::PositionError;
@@ -135,8 +135,13 @@ impl Strategy for Corrected {
         scene.decision.shared.film_share
     }
 
-    fn deformation(&self, _: &Scene<'_>, _: &Carried) -> Result<[f64; 2], PositionError> {
-        Ok([0.0; 2])
+    fn deformation(
+        &self,
+        _: &Scene<'_>,
+        _: &Carried,
+        _: f64,
+    ) -> Result<PrintedDeformation, PositionError> {
+        Ok(PrintedDeformation::default())
     }
 
     fn deformation_losses(
