@@ -227,7 +227,7 @@ proptest! {
 
     #[test]
     fn other_units_give_the_same_share(
-        drawn in drawn(), length in -3..4_i32, time in -3..4_i32, mass in -3..4_i32,
+        drawn in drawn(), length in -1..2_i32, time in -1..2_i32, mass in -1..2_i32,
     ) {
         let units = Units { length: 2f64.powi(length), time: 2f64.powi(time), mass: 2f64.powi(mass) };
         let one = in_units(&drawn, &Units { length: 1.0, time: 1.0, mass: 1.0 });
