@@ -18,7 +18,7 @@ use rayon::prelude::*;
 
 use crate::case::LoadedCase;
 use crate::chosen_laws::ChosenLaws;
-use crate::contact_tables::ContactTables;
+use crate::contact_tables::{ContactTables, KeptContact};
 use crate::detail::Detail;
 use crate::encounter::meeting;
 use crate::error::{Error, PositionError};
@@ -112,8 +112,13 @@ pub fn contact_tables(loaded: &LoadedCase) -> Result<ContactTables, Error> {
             let mut tables = Vec::with_capacity(count);
             for k in 0..count {
                 let window = case.model.window;
-                if let (Some(met), _) = meeting(surfaces, &station, window, k, count)? {
-                    tables.push(rough_film::table(case, &station, &met)?);
+                if let (Some(met), roughness) = meeting(surfaces, &station, window, k, count)? {
+                    tables.push(KeptContact {
+                        table: rough_film::table(case, &station, &met)?,
+                        roughness,
+                        starts: met.starts,
+                        points: met.x.len(),
+                    });
                 }
             }
             Ok((station, tables))

@@ -8,6 +8,7 @@ use asperity_ehl_regime::inlet_flow::Lay;
 
 use crate::case::{Case, Formulation};
 use crate::chosen_laws::ChosenLaws;
+use crate::contact_tables::KeptContact;
 use crate::encounter::Encounter;
 use crate::error::PositionError;
 use crate::load_share::{
@@ -19,15 +20,6 @@ use crate::surfaces::{Surfaces, Texture};
 
 /// Loosest tolerance of the contacts that decide the loss: at 1e-4 it would move by 3e-5.
 const LOOSEST_TOLERANCE: f64 = 1e-8;
-
-/// Where the table of a window comes from.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Tables<'a> {
-    /// Made here, unless the window stays apart.
-    AtNeed,
-    /// Made before.
-    Made(&'a ContactTable),
-}
 
 /// Film of a position with the traces as its inlet leaves them.
 pub(crate) struct RoughFilm<'a> {
@@ -84,18 +76,23 @@ impl<'a> RoughFilm<'a> {
         }))
     }
 
-    /// Load share and friction at one offset.
+    /// Load share and friction of a contact made before.
+    pub(crate) fn share_of_kept(
+        &mut self,
+        kept: &KeptContact,
+    ) -> Result<Checked<LoadShareSolution>, PositionError> {
+        let rms = self.traces.window_rms(kept.starts, kept.points)?;
+        Ok(self.film.share(&kept.table, rms)?)
+    }
+
+    /// Load share and friction at one offset; the contact is solved unless the window stays apart.
     pub(crate) fn share(
         &mut self,
         encounter: &Encounter,
-        tables: Tables<'_>,
     ) -> Result<Checked<LoadShareSolution>, PositionError> {
         let rms = self
             .traces
             .window_rms(encounter.starts, encounter.x.len())?;
-        if let Tables::Made(table) = tables {
-            return Ok(self.film.share(table, rms)?);
-        }
         let (composite, spacing) = (encounter.composite(), encounter.spacing);
         let mut contact = rough_contact(self.case, &self.contact, &composite, spacing)?;
         let apart = self.film.share_apart(contact.first_touch_gap(), rms)?;

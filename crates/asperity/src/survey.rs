@@ -13,7 +13,7 @@ use crate::error::{Error, PositionError};
 use crate::fluid::film_at;
 use crate::physical_sense::check_station;
 use crate::result::Regime;
-use crate::rough_film::{RoughFilm, Tables};
+use crate::rough_film::RoughFilm;
 use crate::stations::{station_at, stations_with};
 
 /// Film and regime at one mesh position, mean over the offsets, Λ* their median.
@@ -67,7 +67,7 @@ fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
             let (met, roughness) =
                 meeting(&loaded.surfaces, &station, case.model.window, k, count)?;
             let solved = match (&mut film, &met) {
-                (Some(film), Some(met)) => Some(film.share(met, Tables::AtNeed)?.value),
+                (Some(film), Some(met)) => Some(film.share(met)?.value),
                 _ => None,
             };
             let solved = solved.as_ref();
