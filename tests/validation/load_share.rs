@@ -127,7 +127,7 @@ fn a_film_of_cold_oil_rubs_with_its_limiting_stress_at_most() {
             assert!(row.mu_film < 0.04, "{cold}: {}", row.mu_film);
             // Of thick films little is left, but the numerator of Gupta's factor never reaches its floor.
             assert!(
-                row.film_central_um > 0.5 && row.thermal_reduction > 0.05,
+                row.film_central_um > 0.5 && row.thermal_reduction > 0.02,
                 "{row:?}"
             );
             assert_eq!(row.regime, asperity::result::Regime::FullFilm);

@@ -3,7 +3,6 @@
 use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::Regime;
 
-use crate::branch::PrintedDeformation;
 use crate::friction::{InFilm, Rubbing};
 use crate::load_share::LoadShareSolution;
 use crate::local_roughness::Roughness;
@@ -48,6 +47,15 @@ pub(crate) struct Offset {
     pub contact: Option<ContactNumbers>,
     /// Deformation loss of the paper's reading.
     pub deformation: PrintedDeformation,
+}
+
+/// Deformation loss of one position in the paper's reading \[W\], each of pinion and wheel.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct PrintedDeformation {
+    /// In contact: elastic and plastic displacement.
+    pub in_contact: [f64; 2],
+    /// After contact: plastic displacement alone.
+    pub after_contact: [f64; 2],
 }
 
 /// Numbers kept of a rough contact.

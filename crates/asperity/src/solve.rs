@@ -3,7 +3,6 @@
 use asperity_contact::Solver;
 use asperity_core::Checked;
 
-use crate::branch::PrintedDeformation;
 use crate::case::Case;
 use crate::chosen_laws::ChosenLaws;
 use crate::contact_tables::{ContactTables, KeptContact};
@@ -16,7 +15,7 @@ use crate::formulation::{self, Scene, Strategy};
 use crate::friction::{self, InFilm, Rubbing};
 use crate::load_share::LoadShareSolution;
 use crate::local_roughness::Roughness;
-use crate::position::{ContactNumbers, Offset, Position};
+use crate::position::{ContactNumbers, Offset, Position, PrintedDeformation};
 use crate::rough_film::RoughFilm;
 use crate::station::{Resolution, Station};
 use crate::surfaces::Surfaces;

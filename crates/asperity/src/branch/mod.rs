@@ -14,4 +14,4 @@ pub(crate) use carried::Carried;
 pub(crate) use full_film::full_film;
 pub(crate) use marching::march;
 pub(crate) use mixed::{Mixed, load_path, mixed};
-pub(crate) use printed_deformation::{PrintedDeformation, printed_deformation_of};
+pub(crate) use printed_deformation::printed_deformation_of;

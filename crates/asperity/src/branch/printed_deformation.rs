@@ -9,15 +9,7 @@ use super::carried::Carried;
 use crate::error::PositionError;
 use crate::fields::shear;
 use crate::formulation::Scene;
-
-/// Deformation loss of one position in the paper's reading \[W\], each of pinion and wheel.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct PrintedDeformation {
-    /// In contact: elastic and plastic displacement.
-    pub in_contact: [f64; 2],
-    /// After contact: plastic displacement alone.
-    pub after_contact: [f64; 2],
-}
+use crate::position::PrintedDeformation;
 
 /// Deformation loss as the paper prints it: von Mises stress at the surface times displacement times the square
 /// of a cell over the time of a revolution, summed over the cells.

@@ -9,12 +9,12 @@ use asperity_efficiency::{LossKind, RollingSurfaces};
 use asperity_gear::{LoadCell, LoadMap};
 
 use super::strategy::{Scene, Strategy};
-use crate::branch::{Carried, Mixed, PrintedDeformation, full_film, load_path, mixed};
+use crate::branch::{Carried, Mixed, full_film, load_path, mixed};
 use crate::case::Case;
 use crate::deformation_losses::running_in_power;
 use crate::error::PositionError;
 use crate::friction::Rubbing;
-use crate::position::Position;
+use crate::position::{Position, PrintedDeformation};
 use crate::result::HistoryRow;
 use crate::station::{Place, Resolution};
 

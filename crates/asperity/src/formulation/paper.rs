@@ -7,11 +7,11 @@ use asperity_ehl_regime::Regime;
 use asperity_gear::LoadMap;
 
 use super::strategy::{Scene, Strategy};
-use crate::branch::{Carried, PrintedDeformation, full_film, march, printed_deformation_of};
+use crate::branch::{Carried, full_film, march, printed_deformation_of};
 use crate::case::Case;
 use crate::error::PositionError;
 use crate::friction::Rubbing;
-use crate::position::Position;
+use crate::position::{Position, PrintedDeformation};
 use crate::result::HistoryRow;
 use crate::station::{Place, Resolution};
 

@@ -7,13 +7,13 @@ use asperity_core::quantity::Power;
 use asperity_efficiency::{LossKind, RollingSurfaces};
 use asperity_gear::LoadMap;
 
-use crate::branch::{Carried, PrintedDeformation};
+use crate::branch::Carried;
 use crate::case::Case;
 use crate::decision::Decision;
 use crate::encounter::Encounter;
 use crate::error::PositionError;
 use crate::friction::Rubbing;
-use crate::position::Position;
+use crate::position::{Position, PrintedDeformation};
 use crate::result::HistoryRow;
 use crate::station::{Place, Station};
 
