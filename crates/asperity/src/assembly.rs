@@ -6,6 +6,7 @@ use crate::case::Case;
 use crate::comparison::published_laws;
 use crate::deformation_losses::of_all_offsets;
 use crate::error::PositionError;
+use crate::film_constants::film_constants;
 use crate::flank_record::FlankRecord;
 use crate::load_report::LoadReport;
 use crate::position::{Offset, Position};
@@ -56,6 +57,7 @@ impl Solved<'_> {
             flanks: [0, 1].map(|body| FlankRecord::from(&self.loaded.flanks[body])),
             gears: case.gears.clone(),
             lubricant: case.oil,
+            film_constants: film_constants(case)?,
             inputs: case.input.clone(),
             defaults: case.defaults.clone(),
             equations: Vec::new(),

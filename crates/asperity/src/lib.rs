@@ -40,6 +40,7 @@ pub mod equations;
 pub mod error;
 mod fields;
 mod film_alone;
+pub mod film_constants;
 pub mod flank_record;
 pub mod fluid;
 mod formulation;

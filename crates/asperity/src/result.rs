@@ -9,6 +9,7 @@ use asperity_gear::{GearPair, LoadMap};
 use serde::{Deserialize, Serialize};
 
 use crate::case::{CaseInput, DefaultUsed, Formulation};
+pub use crate::film_constants::FilmConstant;
 use crate::flank_record::FlankRecord;
 use crate::load_report::LoadReport;
 use crate::message::Warning;
@@ -53,6 +54,9 @@ pub struct RunResult {
     pub gears: GearPair,
     /// The oil at the temperature of the flanks.
     pub lubricant: LubricantState,
+    /// Constants of film friction by the family of the oil, each with its band, source and how sure it is.
+    #[serde(default)]
+    pub film_constants: Vec<FilmConstant>,
     /// The case as read.
     pub inputs: CaseInput,
     /// Every default that was used.

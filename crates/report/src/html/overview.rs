@@ -73,12 +73,12 @@ fn as_measured_and_run_in(result: &RunResult, run_in: &RunInFlanks) -> Markup {
             "The flanks ran in over " (passes) " contacts of the whole load without a film; all else on this page is of \
             the flanks as measured."
         }
-        table {
-            tr { th { } th { "as measured" } th { "run in" } }
-            @for (name, [measured, after]) in &rows {
-                tr { th { (name) } td { (measured) } td { (after) } }
-            }
-        }
+        div.scroll { table {
+            thead { tr { th { "number" } th { "as measured" } th { "run in" } } }
+            tbody { @for (name, [measured, after]) in &rows {
+                tr { th scope="row" { (name) } td { (measured) } td { (after) } }
+            } }
+        } }
     }
 }
 

@@ -167,6 +167,43 @@ impl OilFamily {
     }
 }
 
+impl OilFamily {
+    /// Every constant of the family by the name that output gives it, Gold's of the base oil among them.
+    ///
+    /// # Errors
+    /// As [`data`](Self::data).
+    ///
+    /// ```
+    /// use asperity_tribo_friction::{OilFamily, film_friction::Mark};
+    /// let constants = OilFamily::Ester.constants()?;
+    /// assert!(constants.iter().any(|(name, value)| *name == "limiting_shear" && value.mark == Mark::Judged));
+    /// # Ok::<(), asperity_tribo_friction::FrictionError>(())
+    /// ```
+    pub fn constants(self) -> Result<Vec<(&'static str, MarkedValue)>, FrictionError> {
+        let data = self.data()?;
+        let [factor, exponent] = BaseOil::from(self).gold_constants();
+        let gold = |value: f64| MarkedValue {
+            value,
+            low: None,
+            high: None,
+            mark: match self {
+                Self::GroupIii => Mark::Judged,
+                _ => Mark::Memory,
+            },
+            source: "gold_2001".to_owned(),
+        };
+        Ok(vec![
+            ("limiting_shear", data.limiting_shear.clone()),
+            ("eyring_stress_pa", data.eyring_stress.clone()),
+            ("conductivity_w_per_m_k", data.conductivity.clone()),
+            ("conductivity_rise_per_gpa", data.conductivity_rise.clone()),
+            ("conductivity_bend_per_gpa", data.conductivity_bend.clone()),
+            ("gold_factor_per_gpa", gold(factor)),
+            ("gold_exponent", gold(exponent)),
+        ])
+    }
+}
+
 /// Text of the source with this key.
 ///
 /// ```
@@ -203,6 +240,9 @@ mod tests {
                 assert!(number.low.is_none_or(|low| low < number.value));
                 assert!(number.high.is_none_or(|high| high > number.value));
                 assert!(family_source(&number.source).is_some(), "{}", number.source);
+            }
+            for (name, constant) in family.constants().unwrap() {
+                assert!(family_source(&constant.source).is_some(), "{name}");
             }
             assert!(data.limiting_shear.low.is_some() && data.limiting_shear.high.is_some());
         }
