@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use asperity_contact::plasticity::{FIRST_YIELD, first_yield_pressure};
+use asperity_contact::{ContactWarning, SUSPECT_GAP};
 use asperity_core::OutOfRange;
 use asperity_efficiency::equivalent_friction;
 use asperity_gear::StiffnessSource;
@@ -49,6 +50,7 @@ pub(crate) fn warnings(
     }
     no_sliding(loaded, positions, &mut found);
     stress(loaded, positions, &mut found)?;
+    contacts(positions, &mut found);
     roughness(loaded, positions, &mut found);
     full_film(positions, &mut found);
     Ok(found)
@@ -203,6 +205,33 @@ fn no_sliding(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warni
     }
 }
 
+/// W413, W414: a contact that runs into the end of its window, and a gap that no flank has.
+fn contacts(positions: &[Position], found: &mut Vec<Warning>) {
+    let count = positions.len();
+    let doubts = |is_meant: fn(&ContactWarning) -> bool| {
+        let has_one = |position: &&Position| position.doubts.iter().any(is_meant);
+        positions.iter().filter(has_one).count()
+    };
+    let at_end = doubts(|doubt| matches!(doubt, ContactWarning::PressureAtEnd { .. }));
+    if at_end > 0 {
+        found.push(Warning::new(
+            "W413",
+            format!(
+                "the rough contact runs into the end of its window at {at_end} of {count} positions: raise model.window"
+            ),
+        ));
+    }
+    let beyond = doubts(|doubt| matches!(doubt, ContactWarning::GapBeyondDeformation { .. }));
+    if beyond > 0 {
+        found.push(Warning::new(
+            "W414",
+            format!(
+                "the gap under the contact spans more than {SUSPECT_GAP} times the deformation at {beyond} of {count} positions: an outlier or a wrong unit"
+            ),
+        ));
+    }
+}
+
 /// W405, W409, W410: yield below the surface, and flow of the asperities.
 fn stress(
     loaded: &LoadedCase,
@@ -243,25 +272,33 @@ fn stress(
             ),
         ));
     }
-    let strained = positions
-        .iter()
-        .filter(|position| {
-            position
-                .von_mises
-                .is_some_and(|(stress, _)| stress.si() > limit)
-        })
-        .count();
+    let strained = positions.iter().map(|p| strained(p, limit, bearable));
+    let strained: usize = strained.sum();
     if strained > 0 && highest <= bearable {
+        let contacts: usize = positions.iter().map(|p| p.offsets.len()).sum();
         found.push(Warning::new(
             "W410",
             format!(
-                "von Mises stress under the asperities passes the elastic limit {:.0} MPa at {strained} of {} positions",
+                "von Mises stress under the asperities passes the elastic limit {:.0} MPa in {strained} of {contacts} contacts, over all positions and offsets",
                 limit * 1e-6,
-                positions.len()
             ),
         ));
     }
     Ok(())
+}
+
+/// Offsets of a position at which an asperity yields below its surface: by the stress field where that was
+/// computed, elsewhere where its pressure passes that at which a line contact first yields.
+fn strained(position: &Position, limit: f64, bearable: f64) -> usize {
+    let fields = position.von_mises.map(|(stress, _)| stress.si() > limit);
+    let offsets = position.offsets.iter().enumerate();
+    let yields = offsets.filter(|(index, offset)| match fields {
+        Some(yields) if *index == 0 => yields,
+        _ => offset
+            .contact
+            .is_some_and(|contact| contact.p_max > bearable),
+    });
+    yields.count()
 }
 
 /// W415: records whose ridges cannot leak.
@@ -323,14 +360,7 @@ fn roughness(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warnin
                 .iter()
                 .all(|offset| offset.lambda_star.is_some())
         });
-        found.push(Warning::new(
-            "W408",
-            if known {
-                "a flank is given by roughness values: losses follow from the load share, the rough contact was not computed"
-            } else {
-                "a flank is given by roughness values without rpk and asperity_radius: the classical film ratio decides the regime, the rough contact was not computed"
-            },
-        ));
+        found.push(Warning::new("W408", values_alone(loaded, known)));
         return;
     }
     let mixed = |offset: &&crate::position::Offset| offset.regime == Regime::Mixed;
@@ -365,6 +395,26 @@ fn roughness(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warnin
         ));
     }
     overlap(loaded, positions, found);
+}
+
+/// Text of W408: which law of the load share stands for one that needs the rough contact, and what decides.
+fn values_alone(loaded: &LoadedCase, lambda_star_known: bool) -> String {
+    let named = loaded.case.model.load_share;
+    let own = loaded.case.laws.load_share.is_some();
+    let law = match named.supply() {
+        Some(_) if !own => format!(
+            "load_share = \"{}\" needs the traces of both, so \"lambda-star\" stands for it and all asperity load rubs with the boundary coefficient",
+            named.name()
+        ),
+        _ => "the load share follows from the film ratio".to_owned(),
+    };
+    let ratio = match lambda_star_known {
+        true => "Lambda*",
+        false => "without rpk and asperity_radius the classical film ratio",
+    };
+    format!(
+        "a flank is given by roughness values, the rough contact was not computed: {law}; {ratio} decides"
+    )
 }
 
 fn overlap(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warning>) {

@@ -33,7 +33,7 @@ pub enum PositionError {
     /// Contact tables of other gears, flanks or loads.
     #[error("the contact tables were made for another {differs}")]
     OtherTables {
-        /// What differs.
+        /// Quantity that differs.
         differs: &'static str,
     },
     /// The film's pressure refuses the numbers.
@@ -109,7 +109,7 @@ pub enum PositionError {
         value: f64,
         /// Its unit.
         unit: &'static str,
-        /// What it must be.
+        /// Rule.
         rule: &'static str,
         /// The limit, where it is a number.
         limit: Option<f64>,
@@ -278,7 +278,7 @@ impl Error {
         }
     }
 
-    /// What can be done about this error; empty where no more is known than its code says.
+    /// Remedy of this error; empty where no more is known than its code says.
     pub fn remedy(&self) -> Remedy {
         match (self.case(), self.position()) {
             (Some(error), _) => error.remedy(),
@@ -318,7 +318,7 @@ impl PositionError {
         }
     }
 
-    /// What can be done about this error; empty where no more is known than its code says.
+    /// Remedy of this error; empty where no more is known than its code says.
     pub fn remedy(&self) -> Remedy {
         let key = Setting::Key;
         match self.reason() {

@@ -22,7 +22,7 @@ use crate::surfaces::Surfaces;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct InFilm {
     pub mu: f64,
-    /// What left its fitted range.
+    /// Inputs that left their fitted range.
     pub outside: Vec<OutOfRange>,
 }
 
@@ -136,7 +136,7 @@ fn conditions(
     })
 }
 
-/// What the laws for the whole mesh take: everything at the pitch point.
+/// Inputs of the laws for the whole mesh: everything at the pitch point.
 fn mesh_conditions(case: &Case) -> Result<MeshConditions, PositionError> {
     let gears = &case.gears;
     let forces = gears.forces(case.torque)?;
@@ -156,7 +156,7 @@ fn mesh_conditions(case: &Case) -> Result<MeshConditions, PositionError> {
     })
 }
 
-/// What rubs at a contact, per metre of contact line.
+/// Friction forces at a contact, per metre of contact line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Rubbing {
     /// Friction force of the boundary layer of touching asperities \[N/m\].

@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 pub struct Warning {
     /// Stable code, `W402`.
     pub code: Cow<'static, str>,
-    /// What was seen, what was expected.
+    /// Values seen and expected.
     pub text: String,
 }
 
@@ -34,7 +34,7 @@ impl std::fmt::Display for Warning {
     }
 }
 
-/// What a code means and what to do.
+/// Meaning of a code and its remedy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Explanation {
     /// Stable code.
@@ -43,7 +43,7 @@ pub struct Explanation {
     pub title: &'static str,
     /// Why it is said.
     pub meaning: &'static str,
-    /// What to do.
+    /// Advice.
     pub remedy: &'static str,
     /// The settings that the remedy is about.
     pub settings: &'static [Setting],
@@ -137,6 +137,7 @@ explanations! {
     "W126" "trace resampled": "The positions were not even; the heights were put on an even grid by straight lines, as asked for." => "Nothing, unless the shortest waves matter.";
     "W127" "roll lengths converted": "The positions were roll lengths or angles and are now distances along the involute." => "Check the base radius.";
     "W128" "another involute": "A parabola or cubic is left after the involute came off: the flank is crowned, or its base radius or roll length is another." => "Check base radius and roll length; the roll length that fits best is named.";
+    "W129" "other cut-offs than the file's": "The file states the cut-offs that its instrument was set to, and the case asks for others, so that parameters differ from those of the instrument." => "Leave surface.cutoff and surface.noise_cutoff out of the case to filter as the instrument did.";
     "W201" "outside the usual range": "A number of the case is outside the range that gear drives have. It may be right, but a wrong unit is more likely." => "Check the unit and the decimal point.";
     "W401" "outside a fitted range": "A correlation was used outside the data it was fitted to; its value may be wrong." => "Compare the other friction laws printed, or choose another law.";
     "W402" "equivalent friction implausible": "The mean friction coefficient that explains the loss is outside 0.01 to 0.12, which lubricated steel does not do." => "Check the roughness (form removed? units?) and the oil. In the paper formulation look at model.position: at the pitch point C nothing slides.";
@@ -145,9 +146,9 @@ explanations! {
     "W405" "yield below the surface": "The contact pressure exceeds what the material bears below the surface (p0 > 1.79 × the elastic limit). Flow in the bulk is not modelled." => "Check elastic_limit; ground gears are case-hardened (1.5 to 2 GPa).";
     "W406" "few asperities": "Fewer than five asperities reach into the peak zone; their mean radius is uncertain." => "Use a longer trace or a wider window.";
     "W407" "offsets overlap": "The traces are so short that the windows of different offsets overlap; the spread is a lower bound." => "Measure longer traces.";
-    "W408" "regime without a profile": "A flank is given by roughness values; the rough contact was not computed. Losses in mixed lubrication follow from the load share; without rpk and asperity_radius the classical film ratio decides the regime." => "Give a measured profile for contact pressures, plasticity and running-in.";
+    "W408" "regime without a profile": "A flank is given by roughness values; the rough contact was not computed. A load share that needs it (solved, jgp) is taken by lambda-star, which has all asperity load rub with the boundary coefficient; without rpk and asperity_radius the classical film ratio decides." => "Give a measured profile for contact pressures, plasticity and running-in.";
     "W409" "asperities flow": "The contact reaches the flow pressure: these flanks run in. The energy of one pass is reported apart from the efficiency." => "Look at running_in in the result.";
-    "W410" "stress below asperities passes the elastic limit": "The von Mises stress under the rough contact passes the elastic limit; flow below the surface is not modelled." => "Look at the subsurface fields of the positions named.";
+    "W410" "stress below asperities passes the elastic limit": "The von Mises stress under the rough contact passes the elastic limit: by the stress field at the first offset of a position, at the others where the pressure passes that at which a line contact first yields. Flow below the surface is not modelled." => "Look at the subsurface fields of the positions.";
     "W411" "no peaks under the contact": "The windows that meet have no peaks above the core of the profile, so Lambda* is not defined; the classical film ratio decided between full film and mixed." => "Look at the trace: a regular pattern (feed marks) has no peaks in the sense of ISO 13565-2.";
     "W412" "no sliding at the paper's position": "The paper's reading takes one position for the whole mesh; at the pitch point nothing slides, so there is no sliding loss." => "Set model.position between 0 (A) and 1 (E), or use the corrected formulation.";
     "W413" "the contact runs into the end of the window": "The pressure is not zero at a free end, so the contact would go on beyond it; the pressures are those of a strip that ends there." => "Widen the gap on that side, or lower the load.";

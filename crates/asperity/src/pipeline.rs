@@ -18,20 +18,23 @@ use rayon::prelude::*;
 
 use crate::case::LoadedCase;
 use crate::chosen_laws::ChosenLaws;
-use crate::contact_tables::ContactTables;
+use crate::contact_tables::{ContactTables, KeptContact};
 use crate::detail::Detail;
 use crate::encounter::meeting;
 use crate::error::{Error, PositionError};
 use crate::formulation;
+use crate::kept_fields::{Keeper, KeptFields};
 use crate::physical_sense::{check_position, check_station};
 use crate::position::Position;
 use crate::provenance;
 use crate::records::{self, PathRecords};
-use crate::result::{Losses, Outcome};
+use crate::result::{Losses, Outcome, RunInFlanks};
 use crate::rolling;
 use crate::rough_film;
+use crate::run_in;
 use crate::solve::Run;
 use crate::solved::Solved;
+use crate::station::Station;
 use crate::stations::{named_points, stations_with};
 
 pub use crate::stations::{station_at, stations};
@@ -39,12 +42,39 @@ pub use crate::stations::{station_at, stations};
 /// Told after each position: how many are done, of how many.
 pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 
-/// Runs a case whole. The same input gives the same result to the last digit on any number of threads.
+/// Runs a case whole. The same input gives the same result to the last digit on any number of threads of one type of
+/// processor; transforms round differently with and without AVX2, which moves losses by some 1e-8 of their value.
 ///
 /// # Errors
 /// When a position has no solution; the first one along the path is named.
 pub fn run(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, Error> {
-    outcome(loaded, Detail::Fields, progress)
+    outcome(loaded, Detail::Fields, &KeptFields::All, progress)
+}
+
+/// The same, holding the fields of some positions alone: a megabyte each with the stress below the surface.
+/// All else in the outcome is as without.
+///
+/// # Errors
+/// As [`run`].
+///
+/// ```
+/// use asperity::case;
+/// use asperity::kept_fields::KeptFields;
+/// use asperity::pipeline::run_keeping;
+/// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+/// let case = case::load_with(file, &|input| {
+///     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+/// })?;
+/// assert_eq!(run_keeping(&case, &KeptFields::Highest, &|_, _| {})?.fields.len(), 1);
+/// assert_eq!(run_keeping(&case, &KeptFields::All, &|_, _| {})?.fields.len(), 4);
+/// # Ok::<(), asperity::Error>(())
+/// ```
+pub fn run_keeping(
+    loaded: &LoadedCase,
+    kept: &KeptFields,
+    progress: Progress<'_>,
+) -> Result<Outcome, Error> {
+    outcome(loaded, Detail::Fields, kept, progress)
 }
 
 /// Runs a case with the rough contacts at every offset, without fields and stress below the surface.
@@ -52,7 +82,7 @@ pub fn run(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, Error
 /// # Errors
 /// As [`run`].
 pub fn contacts(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, Error> {
-    outcome(loaded, Detail::Contacts, progress)
+    outcome(loaded, Detail::Contacts, &KeptFields::All, progress)
 }
 
 /// Losses alone, equal to those of [`run`] to the last digit. The rough contacts are solved where the losses
@@ -110,8 +140,13 @@ pub fn contact_tables(loaded: &LoadedCase) -> Result<ContactTables, Error> {
             let mut tables = Vec::with_capacity(count);
             for k in 0..count {
                 let window = case.model.window;
-                if let (Some(met), _) = meeting(surfaces, &station, window, k, count)? {
-                    tables.push(rough_film::table(case, &station, &met)?);
+                if let (Some(met), roughness) = meeting(surfaces, &station, window, k, count)? {
+                    tables.push(KeptContact {
+                        table: rough_film::table(case, &station, &met)?,
+                        roughness,
+                        starts: met.starts,
+                        points: met.x.len(),
+                    });
                 }
             }
             Ok((station, tables))
@@ -131,25 +166,37 @@ fn losses_of(
 ) -> Result<Losses, Error> {
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
-    let chosen = (Detail::Losses, tables);
-    let found = positions(loaded, &laws, chosen, progress, &used)?;
-    let sums = || sums(loaded, &found.map, found.positions, found.records.as_ref())?.losses();
+    let mesh = Mesh::of(loaded, &laws, progress, &used)?;
+    let run = mesh.run(loaded, &laws, (Detail::Losses, tables));
+    let keeper = Keeper::new(&KeptFields::All);
+    let positions = mesh.positions(&run, &keeper, progress, &used)?;
+    let sums = || mesh.sums(loaded, positions)?.losses();
     let mut losses = used.collect(sums).map_err(Box::new)?;
+    losses.run_in = run_in_flanks(loaded, &laws, &mesh, &used)?;
     (losses.equations, _) = provenance::used(&tags(loaded, &used));
     Ok(losses)
 }
 
-fn outcome(loaded: &LoadedCase, detail: Detail, progress: Progress<'_>) -> Result<Outcome, Error> {
+fn outcome(
+    loaded: &LoadedCase,
+    detail: Detail,
+    kept: &KeptFields,
+    progress: Progress<'_>,
+) -> Result<Outcome, Error> {
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
-    let found = positions(loaded, &laws, (detail, None), progress, &used)?;
+    let mesh = Mesh::of(loaded, &laws, progress, &used)?;
+    let run = mesh.run(loaded, &laws, (detail, None));
+    let keeper = Keeper::new(kept);
+    let mut positions = mesh.positions(&run, &keeper, progress, &used)?;
+    keeper.give_back(&mut positions);
     let sums = || {
-        let records = found.records.as_ref();
-        let points = points(loaded, &laws, &found.map, records)?;
-        sums(loaded, &found.map, found.positions, records)?.outcome(&points)
+        let points = mesh.points(loaded, &laws)?;
+        mesh.sums(loaded, positions)?.outcome(&points)
     };
     let mut outcome = used.collect(sums).map_err(Box::new)?;
     let result = &mut outcome.result;
+    result.run_in = run_in_flanks(loaded, &laws, &mesh, &used)?;
     (result.equations, result.references) = provenance::used(&tags(loaded, &used));
     Ok(outcome)
 }
@@ -161,99 +208,147 @@ fn tags(loaded: &LoadedCase, used: &Provenance) -> BTreeSet<&'static str> {
     tags
 }
 
-fn positions(
+/// The flanks of a case run in and what the mesh then loses, where the case asks for it.
+fn run_in_flanks(
     loaded: &LoadedCase,
     laws: &ChosenLaws,
-    (detail, tables): (Detail, Option<&ContactTables>),
-    progress: Progress<'_>,
+    mesh: &Mesh,
     used: &Provenance,
-) -> Result<Found, Error> {
+) -> Result<Option<RunInFlanks>, Error> {
     let case = &loaded.case;
-    let (map, stations) = used
-        .collect(|| stations_with(case, laws))
-        .map_err(Box::new)?;
-    let recorded = || records::of_case(loaded, laws, &stations, progress);
-    let (records, count_of_records) = used.collect(recorded).map_err(Box::new)?;
-    let run = Run {
-        case,
-        laws,
-        surfaces: &loaded.surfaces,
-        detail,
-        tables,
-        records: records.as_ref(),
-    };
-    let count = stations.len();
-    let done = AtomicUsize::new(0);
-    let solved: Vec<Result<Position, PositionError>> = stations
-        .into_par_iter()
-        .map(|station| {
-            let position = used.collect(|| {
-                check_station(&station)?;
-                let position = run.solve(station)?;
-                check_position(&position).map(|()| position)
-            });
-            let before = count_of_records + done.fetch_add(1, Ordering::Relaxed);
-            progress(1 + before, count_of_records + count);
-            position
-        })
-        .collect();
-    let of_position = |(index, solved): (usize, Result<Position, PositionError>)| {
-        solved.map_err(|source| Error::Position {
-            number: index + 1,
-            count,
-            source: Box::new(source),
-        })
-    };
-    let positions: Result<_, _> = solved.into_iter().enumerate().map(of_position).collect();
-    Ok(Found {
-        map,
-        positions: positions?,
-        records,
-    })
-}
-
-/// What the sums are made of.
-struct Found {
-    map: LoadMap,
-    positions: Vec<Position>,
-    records: Option<PathRecords>,
-}
-
-/// The points A to E of the path by the film's formulae, for display.
-fn points(
-    loaded: &LoadedCase,
-    laws: &ChosenLaws,
-    map: &LoadMap,
-    records: Option<&PathRecords>,
-) -> Result<Vec<(&'static str, Position)>, PositionError> {
-    let case = &loaded.case;
-    if formulation::of(case.formulation).takes_one_position() {
-        return Ok(Vec::new());
+    if !case.model.run_in {
+        return Ok(None);
     }
-    let run = Run {
-        case,
-        laws,
-        surfaces: &loaded.surfaces,
-        detail: Detail::Losses,
-        tables: None,
+    let run_in = || run_in::run_in(case, &loaded.surfaces, &mesh.stations);
+    let ran_in = used.collect(run_in).map_err(Box::new)?;
+    let mut loaded = loaded.clone();
+    loaded.surfaces = ran_in.surfaces.clone();
+    let loaded = &loaded;
+    let recorded = || records::of_case(loaded, laws, &mesh.stations, &|_, _| {});
+    let (records, record_count) = used.collect(recorded).map_err(Box::new)?;
+    let mesh = Mesh {
         records,
+        record_count,
+        ..mesh.clone()
     };
-    let stations = named_points(case, laws, map)?.into_iter();
-    stations
-        .map(|(name, station)| Ok((name, run.solve(station)?)))
-        .collect()
+    let run = mesh.run(loaded, laws, (Detail::Losses, None));
+    let keeper = Keeper::new(&KeptFields::All);
+    let positions = mesh.positions(&run, &keeper, &|_, _| {}, used)?;
+    let sums = || mesh.sums(loaded, positions)?.run_in_flanks(ran_in);
+    Ok(Some(used.collect(sums).map_err(Box::new)?))
 }
 
-fn sums<'a>(
-    loaded: &'a LoadedCase,
-    map: &'a LoadMap,
-    positions: Vec<Position>,
-    records: Option<&'a PathRecords>,
-) -> Result<Solved<'a>, PositionError> {
-    let rolling = positions
-        .iter()
-        .map(|position| rolling::rolling(&loaded.case, &position.station))
-        .collect::<Result<Vec<_>, _>>()?;
-    let solved = Solved::new(loaded, map, positions, rolling)?;
-    Ok(Solved { records, ..solved })
+/// The load over the flanks, the mesh positions, and the records between which load shares are read.
+#[derive(Clone)]
+struct Mesh {
+    map: LoadMap,
+    stations: Vec<Station>,
+    records: Option<PathRecords>,
+    /// Records that progress counts before the positions.
+    record_count: usize,
+}
+
+impl Mesh {
+    fn of(
+        loaded: &LoadedCase,
+        laws: &ChosenLaws,
+        progress: Progress<'_>,
+        used: &Provenance,
+    ) -> Result<Self, Error> {
+        let found = || -> Result<Self, PositionError> {
+            let (map, stations) = stations_with(&loaded.case, laws)?;
+            let (records, record_count) = records::of_case(loaded, laws, &stations, progress)?;
+            Ok(Self {
+                map,
+                stations,
+                records,
+                record_count,
+            })
+        };
+        Ok(used.collect(found).map_err(Box::new)?)
+    }
+
+    fn run<'a>(
+        &'a self,
+        loaded: &'a LoadedCase,
+        laws: &'a ChosenLaws,
+        (detail, tables): (Detail, Option<&'a ContactTables>),
+    ) -> Run<'a> {
+        Run {
+            case: &loaded.case,
+            laws,
+            surfaces: &loaded.surfaces,
+            detail,
+            tables,
+            records: self.records.as_ref(),
+        }
+    }
+
+    fn positions(
+        &self,
+        run: &Run<'_>,
+        keeper: &Keeper<'_>,
+        progress: Progress<'_>,
+        used: &Provenance,
+    ) -> Result<Vec<Position>, Error> {
+        let count = self.stations.len();
+        let done = AtomicUsize::new(self.record_count);
+        let solved: Vec<Result<Position, PositionError>> = self
+            .stations
+            .par_iter()
+            .map(|station| {
+                let position = used.collect(|| {
+                    check_station(station)?;
+                    let mut position = run.solve(station.clone())?;
+                    check_position(&position)?;
+                    keeper.take(&mut position);
+                    Ok(position)
+                });
+                let before = done.fetch_add(1, Ordering::Relaxed);
+                progress(1 + before, self.record_count + count);
+                position
+            })
+            .collect();
+        let of_position = |(index, solved): (usize, Result<Position, PositionError>)| {
+            solved.map_err(|source| Error::Position {
+                number: index + 1,
+                count,
+                source: Box::new(source),
+            })
+        };
+        solved.into_iter().enumerate().map(of_position).collect()
+    }
+
+    /// The points A to E of the path by the film's formulae, for display.
+    fn points(
+        &self,
+        loaded: &LoadedCase,
+        laws: &ChosenLaws,
+    ) -> Result<Vec<(&'static str, Position)>, PositionError> {
+        let case = &loaded.case;
+        if formulation::of(case.formulation).takes_one_position() {
+            return Ok(Vec::new());
+        }
+        let run = self.run(loaded, laws, (Detail::Losses, None));
+        let stations = named_points(case, laws, &self.map)?.into_iter();
+        stations
+            .map(|(name, station)| Ok((name, run.solve(station)?)))
+            .collect()
+    }
+
+    fn sums<'a>(
+        &'a self,
+        loaded: &'a LoadedCase,
+        positions: Vec<Position>,
+    ) -> Result<Solved<'a>, PositionError> {
+        let rolling = positions
+            .iter()
+            .map(|position| rolling::rolling(&loaded.case, &position.station))
+            .collect::<Result<Vec<_>, _>>()?;
+        let solved = Solved::new(loaded, &self.map, positions, rolling)?;
+        Ok(Solved {
+            records: self.records.as_ref(),
+            ..solved
+        })
+    }
 }

@@ -1,5 +1,6 @@
 //! One solved mesh position, as data.
 
+use asperity_contact::ContactWarning;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::Regime;
 
@@ -9,6 +10,7 @@ use crate::load_share::LoadShareSolution;
 use crate::local_roughness::Roughness;
 use crate::records::RecordedShare;
 use crate::result::PositionFields;
+use crate::solved::mean;
 use crate::station::Station;
 
 /// A mesh position with everything that varies over the offsets.
@@ -22,6 +24,25 @@ pub(crate) struct Position {
     pub full_film: Option<FullFilm>,
     /// Largest von Mises stress below the first offset's contact, and its depth.
     pub von_mises: Option<(Pressure, Length)>,
+    /// Doubts about the rough contacts that were solved.
+    pub doubts: Vec<ContactWarning>,
+}
+
+impl Position {
+    /// Largest pressure of the rough contact, as a mean over the offsets where the flanks touch \[MPa\]; none
+    /// where they don't.
+    pub fn rough_pressure(&self) -> Option<f64> {
+        let contacts = self.offsets.iter().filter_map(|offset| offset.contact);
+        let pressures: Vec<f64> = contacts.map(|contact| contact.p_max * 1e-6).collect();
+        (!pressures.is_empty()).then(|| mean(pressures.into_iter()))
+    }
+
+    /// The same, or the Hertz pressure where the flanks don't touch: a report shows the position where it is
+    /// highest.
+    pub fn shown_pressure(&self) -> f64 {
+        let hertz = self.station.hertz.max_pressure.si() * 1e-6;
+        self.rough_pressure().unwrap_or(hertz)
+    }
 }
 
 /// One offset of the traces at a mesh position.
@@ -43,7 +64,7 @@ pub(crate) struct Offset {
     pub recorded: Option<RecordedShare>,
     /// Friction in the film.
     pub friction: InFilm,
-    /// What the asperities and the film contribute to the friction force.
+    /// Contributions of asperities and film to the friction force.
     pub rubbing: Rubbing,
     /// Friction force per metre of contact line \[N/m\].
     pub friction_force: f64,
@@ -51,8 +72,17 @@ pub(crate) struct Offset {
     pub flash: f64,
     /// Numbers of the rough contact, where it was asked for and the flanks touch.
     pub contact: Option<ContactNumbers>,
-    /// Deformation loss of the paper's reading, per surface \[W\].
-    pub deformation: [f64; 2],
+    /// Deformation loss of the paper's reading.
+    pub deformation: PrintedDeformation,
+}
+
+/// Deformation loss of one position in the paper's reading \[W\], each of pinion and wheel.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct PrintedDeformation {
+    /// In contact: elastic and plastic displacement.
+    pub in_contact: [f64; 2],
+    /// After contact: plastic displacement alone.
+    pub after_contact: [f64; 2],
 }
 
 /// Numbers kept of a rough contact.

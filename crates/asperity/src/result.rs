@@ -9,10 +9,12 @@ use asperity_gear::{GearPair, LoadMap};
 use serde::{Deserialize, Serialize};
 
 use crate::case::{CaseInput, DefaultUsed, Formulation};
+pub use crate::film_constants::FilmConstant;
 use crate::flank_record::FlankRecord;
 pub use crate::full_film::FullFilmRow;
 use crate::load_report::LoadReport;
 use crate::message::Warning;
+pub use crate::run_in::{FlankHeights, RunInCycle};
 
 /// Version of the structure of `result.json`; raised when a field changes its meaning.
 pub const SCHEMA_VERSION: u32 = 2;
@@ -45,6 +47,9 @@ pub struct RunResult {
     pub records: Vec<RecordRow>,
     /// Plastic work of the first engagement.
     pub running_in: RunningIn,
+    /// The mesh with flanks that have run in, where the case asks for it; all else is of the flanks as measured.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub run_in: Option<RunInFlanks>,
     /// Warnings.
     pub warnings: Vec<Warning>,
     /// The flanks as read and prepared.
@@ -53,6 +58,9 @@ pub struct RunResult {
     pub gears: GearPair,
     /// The oil at the temperature of the flanks.
     pub lubricant: LubricantState,
+    /// Constants of film friction by the family of the oil, each with its band, source and how sure it is.
+    #[serde(default)]
+    pub film_constants: Vec<FilmConstant>,
     /// The case as read.
     pub inputs: CaseInput,
     /// Every default that was used.
@@ -91,6 +99,9 @@ pub struct Summary {
     pub rolling_w: f64,
     /// Deformation loss of pinion and wheel \[W\], where the formulation counts it.
     pub deformation_w: [f64; 2],
+    /// Part of it after contact, by plastic displacement alone \[W\].
+    #[serde(default)]
+    pub deformation_after_contact_w: [f64; 2],
     /// Part of the rolling loss by hysteresis of the steel \[W\].
     pub hysteresis_w: f64,
     /// Elastic work put into the flanks and given back, but for hysteresis \[W\]; no loss.
@@ -128,7 +139,7 @@ pub struct PublishedLawRow {
     pub includes_asperities: bool,
     /// Whether it was made without the rolling loss, which is then that of this result.
     pub excludes_rolling: bool,
-    /// What it was fitted to.
+    /// Data it was fitted to.
     pub fitted_to: String,
     /// Whether every input lies inside what it was fitted to.
     pub inside_its_range: bool,
@@ -255,7 +266,7 @@ pub struct PositionRow {
 pub struct PointRow {
     /// A, B, C, D or E.
     pub point: Cow<'static, str>,
-    /// What holds there.
+    /// Property that holds there.
     #[serde(flatten)]
     pub row: PositionRow,
 }
@@ -315,6 +326,22 @@ pub struct RunningIn {
     pub first_pass_w: f64,
     /// Whether it was counted among the losses.
     pub included: bool,
+}
+
+/// The mesh with flanks that have run in.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct RunInFlanks {
+    /// Efficiency and losses of the run-in flanks.
+    pub summary: Summary,
+    /// Plastic work that an engagement still does.
+    pub running_in: RunningIn,
+    /// Roughness of the flanks as measured.
+    pub measured: FlankHeights,
+    /// Roughness of the run-in flanks.
+    pub run_in: FlankHeights,
+    /// Every cycle of the running-in.
+    pub cycles: Vec<RunInCycle>,
 }
 
 /// An equation the result rests on.
@@ -439,6 +466,9 @@ pub struct Losses {
     pub path: Vec<PositionRow>,
     /// Efficiency and losses at each offset, whose mean is the summary.
     pub offsets: Vec<OffsetRow>,
+    /// Losses with flanks that have run in, where the case asks for them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub run_in: Option<RunInFlanks>,
     /// Equations used.
     pub equations: Vec<EquationUse>,
 }

@@ -53,12 +53,14 @@ pub struct Station {
     pub load: LineLoad,
     /// Smooth dry contact.
     pub hertz: HertzLine,
-    /// What the film laws see.
+    /// Inputs of the film laws.
     pub film_conditions: FilmConditions,
     /// Thermal reduction φ of film and rolling.
     pub thermal_reduction: f64,
-    /// Smooth film with thermal reduction.
+    /// Smooth film with thermal reduction, as the formulae give it: their central film is one of mass flow.
     pub film: FilmThickness,
-    /// What left its fitted range.
+    /// The same with the central film as Λ* and the tables take it.
+    pub film_shown: FilmThickness,
+    /// Inputs that left their fitted range.
     pub outside: Vec<OutOfRange>,
 }

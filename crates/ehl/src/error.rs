@@ -51,7 +51,7 @@ pub enum EhlError {
         change: f64,
         /// Nodes whose state still changed.
         changes: usize,
-        /// What to do.
+        /// Advice.
         hint: &'static str,
     },
     /// A time step failed at its smallest length.

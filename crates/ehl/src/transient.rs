@@ -170,7 +170,7 @@ pub struct Frame {
     pub state: Vec<NodeState>,
 }
 
-/// What a record gives.
+/// Results of a record.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Record {
     /// Scales of the contact.

@@ -60,7 +60,7 @@ pub enum Formulation {
     /// Dimensionally and physically consistent.
     #[default]
     Corrected,
-    /// The paper's reading, only its misprints mended.
+    /// The paper's reading, only its misprints corrected.
     Paper,
 }
 
@@ -219,12 +219,12 @@ pub struct SurfaceInput {
     pub wheel: Option<FlankInput>,
     /// Form removed from each trace; default `level` (a straight line).
     pub form: Option<Form>,
-    /// Cut-off λc that separates waviness from roughness; default 0.8 mm, "0 mm" keeps the
-    /// waviness.
+    /// Cut-off λc that separates waviness from roughness; default as the file states, else 0.25 mm; "0 mm" keeps
+    /// the waviness.
     pub cutoff: Option<Length>,
-    /// Cut-off λs below which detail is noise; default 2.5 um, "0 um" for none.
+    /// Cut-off λs below which detail is noise; default as the file states, else 2.5 um, "0 um" for none.
     pub noise_cutoff: Option<Length>,
-    /// What the filters do at the ends of a trace; default `cut`.
+    /// Treatment of the ends of a trace by the filters; default `cut`.
     pub ends: Option<Ends>,
 }
 
@@ -254,7 +254,7 @@ pub struct FlankInput {
     pub gaps: Option<Gaps>,
     /// Which profile of a file that holds several (a row of a surface), from 1.
     pub row: Option<usize>,
-    /// What the positions are: `distance`, `roll-length`, `roll-degrees`, `roll-radians`; default as the header says.
+    /// Meaning of the positions: `distance`, `roll-length`, `roll-degrees`, `roll-radians`; default as the header says.
     pub abscissa: Option<Abscissa>,
     /// Base radius of the gear, for positions that are roll lengths or roll angles.
     pub base_radius: Option<Length>,
@@ -312,11 +312,15 @@ pub struct ModelInput {
     pub boundary_friction: Option<f64>,
     /// Height of the boundary layer on touching asperities; default 10 nm, which belongs to λs = 2.5 um.
     pub boundary_layer: Option<Length>,
-    /// Lay γ of the roughness, one for both flanks or `[pinion, wheel]`: 0 ridges across the whole face
-    /// (default), 1 isotropic.
+    /// Lay γ of the roughness, one for both flanks or `[pinion, wheel]`: 0 or `across`, ridges across the whole
+    /// face (default), to 1 or `isotropic`.
     pub lay: Option<OneOrTwo<Lay>>,
     /// Reading of the central film in film friction and load share: `mass-flow` (default) or `gap`.
     pub central_film: Option<CentralFilm>,
+    /// Reading of the central film in Λ* and wherever the film is printed: `gap` (default) or `mass-flow`
+    /// (`paper`: `mass-flow`).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lambda_film: Option<CentralFilm>,
     /// Speed that carries oil into touching asperities: `entrainment` (default) or `half-sliding`, for the band.
     pub spot_speed: Option<SpotSpeed>,
     /// Factor on the solved share of the asperities, for the band; default 1.
@@ -350,6 +354,9 @@ pub struct ModelInput {
     pub tolerance: Option<f64>,
     /// Count the plastic work of running-in among the losses; default false.
     pub include_running_in: Option<bool>,
+    /// Run the flanks in and give the losses of the run-in flanks beside those as measured; default false.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub run_in: Option<bool>,
     /// Fraction of the elastic energy lost in hysteresis, part of rolling; default 1 % (`paper`: 0).
     pub hysteresis: Option<Ratio>,
     /// Depths at which subsurface stress is computed; default 24.

@@ -4,8 +4,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use asperity_core::provenance::Provenance;
+use asperity_profile_io::read::whole_file;
 use asperity_tribo_friction::XuCalibration;
 
+use super::defaults::DefaultUsed;
 use super::error::CaseError;
 use super::files::{Content, Files, XU_COEFFICIENTS};
 use super::flanks::{Flanks, flanks};
@@ -35,6 +37,8 @@ pub struct LoadedCase {
     pub provenance: Provenance,
     /// Equations that the preparation of the traces used, which a change of the case may keep.
     of_flanks: Provenance,
+    /// Values that follow from the flanks and their files.
+    assumed: Vec<DefaultUsed>,
     /// Name of the case, for messages about what is changed.
     name: Arc<str>,
     files: Arc<Files>,
@@ -212,12 +216,15 @@ pub fn open_source(path: &Path) -> Result<Source, Error> {
     Ok(open(path)?)
 }
 
+/// Bytes of the largest case file: no case is longer.
+const LARGEST_CASE: u64 = 10_000_000;
+
 fn open(path: &Path) -> Result<Source, CaseError> {
     let file = path.display().to_string();
     if path.is_dir() {
         return Err(CaseError::Folder { file });
     }
-    match std::fs::read(path) {
+    match whole_file(path, LARGEST_CASE) {
         Ok(bytes) => Source::from_bytes(&file, &bytes),
         Err(reason) => Err(CaseError::Open { file, reason }),
     }
@@ -274,18 +281,23 @@ pub(super) fn complete(
             surfaces: before.surfaces.clone(),
             reports: before.flanks.clone(),
             warnings: of_files(&before.warnings),
-            assumed: before
-                .case
-                .defaults
-                .iter()
-                .filter(|default| is_of_a_flank(&default.key))
-                .cloned()
-                .collect(),
+            assumed: before.assumed.clone(),
             provenance: before.of_flanks.clone(),
         },
         _ => flanks(&case, source, &files)?,
     };
-    case.defaults.extend(assumed);
+    // What a file states stands in place of the default.
+    let is_told = |default: &DefaultUsed| assumed.iter().all(|stated| stated.key != default.key);
+    case.defaults.retain(is_told);
+    case.defaults.extend(assumed.iter().cloned());
+    if case.model.run_in && !surfaces.are_measured() {
+        let key = "model.run_in";
+        return Err(CaseError::Conflict {
+            place: source.place_of(key),
+            key,
+            rule: "needs the traces of both flanks",
+        });
+    }
     let mut warnings = warnings;
     warnings.splice(0..0, unusual(&case.input, &case.oil));
     provenance.include(&of_flanks);
@@ -296,6 +308,7 @@ pub(super) fn complete(
         warnings,
         provenance,
         of_flanks,
+        assumed,
         name: source.name().into(),
         files,
     })
@@ -311,13 +324,6 @@ fn user_cache_folder() -> Option<PathBuf> {
         .or_else(|| named("LOCALAPPDATA"))
         .or_else(|| Some(named("HOME")?.join(".cache")))?;
     Some(root.join("asperity"))
-}
-
-/// Whether a default is a roughness value of a flank.
-fn is_of_a_flank(key: &str) -> bool {
-    ["surface.pinion.", "surface.wheel."]
-        .iter()
-        .any(|table| key.starts_with(table))
 }
 
 fn xu_calibration(file: &Path, source: &Source, files: &Files) -> Result<XuCalibration, CaseError> {

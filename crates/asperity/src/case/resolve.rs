@@ -22,8 +22,8 @@ use super::source::Source;
 use super::steel::materials;
 use crate::laws::Laws;
 
-/// Cut-offs of ISO 16610-21 practice: λc 0.8 mm, λs 2.5 µm.
-const CUTOFF: Length = Length::from_si(0.8e-3);
+/// Cut-offs of gear practice: λc 0.25 mm, which a flank a few millimetres long holds several times, λs 2.5 µm.
+const CUTOFF: Length = Length::from_si(0.25e-3);
 const NOISE_CUTOFF: Length = Length::from_si(2.5e-6);
 
 /// A case with every choice made.
@@ -57,7 +57,7 @@ pub struct Case {
     pub oil: LubricantState,
     /// The oil in the film, where film friction or load share look at it.
     pub rheology: Option<FilmRheology>,
-    /// What about the oil was outside the range of its laws.
+    /// Properties of the oil outside the range of its laws.
     pub oil_notes: Vec<OutOfRange>,
     /// How the traces are prepared.
     pub preparation: Preparation,

@@ -16,7 +16,6 @@ pub use contact::drawings as drawings_of_contact;
 pub use lubricated::{
     FilmAndPressure, FilmFrame, LubricatedContact, SharePoint, lubricated_contact,
 };
-pub use overview::losses as drawing_of_losses;
 pub use page::{figure, page};
 
 use asperity::case::Formulation;

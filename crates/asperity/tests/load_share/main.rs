@@ -1,9 +1,13 @@
-//! The load share against an independent program, and what must hold whatever the numbers.
+//! The load share against an independent program, and what must hold whatever the numbers: single windows here,
+//! drawn ones in `properties`, whole flanks that run in in `run_in`.
 
 #![allow(
     clippy::unwrap_used,
     reason = "helpers of tests may unwrap as tests do"
 )]
+
+mod properties;
+mod run_in;
 
 use std::path::Path;
 use std::sync::OnceLock;
@@ -255,7 +259,7 @@ struct Window {
 
 #[test]
 fn load_share_of_the_reference_windows() {
-    let golden: Golden = serde_json::from_str(include_str!("golden/load_share.json")).unwrap();
+    let golden: Golden = serde_json::from_str(include_str!("../golden/load_share.json")).unwrap();
     assert_eq!(golden.windows.len(), 18);
     for row in golden.windows {
         let name = format!("{} {:?} w {}", row.profile, row.starts, row.w);
@@ -342,7 +346,7 @@ fn load_share_of_the_reference_windows() {
     }
 }
 
-/// What twelve rows leave of the share and of the coefficient of one window: 0.0053 and 0.6 % at most in these
+/// Error that twelve rows leave in the share and of the coefficient of one window: 0.0053 and 0.6 % at most in these
 /// windows; over the path of the e-drive pair it averages out to 4e-5 of the loss.
 const TABLE_SHARE: f64 = 0.01;
 const TABLE_FRICTION: f64 = 0.01;
