@@ -24,12 +24,12 @@ const SLACK: f64 = 1e-2;
 /// boundary film, which stands for no measured length, is undercut.
 const LAST_CONTACT: usize = 12;
 /// Thinnest film of a node that stays full, over the boundary film.
-const THINNEST: f64 = 0.1;
+const THINNEST: f64 = 0.01;
 /// Oil that a node in contact may swallow before, over the boundary film.
 const RELEASE: f64 = 1e-3;
 /// Iteration from which nodes stay in contact: one that is too thin when full and swallows oil in contact
 /// has no consistent state.
-const LAST_RELEASE: usize = 16;
+const LAST_RELEASE: usize = 20;
 /// Most nodes without a consistent state in an accepted solution.
 const MOST_HELD: usize = 2;
 
@@ -83,8 +83,10 @@ pub(crate) struct Problem<'a> {
 pub(crate) struct Limits {
     /// Largest change of the pressure in the last iteration.
     pub(crate) tolerance: f64,
-    /// Residual of the linear systems.
+    /// Residual of the linear systems near the solution.
     pub(crate) linear_tolerance: f64,
+    /// Residual of the linear systems far from it.
+    pub(crate) loosest: f64,
     /// Largest change of the pressure in one iteration.
     pub(crate) largest_change: f64,
     pub(crate) iterations: usize,
@@ -94,24 +96,19 @@ pub(crate) struct Limits {
     pub(crate) load: f64,
 }
 
-/// Loosest residual of a linear system far from the solution.
-const LOOSEST_LINEAR: f64 = 1e-3;
 /// Residual over the square of the last change: what is left is then that of Newton's method.
 const FORCING: f64 = 0.1;
 
 impl Limits {
     /// Residual of the next linear system, no finer than Newton's method is there.
     ///
-    /// tol = clamp(0.1·δ², linear tolerance, 10⁻³), δ the last change of the pressure.
+    /// clamp(0.1·δ², tightest, loosest), δ the last change of the pressure.
     fn forcing(&self, effort: &Effort) -> f64 {
         let wanted = match effort.iterations {
-            0 => LOOSEST_LINEAR,
+            0 => self.loosest,
             _ => FORCING * effort.change * effort.change,
         };
-        wanted.clamp(
-            self.linear_tolerance,
-            LOOSEST_LINEAR.max(self.linear_tolerance),
-        )
+        wanted.clamp(self.linear_tolerance, self.loosest)
     }
 }
 

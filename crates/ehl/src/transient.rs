@@ -31,6 +31,7 @@ const STEP_LIMITS: Limits = Limits {
     // What is left after a step of this size is below 1e-6.
     tolerance: 5e-4,
     linear_tolerance: 1e-3,
+    loosest: 1e-3,
     largest_change: 1.0,
     iterations: 40,
     flips: 0,
@@ -41,6 +42,7 @@ const STEP_LIMITS: Limits = Limits {
 const START_LIMITS: Limits = Limits {
     tolerance: 1e-8,
     linear_tolerance: 1e-6,
+    loosest: 1e-3,
     ..steady::LIMITS
 };
 

@@ -86,8 +86,8 @@ fn forty_cold_starts_converge() {
     }
 }
 
-/// A random smooth problem at 128 cells; what it is, where it was refused.
-fn random_smooth(state: &mut u64) -> Option<(ViscosityLaw, f64, f64)> {
+/// A random smooth problem; what it is, where it was refused.
+fn random_smooth(state: &mut u64, cells: usize) -> Option<(ViscosityLaw, f64, f64)> {
     let mut between = |low: f64, high: f64| low * (high / low).powf(uniform(state));
     let (p_0, u_m, eta) = (
         between(0.2e9, 3e9),
@@ -109,7 +109,7 @@ fn random_smooth(state: &mut u64) -> Option<(ViscosityLaw, f64, f64)> {
         ..gear_oil()
     };
     let settings = SteadySettings {
-        cells: 128,
+        cells,
         window: None,
     };
     match steady::solve(&contact(p_0, u_m, 0.0), &oil, &settings) {
@@ -129,10 +129,10 @@ fn random_smooth(state: &mut u64) -> Option<(ViscosityLaw, f64, f64)> {
 #[test]
 fn random_smooth_problems_converge_or_are_refused() {
     let mut state = 7;
-    let refused: Vec<_> = (0..100).filter_map(|_| random_smooth(&mut state)).collect();
-    // What does not converge is refused with its evidence.
-    println!("{refused:?}");
-    assert!(refused.len() <= 6, "{refused:?}");
+    let refused: Vec<_> = (0..100)
+        .filter_map(|_| random_smooth(&mut state, 512))
+        .collect();
+    assert!(refused.is_empty(), "{refused:?}");
 }
 
 /// `cargo test --release -p asperity-ehl --test properties -- --ignored`
@@ -141,12 +141,13 @@ fn random_smooth_problems_converge_or_are_refused() {
 fn two_thousand_random_smooth_problems_converge_or_are_refused() {
     let mut state = 11;
     let refused: Vec<_> = (0..2000)
-        .filter_map(|_| random_smooth(&mut state))
+        .filter_map(|_| random_smooth(&mut state, 512))
         .collect();
     for (law, exponent, load) in &refused {
         println!("{law:?} alpha p0 {exponent:.1} M {load:.0}");
     }
-    assert!(refused.len() <= 80, "{} of 2000 refused", refused.len());
+    // Measured 3; what does not converge is refused with its evidence.
+    assert!(refused.len() <= 5, "{} of 2000 refused", refused.len());
 }
 
 #[test]

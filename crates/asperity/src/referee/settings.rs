@@ -15,8 +15,9 @@ use asperity_tribo_friction::FilmRheology;
 use super::error::RefereeError;
 use crate::case::{Case, LoadedCase};
 use crate::error::PositionError;
+use crate::run_in::run_in;
 use crate::station::Station;
-use crate::stations::station_at;
+use crate::stations::{station_at, stations};
 use crate::surfaces::Texture;
 
 /// Attenuated roughness over the smooth film beyond which ridges that cannot leak make the contact no referee:
@@ -66,7 +67,8 @@ pub struct RefereeContact {
 }
 
 impl RefereeContact {
-    /// The contact of `loaded` at `path_fraction`, 0 at A and 1 at E.
+    /// The contact of `loaded` at `path_fraction`, 0 at A and 1 at E; of flanks that have run in, where the case asks
+    /// for them.
     ///
     /// # Errors
     /// When an equation refuses the place, a flank has no trace, a trace is too short for the filter, or the base
@@ -79,7 +81,13 @@ impl RefereeContact {
         let case = &loaded.case;
         let path = case.gears.path();
         let station = station_at(case, path.a + (path.e - path.a) * path_fraction)?;
-        Self::at(loaded, station, settings)
+        if !case.model.run_in {
+            return Self::at(loaded, station, settings);
+        }
+        let ran_in = run_in(case, &loaded.surfaces, &stations(case)?)?;
+        let mut worn = loaded.clone();
+        worn.surfaces = ran_in.surfaces;
+        Self::at(&worn, station, settings)
     }
 
     /// The contact of `loaded` at a mesh position.
