@@ -113,6 +113,20 @@ fn cited(text: &str) -> BTreeSet<String> {
         .collect()
 }
 
+/// Tags that the paper numbers and no function computes: equations that its velocities fulfil, assumptions, and
+/// statements that are not used.
+const NOT_COMPUTED: &[&str] = &[
+    "P22", "P24", "P25", "P26", "P27", "P28", "P33", "P35", "P37",
+];
+
+#[test]
+fn every_number_of_the_paper_has_a_row() {
+    let rows: BTreeSet<&str> = asperity::equations::all().iter().map(|e| e.tag).collect();
+    for number in 1..=37 {
+        assert!(rows.contains(format!("P{number}").as_str()), "P{number}");
+    }
+}
+
 /// A function around a hot loop of another file may note the tags of that loop, so that only their rows
 /// are asked of it.
 #[test]
@@ -128,6 +142,9 @@ fn every_tagged_formula_notes_its_tag_when_it_runs_and_no_other() {
         let code = text.split("#[cfg(test)]").next().unwrap_or_default();
         let (tagged, cited) = (tags(code), cited(&text));
         for tag in tagged.difference(&cited) {
+            if NOT_COMPUTED.contains(&tag.as_str()) {
+                continue;
+            }
             missing.push(format!("{name}: [{tag}] without cite!"));
         }
         for tag in cited.iter().filter(|tag| !rows.contains(tag.as_str())) {

@@ -32,7 +32,7 @@ pub use values::name_of;
     Exit status: 0 done, 2 bad input, 3 not converged, 4 outside the model, 5 internal fault."
 )]
 pub struct Cli {
-    /// What to do.
+    /// Advice.
     #[command(subcommand)]
     pub command: Command,
     /// Options of every command.
@@ -54,7 +54,7 @@ pub struct Common {
     pub threads: Option<u16>,
 }
 
-/// What to do.
+/// Advice.
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// The main job: from a case file to efficiency, losses and a result folder
@@ -124,7 +124,7 @@ pub enum Command {
     Profile(ProfileCommand),
     /// Where each equation lives, its source and its test
     Equations(EquationsArgs),
-    /// What a message code means and what to do
+    /// Meaning of a message code and its remedy
     Explain {
         /// The code, such as W402; all codes when left out
         code: Option<String>,
@@ -137,9 +137,11 @@ pub enum Command {
     },
     /// Write a worked case with synthetic profiles into a new folder
     Demo {
-        /// The folder to make
-        #[arg(default_value = "demo")]
-        folder: PathBuf,
+        /// The folder to make [default: demo, with --paper table2]
+        folder: Option<PathBuf>,
+        /// Table 2 of the 2022 paper on a synthetic damaged flank instead
+        #[arg(long)]
+        paper: bool,
     },
 }
 
@@ -286,7 +288,7 @@ impl std::str::FromStr for FinishArg {
     }
 }
 
-/// What a shell needs to know of the command.
+/// Shell whose completions are printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum CompletionKind {
     /// bash
@@ -348,7 +350,7 @@ pub struct FilmArgs {
 pub enum FormulationArg {
     /// Dimensionally and physically consistent
     Corrected,
-    /// The paper's reading, only its misprints mended
+    /// The paper's reading, only its misprints corrected
     Paper,
 }
 

@@ -7,7 +7,7 @@ mod words;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-/// What each crate may use of the workspace. The physics crates stand apart from each other.
+/// Crates of the workspace that each crate may use. The physics crates stand apart from each other.
 const ALLOWED: &[(&str, &[&str])] = &[
     ("crates/core", &[]),
     ("crates/storage", &[]),

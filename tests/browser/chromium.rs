@@ -76,7 +76,7 @@ pub fn open(browser: &str, page: &Path, width: u32) -> Opened {
 }
 
 impl Opened {
-    /// What the page's self-test found.
+    /// Findings of the page's self-test.
     pub fn selftest(&self) -> Value {
         let start = self
             .document

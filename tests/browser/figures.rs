@@ -24,7 +24,7 @@ fn every_figure_has_its_table_and_a_place_in_the_docs() {
         };
         assert!(of(".svg") && of(".csv"), "figure {number}");
     }
-    /// What a code host shows without complaint.
+    /// Limit of what a code host shows without complaint.
     const LARGEST: u64 = 200_000;
     for file in files
         .iter()

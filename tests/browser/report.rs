@@ -93,7 +93,7 @@ fn every_chart_of_the_report_draws_and_zooms_and_nothing_is_fetched() {
         let found = opened.selftest();
         assert_eq!(
             found["drawn"].as_array().unwrap().len(),
-            26,
+            27,
             "all charts of a rough contact are there"
         );
     }

@@ -1,8 +1,9 @@
 //! A folder to work in, and the program to run in it.
 
 use std::fs;
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Output, Stdio};
 use std::sync::OnceLock;
 
 use tempfile::TempDir;
@@ -34,7 +35,15 @@ pub fn program() -> &'static Path {
     })
 }
 
-/// What the program said and how it ended.
+fn said(output: Output) -> Said {
+    Said {
+        status: output.status.code().unwrap(),
+        out: String::from_utf8(output.stdout).unwrap(),
+        err: String::from_utf8(output.stderr).unwrap(),
+    }
+}
+
+/// Output of the program and its exit status.
 #[derive(Debug)]
 pub struct Said {
     /// Exit status.
@@ -126,11 +135,23 @@ impl Bench {
             .envs(environment.iter().copied())
             .output()
             .unwrap();
-        Said {
-            status: output.status.code().unwrap(),
-            out: String::from_utf8(output.stdout).unwrap(),
-            err: String::from_utf8(output.stderr).unwrap(),
-        }
+        said(output)
+    }
+
+    /// Runs the program in the folder with `input` on its standard input.
+    pub fn run_with_input(&self, arguments: &[&str], input: &str) -> Said {
+        let mut child = Command::new(program())
+            .args(arguments)
+            .current_dir(self.0.path())
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut pipe = child.stdin.take().unwrap();
+        pipe.write_all(input.as_bytes()).unwrap();
+        drop(pipe);
+        said(child.wait_with_output().unwrap())
     }
 
     /// Names of everything in the folder, hidden files too.

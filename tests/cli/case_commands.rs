@@ -1,9 +1,6 @@
 //! Commands about a case beside its run: keys set past it, standard input, `check`, `oils`, `diff`.
 
-use std::io::Write as _;
-use std::process::{Command, Stdio};
-
-use crate::bench::{Bench, E_DRIVE, program, root, with_line};
+use crate::bench::{Bench, E_DRIVE, root, with_line};
 
 fn bench() -> Bench {
     let bench = Bench::new();
@@ -71,22 +68,10 @@ fn a_key_that_is_set_wrong_names_itself_and_no_line_of_the_file() {
 #[test]
 fn a_case_is_read_from_standard_input() {
     let bench = bench();
-    let mut child = Command::new(program())
-        .args(["run", "-", "--no-output", "--json"])
-        .current_dir(bench.path(""))
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap();
-    child
-        .stdin
-        .take()
-        .unwrap()
-        .write_all(E_DRIVE.as_bytes())
-        .unwrap();
-    let output = child.wait_with_output().unwrap();
-    assert!(output.status.success());
-    let piped: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let piped = bench
+        .run_with_input(&["run", "-", "--no-output", "--json"], E_DRIVE)
+        .well()
+        .json();
     let read = bench
         .run(&["run", "case.toml", "--no-output", "--json"])
         .well()

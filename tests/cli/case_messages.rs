@@ -6,10 +6,10 @@ use crate::bench::{Bench, E_DRIVE, line_of, with_line};
 struct Bad {
     /// How the good line starts.
     key: &'static str,
-    /// What stands there instead.
+    /// Text found instead.
     line: &'static str,
     code: &'static str,
-    /// What the message says beside the place.
+    /// Message without its place.
     says: &'static [&'static str],
     /// Whether the message is about this line, or about the line of its table.
     table: Option<&'static str>,

@@ -126,6 +126,42 @@ fn the_cut_offs_of_a_file_are_the_default_and_an_override_is_said() {
 }
 
 #[test]
+fn a_case_filters_as_its_file_states_unless_it_says_otherwise() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    let table = rows(6000, |_, z| format!("{z:.4}"));
+    bench.write("stated.tx1", format!("3.00000\n6000\n{table}"));
+    let facts = "Evaluation length\t3.0mm\nCutoff\t0.5mm\nCutoff Ls\t8um\n";
+    bench.write("stated.tx3", facts);
+    let case = with_line("pinion =", "pinion = { file = \"stated.tx1\" }");
+    bench.write("asked.toml", &case);
+    bench.write("open.toml", case.replace("cutoff = \"0.25 mm\"\n", ""));
+    let result = |case: &str| {
+        let run = ["run", case, "--no-output", "--json"];
+        bench.run(&run).well().json()
+    };
+    let cutoffs = |found: &serde_json::Value| {
+        [0, 1].map(|body| {
+            let recipe = &found["flanks"][body]["preparation"]["recipe"];
+            [&recipe["lambda-c"], &recipe["lambda-s"]].map(|text| text.as_str().unwrap().to_owned())
+        })
+    };
+    let open = result("open.toml");
+    // The wheel's file states nothing: 0.25 mm, as is usual on gears.
+    assert_eq!(cutoffs(&open), [["500 um", "8 um"], ["250 um", "2.5 um"]]);
+    let stated = |default: &&serde_json::Value| {
+        default["source"] == "stated in stated.tx1" && default["key"] == "surface.cutoff"
+    };
+    let mut defaults = open["defaults"].as_array().unwrap().iter();
+    assert_eq!(defaults.find(stated).unwrap()["value"], "\"500 um\"");
+    assert_eq!(cutoffs(&result("asked.toml"))[0], ["250 um", "8 um"]);
+    let said = bench.run(&["run", "asked.toml", "--no-output", "--notes"]);
+    let said = said.well().unwrapped();
+    let says = "W129 stated.tx1: the file states λc 500 um, the case surface.cutoff = 250 um";
+    assert!(said.contains(says), "{said}");
+}
+
+#[test]
 fn standard_input_is_a_file_like_any_other() {
     let bench = Bench::new();
     let text = trace("x_um,z_um", 6000);

@@ -1,6 +1,6 @@
 //! Messages about profile files, by `asperity profile info` and through a case.
 
-use crate::bench::{Bench, heights, line_of, rows, trace, with_line};
+use crate::bench::{Bench, E_DRIVE, heights, line_of, rows, trace, with_line};
 
 /// A trace that cannot be read.
 struct Bad {
@@ -75,6 +75,53 @@ fn unreadable() -> Vec<Bad> {
         bad("short.csv", trace("x_um,z_um", 200), &[], "E120", &["short.csv: the profile is", "needs at least 800 um"]),
         bad("coarse.csv", format!("x_um,z_um\n{}", rows(500, |i, z| format!("{},{z:.4}", 20 * i))), &[], "E120", &["coarse.csv: cut-off", "shorter than the spacing"]),
     ]
+}
+
+#[cfg(unix)]
+#[test]
+fn devices_and_pipes_are_no_files_of_any_command() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    let of_device = with_line(
+        "pinion =",
+        "pinion = { file = \"/dev/zero\", dx = \"1 um\" }",
+    );
+    bench.write("device.toml", of_device);
+    let says = ["a device or a pipe"];
+    for (command, code) in [
+        (&["check", "/dev/zero"][..], "E201"),
+        (&["run", "/dev/zero"], "E201"),
+        (&["run", "device.toml"], "E103"),
+        (&["profile", "info", "/dev/zero"], "E103"),
+        (
+            &[
+                "contact",
+                "--gap",
+                "/dev/zero",
+                "--e-star",
+                "115 GPa",
+                "--load",
+                "1 N/mm",
+            ],
+            "E103",
+        ),
+    ] {
+        bench.run(command).refused(2, code, &says);
+    }
+    for command in [
+        &["report", "/dev/zero"][..],
+        &["diff", "/dev/zero", "/dev/zero"],
+    ] {
+        bench.run(command).refused(2, "E402", &["it is no file"]);
+    }
+    let large = std::fs::File::options()
+        .write(true)
+        .open(bench.path("case.toml"));
+    large.unwrap().set_len(100 << 20).unwrap();
+    bench
+        .run(&["check", "case.toml"])
+        .refused(2, "E201", &["larger than 10 MB"]);
 }
 
 #[test]

@@ -153,3 +153,100 @@ fn a_planetary_set_gives_a_table_and_a_result_for_each_mesh() {
         .run(&["run", "case.toml"])
         .refused(2, "E206", &["12 planets do not fit"]);
 }
+
+#[test]
+fn a_planetary_set_takes_keys_and_standard_input_and_is_checked() {
+    let bench = bench(SET);
+    let other = SET.replace("120 N m", "100 N m");
+    bench.write("other.toml", &other);
+    let loss = |arguments: &[&str]| bench.run(arguments).well().json()["loss_w"].clone();
+    let of_file = loss(&["run", "other.toml", "--no-output", "--json"]);
+    let by_key = ["run", "case.toml", "--no-output", "--json", "--set"];
+    assert_eq!(
+        loss(&[&by_key[..], &["operation.torque=100 N m"]].concat()),
+        of_file
+    );
+    assert_ne!(
+        loss(&["run", "case.toml", "--no-output", "--json"]),
+        of_file
+    );
+    let piped = bench.run_with_input(&["run", "-", "--no-output", "--json"], &other);
+    assert_eq!(piped.well().json()["loss_w"], of_file);
+    bench
+        .run(&["run", "case.toml", "--set", "planetary.plantes=4"])
+        .refused(2, "E203", &["Did you mean \"planets\"?"]);
+
+    let said = bench.run(&["check", "case.toml"]).well().out;
+    for says in [
+        "planetary.ring_speed",
+        "material.ring.young",
+        "32 rough contacts",
+    ] {
+        assert!(said.contains(says), "{says} is not in {said}");
+    }
+    assert!(!said.contains("material.pinion"), "{said}");
+}
+
+#[test]
+fn gear_and_regime_tell_of_each_mesh_of_a_set_and_commands_of_a_pair_refuse_it() {
+    let bench = bench(SET);
+    let said = bench.run(&["gear", "case.toml"]).well().out;
+    for says in [
+        "small set: sun and planet",
+        "teeth 27/24 ",
+        "small set: planet and ring",
+        "teeth 24/-75 ",
+    ] {
+        assert!(said.contains(says), "{says} is not in {said}");
+    }
+    let gears = bench.run(&["gear", "case.toml", "--json"]).well().json();
+    let meshes = gears["meshes"].as_array().unwrap();
+    assert_eq!(meshes.len(), 2);
+    // The torque of the sun over three planets, and by the teeth at the planet.
+    assert_eq!(meshes[0]["torque_nm"], 40.0);
+    assert!((meshes[1]["torque_nm"].as_f64().unwrap() - 40.0 * 24.0 / 27.0).abs() < 1e-9);
+    let said = bench.run(&["regime", "case.toml"]).well().out;
+    assert_eq!(said.matches("Lambda*").count(), 2, "{said}");
+    let rows = bench.run(&["regime", "case.toml", "--json"]).well().json();
+    assert_eq!(rows["meshes"][1]["rows"].as_array().unwrap().len(), 8);
+    let finishes = ["--finish", "a=pinion.csv", "--finish", "b=wheel.csv"];
+    for command in [
+        &["film", "case.toml"][..],
+        &["contact", "case.toml"],
+        &[&["compare", "case.toml"], &finishes[..]].concat(),
+    ] {
+        let refused = bench.run(command);
+        refused.refused(2, "E205", &["is a planetary set"]);
+    }
+}
+
+#[test]
+fn the_key_of_an_older_version_is_answered_with_todays() {
+    let bench = bench(SET);
+    bench
+        .run(&["check", "case.toml", "--set", "model.load_sharing=uniform"])
+        .refused(2, "E203", &["Did you mean \"load_distribution\"?"]);
+}
+
+#[test]
+fn check_tells_every_error_of_a_planetary_set_once() {
+    let bad = SET
+        .replace("1.5 mm", "1.5 m")
+        .replace("m100", "m1000")
+        .replace("wheel.csv", "nosuch.csv")
+        .replace("planets = 3", "planets = 3\nplanet = 3");
+    let bench = bench(&bad);
+    let before = bench.listing();
+    let said = bench.run(&["check", "case.toml"]);
+    assert_eq!(said.status, 2);
+    for says in [
+        "E204 case.toml:6: planetary.planet",
+        "E212 case.toml:7 (mesh of the sun, its pinion, and a planet): gears.module = \"1.5 m\"",
+        "E208 case.toml:13: lubricant",
+        "E103 nosuch.csv",
+        "case.toml: 4 errors",
+    ] {
+        assert!(said.err.contains(says), "{says} is not in {}", said.err);
+    }
+    assert_eq!(bench.listing(), before);
+}

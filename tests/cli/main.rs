@@ -20,6 +20,7 @@ mod fuzz;
 mod gear;
 mod instrument_files;
 mod kills;
+mod mutated;
 mod outside;
 mod profile_reports;
 mod result_messages;

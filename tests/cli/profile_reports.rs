@@ -1,4 +1,4 @@
-//! What `asperity profile` shows of a profile, and how it is told to prepare it.
+//! Arguments of `asperity profile`: the views of a profile and its preparation.
 
 use asperity_roughness::involute::{Involute, heights as involute};
 use serde_json::Value;

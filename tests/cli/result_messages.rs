@@ -390,6 +390,16 @@ fn what_calls_for_attention_in_the_flanks_is_said_with_the_result() {
     grooves.write("wheel.csv", table(|_| 0.0));
     let says = ["no peaks above the core in 8 of 8 mixed contacts"];
     warns(&grooves, &[], "W411", &says);
+    // A flank that leans so far that the contact is at the end of its window.
+    let leaning = bench_with("cutoff", as_is);
+    let table = rows(6000, |i, z| {
+        let x = 0.5 * i as f64;
+        format!("{x:.1},{:.5}", z + 0.05 * x)
+    });
+    leaning.write("pinion.csv", format!("x_um,z_um\n{table}"));
+    let dry = ["--set", "model.load_share=lambda-star"];
+    let says = ["the rough contact runs into the end of its window at"];
+    warns(&leaning, &dry, "W413", &says);
     let raw = bench_with("cutoff", "cutoff = \"0.25 mm\"\nform = \"none\"");
     let arc = |i: usize| 38.0 * (i as f64 / 3000.0 - 1.0).powi(2);
     let table = rows(6001, |i, z| {

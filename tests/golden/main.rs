@@ -1,4 +1,4 @@
-//! What the shipped cases give, so that no change of a result goes unnoticed.
+//! Golden results of the shipped cases, so that no change of a result goes unnoticed.
 //!
 //! `ASPERITY_WRITE=1 cargo test -p asperity-tests --test golden` writes the values anew; do that only
 //! with a reason, and say it in the change.

@@ -1,4 +1,4 @@
-//! What goes in comes out or is lost.
+//! Balance: power that goes in comes out or is lost.
 
 use asperity::result::Outcome;
 use proptest::prelude::*;

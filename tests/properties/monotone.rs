@@ -1,4 +1,4 @@
-//! What more torque, more roughness, more speed do.
+//! Effects of more torque, more roughness, more speed.
 
 use asperity_tests::{run, table_2, trace_csv};
 use proptest::prelude::*;

@@ -1,6 +1,7 @@
 //! Helpers shared by the workspace tests: cases built in the test, and traces to go with them.
 
 mod case_text;
+pub mod parsers;
 mod table_2;
 mod trace;
 

@@ -10,7 +10,7 @@ const CELLS: i64 = 256;
 /// Square of the width of a cell, where losses are smooth.
 const OF_CELLS: f64 = 1e-4;
 
-/// What is changed in Table 2, and sliding and rolling loss in W evaluated elsewhere.
+/// Changes to Table 2, with sliding and rolling loss in W evaluated elsewhere.
 type Variant = (&'static str, fn(CaseText) -> CaseText, f64, f64);
 
 const VARIANTS: [Variant; 5] = [

@@ -245,7 +245,7 @@ fn changes() -> &'static (f64, Vec<f64>, f64) {
     })
 }
 
-/// What one changed key does to the loss.
+/// Effect of one changed key on the loss.
 pub fn one_key_changed() -> String {
     let (base, changed, run_in) = changes();
     let mut text = format!(

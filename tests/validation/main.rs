@@ -1,6 +1,6 @@
 //! The whole program against numbers from elsewhere, from the case file on.
 //!
-//! What a single crate computes is proven in that crate. Here stands what spans crates. Each module
+//! Validation that spans crates; the results of a single crate are proven in that crate. Each module
 //! makes tables of reference numbers with ours beside them; its tests hold them, and
 //! `docs/VALIDATION.md` shows them.
 
@@ -17,4 +17,5 @@ mod paper_formulation;
 mod petry_johnson;
 mod rough_contact;
 mod spot_values;
+mod steady_films;
 mod table_2;

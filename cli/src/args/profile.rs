@@ -11,7 +11,7 @@ use clap::{Args, Subcommand, ValueEnum};
 
 use super::values::{choice, cutoff};
 
-/// What to do with a profile.
+/// Subcommand on a profile.
 #[derive(Debug, Subcommand)]
 pub enum ProfileCommand {
     /// Format, units, spacing, and roughness parameters of profile files
@@ -225,7 +225,7 @@ pub struct PreparingArgs {
     /// Cut-off lambda_s, or none [default: as the file states, else 2.5 um]
     #[arg(long, value_parser = cutoff, allow_hyphen_values = true)]
     pub lambda_s: Option<Length>,
-    /// What the filter does at the ends: cut, reg0, reg1, reflect
+    /// Treatment of the ends by the filter: cut, reg0, reg1, reflect
     #[arg(long, value_parser = choice::<Ends>)]
     pub ends: Option<Ends>,
     /// Use the robust Gaussian filter for lambda_c, for damaged flanks
@@ -236,7 +236,7 @@ pub struct PreparingArgs {
     pub sections: Option<u16>,
 }
 
-/// What the file does not say; an option wins over what the file seems to say.
+/// Statements that the file does not make; an option wins over the look of the file.
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Reading the file")]
 pub struct ReadingArgs {
@@ -267,7 +267,7 @@ pub struct ReadingArgs {
     /// Which profile of a file that holds several, from 1
     #[arg(long)]
     pub row: Option<usize>,
-    /// What the positions are: distance, roll-length, roll-degrees, roll-radians [default: as the
+    /// Meaning of the positions: distance, roll-length, roll-degrees, roll-radians [default: as the
     /// header says, else distance]
     #[arg(long)]
     pub abscissa: Option<Abscissa>,

@@ -1,7 +1,11 @@
 //! `asperity check`: a case looked at without running it.
 
-use asperity::case::{self, LoadedCase};
-use asperity_studies::estimate::{Estimate, estimate};
+use asperity::Error;
+use asperity::case::planetary::{self, LoadedPlanetary};
+use asperity::case::{self, DefaultUsed, LoadedCase};
+use asperity::kept_fields::KeptFields;
+use asperity::message::Warning;
+use asperity_studies::estimate::{Estimate, estimate, estimate_of_set};
 use serde_json::{Value, json};
 
 use super::{keys, source};
@@ -13,14 +17,23 @@ use crate::output::{print_json, print_text};
 pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
     let (source, folder) = source(&args.case)?;
     let name = source.name().to_owned();
-    let findings = case::check(source, folder, &keys(&args.set));
-    let failures: Vec<Failure> = findings.errors.iter().map(Failure::of).collect();
-    let work = findings.case.as_ref().map(estimate).transpose();
-    let work = work.map_err(|error| Failure::about(&args.case, &error))?;
+    let (failures, sound) = match planetary::is_planetary(&source) {
+        true => {
+            let findings = planetary::check(source, folder, &keys(&args.set));
+            (failures(&findings.errors), findings.case.map(of_set))
+        }
+        false => {
+            let findings = case::check(source, folder, &keys(&args.set));
+            (failures(&findings.errors), findings.case.map(of_pair))
+        }
+    };
+    let sound = sound
+        .transpose()
+        .map_err(|error| Failure::about(&args.case, &error))?;
     if common.json {
-        print_json(&report(&failures, findings.case.as_ref(), work))?;
+        print_json(&report(&failures, sound.as_ref()))?;
     }
-    let Some(loaded) = &findings.case else {
+    let Some(sound) = &sound else {
         for failure in &failures {
             if !common.json {
                 failure.tell();
@@ -42,40 +55,74 @@ pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
     if common.json {
         return Ok(());
     }
-    print_text(common, &text(&name, loaded, work))
+    print_text(common, &text(&name, sound))
 }
 
-fn report(failures: &[Failure], loaded: Option<&LoadedCase>, work: Option<Estimate>) -> Value {
+/// Report on a case without errors.
+struct Sound {
+    warnings: Vec<Warning>,
+    defaults: Vec<DefaultUsed>,
+    work: Estimate,
+}
+
+fn failures(errors: &[Error]) -> Vec<Failure> {
+    errors.iter().map(Failure::of).collect()
+}
+
+fn of_pair(loaded: LoadedCase) -> Result<Sound, Error> {
+    Ok(Sound {
+        work: estimate(&loaded, &KeptFields::Highest)?,
+        warnings: loaded.warnings,
+        defaults: loaded.case.defaults,
+    })
+}
+
+fn of_set(set: LoadedPlanetary) -> Result<Sound, Error> {
+    let work = estimate_of_set(&set, &KeptFields::Highest)?;
+    let mut sound = Sound {
+        warnings: Vec::new(),
+        defaults: set.defaults,
+        work,
+    };
+    for mesh in set.meshes {
+        for warning in mesh.warnings {
+            if !sound.warnings.contains(&warning) {
+                sound.warnings.push(warning);
+            }
+        }
+    }
+    Ok(sound)
+}
+
+fn report(failures: &[Failure], sound: Option<&Sound>) -> Value {
     let error = |failure: &Failure| failure.json()["error"].take();
     let errors: Vec<Value> = failures.iter().map(error).collect();
     json!({
         "errors": errors,
-        "warnings": loaded.map(|loaded| &loaded.warnings),
-        "defaults": loaded.map(|loaded| &loaded.case.defaults),
-        "estimate": work,
+        "warnings": sound.map(|sound| &sound.warnings),
+        "defaults": sound.map(|sound| &sound.defaults),
+        "estimate": sound.map(|sound| &sound.work),
     })
 }
 
-fn text(name: &str, loaded: &LoadedCase, work: Option<Estimate>) -> String {
+fn text(name: &str, sound: &Sound) -> String {
     let mut text = format!("{name}: no errors\n");
-    for warning in &loaded.warnings {
+    for warning in &sound.warnings {
         text.push_str(&asperity_report::wrapped(&warning.to_string(), "     "));
         text.push('\n');
     }
     text.push_str("defaults that a run uses\n");
-    for default in &loaded.case.defaults {
+    for default in &sound.defaults {
         let source = default.source.as_deref();
         let source = source.map(|s| format!("  ({s})")).unwrap_or_default();
         text.push_str(&format!("  {} = {}{source}\n", default.key, default.value));
     }
-    if let Some(work) = work {
-        text.push_str(&format!(
-            "a run takes about {} and {}: {} rough contacts\n",
-            duration(work.seconds),
-            memory(work.bytes),
-            work.contacts
-        ));
-    }
+    text.push_str(&format!(
+        "a run takes about {} and {}: {} rough contacts\n",
+        duration(sound.work.seconds),
+        memory(sound.work.bytes),
+        sound.work.contacts
+    ));
     text
 }
 

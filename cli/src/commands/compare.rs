@@ -4,10 +4,11 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::case::{self, CaseInput, FlankInput, LoadedCase, Source};
+use asperity::kept_fields::KeptFields;
 use asperity_studies::compare::{self, Finish};
 
 use super::work::check_work;
-use super::{keys, source, stem};
+use super::{keys, pair_only, source, stem};
 use crate::args::{Common, CompareArgs, FinishArg};
 use crate::failure::Failure;
 use crate::output::{PATIENCE, print_json, print_text, progress};
@@ -33,6 +34,7 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
     }
     // Once for all finishes: standard input is read but once.
     let (text, folder) = source(&args.case)?;
+    pair_only(&text)?;
     let finishes = args
         .finishes
         .iter()
@@ -44,7 +46,12 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
         })
         .collect::<Result<Vec<_>, Failure>>()?;
     if let Some(first) = finishes.first() {
-        check_work(&args.work, &first.case, finishes.len())?;
+        check_work(
+            &args.work,
+            &first.case,
+            &KeptFields::Highest,
+            finishes.len(),
+        )?;
     }
     let folder = args.output.clone().unwrap_or_else(|| {
         let stem = stem(&args.case).to_string_lossy();

@@ -11,7 +11,9 @@ use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 
 /// `asperity demo`
-pub fn demo(folder: &Path, common: &Common) -> Result<(), Failure> {
+pub fn demo(folder: Option<&Path>, paper: bool, common: &Common) -> Result<(), Failure> {
+    let usual = if paper { "table2" } else { "demo" };
+    let folder = folder.unwrap_or(Path::new(usual));
     let name = folder.display();
     if folder.exists() {
         return Err(Failure::new(
@@ -19,20 +21,41 @@ pub fn demo(folder: &Path, common: &Common) -> Result<(), Failure> {
             format!("{name}: exists already; name another folder, as asperity demo my-first-case"),
         ));
     }
-    let files = asperity_fixtures::demo::files()
-        .map_err(|error| Failure::new("E501", format!("the demo cannot be made: {error}")))?;
+    let files = match paper {
+        true => asperity_fixtures::demo::table_2().map(paper_files),
+        false => asperity_fixtures::demo::files(),
+    };
+    let files =
+        files.map_err(|error| Failure::new("E501", format!("the demo cannot be made: {error}")))?;
     write(&files, folder).map_err(|error| Failure::new("E401", error.to_string()))?;
     if common.json {
         let names: Vec<&str> = files.iter().map(|file| file.name).collect();
         return print_json(&json!({ "folder": folder, "files": names }));
     }
+    let (what, option) = match paper {
+        true => (
+            "case.toml and a damaged flank (synthetic)",
+            " --formulation paper",
+        ),
+        false => (
+            "case.toml, two pairs of flanks (synthetic) and a README",
+            "",
+        ),
+    };
     print_text(
         common,
-        &format!(
-            "wrote {name}: case.toml, two pairs of flanks (synthetic) and a README\n\
-             next: asperity run {name}/case.toml\n"
-        ),
+        &format!("wrote {name}: {what}\nnext: asperity run {name}/case.toml{option}\n"),
     )
+}
+
+/// The case beside its flank.
+fn paper_files((case, flank): (TextFile, TextFile)) -> Vec<TextFile> {
+    let content = case.content.replace("../profiles/", "");
+    let case = TextFile {
+        name: "case.toml",
+        content,
+    };
+    vec![case, flank]
 }
 
 fn write(files: &[TextFile], folder: &Path) -> Result<(), StorageError> {

@@ -22,6 +22,7 @@ mod work;
 use std::io::Read as _;
 use std::path::Path;
 
+use asperity::case::planetary::{self, LoadedPlanetary};
 use asperity::case::{self, CaseInput, Formulation, LoadedCase, PathPoint, Source};
 
 use crate::args::{FormulationArg, SetArgs};
@@ -63,7 +64,20 @@ fn load_changed(
     change: &dyn Fn(&mut CaseInput),
 ) -> Result<LoadedCase, Failure> {
     let (source, folder) = source(path)?;
+    pair_only(&source)?;
     case::load_set(source, folder, &keys(set), change).map_err(|error| Failure::of(&error))
+}
+
+/// Refuses a planetary set where a command takes two gears.
+fn pair_only(source: &Source) -> Result<(), Failure> {
+    if !planetary::is_planetary(source) {
+        return Ok(());
+    }
+    let name = source.name();
+    let message = format!("{name}: is a planetary set; this command takes a pair of gears");
+    Err(Failure::new("E205", message).advising(
+        "run, check, gear and regime take sets; the result of a set holds a result of each mesh.",
+    ))
 }
 
 /// Name of a case for its results.
@@ -80,15 +94,49 @@ fn load_case(
     set: &SetArgs,
     formulation: Option<FormulationArg>,
 ) -> Result<LoadedCase, Failure> {
-    let formulation = formulation.map(|choice| match choice {
-        FormulationArg::Corrected => Formulation::Corrected,
-        FormulationArg::Paper => Formulation::Paper,
-    });
+    let formulation = formulation.map(reading);
     load_changed(path, set, &|input| {
         if formulation.is_some() {
             input.formulation = formulation;
         }
     })
+}
+
+/// A case of either kind.
+pub enum AnyCase {
+    /// Two gears.
+    Pair(Box<LoadedCase>),
+    /// A planetary set.
+    Set(Box<LoadedPlanetary>),
+}
+
+/// Reads a case of either kind with its traces.
+fn load_any(
+    path: &Path,
+    set: &SetArgs,
+    formulation: Option<FormulationArg>,
+) -> Result<AnyCase, Failure> {
+    let formulation = formulation.map(reading);
+    let (source, folder) = source(path)?;
+    let loaded = match planetary::is_planetary(&source) {
+        true => planetary::load_set(source, folder, &keys(set), formulation)
+            .map(|set| AnyCase::Set(Box::new(set))),
+        false => case::load_set(source, folder, &keys(set), &|input| {
+            if formulation.is_some() {
+                input.formulation = formulation;
+            }
+        })
+        .map(|pair| AnyCase::Pair(Box::new(pair))),
+    };
+    loaded.map_err(|error| Failure::of(&error))
+}
+
+/// The reading of the model that was asked for.
+fn reading(choice: FormulationArg) -> Formulation {
+    match choice {
+        FormulationArg::Corrected => Formulation::Corrected,
+        FormulationArg::Paper => Formulation::Paper,
+    }
 }
 
 /// A place on the path of contact as the user gave it, 0 at A and 1 at E, checked.

@@ -3,15 +3,16 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use asperity::case::planetary::{self, LoadedPlanetary};
-use asperity::planetary::{PlanetaryResult, run_planetary};
+use asperity::case::planetary::LoadedPlanetary;
+use asperity::pipeline::Progress;
+use asperity::planetary::{PlanetaryResult, run_planetary_keeping};
 use asperity::result::RunResult;
 use asperity::{Error, pipeline};
 use asperity_report::{self as report, Fields, ReportError};
 
 use super::bibtex::bibtex;
-use super::work::check_work;
-use super::{load_case, stem};
+use super::work::{check_work, check_work_of_set};
+use super::{AnyCase, load_any, stem};
 use crate::args::{Common, RunArgs};
 use crate::failure::Failure;
 use crate::output::{PATIENCE, print_json, print_text, progress};
@@ -20,29 +21,19 @@ use crate::output::{PATIENCE, print_json, print_text, progress};
 pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
     let fields = fields(args)?;
-    // A planetary set has its own keys.
-    if args.set.keys.is_empty() && args.case != Path::new("-") {
-        let set = planetary::load(&args.case).map_err(|error| Failure::of(&error))?;
-        if let Some(set) = set {
-            return run_set(&set, args, common, &fields, begin);
-        }
-    }
-    let loaded = load_case(&args.case, &args.set, args.formulation)?;
-    check_work(&args.work, &loaded, 1)?;
+    let loaded = match load_any(&args.case, &args.set, args.formulation)? {
+        AnyCase::Pair(loaded) => loaded,
+        AnyCase::Set(set) => return run_set(&set, args, common, &fields, begin),
+    };
+    check_work(&args.work, &loaded, &fields.kept(), 1)?;
     let folder = (!args.no_output).then(|| result_folder(args));
     if let Some(folder) = &folder {
         // Told before the work, not after it.
         report::check_place(folder).map_err(|error| not_written(&error))?;
     }
-    let bar = progress(common.quiet);
-    let shown = |done: usize, total: usize| {
-        if begin.elapsed() >= PATIENCE {
-            bar.set_length(total as u64);
-            bar.set_position(done as u64);
-        }
-    };
-    let outcome = pipeline::run(&loaded, &shown);
-    bar.finish_and_clear();
+    let outcome = watched(common, begin, |shown| {
+        pipeline::run_keeping(&loaded, &fields.kept(), shown)
+    });
     let outcome = outcome.map_err(|error| failed(&error, args, folder.as_deref()))?;
     if let Some(folder) = &folder {
         report::write_folder(&outcome, folder, &fields).map_err(|error| not_written(&error))?;
@@ -62,6 +53,19 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     )
 }
 
+/// The work with its progress on the terminal, once it takes a while.
+fn watched<T>(common: &Common, begin: Instant, work: impl FnOnce(Progress<'_>) -> T) -> T {
+    let bar = progress(common.quiet);
+    let outcome = work(&|done, total| {
+        if begin.elapsed() >= PATIENCE {
+            bar.set_length(total as u64);
+            bar.set_position(done as u64);
+        }
+    });
+    bar.finish_and_clear();
+    outcome
+}
+
 /// Both kinds of meshes of a planetary set.
 fn run_set(
     set: &LoadedPlanetary,
@@ -70,15 +74,15 @@ fn run_set(
     fields: &Fields,
     begin: Instant,
 ) -> Result<(), Failure> {
-    for mesh in &set.meshes {
-        check_work(&args.work, mesh, 1)?;
-    }
+    check_work_of_set(&args.work, set, &fields.kept())?;
     let folder = (!args.no_output).then(|| result_folder(args));
     if let Some(folder) = &folder {
         report::check_planetary_place(folder).map_err(|error| not_written(&error))?;
     }
-    let outcome =
-        run_planetary(set, &|_, _| ()).map_err(|error| failed(&error, args, folder.as_deref()))?;
+    let outcome = watched(common, begin, |shown| {
+        run_planetary_keeping(set, &fields.kept(), shown)
+    });
+    let outcome = outcome.map_err(|error| failed(&error, args, folder.as_deref()))?;
     if let Some(folder) = &folder {
         report::write_planetary(&outcome, folder, fields).map_err(|error| not_written(&error))?;
     }

@@ -1,19 +1,42 @@
 //! Estimate of the work before it is done, and its limit.
 
 use asperity::case::LoadedCase;
-use asperity_studies::estimate::estimate;
+use asperity::case::planetary::LoadedPlanetary;
+use asperity::kept_fields::KeptFields;
+use asperity_studies::estimate::{Estimate, estimate, estimate_of_set};
 
 use crate::args::WorkArgs;
 use crate::failure::Failure;
 
 /// Refuses `runs` runs of a case whose time or memory is estimated above the limits.
-pub fn check_work(limits: &WorkArgs, loaded: &LoadedCase, runs: usize) -> Result<(), Failure> {
+pub fn check_work(
+    limits: &WorkArgs,
+    loaded: &LoadedCase,
+    kept: &KeptFields,
+    runs: usize,
+) -> Result<(), Failure> {
+    // A case that has no estimate has no run, which says why.
+    match estimate(loaded, kept) {
+        Ok(found) => check(limits, &found, runs),
+        Err(_) => Ok(()),
+    }
+}
+
+/// The same for both meshes of a planetary set.
+pub fn check_work_of_set(
+    limits: &WorkArgs,
+    set: &LoadedPlanetary,
+    kept: &KeptFields,
+) -> Result<(), Failure> {
+    match estimate_of_set(set, kept) {
+        Ok(found) => check(limits, &found, 1),
+        Err(_) => Ok(()),
+    }
+}
+
+fn check(limits: &WorkArgs, found: &Estimate, runs: usize) -> Result<(), Failure> {
     const HOUR: f64 = 3600.0;
     const GIGABYTE: f64 = 1e9;
-    // A case that has no estimate has no run, which says why.
-    let Ok(found) = estimate(loaded) else {
-        return Ok(());
-    };
     let hours = found.seconds * runs as f64 / HOUR;
     let gigabytes = found.bytes / GIGABYTE;
     let contacts = found.contacts * runs;

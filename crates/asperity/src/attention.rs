@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use asperity_contact::plasticity::{FIRST_YIELD, first_yield_pressure};
+use asperity_contact::{ContactWarning, SUSPECT_GAP};
 use asperity_core::OutOfRange;
 use asperity_efficiency::equivalent_friction;
 use asperity_gear::StiffnessSource;
@@ -11,11 +12,13 @@ use crate::case::LoadedCase;
 use crate::encounter::is_substituted;
 use crate::error::PositionError;
 use crate::formulation;
+use crate::full_film::{FullFilmRow, NOTED_DEVIATION};
 use crate::load_report::LoadReport;
 use crate::local_roughness::FEW_ASPERITIES;
 use crate::message::Warning;
 use crate::position::Position;
-use crate::result::{Regime, Summary};
+use crate::referee::LARGEST_ROUGHNESS;
+use crate::result::{RecordRow, Regime, Summary};
 use crate::surfaces::Texture;
 
 /// Warnings about the positions and the summary.
@@ -47,7 +50,9 @@ pub(crate) fn warnings(
     }
     no_sliding(loaded, positions, &mut found);
     stress(loaded, positions, &mut found)?;
+    contacts(positions, &mut found);
     roughness(loaded, positions, &mut found);
+    full_film(positions, &mut found);
     Ok(found)
 }
 
@@ -200,6 +205,33 @@ fn no_sliding(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warni
     }
 }
 
+/// W413, W414: a contact that runs into the end of its window, and a gap that no flank has.
+fn contacts(positions: &[Position], found: &mut Vec<Warning>) {
+    let count = positions.len();
+    let doubts = |is_meant: fn(&ContactWarning) -> bool| {
+        let has_one = |position: &&Position| position.doubts.iter().any(is_meant);
+        positions.iter().filter(has_one).count()
+    };
+    let at_end = doubts(|doubt| matches!(doubt, ContactWarning::PressureAtEnd { .. }));
+    if at_end > 0 {
+        found.push(Warning::new(
+            "W413",
+            format!(
+                "the rough contact runs into the end of its window at {at_end} of {count} positions: raise model.window"
+            ),
+        ));
+    }
+    let beyond = doubts(|doubt| matches!(doubt, ContactWarning::GapBeyondDeformation { .. }));
+    if beyond > 0 {
+        found.push(Warning::new(
+            "W414",
+            format!(
+                "the gap under the contact spans more than {SUSPECT_GAP} times the deformation at {beyond} of {count} positions: an outlier or a wrong unit"
+            ),
+        ));
+    }
+}
+
 /// W405, W409, W410: yield below the surface, and flow of the asperities.
 fn stress(
     loaded: &LoadedCase,
@@ -267,6 +299,56 @@ fn strained(position: &Position, limit: f64, bearable: f64) -> usize {
             .is_some_and(|contact| contact.p_max > bearable),
     });
     yields.count()
+}
+
+/// W415: records whose ridges cannot leak.
+pub(crate) fn records(records: &[RecordRow], found: &mut Vec<Warning>) {
+    let ratios = records.iter().map(|record| record.roughness_over_film);
+    let beyond = ratios.clone().filter(|r| *r > LARGEST_ROUGHNESS).count();
+    if beyond > 0 {
+        found.push(Warning::new(
+            "W415",
+            format!(
+                "the roughness left in the contact is up to {:.2} smooth films, above {LARGEST_ROUGHNESS} in {beyond} of {} records: ridges that cannot leak make those no referee, measurement decides",
+                ratios.fold(0.0, f64::max),
+                records.len()
+            ),
+        ));
+    }
+}
+
+/// W416: full films off their formulas.
+fn full_film(positions: &[Position], found: &mut Vec<Warning>) {
+    let rows = || {
+        let films = positions.iter().filter_map(|p| p.full_film.as_ref());
+        films.map(|film| film.row)
+    };
+    let off = |row: &FullFilmRow| row.largest_deviation() > NOTED_DEVIATION;
+    let count = rows().filter(off).count();
+    if count == 0 {
+        return;
+    }
+    let most = |of: &dyn Fn(&FullFilmRow) -> f64| {
+        let values = rows().map(|row| of(&row));
+        values.fold(0.0, |most: f64, value| {
+            if value.abs() > most.abs() {
+                value
+            } else {
+                most
+            }
+        })
+    };
+    found.push(Warning::new(
+        "W416",
+        format!(
+            "the solved full film is more than {:.0} % off the formulas at {count} of {} positions: central film by up to {:+.0} %, minimum film {:+.0} %, friction {:+.0} %",
+            100.0 * NOTED_DEVIATION,
+            rows().count(),
+            100.0 * most(&|row| row.film_central_deviation),
+            100.0 * most(&|row| row.film_minimum_deviation),
+            100.0 * most(&|row| row.mu_deviation.unwrap_or(0.0)),
+        ),
+    ));
 }
 
 /// W406, W407, W408, W411: what the traces do not tell.

@@ -15,7 +15,7 @@ pub const LEAST_POINTS_PER_HALF_WIDTH: f64 = 20.0;
 /// The golden section: multiples of it, minus their whole part, fill an interval evenly.
 const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
 
-/// What meets at `station` at offset `k` of `count` and its roughness: that of the window, or where no window
+/// Windows that meet at `station` at offset `k` of `count` and its roughness: that of the window, or where no window
 /// is resolved that of the flanks as a whole.
 pub(crate) fn meeting(
     surfaces: &Surfaces,
@@ -68,7 +68,7 @@ pub struct Encounter {
 }
 
 impl Encounter {
-    /// What meets at `station` when both flanks are at offset `k` of `count`; `None` when a flank
+    /// Windows that meet at `station` when both flanks are at offset `k` of `count`; `None` when a flank
     /// is known by its roughness values only.
     ///
     /// # Errors

@@ -11,16 +11,18 @@ use asperity_tribo_friction::{
 
 use crate::branch::Carried;
 use crate::case::Case;
+use crate::chosen_laws::ChosenLaws;
 use crate::error::PositionError;
 use crate::load_share_law::SharedLoad;
 use crate::local_roughness::Roughness;
 use crate::station::Station;
+use crate::surfaces::Surfaces;
 
 /// Friction coefficient in the film.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct InFilm {
     pub mu: f64,
-    /// What left its fitted range.
+    /// Inputs that left their fitted range.
     pub outside: Vec<OutOfRange>,
 }
 
@@ -59,6 +61,18 @@ pub(crate) fn in_film(
         flash_kelvin: before,
         passes: FLASH_PASSES,
     })
+}
+
+/// Friction coefficient of the smooth film by the law of the case.
+pub(crate) fn smooth(
+    case: &Case,
+    laws: &ChosenLaws,
+    surfaces: &Surfaces,
+    station: &Station,
+) -> Result<f64, PositionError> {
+    let roughness = surfaces.roughness_as_a_whole()?;
+    let contact = film_contact(case, station, &roughness, &case.oil)?;
+    Ok(laws.friction.traction(&contact)?.value.coefficient)
 }
 
 /// Flash temperature \[K\] of a contact whose whole friction coefficient is `mu`.
@@ -122,7 +136,7 @@ fn conditions(
     })
 }
 
-/// What the laws for the whole mesh take: everything at the pitch point.
+/// Inputs of the laws for the whole mesh: everything at the pitch point.
 fn mesh_conditions(case: &Case) -> Result<MeshConditions, PositionError> {
     let gears = &case.gears;
     let forces = gears.forces(case.torque)?;
@@ -142,7 +156,7 @@ fn mesh_conditions(case: &Case) -> Result<MeshConditions, PositionError> {
     })
 }
 
-/// What rubs at a contact, per metre of contact line.
+/// Friction forces at a contact, per metre of contact line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Rubbing {
     /// Friction force of the boundary layer of touching asperities \[N/m\].

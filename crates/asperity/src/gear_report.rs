@@ -1,4 +1,4 @@
-//! What the gears of a case are, without running it: geometry, contact ratios, stiffness, transmission error,
+//! Gears of a case, without running it: geometry, contact ratios, stiffness, transmission error,
 //! and the loss factor by every law of load distribution.
 
 use asperity_gear::{

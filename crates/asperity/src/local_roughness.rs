@@ -19,7 +19,7 @@ pub struct Roughness {
     pub rq: [f64; 2],
     /// Ra of both flanks \[m\].
     pub ra: [f64; 2],
-    /// Rz of both flanks \[m\].
+    /// Rz of both flanks \[m\]: of a trace the mean over its sections.
     pub rz: [f64; 2],
     /// Reduced peak height of the composite profile \[m\]; none when it is not known.
     pub reduced_peak: Option<f64>,

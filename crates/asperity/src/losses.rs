@@ -46,7 +46,7 @@ pub(crate) fn efficiency_at(
     )?)
 }
 
-/// What the mesh runs at.
+/// Operating point of the mesh.
 pub(crate) fn operation(case: &Case) -> MeshOperation {
     MeshOperation {
         pinion_torque: case.torque,

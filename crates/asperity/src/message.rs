@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 pub struct Warning {
     /// Stable code, `W402`.
     pub code: Cow<'static, str>,
-    /// What was seen, what was expected.
+    /// Values seen and expected.
     pub text: String,
 }
 
@@ -34,7 +34,7 @@ impl std::fmt::Display for Warning {
     }
 }
 
-/// What a code means and what to do.
+/// Meaning of a code and its remedy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Explanation {
     /// Stable code.
@@ -43,7 +43,7 @@ pub struct Explanation {
     pub title: &'static str,
     /// Why it is said.
     pub meaning: &'static str,
-    /// What to do.
+    /// Advice.
     pub remedy: &'static str,
     /// The settings that the remedy is about.
     pub settings: &'static [Setting],
@@ -137,6 +137,7 @@ explanations! {
     "W126" "trace resampled": "The positions were not even; the heights were put on an even grid by straight lines, as asked for." => "Nothing, unless the shortest waves matter.";
     "W127" "roll lengths converted": "The positions were roll lengths or angles and are now distances along the involute." => "Check the base radius.";
     "W128" "another involute": "A parabola or cubic is left after the involute came off: the flank is crowned, or its base radius or roll length is another." => "Check base radius and roll length; the roll length that fits best is named.";
+    "W129" "other cut-offs than the file's": "The file states the cut-offs that its instrument was set to, and the case asks for others, so that parameters differ from those of the instrument." => "Leave surface.cutoff and surface.noise_cutoff out of the case to filter as the instrument did.";
     "W201" "outside the usual range": "A number of the case is outside the range that gear drives have. It may be right, but a wrong unit is more likely." => "Check the unit and the decimal point.";
     "W401" "outside a fitted range": "A correlation was used outside the data it was fitted to; its value may be wrong." => "Compare the other friction laws printed, or choose another law.";
     "W402" "equivalent friction implausible": "The mean friction coefficient that explains the loss is outside 0.01 to 0.12, which lubricated steel does not do." => "Check the roughness (form removed? units?) and the oil. In the paper formulation look at model.position: at the pitch point C nothing slides.";
@@ -153,6 +154,7 @@ explanations! {
     "W413" "the contact runs into the end of the window": "The pressure is not zero at a free end, so the contact would go on beyond it; the pressures are those of a strip that ends there." => "Widen the gap on that side, or lower the load.";
     "W414" "the gap spans far more than the deformation": "The undeformed gap spans more than 1000 times what the bodies deform: an outlier, a sentinel for missing points, or a wrong unit." => "Look at the gap; the contact itself is solved to its tolerance.";
     "W415" "ridges that cannot leak": "The roughness that is left in the contact is above three smooth films. The ridges of the model go across the whole face and oil cannot pass beside them, so that its mean film is too thick and its friction too low." => "Take it as no referee here: measurement decides.";
+    "W416" "full film off its formulas": "A film that carries the whole load was taken from its elastohydrodynamic solution, and central film, minimum film or friction differ by more than 10 % from the formulas of the case." => "Nothing for this run, which uses the solution. Compare another model.film for runs with formulas.";
     "W421" "tip edges are not relieved": "Under load the teeth approach each other by more than 5 um, so unrelieved tip edges touch before A and after E. The load map leaves that out; both loss factors are told." => "Give gears.pinion.tip_relief and gears.wheel.tip_relief, or set model.edge_contact = true.";
     "W422" "contact of lightly loaded cells not resolved": "Cells that carry almost no loss have a contact narrower than the points of the traces resolve. The roughness of the whole traces stands for their windows." => "Measure with a smaller spacing if these cells matter.";
     "W423" "load over the teeth did not settle": "The load map ended its rounds before the loads settled." => "Compare another model.load_distribution, and please report the case.";

@@ -6,7 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::case::planetary::LoadedPlanetary;
 use crate::error::{Error, PositionError};
-use crate::pipeline::{Progress, run};
+use crate::kept_fields::KeptFields;
+use crate::pipeline::{Progress, run_keeping};
 use crate::result::{Outcome, RunResult};
 
 /// The result of a planetary set; the results of its meshes stand beside it.
@@ -85,8 +86,23 @@ pub fn run_planetary(
     loaded: &LoadedPlanetary,
     progress: Progress<'_>,
 ) -> Result<PlanetaryOutcome, Error> {
+    run_planetary_keeping(loaded, &KeptFields::All, progress)
+}
+
+/// The same, holding the fields of some positions of each mesh alone.
+///
+/// # Errors
+/// As [`run_planetary`].
+pub fn run_planetary_keeping(
+    loaded: &LoadedPlanetary,
+    kept: &KeptFields,
+    progress: Progress<'_>,
+) -> Result<PlanetaryOutcome, Error> {
     let [first, second] = &loaded.meshes;
-    let meshes = [run(first, progress)?, run(second, progress)?];
+    let meshes = [
+        run_keeping(first, kept, progress)?,
+        run_keeping(second, kept, progress)?,
+    ];
     let result = result(loaded, [&meshes[0].result, &meshes[1].result])
         .map_err(|error| Error::Whole(Box::new(error)))?;
     Ok(PlanetaryOutcome { result, meshes })

@@ -1,12 +1,16 @@
 //! One solved mesh position, as data.
 
+use asperity_contact::ContactWarning;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::Regime;
 
 use crate::friction::{InFilm, Rubbing};
+use crate::full_film::FullFilm;
 use crate::load_share::LoadShareSolution;
 use crate::local_roughness::Roughness;
+use crate::records::RecordedShare;
 use crate::result::PositionFields;
+use crate::solved::mean;
 use crate::station::Station;
 
 /// A mesh position with everything that varies over the offsets.
@@ -16,8 +20,29 @@ pub(crate) struct Position {
     pub offsets: Vec<Offset>,
     /// Fields of the first offset, where they were asked for.
     pub fields: Option<PositionFields>,
+    /// The full film by its elastohydrodynamic solution, where the case asks for it and an offset has one.
+    pub full_film: Option<FullFilm>,
     /// Largest von Mises stress below the first offset's contact, and its depth.
     pub von_mises: Option<(Pressure, Length)>,
+    /// Doubts about the rough contacts that were solved.
+    pub doubts: Vec<ContactWarning>,
+}
+
+impl Position {
+    /// Largest pressure of the rough contact, as a mean over the offsets where the flanks touch \[MPa\]; none
+    /// where they don't.
+    pub fn rough_pressure(&self) -> Option<f64> {
+        let contacts = self.offsets.iter().filter_map(|offset| offset.contact);
+        let pressures: Vec<f64> = contacts.map(|contact| contact.p_max * 1e-6).collect();
+        (!pressures.is_empty()).then(|| mean(pressures.into_iter()))
+    }
+
+    /// The same, or the Hertz pressure where the flanks don't touch: a report shows the position where it is
+    /// highest.
+    pub fn shown_pressure(&self) -> f64 {
+        let hertz = self.station.hertz.max_pressure.si() * 1e-6;
+        self.rough_pressure().unwrap_or(hertz)
+    }
 }
 
 /// One offset of the traces at a mesh position.
@@ -35,9 +60,11 @@ pub(crate) struct Offset {
     pub boundary_part: f64,
     /// The rough contact at its share, where the law of the load share looks at it.
     pub solved: Option<LoadShareSolution>,
+    /// Shares and friction of the records beside the position, where the law of the load share asks for them.
+    pub recorded: Option<RecordedShare>,
     /// Friction in the film.
     pub friction: InFilm,
-    /// What the asperities and the film contribute to the friction force.
+    /// Contributions of asperities and film to the friction force.
     pub rubbing: Rubbing,
     /// Friction force per metre of contact line \[N/m\].
     pub friction_force: f64,

@@ -1,4 +1,4 @@
-//! What most programs that embed the orchestrator use.
+//! Items that most programs that embed the orchestrator use.
 
 pub use crate::case::{
     BodyInput, Case, CaseBuilder, CaseInput, FlankInput, Formulation, GearsInput, LoadedCase,

@@ -53,7 +53,7 @@ pub struct Station {
     pub load: LineLoad,
     /// Smooth dry contact.
     pub hertz: HertzLine,
-    /// What the film laws see.
+    /// Inputs of the film laws.
     pub film_conditions: FilmConditions,
     /// Thermal reduction φ of film and rolling.
     pub thermal_reduction: f64,
@@ -61,6 +61,6 @@ pub struct Station {
     pub film: FilmThickness,
     /// The same with the central film as Λ* and the tables take it.
     pub film_shown: FilmThickness,
-    /// What left its fitted range.
+    /// Inputs that left their fitted range.
     pub outside: Vec<OutOfRange>,
 }

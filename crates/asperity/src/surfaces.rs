@@ -42,6 +42,7 @@ impl PartialEq for Surfaces {
     fn eq(&self, other: &Self) -> bool {
         self.textures == other.textures
             && self.noise_cutoff == other.noise_cutoff
+            && self.rz == other.rz
             && self.same_trace == other.same_trace
     }
 }
@@ -53,6 +54,8 @@ pub struct Surfaces {
     /// Spectra of both traces, made at first need.
     spectra: OnceLock<Option<[TraceSpectrum; 2]>>,
     noise_cutoff: Option<Length>,
+    /// Rz of the traces as roughness parameters; where it is not known, windows have the range of their heights.
+    rz: [Option<Length>; 2],
     /// Both flanks come from the same trace.
     pub same_trace: bool,
 }
@@ -65,8 +68,20 @@ impl Surfaces {
             textures,
             spectra: OnceLock::new(),
             noise_cutoff,
+            rz: [None; 2],
             same_trace,
         }
+    }
+
+    /// The same with Rz of pinion and wheel, each the mean over the sections of its trace: laws that take Rz
+    /// mean that, and no range of a window.
+    #[must_use]
+    pub fn with_rz(self, rz: [Option<Length>; 2]) -> Self {
+        Self { rz, ..self }
+    }
+
+    fn rz_of(&self, body: usize, window: Length) -> f64 {
+        self.rz[body].unwrap_or(window).si()
     }
 
     /// The same flanks with other traces.
@@ -119,7 +134,7 @@ impl Surfaces {
         Ok(Roughness {
             rq: [first.rq.si(), second.rq.si()],
             ra: [first.ra.si(), second.ra.si()],
-            rz: [first.rz.si(), second.rz.si()],
+            rz: [self.rz_of(0, first.rz), self.rz_of(1, second.rz)],
             reduced_peak: Some(peak),
             asperities: summits.map_or(0, |found| found.count),
             asperity_radius: summits.map(|found| found.radius),
@@ -139,11 +154,12 @@ impl Surfaces {
 
     /// Roughness from values, where a flank has no trace; a trace counts with its whole length.
     pub(crate) fn roughness_of_values(&self) -> Result<Roughness, PositionError> {
-        let each = |texture: &Texture| -> Result<_, PositionError> {
-            Ok(match texture {
+        let each = |body: usize| -> Result<_, PositionError> {
+            Ok(match &self.textures[body] {
                 Texture::Trace(profile) => {
                     let found = section_heights(profile.heights())?;
-                    (found.rq.si(), found.ra.si(), found.rz.si(), None, None)
+                    let rz = self.rz_of(body, found.rz);
+                    (found.rq.si(), found.ra.si(), rz, None, None)
                 }
                 Texture::Values {
                     rq,
@@ -154,7 +170,7 @@ impl Surfaces {
                 } => (*rq, *ra, *rz, *rpk, *asperity_radius),
             })
         };
-        let (a, b) = (each(&self.textures[0])?, each(&self.textures[1])?);
+        let (a, b) = (each(0)?, each(1)?);
         Ok(Roughness {
             rq: [a.0, b.0],
             ra: [a.1, b.1],
@@ -185,7 +201,7 @@ pub struct FlankReport {
     pub trace: Option<Profile>,
     /// Whether the trace was run from its other end.
     pub mirrored: bool,
-    /// What was done to the trace.
+    /// Record of the preparation of the trace.
     pub preparation: Option<PreparationRecord>,
     /// Parameters of the prepared trace.
     pub parameters: Option<Parameters>,

@@ -190,9 +190,12 @@ impl Dense {
         (0..y.len()).map(row).collect()
     }
 
+    /// p = π·E*·C⁻¹·(δ − h)                                                                 `[P3]`
+    ///
     /// Pressures and approach that close the gap of the touching points; none when no point
     /// touches that could carry the rest of the load.
     fn pressures(&self, states: &[State]) -> Option<(Vec<f64>, f64)> {
+        asperity_core::cite!("P3");
         let touching: Vec<usize> = (0..states.len())
             .filter(|&i| states[i] == State::Touching)
             .collect();

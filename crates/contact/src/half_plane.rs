@@ -74,7 +74,7 @@ impl HalfPlane {
         })
     }
 
-    /// uᵢ = (1/(π·E*))·Σⱼ C_ij·p_j                                                      `[P3]`
+    /// uᵢ = (1/(π·E*))·Σⱼ C_ij·p_j                                                      `[P1]`
     ///
     /// Writes the displacement in m by `pressure` in Pa, with C(0) = 0 for free ends (see
     /// [`datum_constant`](crate::strip_kernel::datum_constant)) and without mean for periodic ends.
@@ -86,7 +86,7 @@ impl HalfPlane {
         pressure: &[f64],
         displacement: &mut [f64],
     ) -> Result<(), ContactError> {
-        cite!("P3");
+        cite!("P1");
         cite_kernel(self.boundary);
         let need = self.filter.points();
         for (name, got) in [
@@ -104,7 +104,7 @@ impl HalfPlane {
     }
 }
 
-/// g = h + u − δ,  u(x) = −(2/(π·E*))·∫ p(s)·ln|x − s| ds + const                         `[P1]`
+/// g = h + u − δ,  u(x) = −(2/(π·E*))·∫ p(s)·ln|x − s| ds + const                         `[Gap-deformed]`
 ///
 /// Gap in m at each point from undeformed gap h and displacement u in m; the shorter array counts.
 ///
@@ -115,7 +115,7 @@ impl HalfPlane {
 /// # Ok::<(), asperity_core::quantity::QuantityError>(())
 /// ```
 pub fn deformed_gap(undeformed: &[f64], displacement: &[f64], approach: Length) -> Vec<f64> {
-    cite!("P1");
+    cite!("Gap-deformed");
     let delta = approach.si();
     undeformed
         .iter()

@@ -42,7 +42,9 @@ pub use boundary::{Boundary, PeriodicKernel};
 pub use certificate::Certificate;
 pub use error::{ContactError, SolverShape};
 pub use path::{Path, press_paths, solve_paths};
-pub use problem::{ContactProblem, ContactSolution, ContactWarning, Control, SolverSettings};
+pub use problem::{
+    ContactProblem, ContactSolution, ContactWarning, Control, SUSPECT_GAP, SolverSettings,
+};
 pub use solver::{Solver, solve};
 
 /// The examples of the README are tests.

@@ -1,4 +1,4 @@
-//! What holds for every rough contact.
+//! Properties of every rough contact.
 #![allow(clippy::unwrap_used, reason = "a test that cannot set up has failed")]
 
 mod common;

@@ -27,9 +27,9 @@ fn a_solution_names_the_equations_that_it_rests_on_and_no_other() {
         "Datum-1",
         "Deflation-1",
         "Duality-1",
+        "Gap-deformed",
         "P1",
         "P2",
-        "P3",
         "P4",
         "Patch-1",
     ];

@@ -1,4 +1,4 @@
-//! What is not a problem, or not solved, is an error that says what to change.
+//! Refusals: a problem that is none, or is not solved, is an error that says what to change.
 #![allow(clippy::unwrap_used, reason = "a test that cannot set up has failed")]
 
 mod common;

@@ -19,7 +19,7 @@ pub struct Reference {
 pub struct Equation {
     /// Tag as it stands in the doc comment between brackets: `P7`, `Hertz-1`.
     pub tag: &'static str,
-    /// What it gives, in a few words.
+    /// Quantity given, in a few words.
     pub title: &'static str,
     /// The formula in Unicode text, as used.
     pub formula: &'static str,
@@ -29,7 +29,7 @@ pub struct Equation {
     pub test: &'static str,
     /// Where it was published; none for a definition of this project.
     pub references: &'static [Reference],
-    /// What the 2022 paper prints where that cannot be right, and what is used instead.
+    /// Misprint of the 2022 paper, and the form used instead.
     pub misprint: Option<&'static str>,
 }
 
@@ -57,7 +57,7 @@ impl Equation {
 
     /// The same row with what the 2022 paper prints, and what is used instead.
     #[must_use]
-    pub const fn mended(self, misprint: &'static str) -> Self {
+    pub const fn corrected(self, misprint: &'static str) -> Self {
         Self {
             misprint: Some(misprint),
             ..self

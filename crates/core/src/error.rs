@@ -15,7 +15,7 @@ pub struct DomainError {
     pub value: f64,
     /// Unit of `value`; `-` when it has none.
     pub unit: &'static str,
-    /// What was expected, as a phrase: "must be positive".
+    /// Expectation as a phrase: "must be positive".
     pub rule: &'static str,
 }
 

@@ -27,15 +27,15 @@ pub enum Setting {
     Separator,
     /// Text encoding.
     Encoding,
-    /// What to do about missing points.
+    /// Treatment of missing points.
     Gaps,
     /// Which profile of a file that holds several.
     Row,
-    /// What the column of positions holds.
+    /// Meaning of the column of positions.
     Abscissa,
     /// Base radius of the gear, for positions that are roll lengths.
     BaseRadius,
-    /// What to do about uneven positions.
+    /// Treatment of uneven positions.
     Uneven,
     /// Form removed from a trace.
     Form,
@@ -71,7 +71,7 @@ impl Setting {
     }
 }
 
-/// What a setting is to be set to.
+/// Value a setting is to be set to.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case", tag = "kind", content = "text")]
 #[non_exhaustive]
@@ -112,7 +112,7 @@ pub enum Action {
     },
 }
 
-/// What can be done about an error or a warning: alternatives, the best first.
+/// Remedies of an error or a warning: alternatives, the best first.
 ///
 /// ```
 /// use asperity_core::remedy::{Remedy, Setting, Value};

@@ -16,7 +16,7 @@ use crate::deformation::engagement_period;
 use crate::error::EfficiencyError;
 use crate::output_torque::{MeshOperation, PowerFlow, power_flow};
 
-/// What power is lost to.
+/// Kind of loss.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum LossKind {
@@ -37,7 +37,7 @@ pub enum LossKind {
 /// One part of the losses.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LossComponent {
-    /// What it is lost to.
+    /// Kind of loss.
     pub kind: LossKind,
     /// Power.
     pub power: Power,

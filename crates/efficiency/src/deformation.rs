@@ -1,4 +1,4 @@
-//! What the deformation of the flanks costs.
+//! Losses by the deformation of the flanks.
 //!
 //! Source: Rodríguez 2022, eq. 19, as printed (`[P19]`); plastic work and hysteresis by their
 //! definitions (the others).

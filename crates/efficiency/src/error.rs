@@ -1,4 +1,4 @@
-//! What losses and efficiencies are refused for.
+//! Errors of losses and efficiencies.
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{LineEnergy, Power};

@@ -68,7 +68,7 @@ pub fn output_torque(
     Ok(Torque::from_si(m1 * (omega1 / omega2) * eta))
 }
 
-/// What a mesh runs at.
+/// Operating point of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct MeshOperation {
     /// Torque at gear 1; negative when gear 2 drives and gear 1 gives the torque out.

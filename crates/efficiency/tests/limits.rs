@@ -1,4 +1,4 @@
-//! What is refused, and what nothing lost gives.
+//! Refusals, and the result of no loss.
 
 use asperity_core::quantity::{
     AngularSpeed, Length, LineEnergy, LineLoad, Power, Pressure, Speed, Time, Torque,

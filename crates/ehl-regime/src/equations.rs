@@ -155,7 +155,7 @@ pub const EQUATIONS: &[Equation] = &[
             ELLIPTIC,
             "hamrock_dowson_films_of_published_test_cases",
             &[HAMROCK_DOWSON_1977],
-        ).mended("prints k = 1.03 (R_y/R_x)^(1/π); 2/π is used, as in eq. 13 and as 0.73·1.03 = 0.75 of eq. 15 asks"),
+        ).corrected("prints k = 1.03 (R_y/R_x)^(1/π); 2/π is used, as in eq. 13 and as 0.73·1.03 = 0.75 of eq. 15 asks"),
     Equation::new(
             "P10",
             "Thermal reduction of film and rolling",
@@ -163,7 +163,7 @@ pub const EQUATIONS: &[Equation] = &[
             THERMAL,
             "thermal_reduction_of_the_reference_case",
             &[GUPTA_1992],
-        ).mended("prints dν/dT and then takes it as zero; −(dη/dT)/η₀ is used, and φ is 0.74 to 0.83 in the reference case"),
+        ).corrected("prints dν/dT and then takes it as zero; −(dη/dT)/η₀ is used, and φ is 0.74 to 0.83 in the reference case"),
     Equation::new(
         "Thermal-load",
         "Thermal loading of the inlet",
@@ -195,7 +195,7 @@ pub const EQUATIONS: &[Equation] = &[
             LAMBDA,
             "lambda_star_of_the_reference_case",
             &[HANSEN_2021],
-        ).mended("calls h_c the undeformed distance; it is the central smooth film of the source"),
+        ).corrected("calls h_c the undeformed distance; it is the central smooth film of the source"),
     Equation::new(
         "P15",
         "Film between asperity and flank over the smooth film",

@@ -1,4 +1,4 @@
-//! What can be wrong with a film or a regime.
+//! Errors of a film or a regime.
 
 use asperity_core::DomainError;
 

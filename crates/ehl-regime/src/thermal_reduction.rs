@@ -37,6 +37,16 @@ const GUPTA_NUMERATOR: FittedRange = FittedRange {
     correlation: "Gupta (numerator held at 0.3)",
 };
 
+/// Where the factor falls more steeply with the speed than the isothermal film rises (V_e^0.69, Dowson and Toyoda),
+/// so that the film would thin as the gears turn faster.
+const GUPTA_FALL: FittedRange = FittedRange {
+    name: "-d ln(factor)/d ln(speed)",
+    low: 0.0,
+    high: 0.69,
+    unit: "-",
+    correlation: "Gupta (film falls as the speed rises)",
+};
+
 /// Murch and Wilson's analysis has equal surface speeds (Wilson and Sheu 1983).
 const PURE_ROLLING: FittedRange = FittedRange {
     name: "slide-to-roll ratio",
@@ -187,8 +197,16 @@ pub fn gupta(
     let loading = LOADING_TERM.0 * sliding * l.powf(LOADING_TERM.1);
     let mut outside = Vec::new();
     GUPTA_NUMERATOR.check(pressure, &mut outside);
+    let numerator = (1.0 - pressure).max(LEAST_NUMERATOR);
+    // −d ln φ/d ln V_e: L grows with the square of the speed.
+    let of_numerator = match numerator > LEAST_NUMERATOR {
+        true => PRESSURE_TERM.1 * pressure / numerator,
+        false => 0.0,
+    };
+    let fall = 2.0 * (of_numerator + LOADING_TERM.1 * loading / (1.0 + loading));
+    GUPTA_FALL.check(fall, &mut outside);
     Ok(Checked {
-        value: (1.0 - pressure).max(LEAST_NUMERATOR) / (1.0 + loading),
+        value: numerator / (1.0 + loading),
         outside,
     })
 }

@@ -181,6 +181,31 @@ fn thermal_reduction_of_the_reference_case() {
     }
 }
 
+/// The isothermal film of Dowson and Toyoda rises with V_e^0.69; from some speed on the factor falls faster.
+#[test]
+fn a_film_that_falls_with_the_speed_is_noted() {
+    let position = &POSITIONS[2];
+    let p0 = Pressure::from_si(position.max_pressure_mpa * 1e6);
+    let film = |faster: f64| {
+        let loading = position.loading * faster * faster;
+        let factor = gupta(p0, MODULUS, loading, 0.0).unwrap();
+        let noted = factor
+            .outside
+            .iter()
+            .any(|note| note.correlation.contains("film falls"));
+        (factor.value * faster.powf(0.69), noted)
+    };
+    let mut seen = [0, 0];
+    for step in 1..60 {
+        let faster = 0.2 * f64::from(step);
+        let ((before, _), (after, _)) = (film(faster * 0.999), film(faster * 1.001));
+        let (_, noted) = film(faster);
+        assert_eq!(noted, after < before, "{faster} times as fast");
+        seen[usize::from(noted)] += 1;
+    }
+    assert!(seen.iter().all(|count| *count > 5), "{seen:?}");
+}
+
 /// The same bearing code's test of Murch and Wilson's factor.
 #[test]
 fn murch_wilson_of_a_published_test_case() {

@@ -51,7 +51,7 @@ pub enum EhlError {
         change: f64,
         /// Nodes whose state still changed.
         changes: usize,
-        /// What to do.
+        /// Advice.
         hint: &'static str,
     },
     /// A time step failed at its smallest length.
@@ -82,4 +82,16 @@ pub enum EhlError {
         /// Time reached.
         time: f64,
     },
+}
+
+impl EhlError {
+    /// Whether the iteration failed, and no input is to blame.
+    pub fn is_unconverged(&self) -> bool {
+        matches!(
+            self,
+            Self::NotConverged { .. }
+                | Self::StepFailed { .. }
+                | Self::TemperaturesUnsettled { .. }
+        )
+    }
 }

@@ -10,7 +10,7 @@ use crate::newton::{NodeState, Solution};
 pub struct Solved<T> {
     /// The solution.
     pub value: T,
-    /// What was measured of it and what it took.
+    /// Measured values and effort.
     pub evidence: Evidence,
 }
 

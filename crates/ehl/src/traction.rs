@@ -47,7 +47,7 @@ pub struct Heat {
     pub material: Material,
 }
 
-/// What the traction depends on beside the film.
+/// Inputs of the traction beside the film.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TractionLaw {
     /// Shear law.

@@ -1,4 +1,4 @@
-//! What a gear pair, or a question about one, is refused for.
+//! Errors of a gear pair, or of a question about one.
 
 use asperity_core::DomainError;
 use asperity_core::quantity::Length;
@@ -137,7 +137,7 @@ pub enum GearError {
     RootForm {
         /// The gear.
         gear: Gear,
-        /// What is wrong with the outline.
+        /// Fault of the outline.
         reason: &'static str,
     },
     /// The tool has cut away the involute where the mating tip touches.
@@ -222,7 +222,7 @@ pub enum GearError {
         xi: f64,
         /// Share there.
         share: f64,
-        /// What was expected.
+        /// Expectation.
         rule: &'static str,
     },
     /// A number of mesh positions that cannot be spread over the path.

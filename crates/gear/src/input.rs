@@ -1,4 +1,4 @@
-//! What a user knows about a gear pair.
+//! Inputs of a gear pair.
 
 use asperity_core::quantity::{Angle, Length};
 use schemars::JsonSchema;

@@ -68,7 +68,7 @@ pub struct LossFactorBand {
     pub parts: Vec<BandPart>,
 }
 
-/// What contact of tip edges would do to a pair without relief.
+/// Effect of contact of tip edges on a pair without relief.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct EdgeContactNote {
     /// Mean approach of the teeth, normal to the flank.
@@ -140,7 +140,7 @@ impl LoadMap {
         Ok(Some(combine(self.loss_factor(), parts)))
     }
 
-    /// What contact of tip edges would do, where it may matter: edges not relieved, approach above
+    /// Effect of contact of tip edges, where it may matter: edges not relieved, approach above
     /// 5 µm, and their contact not already in the map.
     ///
     /// # Errors

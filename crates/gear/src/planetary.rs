@@ -122,7 +122,7 @@ pub struct PlanetaryMesh {
     pub speed: AngularSpeed,
 }
 
-/// What drives a planetary set.
+/// Operating point of a planetary set.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PlanetaryOperation {
     /// Torque at the sun; positive drives in the direction of its speed.

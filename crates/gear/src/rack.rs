@@ -1,4 +1,4 @@
-//! What the basic rack and the tooth numbers give, before the gears are brought together.
+//! Geometry from the basic rack and the tooth numbers, before the gears are brought together.
 //!
 //! Source: ISO 21771:2007. Symbols as in [`crate::pair`].
 

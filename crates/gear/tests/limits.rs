@@ -1,4 +1,4 @@
-//! What is refused and why, and what limits give.
+//! Refusals with their reasons, and limits.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 

@@ -1,4 +1,4 @@
-//! What holds for every pair.
+//! Properties of every pair.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 

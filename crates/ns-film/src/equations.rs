@@ -37,11 +37,35 @@ const fn row(
     }
 }
 
+/// An assumption of the paper about its flow, with which the momentum has the terms that it has.
+const fn assumption(tag: &'static str, title: &'static str, formula: &'static str) -> Equation {
+    row(
+        tag,
+        title,
+        formula,
+        PAPER,
+        "the_papers_gradient_is_the_radial_momentum_of_its_own_velocities",
+        &[RODRIGUEZ_2022],
+        None,
+    )
+}
+
 /// Every equation of this crate.
 pub const EQUATIONS: &[Equation] = &[
     row(
         "P22",
-        "Radial momentum in cylinder coordinates",
+        "Continuity in cylinder coordinates",
+        "∂ρ/∂t + (1/r)·∂(r·ρ·u_r)/∂r + (1/r)·∂(ρ·u_θ)/∂θ + ∂(ρ·u_z)/∂z = 0",
+        PAPER,
+        "the_papers_velocities_conserve_mass",
+        &[RODRIGUEZ_2022],
+        Some(
+            "misprinted there; the standard equation (derived), which the velocities of equations 30 and 31 fulfil",
+        ),
+    ),
+    row(
+        "P23",
+        "Momentum in cylinder coordinates, its radial part",
         "dP/dr = ρ·(u_θ²/r − u_r·∂u_r/∂r − (u_θ/r)·∂u_r/∂θ) + μ·(∂²u_r/∂r² + (1/r)·∂u_r/∂r + (1/r²)·∂²u_r/∂θ² − u_r/r² − (2/r²)·∂u_θ/∂θ)",
         PAPER,
         "the_papers_gradient_is_the_radial_momentum_of_its_own_velocities",
@@ -50,17 +74,19 @@ pub const EQUATIONS: &[Equation] = &[
             "printed with a wrong last term, factors 1 for 2 and wrong signs; used: the standard Navier-Stokes equation in cylinder coordinates (derived)",
         ),
     ),
-    row(
-        "P23",
-        "Pressure gradient of the paper's velocities",
-        "dP/dr = ρ·(u²/r + u·f'·(1/r + D/r²) + f²·(D/r² + D²/r³)) − μ·(f/r² + f''·(1/r² + D/r³))",
-        PAPER,
-        "the_papers_gradient_is_the_radial_momentum_of_its_own_velocities",
-        &[RODRIGUEZ_2022],
-        Some(
-            "printed with a wrong last term, factors 1 for 2 and wrong signs; used: what equation 22 gives for the velocities of equations 30 and 31 (derived)",
-        ),
+    assumption("P24", "Assumption: no flow along the axis", "u_z = 0"),
+    assumption(
+        "P25",
+        "Assumption: radial velocity the same along the axis",
+        "∂ⁱu_r/∂zⁱ = 0",
     ),
+    assumption("P26", "Assumption: steady flow", "∂uᵢ/∂t = 0"),
+    assumption(
+        "P27",
+        "Assumption: velocity along the film the same along the axis",
+        "∂ⁱu_θ/∂zⁱ = 0",
+    ),
+    assumption("P28", "Assumption: no gravity", "g = 0"),
     row(
         "P29",
         "Gap over the angle, as printed",
@@ -102,6 +128,17 @@ pub const EQUATIONS: &[Equation] = &[
         ),
     ),
     row(
+        "P33",
+        "Radial velocity at the edge of the boundary layer (not used)",
+        "u_r(r = δ_BL) = u∞",
+        PAPER,
+        "the_base_radius_is_half_of_what_is_printed",
+        &[RODRIGUEZ_2022],
+        Some(
+            "sets a radial velocity equal to the free stream along the film, at a δ_BL that is never given; D follows from equation 36 instead",
+        ),
+    ),
+    row(
         "P34",
         "Angle from one tooth to the next",
         "2·π/z",
@@ -111,6 +148,15 @@ pub const EQUATIONS: &[Equation] = &[
         Some("printed in equations 34 to 36: 2·π/2; used: 2·π/z"),
     ),
     row(
+        "P35",
+        "Base radius, as first printed (not used)",
+        "R_b = m·z·cos α",
+        PAPER,
+        "the_base_radius_is_half_of_what_is_printed",
+        &[RODRIGUEZ_2022],
+        Some("the base diameter; equation 36 is used with half of it"),
+    ),
+    row(
         "P36",
         "Base radius",
         "R_b = m_t·z·cos(α_t)/2, D = −R_b",
@@ -118,6 +164,24 @@ pub const EQUATIONS: &[Equation] = &[
         "the_base_radius_is_half_of_what_is_printed",
         &[RODRIGUEZ_2022],
         Some("printed: R_b = m·z·cos α, the diameter; used: half of it"),
+    ),
+    row(
+        "P37",
+        "Pressure the same along the axis, a result of equations 24 to 28",
+        "∂P/∂z = 0",
+        PAPER,
+        "the_papers_gradient_is_the_radial_momentum_of_its_own_velocities",
+        &[RODRIGUEZ_2022],
+        None,
+    ),
+    row(
+        "Paper-2",
+        "Pressure gradient of the paper's velocities",
+        "dP/dr = ρ·(u²/r + u·f'·(1/r + D/r²) + f²·(D/r² + D²/r³)) − μ·(f/r² + f''·(1/r² + D/r³))",
+        PAPER,
+        "the_papers_gradient_is_the_radial_momentum_of_its_own_velocities",
+        &[RODRIGUEZ_2022],
+        None,
     ),
     row(
         "Paper-1",

@@ -1,4 +1,4 @@
-//! What can be wrong with a film.
+//! Errors of a film.
 
 use asperity_core::DomainError;
 
@@ -38,7 +38,7 @@ pub enum FilmError {
         value: f64,
         /// Its unit.
         unit: &'static str,
-        /// What was expected.
+        /// Expectation.
         rule: &'static str,
     },
 }

@@ -21,7 +21,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::FilmError;
 
-/// What happens where the film would have to pull.
+/// Treatment of places where the film would have to pull.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Rupture {

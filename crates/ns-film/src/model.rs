@@ -20,7 +20,7 @@ pub enum FluidModel {
     /// Reynolds along the film, second order across it: consistent.
     #[default]
     ReynoldsCross,
-    /// The paper's radial momentum equation with its misprints mended.
+    /// The paper's radial momentum equation with its misprints corrected.
     Paper,
 }
 

@@ -2,7 +2,7 @@
 //!
 //! The paper assumes a parabola through the film whose argument is the gap at the angle θ, so
 //! that u_θ depends on θ alone, takes u_r from continuity and integrates dP/dr from wall 2 to wall 1.
-//! The misprints are mended; the field still admits no single-valued pressure and is kept only to compare
+//! The misprints are corrected; the field still admits no single-valued pressure and is kept only to compare
 //! with the paper. At the pitch point, where both walls move alike, the difference is that of the
 //! consistent film; with sliding the terms in ∂u/∂θ take over and are far too large.
 //!
@@ -16,6 +16,20 @@
 //! | D = −R_b | constant of integration of u_r | m |
 //! | f, f', f'' | first to third derivative of u_θ over θ | m/s |
 //! | ρ, μ | density, viscosity | kg/m³, Pa s |
+//!
+//! Numbers of the paper that nothing here computes: continuity, which the velocities below fulfil; its
+//! assumptions, with which the momentum is that of a plane and steady flow; and three statements, of which the
+//! first two are not used.
+//!
+//! - ∂ρ/∂t + (1/r)·∂(r·ρ·u_r)/∂r + (1/r)·∂(ρ·u_θ)/∂θ + ∂(ρ·u_z)/∂z = 0   `[P22]`
+//! - assumption: u_z = 0   `[P24]`
+//! - assumption: ∂ⁱu_r/∂zⁱ = 0   `[P25]`
+//! - assumption: ∂uᵢ/∂t = 0   `[P26]`
+//! - assumption: ∂ⁱu_θ/∂zⁱ = 0   `[P27]`
+//! - assumption: g = 0   `[P28]`
+//! - not used: u_r(r = δ_BL) = u∞   `[P33]`
+//! - not used: R_b = m·z·cos α   `[P35]`
+//! - ∂P/∂z = 0   `[P37]`
 
 use std::f64::consts::PI;
 
@@ -70,7 +84,7 @@ pub struct LocalFlow {
 }
 
 /// dP/dr = ρ·(u_θ²/r − u_r·∂u_r/∂r − (u_θ/r)·∂u_r/∂θ)
-///       + μ·(∂²u_r/∂r² + (1/r)·∂u_r/∂r + (1/r²)·∂²u_r/∂θ² − u_r/r² − (2/r²)·∂u_θ/∂θ)      `[P22]`
+///       + μ·(∂²u_r/∂r² + (1/r)·∂u_r/∂r + (1/r²)·∂²u_r/∂θ² − u_r/r² − (2/r²)·∂u_θ/∂θ)      `[P23]`
 ///
 /// in Pa/m: the steady Navier-Stokes equation along the radius.
 ///
@@ -90,7 +104,7 @@ pub fn radial_momentum(
     density: Density,
     viscosity: DynamicViscosity,
 ) -> Result<f64, FilmError> {
-    asperity_core::cite!("P22");
+    asperity_core::cite!("P23");
     let r = DomainError::positive("radius", Length::from_si(flow.radius))?;
     let (rho, mu) = (density.si(), viscosity.si());
     let inertia = flow.along * flow.along / r
@@ -197,7 +211,7 @@ impl PaperFilm {
         Ok(Speed::from_si(-k.f * (r + k.d) / r))
     }
 
-    /// dP/dr = ρ·(u²/r + u·f'·(1/r + D/r²) + f²·(D/r² + D²/r³)) − μ·(f/r² + f''·(1/r² + D/r³))   `[P23]`
+    /// dP/dr = ρ·(u²/r + u·f'·(1/r + D/r²) + f²·(D/r² + D²/r³)) − μ·(f/r² + f''·(1/r² + D/r³))   `[Paper-2]`
     ///
     /// in Pa/m, with u = u_θ.
     ///
@@ -217,7 +231,7 @@ impl PaperFilm {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn pressure_gradient(&self, radius: Length) -> Result<f64, FilmError> {
-        asperity_core::cite!("P23");
+        asperity_core::cite!("Paper-2");
         let k = self.kernel()?;
         let r = DomainError::positive("radius", radius)?;
         let (r2, r3) = (r * r, r * r * r);

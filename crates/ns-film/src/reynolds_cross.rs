@@ -46,7 +46,7 @@ pub struct FilmSection {
     pub radius: Length,
 }
 
-/// What a section of the film does.
+/// Flow in a section of the film.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct CrossFilm {
     /// Velocity through the film.

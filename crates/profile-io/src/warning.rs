@@ -126,7 +126,7 @@ pub enum Warning {
         "x is a {abscissa}; converted with the base radius {base_radius} to the distance along the involute and resampled to {spacing:.4}"
     )]
     RollLengthConverted {
-        /// What x was.
+        /// Meaning of x.
         abscissa: Abscissa,
         /// Base radius.
         base_radius: Length,
@@ -136,7 +136,7 @@ pub enum Warning {
 }
 
 impl Warning {
-    /// What can be done about it; empty where nothing need be.
+    /// Remedy; empty where none is needed.
     pub fn remedy(&self) -> Remedy {
         let dx = |why| Remedy::state(Setting::Spacing).because(why);
         match self {

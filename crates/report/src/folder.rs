@@ -4,6 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use asperity::UnsolvedContact;
+use asperity::kept_fields::KeptFields;
+use asperity::profile_io::read::whole_file;
 use asperity::result::{Outcome, RunResult};
 use asperity_storage::{check_finite, check_folder, replace_folder, save, write_among};
 use serde::Serialize;
@@ -23,6 +25,9 @@ const PAGE_TABLES: &str = "page.json";
 /// Kind of the folder in messages.
 const KIND: &str = "result";
 
+/// Bytes of the largest table of a result that is read back.
+const LARGEST: u64 = 1_000_000_000;
+
 /// Every point of the load map, where it was asked for.
 const MAP: &str = "map.csv";
 
@@ -40,6 +45,16 @@ pub enum Fields {
 }
 
 impl Fields {
+    /// The fields that a run must hold for this folder and its page.
+    #[must_use]
+    pub fn kept(&self) -> KeptFields {
+        match self {
+            Self::Page => KeptFields::Highest,
+            Self::Positions(wanted) => KeptFields::Positions(wanted.clone()),
+            Self::All => KeptFields::All,
+        }
+    }
+
     fn keep(&self, position: usize) -> bool {
         match self {
             Self::Page => false,
@@ -67,22 +82,25 @@ pub fn check_place(target: &Path) -> Result<(), ReportError> {
 /// When the system refuses, a position of `fields` does not exist, a number is not finite, or `target`
 /// holds something else.
 pub fn write_folder(outcome: &Outcome, target: &Path, fields: &Fields) -> Result<(), ReportError> {
-    if let Fields::Positions(wanted) = fields {
-        for &number in wanted {
-            shown_position(&outcome.result, Some(number))?;
-            if outcome
-                .fields
-                .iter()
-                .all(|fields| fields.position != number)
-            {
-                return Err(ReportError::NoFields {
-                    number,
-                    place: None,
-                });
-            }
+    check_fields(outcome, fields)?;
+    replace_folder(target, KIND, |folder| fill(outcome, folder, fields))
+}
+
+/// Whether `outcome` holds the fields that are to be written.
+pub(crate) fn check_fields(outcome: &Outcome, fields: &Fields) -> Result<(), ReportError> {
+    let Fields::Positions(wanted) = fields else {
+        return Ok(());
+    };
+    for &number in wanted {
+        shown_position(&outcome.result, Some(number))?;
+        if outcome.fields.iter().all(|held| held.position != number) {
+            return Err(ReportError::NoFields {
+                number,
+                place: None,
+            });
         }
     }
-    replace_folder(target, KIND, |folder| fill(outcome, folder, fields))
+    Ok(())
 }
 
 /// Adds every point of the load map of `outcome` to its result folder, as `map.csv`.
@@ -215,8 +233,11 @@ fn read_json<T: DeserializeOwned>(file: &Path) -> Result<T, ReportError> {
         path: file.to_owned(),
         reason,
     };
-    let text = fs::read_to_string(file).map_err(|_| refused("there is no such file"))?;
-    let mut reader = serde_json::Deserializer::from_str(&text);
+    let bytes = whole_file(file, LARGEST).map_err(|error| match error.kind() {
+        std::io::ErrorKind::Other => refused("it is no file, or too large for a result"),
+        _ => refused("there is no such file"),
+    })?;
+    let mut reader = serde_json::Deserializer::from_slice(&bytes);
     let found = serde_path_to_error::deserialize(&mut reader);
     let value = found.map_err(|error| {
         if error.inner().is_syntax() || error.inner().is_eof() {

@@ -7,7 +7,7 @@ use asperity_storage::{check_folder, replace_folder};
 use maud::html;
 
 use crate::error::ReportError;
-use crate::folder::{Fields, fill, make_folder, write_json, write_text};
+use crate::folder::{Fields, check_fields, fill, make_folder, write_json, write_text};
 use crate::html::page;
 use crate::tables;
 
@@ -35,6 +35,9 @@ pub fn write_planetary(
     target: &Path,
     fields: &Fields,
 ) -> Result<(), ReportError> {
+    for mesh in &outcome.meshes {
+        check_fields(mesh, fields)?;
+    }
     replace_folder(target, KIND, |folder| {
         let result = &outcome.result;
         write_json(&folder.join("planetary.json"), result)?;

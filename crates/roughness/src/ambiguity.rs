@@ -48,12 +48,12 @@ impl Sections {
     }
 }
 
-/// What is left open.
+/// Choices left open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Choice {
-    /// What the filters do at the ends: `cut`, `reg0`, `reg1` or `reflect`.
+    /// Treatment of the ends by the filters: `cut`, `reg0`, `reg1` or `reflect`.
     Ends,
     /// ISO 4287 or ISO 21920-2.
     Standard,
@@ -67,7 +67,7 @@ pub enum Choice {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Spread {
-    /// What was chosen otherwise.
+    /// Choice that was made otherwise.
     pub choice: Choice,
     /// Smallest value.
     pub low: f64,

@@ -14,7 +14,7 @@ pub const ISO_16610_31: Reference = Reference {
     text: "ISO 16610-31:2016, Geometrical product specifications - Filtration - Robust profile filters: Gaussian regression filters",
 };
 
-/// What filters do at the ends.
+/// Treatment of the ends by the filters.
 pub const ISO_16610_28: Reference = Reference {
     key: "iso_16610_28_2016",
     text: "ISO 16610-28:2016, Geometrical product specifications - Filtration - Profile filters: End effects",

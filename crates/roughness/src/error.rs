@@ -1,4 +1,4 @@
-//! What the numerical half of the crate refuses; files are read by `asperity-profile-io`.
+//! Errors of the numerical half of the crate; files are read by `asperity-profile-io`.
 
 use asperity_core::DomainError;
 use asperity_core::quantity::Length;
@@ -18,7 +18,7 @@ pub enum RoughnessError {
         length: Length,
         /// Least length.
         needed: Length,
-        /// What needs it.
+        /// Purpose.
         purpose: &'static str,
     },
     /// Fewer points than the formula takes.
@@ -28,7 +28,7 @@ pub enum RoughnessError {
         points: usize,
         /// Least number.
         needed: usize,
-        /// What needs them.
+        /// Purpose.
         purpose: &'static str,
     },
     /// No summit can be measured on the profile.

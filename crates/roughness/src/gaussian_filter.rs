@@ -27,7 +27,7 @@ use crate::error::RoughnessError;
 /// Reach of the weights on either side, in cut-offs.
 pub const SUPPORT: f64 = 1.0;
 
-/// What is done where the weights reach past an end of the trace.
+/// Treatment of the ends of the trace, where the weights reach past them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]

@@ -271,7 +271,7 @@ fn per_section(parts: &[&[f64]], dx: f64) -> Raw {
     }
 }
 
-/// What is measured in one sampling length.
+/// Height parameters of one sampling length.
 struct Section {
     moments: Moments,
     low: f64,

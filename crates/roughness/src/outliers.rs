@@ -34,7 +34,7 @@ pub struct Outliers {
     pub half_window: usize,
 }
 
-/// What was replaced.
+/// Replaced points.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct OutlierRecord {

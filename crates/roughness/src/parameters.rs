@@ -27,7 +27,7 @@ pub struct Parameters {
     pub lambda_c: Length,
     /// Length evaluated.
     pub evaluation_length: Length,
-    /// What the user should know.
+    /// Warnings.
     pub warnings: Vec<Warning>,
 }
 

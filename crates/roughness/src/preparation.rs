@@ -31,7 +31,7 @@ pub struct Preparation {
     pub lambda_s: Option<Length>,
     /// Cut-off of the roughness filter; none keeps the long waves.
     pub lambda_c: Option<Length>,
-    /// What is done at the ends of the trace.
+    /// Treatment of the ends of the trace.
     pub ends: Ends,
 }
 
@@ -59,7 +59,7 @@ pub enum RoughnessFilter {
     RobustGaussian,
 }
 
-/// What was done to a profile.
+/// Record of the preparation of a profile.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct PreparationRecord {
@@ -88,9 +88,9 @@ pub struct Prepared {
     pub profile: Profile,
     /// Index of its first point in the profile it was made from.
     pub first_index: usize,
-    /// What was done.
+    /// Record of the preparation.
     pub record: PreparationRecord,
-    /// What the user should know.
+    /// Warnings.
     pub warnings: Vec<Warning>,
 }
 

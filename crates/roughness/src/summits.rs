@@ -119,7 +119,7 @@ pub fn asperity_radius(
     })
 }
 
-/// What the summits of a profile are like.
+/// Statistics of the summits of a profile.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct SummitStatistics {

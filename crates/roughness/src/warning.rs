@@ -72,7 +72,7 @@ pub enum Warning {
 }
 
 impl Warning {
-    /// What can be done about it; empty where nothing is but a better measurement.
+    /// Remedy; empty where only a better measurement helps.
     pub fn remedy(&self) -> Remedy {
         match self {
             Self::FormNotRemoved { .. } => Remedy::set(Setting::Form, Value::This("poly2".into())),

@@ -1,4 +1,4 @@
-//! What becomes of filters and parameters where something vanishes.
+//! Limits of filters and parameters where something vanishes.
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 

@@ -152,7 +152,7 @@ fn name(draft: &Draft, target: &Path, kind: &'static str) -> Result<(), StorageE
     name_in_two_steps(draft, target, kind)
 }
 
-/// Moves the older folder aside first. A kill between the two renames is mended from the journal.
+/// Moves the older folder aside first. A kill between the two renames is repaired from the journal.
 fn name_in_two_steps(draft: &Draft, target: &Path, kind: &'static str) -> Result<(), StorageError> {
     let refused = StorageError::io(target);
     let (old, journal) = (draft.folder().join(OLD), draft.folder().join(JOURNAL));

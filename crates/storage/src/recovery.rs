@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::manifest::Manifest;
 use crate::system::{look, parent_of};
 
-/// What is made in a draft.
+/// Kind of content made in a draft.
 pub const NEW: &str = "new";
 /// The older folder, moved aside for a moment where two names cannot be exchanged at once.
 pub const OLD: &str = "old";

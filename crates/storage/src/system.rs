@@ -1,4 +1,4 @@
-//! What the system is asked for: flushing to the disk, exchange of two names, looks that follow no link.
+//! Calls to the system: flushing to the disk, exchange of two names, looks that follow no link.
 
 use std::fs::{self, File, Metadata};
 use std::io;

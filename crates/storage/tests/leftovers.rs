@@ -1,4 +1,4 @@
-//! What a killed process leaves behind is restored or removed by the next; what is not ours stays.
+//! Recovery: the next process restores or removes what a killed one left behind; foreign files stay.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 

@@ -1,4 +1,4 @@
-//! What differs between two results.
+//! Differences between two results.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,7 +6,7 @@ use asperity::result::RunResult;
 use serde::Serialize;
 use serde_json::Value;
 
-/// What differs between two results.
+/// Differences between two results.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct ResultDiff {
@@ -65,7 +65,7 @@ impl ResultDiff {
     }
 }
 
-/// What differs between `first` and `second`; the program and its version are not compared.
+/// Differences between `first` and `second`; the program and its version are not compared.
 ///
 /// # Errors
 /// When a result cannot be written as JSON.

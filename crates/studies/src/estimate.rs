@@ -1,12 +1,17 @@
 //! Estimate of the work of a run, before it is done.
+//!
+//! The time follows from the points of all contacts and from what is computed at each; the times per point are
+//! those of a processor core of 2021, measured on the four shipped cases (docs/PERFORMANCE.md).
 
-use asperity::case::LoadedCase;
+use asperity::case::planetary::LoadedPlanetary;
+use asperity::case::{Formulation, LoadedCase};
+use asperity::kept_fields::KeptFields;
 use asperity::pipeline::stations;
 use asperity::surfaces::Texture;
 use asperity::{Error, PositionError};
 
-/// Time and memory that a run will take, within a factor of about three.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+/// Time and memory that a run will take.
+#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
 #[non_exhaustive]
 pub struct Estimate {
     /// Rough contacts, one for every position and offset.
@@ -19,38 +24,65 @@ pub struct Estimate {
     pub bytes: f64,
 }
 
-/// Time of a point of a contact \[s\], on a machine of 2020: the e-drive case, 512 contacts.
-const SECONDS_PER_POINT: f64 = 2e-6;
+impl Estimate {
+    /// Both kinds of work one after the other.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        Self {
+            contacts: self.contacts + other.contacts,
+            points: self.points + other.points,
+            seconds: self.seconds + other.seconds,
+            bytes: self.bytes + other.bytes,
+        }
+    }
+}
+
+/// Time of a point \[s\] where each contact is tabulated over its share of the load (`solved`).
+const SECONDS_TABULATED: f64 = 4e-6;
+/// The same where each contact is solved once.
+const SECONDS_ONCE: f64 = 1e-6;
+/// The same where the surfaces are lowered step by step (the paper's reading), per step.
+const SECONDS_OF_A_STEP: f64 = 1.5e-7;
+/// Distance by which the surfaces are lowered altogether \[m\].
+const LOWERED: f64 = 6.4e-6;
+/// Time of the stress at a point of one depth below the surface \[s\].
+const SECONDS_OF_STRESS: f64 = 5e-8;
+/// Time of reading and preparing the traces, of the load map and of writing the result \[s\].
+const SECONDS_AROUND: f64 = 0.05;
 /// Numbers held for a point of the surface, and for a point at a depth.
 const NUMBERS: [f64; 2] = [12.0, 4.0];
 /// Bytes of a number.
 const BYTES: f64 = 8.0;
 
-/// Estimates the run of `loaded` on the threads of the pool.
+/// Estimates the run of `loaded` on the threads of the pool, where the fields `kept` are held.
 ///
 /// # Errors
 /// When a position of the mesh has no smooth contact.
-pub fn estimate(loaded: &LoadedCase) -> Result<Estimate, Error> {
-    of_case(loaded).map_err(|error| Error::Whole(Box::new(error)))
+pub fn estimate(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, Error> {
+    of_case(loaded, kept).map_err(|error| Error::Whole(Box::new(error)))
 }
 
-fn of_case(loaded: &LoadedCase) -> Result<Estimate, PositionError> {
+/// Estimates the run of both meshes of a planetary set.
+///
+/// # Errors
+/// As [`estimate`].
+pub fn estimate_of_set(loaded: &LoadedPlanetary, kept: &KeptFields) -> Result<Estimate, Error> {
+    let [first, second] = &loaded.meshes;
+    Ok(estimate(first, kept)?.and(estimate(second, kept)?))
+}
+
+fn of_case(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, PositionError> {
     let model = &loaded.case.model;
-    let spacing = loaded
-        .surfaces
-        .textures()
-        .iter()
-        .find_map(|texture| match texture {
-            Texture::Trace(profile) => Some(profile.spacing()),
-            _ => None,
-        });
+    let mut traces = loaded.surfaces.textures().iter();
+    let spacing = traces.find_map(|texture| match texture {
+        Texture::Trace(profile) => Some(profile.spacing()),
+        _ => None,
+    });
     let stations = stations(&loaded.case)?;
     let Some(spacing) = spacing.filter(|_| loaded.surfaces.are_measured()) else {
         return Ok(Estimate {
-            contacts: 0,
-            points: 0.0,
-            seconds: 0.0,
-            bytes: 0.0,
+            seconds: SECONDS_AROUND,
+            ..Estimate::default()
         });
     };
     let windows = stations
@@ -59,10 +91,20 @@ fn of_case(loaded: &LoadedCase) -> Result<Estimate, PositionError> {
     let once: f64 = windows.sum();
     let points = once * model.offsets as f64;
     let depths = model.depths as f64;
+    let of_a_point = match loaded.case.formulation {
+        Formulation::Paper => SECONDS_OF_A_STEP * (LOWERED / model.delta_step.si()),
+        Formulation::Corrected if model.load_share.supply().is_some() => SECONDS_TABULATED,
+        Formulation::Corrected => SECONDS_ONCE,
+    };
+    let work = of_a_point * points + SECONDS_OF_STRESS * once * depths;
+    let threads = rayon::current_num_threads();
+    // Every thread holds the fields of the position it is at.
+    let held = stations.len().min(kept.of(stations.len()) + threads) as f64;
+    let of_fields = BYTES * (NUMBERS[0] + NUMBERS[1] * depths);
     Ok(Estimate {
         contacts: stations.len() * model.offsets,
         points,
-        seconds: SECONDS_PER_POINT * points / rayon::current_num_threads() as f64,
-        bytes: once * BYTES * (NUMBERS[0] + NUMBERS[1] * depths),
+        seconds: SECONDS_AROUND + work / threads.min(stations.len()) as f64,
+        bytes: held / stations.len() as f64 * once * of_fields,
     })
 }

@@ -65,7 +65,7 @@ const SPEED: FittedRange = FittedRange {
     correlation: "Benedict-Kelley",
 };
 
-/// What Benedict and Kelley's law needs of a mesh position.
+/// Inputs of Benedict and Kelley's law at a mesh position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BenedictKelleyConditions {
     /// Load per length of contact line w.

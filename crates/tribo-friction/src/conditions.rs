@@ -56,7 +56,7 @@ pub struct FrictionConditions {
     pub sum_rz: Length,
     /// Coefficient of boundary friction of the pair.
     pub boundary_coefficient: f64,
-    /// What the whole-mesh laws of ISO/TR 14179 need.
+    /// Inputs of the whole-mesh laws of ISO/TR 14179.
     pub mesh: MeshConditions,
 }
 

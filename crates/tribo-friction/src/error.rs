@@ -1,4 +1,4 @@
-//! What can be wrong with a friction coefficient or force.
+//! Errors of a friction coefficient or force.
 
 use asperity_core::DomainError;
 use asperity_core::lubricant::LubricantError;
@@ -34,7 +34,7 @@ pub enum FrictionError {
         line: usize,
         /// Column, from 1.
         column: usize,
-        /// What the reader of JSON found, and where.
+        /// Finding of the JSON reader, with its place.
         reason: String,
     },
     /// The oil has no state at a temperature that film friction needs.
@@ -46,13 +46,13 @@ pub enum FrictionError {
     /// The data of the oil families does not read.
     #[error("oil families: {reason}")]
     OilFamilies {
-        /// What the reader found.
+        /// Finding of the reader.
         reason: String,
     },
     /// A scalar equation without root.
     #[error("the {quantity} has no solution: {source}")]
     NoRoot {
-        /// What was looked for.
+        /// Name that was looked for.
         quantity: &'static str,
         /// Where the search ended.
         source: RootError,

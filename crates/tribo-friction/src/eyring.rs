@@ -54,7 +54,7 @@ const SLIDING: FittedRange = FittedRange {
     correlation: "Eyring (Arana)",
 };
 
-/// What Eyring's law needs of a mesh position.
+/// Inputs of Eyring's law at a mesh position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EyringConditions {
     /// Maximum Hertz pressure p₀.

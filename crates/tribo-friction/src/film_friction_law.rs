@@ -109,7 +109,7 @@ pub trait FilmFriction: Debug + Send + Sync {
 pub struct NamedFriction {
     /// The law.
     pub law: FrictionLaw,
-    /// What it leaves to choose.
+    /// Choices it leaves open.
     pub settings: FrictionSettings,
 }
 

@@ -51,7 +51,7 @@ pub enum FrictionLaw {
     Constant,
 }
 
-/// What the laws leave to choose.
+/// Choices that the laws leave open.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct FrictionSettings {

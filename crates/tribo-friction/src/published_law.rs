@@ -1,4 +1,4 @@
-//! What the published friction laws are, for a comparison that applies each of them whole.
+//! Published friction laws, for a comparison that applies each of them whole.
 //!
 //! A law fitted to gears, rollers or mixed-EHL solutions has asperities inside. It is printed as its own
 //! coefficient times its own loss factor, beside whether it stays within what it was fitted to, and never
@@ -42,7 +42,7 @@ pub struct PublishedLaw {
     pub law: FrictionLaw,
     /// Whether asperities are in its coefficient.
     pub asperities: Asperities,
-    /// What it was fitted to.
+    /// Data it was fitted to.
     pub fitted_to: &'static str,
     /// Whether the law leaves the rolling resistance out, so that it is added.
     pub excludes_rolling: bool,
@@ -73,7 +73,7 @@ const fn gigapascals(low: f64, high: f64, correlation: &'static str) -> Option<F
 }
 
 impl FrictionLaw {
-    /// What is known of the law beside its formula.
+    /// Notes on the law beside its formula.
     ///
     /// ```
     /// use asperity_tribo_friction::{FrictionLaw, published_law::Asperities};

@@ -129,7 +129,7 @@ impl XuCalibration {
     }
 }
 
-/// What happens to a roughness beyond the usual range.
+/// Treatment of a roughness beyond the usual range.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum RoughnessReading {
@@ -146,7 +146,7 @@ pub enum RoughnessReading {
 pub struct XuLaw {
     /// Coefficients; those of a file by [`XuCalibration`].
     pub coefficients: XuCoefficients,
-    /// What happens to a roughness above 0.6 um.
+    /// Treatment of a roughness above 0.6 um.
     pub roughness: RoughnessReading,
     /// Factor on the coefficient for another oil than the fitted one.
     pub friction_scale: f64,
@@ -162,7 +162,7 @@ impl Default for XuLaw {
     }
 }
 
-/// What Xu's law needs of a mesh position.
+/// Inputs of Xu's law at a mesh position.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct XuConditions {
     /// Slide-to-roll ratio V_s/V_e, of either sign.

@@ -1,12 +1,12 @@
 //! Two columns of a bare text file on an even grid: positions x and a gap, a profile or a pressure, with
 //! their units in the header.
 
-use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
+use asperity_profile_io::read::regular_file;
 
 use crate::failure::Failure;
 
@@ -65,7 +65,7 @@ pub fn read(path: &Path, column: Column) -> Result<Columns, Failure> {
             .advising("Check the name and the permissions.")
     };
     let mut bytes = vec![];
-    let file = File::open(path).map_err(cannot)?;
+    let file = regular_file(path).map_err(cannot)?;
     file.take(MAX_BYTES + 1)
         .read_to_end(&mut bytes)
         .map_err(cannot)?;
@@ -79,14 +79,19 @@ pub fn read(path: &Path, column: Column) -> Result<Columns, Failure> {
         )
         .advising("Give a file with one row per point."));
     }
-    let text = decoded(&bytes).ok_or_else(|| {
+    of_bytes(&name, &bytes, column)
+}
+
+/// Reads the positions and one more column of the content of a file called `name`.
+pub fn of_bytes(name: &str, bytes: &[u8], column: Column) -> Result<Columns, Failure> {
+    let text = decoded(bytes).ok_or_else(|| {
         Failure::new(
             "E108",
             format!("{name}: not text: it holds bytes that no text has"),
         )
         .advising("Save the columns as text, in UTF-8, UTF-16 or Latin-1.")
     })?;
-    parse(&name, &text, column)
+    parse(name, &text, column)
 }
 
 /// A profile of a file with the columns x and z.

@@ -1,4 +1,4 @@
-//! What takes more than a look at a profile: line of Rk by secant, correlation, summits, spectrum, Hurst
+//! Evaluations beyond a first look at a profile: line of Rk by secant, correlation, summits, spectrum, Hurst
 //! exponent, and what is ambiguous.
 
 use asperity_core::quantity::Length;

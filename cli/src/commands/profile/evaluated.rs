@@ -22,7 +22,7 @@ use crate::words;
 pub(super) struct Evaluated {
     pub(super) reading: Reading,
     pub(super) plan: Plan,
-    /// What the recipe of the plan started from, where that is not what was read.
+    /// Profile that the recipe of the plan started from, where that is not the one read.
     pub(super) without_involute: Option<Profile>,
     /// That the involute was another, where it seems so.
     pub(super) involute_left: Option<Warning>,
@@ -71,7 +71,7 @@ impl Evaluated {
         })
     }
 
-    /// What the recipe of the plan started from.
+    /// Profile that the recipe of the plan started from.
     pub(super) fn trace(&self) -> &Profile {
         let read = &self.reading.profile;
         self.without_involute.as_ref().unwrap_or(read)

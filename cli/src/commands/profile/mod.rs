@@ -6,7 +6,6 @@ mod info;
 mod json;
 mod plan;
 mod plot;
-mod svg;
 mod text;
 mod transform;
 

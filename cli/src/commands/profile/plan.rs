@@ -1,4 +1,4 @@
-//! What is done to a trace before it is evaluated, by the options of the command.
+//! Preparation of a trace before it is evaluated, by the options of the command.
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
@@ -149,7 +149,7 @@ impl Plan {
         )
     }
 
-    /// What was done, with the involute.
+    /// Record of the preparation, with the involute.
     pub fn recorded(&self, record: &PreparationRecord) -> Value {
         let mut value = json!(record);
         if let Some(flank) = &self.involute {

@@ -3,19 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use asperity_core::Profile;
+use asperity_report::chart::{Axis, Chart, Line, Series, stacked};
 use asperity_roughness::material_ratio::{RkParameters, abbott_curve};
-use asperity_roughness::spectral::power_spectrum;
+use asperity_roughness::spectral::{PowerSpectrum, power_spectrum};
 
 use super::evaluated::{Evaluated, refusal, um};
-use super::svg::{Curve, Panel, document};
 use crate::args::{Common, ProfilePlotArgs};
 use crate::failure::Failure;
 use crate::output::{beside, print_text, save, save_new};
-
-const GREY: &str = "#777777";
-const BLUE: &str = "#1f5fa8";
-const RED: &str = "#c0392b";
-const GREEN: &str = "#2e7d32";
 
 /// `asperity profile plot`
 pub fn plot(args: &ProfilePlotArgs, common: &Common) -> Result<(), Failure> {
@@ -23,32 +18,19 @@ pub fn plot(args: &ProfilePlotArgs, common: &Common) -> Result<(), Failure> {
     let rough = &found.parts.roughness.profile;
     let curve = abbott_curve(rough.heights())
         .map_err(|e| refusal(&found.reading, &found.plan, &e.into()))?;
-    let spectrum = power_spectrum(rough).map_err(|e| refusal(&found.reading, &found.plan, &e))?;
-    let lines = (1..spectrum.density.len()).map(|k| {
-        // Wavelength in um; m³ are 1e18 um³.
-        let wavelength = 1e6 / (k as f64 * spectrum.frequency_step);
-        (wavelength, spectrum.density[k] * 1e18)
-    });
-    let spectrum = lines.filter(|(_, density)| *density > 0.0).collect();
+    let density = power_spectrum(rough).map_err(|e| refusal(&found.reading, &found.plan, &e))?;
     let name = args
         .file
         .file_name()
         .map_or_else(String::new, |n| n.to_string_lossy().into_owned());
-    let svg = document(
-        &format!("{name}: {}", found.reading.format),
-        &[
-            primary(&found),
-            roughness(&found),
-            material(&curve, &found.iso4287.material),
-            panel(
-                "Power spectral density of R (Hann window, one-sided)",
-                "wavelength, um",
-                "C, um3",
-                true,
-                vec![line(spectrum, BLUE, "")],
-            ),
-        ],
-    );
+    let name = format!("{name}: {}", found.reading.format);
+    let charts = [
+        primary(&found, &name),
+        roughness(&found, &name),
+        material(&curve, &found.iso4287.material, &name),
+        spectrum(&density, &name),
+    ];
+    let svg = stacked(&name, &charts);
     let Some(output) = &args.output else {
         // Standard input has no name to go by.
         let output = match args.file.as_path() {
@@ -63,115 +45,104 @@ pub fn plot(args: &ProfilePlotArgs, common: &Common) -> Result<(), Failure> {
     print_text(common, &format!("{}\n", output.display()))
 }
 
-fn panel(
-    title: &str,
-    x_label: &'static str,
-    y_label: &'static str,
-    logarithmic: bool,
-    curves: Vec<Curve>,
-) -> Panel {
-    const HEIGHT: f64 = 260.0;
-    Panel {
-        title: title.to_owned(),
-        x_label,
-        y_label,
-        logarithmic,
-        height: HEIGHT,
-        curves,
-    }
-}
-
-fn line(points: Vec<(f64, f64)>, colour: &'static str, label: &'static str) -> Curve {
-    Curve {
-        points,
-        colour,
-        label,
-        dashed: false,
-    }
-}
-
 /// Positions in mm and heights in um, the first point at index `first` of the trace.
-fn points(profile: &Profile, first: usize) -> Vec<(f64, f64)> {
+fn series(name: &str, line: Line, profile: &Profile, first: usize) -> Series {
     let dx = 1e3 * profile.spacing().si();
     let heights = profile.heights().iter().enumerate();
-    heights
-        .map(|(i, z)| ((first + i) as f64 * dx, 1e6 * z))
-        .collect()
-}
-
-fn primary(found: &Evaluated) -> Panel {
-    let mut curves = vec![line(points(&found.parts.primary, 0), GREY, "P")];
-    let first = found.parts.roughness.first_index;
-    if let Some(waviness) = &found.parts.waviness {
-        curves.push(line(points(waviness, first), RED, "W"));
+    Series {
+        name: name.to_owned(),
+        line,
+        points: heights
+            .map(|(i, z)| [(first + i) as f64 * dx, 1e6 * z])
+            .collect(),
     }
-    panel(
-        "Primary profile P and mean line W",
-        "x, mm",
-        "z, um",
-        false,
-        curves,
-    )
 }
 
-fn roughness(found: &Evaluated) -> Panel {
+fn along() -> Axis {
+    Axis::new("position x", "mm")
+}
+
+fn height() -> Axis {
+    Axis::new("height z", "µm")
+}
+
+fn primary(found: &Evaluated, source: &str) -> Chart {
+    let title = "Primary profile P and mean line W";
+    let chart = Chart::new("primary", title, source, along(), height());
+    let chart = chart.with(series("P", Line::Solid, &found.parts.primary, 0));
+    let first = found.parts.roughness.first_index;
+    match &found.parts.waviness {
+        Some(waviness) => chart.with(series("W", Line::Solid, waviness, first)),
+        None => chart,
+    }
+}
+
+fn roughness(found: &Evaluated, source: &str) -> Chart {
     let p = &found.iso4287.heights;
     let title = format!(
-        "Roughness profile R: Ra {:.4}, Rq {:.4}, Rz {:.4} um (ISO 4287)",
+        "Roughness profile R: Ra {:.4}, Rq {:.4}, Rz {:.4} µm (ISO 4287)",
         um(p.ra),
         um(p.rq),
         um(p.rz)
     );
     let first = found.parts.roughness.first_index;
-    let curve = line(points(&found.parts.roughness.profile, first), BLUE, "");
-    panel(&title, "x, mm", "z, um", false, vec![curve])
+    let rough = series("R", Line::Solid, &found.parts.roughness.profile, first);
+    Chart::new("roughness", &title, source, along(), height()).with(rough)
 }
 
 /// The curve, its equivalent line and the triangles of Rpk and Rvk.
-fn material(curve: &[f64], rk: &RkParameters) -> Panel {
+fn material(curve: &[f64], rk: &RkParameters, source: &str) -> Chart {
     let n = curve.len() as f64;
+    let ratio = |k: usize| (k as f64 + 0.5) / n * 100.0;
     let points = curve.iter().enumerate();
-    let points = points
-        .map(|(k, z)| ((k as f64 + 0.5) / n * 100.0, 1e6 * z))
-        .collect();
+    let points = points.map(|(k, z)| [ratio(k), 1e6 * z]).collect();
     let (top, foot) = (um(rk.upper), um(rk.lower));
-    let dashed = |points: Vec<(f64, f64)>, colour, label| Curve {
+    let named = |name: &str, line, points| Series {
+        name: name.to_owned(),
+        line,
         points,
-        colour,
-        label,
-        dashed: true,
     };
-    let curves = vec![
-        line(points, BLUE, "material ratio"),
-        dashed(vec![(0.0, top), (100.0, foot)], RED, "equivalent line"),
-        dashed(
-            vec![
-                (0.0, top),
-                (rk.mr1, top),
-                (0.0, top + um(rk.rpk)),
-                (0.0, top),
-            ],
-            GREEN,
-            "Rpk, Rvk",
-        ),
-        dashed(
-            vec![
-                (100.0, foot),
-                (rk.mr2, foot),
-                (100.0, foot - um(rk.rvk)),
-                (100.0, foot),
-            ],
-            GREEN,
-            "",
-        ),
-    ];
+    let peaks = vec![[0.0, top], [rk.mr1, top], [0.0, top + um(rk.rpk)]];
+    let dales = vec![[100.0, foot], [rk.mr2, foot], [100.0, foot - um(rk.rvk)]];
     let title = format!(
-        "Rk {:.4}, Rpk {:.4}, Rvk {:.4} um, Mr1 {:.1}, Mr2 {:.1} %",
+        "Material ratio: Rk {:.4}, Rpk {:.4}, Rvk {:.4} µm, Mr1 {:.1}, Mr2 {:.1} %",
         um(rk.rk),
         um(rk.rpk),
         um(rk.rvk),
         rk.mr1,
         rk.mr2
     );
-    panel(&title, "Mr, %", "z, um", false, curves)
+    let share = Axis::new("material ratio Mr", "%");
+    Chart::new("material-ratio", &title, source, share, height())
+        .with(named("material ratio", Line::Solid, points))
+        .with(named(
+            "equivalent line",
+            Line::Dashed,
+            vec![[0.0, top], [100.0, foot]],
+        ))
+        .with(named("Rpk", Line::Dashed, peaks))
+        .with(named("Rvk", Line::Dashed, dales))
+}
+
+fn spectrum(density: &PowerSpectrum, source: &str) -> Chart {
+    let lines = (1..density.density.len()).map(|k| {
+        // Wavelength in um; m³ are 1e18 um³.
+        let wavelength = 1e6 / (k as f64 * density.frequency_step);
+        [wavelength, density.density[k] * 1e18]
+    });
+    let points = lines.filter(|[_, density]| *density > 0.0).collect();
+    let title = "Power spectral density of R (Hann window, one-sided)";
+    let wavelength = Axis::new("wavelength", "µm").log();
+    Chart::new(
+        "spectrum",
+        title,
+        source,
+        wavelength,
+        Axis::new("density C", "µm³").log(),
+    )
+    .with(Series {
+        name: "C".to_owned(),
+        line: Line::Solid,
+        points,
+    })
 }

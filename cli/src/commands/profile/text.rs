@@ -282,7 +282,7 @@ fn hurst(page: &mut Page, details: &Details) {
     page.line(&format!("Hurst exponent {shown}"));
 }
 
-/// What the instrument printed, beside ours where it is the same parameter.
+/// Values printed by the instrument, beside ours where it is the same parameter.
 fn printed(page: &mut Page, found: &Evaluated) {
     for printed in &found.reading.metadata.printed {
         let ours = value_of(&printed.name, found);

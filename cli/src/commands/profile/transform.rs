@@ -1,6 +1,6 @@
 //! `asperity profile convert`, `filter` and `generate`: a profile into a file.
 
-use asperity_profile_io::read::Metadata;
+use asperity_profile_io::read::{Metadata, whole_file};
 use asperity_report::wrapped;
 use asperity_roughness::composite::resampled;
 use asperity_roughness::generate::{Recipe, SelfAffine, Surface};
@@ -15,6 +15,9 @@ use crate::args::{
 };
 use crate::failure::Failure;
 use crate::output::{beside, print_json, print_text};
+
+/// Bytes of the largest recipe of a surface.
+const LARGEST_RECIPE: u64 = 10_000_000;
 
 /// Points on either side in the running median of `--outliers`.
 const HALF_WINDOW: usize = 6;
@@ -128,10 +131,10 @@ pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failu
         })),
         Some(path) => {
             let name = path.display();
-            let text = std::fs::read_to_string(path).map_err(|error| {
+            let text = whole_file(path, LARGEST_RECIPE).map_err(|error| {
                 Failure::new("E103", format!("{name}: cannot be read: {error}"))
             })?;
-            serde_json::from_str(&text)
+            serde_json::from_slice(&text)
                 .map_err(|error| Failure::new("E204", format!("{name}: no recipe: {error}")))?
         }
     };

@@ -1,4 +1,4 @@
-//! What a branch gives: pressures along a contact.
+//! Result of a branch: pressures along a contact.
 
 use asperity_contact::ContactSolution;
 

@@ -1,4 +1,4 @@
-//! What carries the load at one mesh position and one offset: the film alone, film and asperities
+//! Load carried at one mesh position and one offset: the film alone, film and asperities
 //! together, or, as the paper has it, surfaces lowered into each other step by step.
 
 mod bodies;

@@ -125,14 +125,6 @@ impl OperationInput {
 }
 
 impl CaseBuilder {
-    /// A case as a value, whose files are in `folder`.
-    pub(super) fn of(input: CaseInput, folder: &Path) -> Self {
-        Self {
-            input,
-            files: Files::in_folder(folder),
-        }
-    }
-
     /// A line that names the case in every output.
     #[must_use]
     pub fn title(self, title: impl Into<String>) -> Self {

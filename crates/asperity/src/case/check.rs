@@ -7,6 +7,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
 use toml::{Table, Value};
 
@@ -17,7 +18,7 @@ use super::known_keys::first_unknown;
 use super::loaded::{LoadedCase, complete, set_keys};
 use super::plain_words::plain;
 use super::plausibility::impossible;
-use super::source::{Source, key_of};
+use super::source::{MeshKeys, Source, key_of};
 use crate::error::Error;
 
 /// A case that is right, from which replacements are taken.
@@ -61,8 +62,27 @@ fn all(
     set: &[(String, String)],
     errors: &mut Vec<CaseError>,
 ) -> Option<LoadedCase> {
+    let (mut input, mut mending) = readable::<CaseInput>(source, schema(), RIGHT, errors)?;
+    for (key, value) in set {
+        if let Err(error) = set_keys(&mut input, source, &[(key.clone(), value.clone())]) {
+            mending.blame(key);
+            errors.push(error);
+        }
+    }
+    completed(input, source, folder, mending, errors)
+}
+
+/// The case in `source` with every value that can be read; what cannot be is noted and replaced from the case
+/// `right`.
+pub(super) fn readable<T: DeserializeOwned>(
+    source: &Source,
+    schema: Json,
+    right: &str,
+    errors: &mut Vec<CaseError>,
+) -> Option<(T, Mending)> {
     let mut mending = Mending {
-        right: RIGHT.parse().ok()?,
+        right: right.parse().ok()?,
+        schema,
         blamed: BTreeSet::new(),
         replaced: BTreeSet::new(),
     };
@@ -74,13 +94,18 @@ fn all(
         }
     };
     remove_unknown(&mut table, source, &mut mending, errors);
-    let mut input = mending.read(table, source, errors)?;
-    for (key, value) in set {
-        if let Err(error) = set_keys(&mut input, source, &[(key.clone(), value.clone())]) {
-            mending.blamed.insert(part_of(key).to_owned());
-            errors.push(error);
-        }
-    }
+    let input = mending.read(table, source, errors)?;
+    Some((input, mending))
+}
+
+/// The case with its traces, after every error that completing it brings about was noted.
+pub(super) fn completed(
+    mut input: CaseInput,
+    source: &Source,
+    folder: &Path,
+    mut mending: Mending,
+    errors: &mut Vec<CaseError>,
+) -> Option<LoadedCase> {
     for error in impossible(&input, source) {
         let key = error.place().and_then(|place| place.key.clone());
         errors.push(error);
@@ -105,10 +130,12 @@ fn all(
     }
 }
 
-/// What was blamed and put right so far.
-struct Mending {
+/// Parts blamed and put right so far.
+pub(super) struct Mending {
     /// A case that is right.
     right: Table,
+    /// Schema of the case.
+    schema: Json,
     /// Parts with an error that was noted.
     blamed: BTreeSet<String>,
     /// Parts that were replaced as a whole.
@@ -116,7 +143,24 @@ struct Mending {
 }
 
 impl Mending {
-    fn is_known(&self, part: &str) -> bool {
+    /// That of a mesh of a planetary set, after that of the set.
+    pub(super) fn of_mesh(&self, mesh: MeshKeys) -> Option<Self> {
+        let blamed = self.blamed.iter().chain(&self.replaced);
+        let in_mesh = blamed.map(|part| mesh.in_mesh(part).unwrap_or_else(|| part.clone()));
+        Some(Self {
+            right: RIGHT.parse().ok()?,
+            schema: schema(),
+            blamed: in_mesh.map(|part| part_of(&part).to_owned()).collect(),
+            replaced: BTreeSet::new(),
+        })
+    }
+
+    /// Notes that there is an error at `key`.
+    pub(super) fn blame(&mut self, key: &str) {
+        self.blamed.insert(part_of(key).to_owned());
+    }
+
+    pub(super) fn is_known(&self, part: &str) -> bool {
         self.blamed.contains(part) || self.replaced.contains(part)
     }
 
@@ -126,13 +170,12 @@ impl Mending {
     }
 
     /// The case with every value that can be read, and the right one in place of the others.
-    fn read(
+    fn read<T: DeserializeOwned>(
         &mut self,
         mut table: Table,
         source: &Source,
         errors: &mut Vec<CaseError>,
-    ) -> Option<CaseInput> {
-        let schema = schema();
+    ) -> Option<T> {
         for _ in 0..MAX_ERRORS {
             let error = match serde_path_to_error::deserialize(Value::Table(table.clone())) {
                 Ok(input) => return Some(input),
@@ -145,7 +188,7 @@ impl Mending {
                 .as_deref()
                 .is_some_and(|key| self.blamed.contains(key));
             if !is_misspelt {
-                errors.push(value_error(source, &schema, key.clone(), &message));
+                errors.push(value_error(source, &self.schema, key.clone(), &message));
             }
             let blamed = missing.or(key)?;
             self.blamed.insert(part_of(&blamed).to_owned());
@@ -164,7 +207,7 @@ fn remove_unknown(
     mending: &mut Mending,
     errors: &mut Vec<CaseError>,
 ) {
-    let schema = schema();
+    let schema = mending.schema.clone();
     let mut unknown: BTreeSet<String> = BTreeSet::new();
     for path in source.key_paths() {
         let is_below = |above: &String| path.starts_with(&format!("{above}."));
@@ -207,7 +250,17 @@ fn missing_key(table: Option<&str>, message: &str) -> Option<String> {
 
 /// The part of a case that is put right as a whole: a table whose keys hang together, or a single key.
 fn part_of(key: &str) -> &str {
-    const WHOLE: [&str; 4] = ["gears", "lubricant", "surface.pinion", "surface.wheel"];
+    const WHOLE: [&str; 8] = [
+        "gears",
+        "lubricant",
+        "surface.pinion",
+        "surface.wheel",
+        // Of a planetary set.
+        "planetary",
+        "surface.sun",
+        "surface.planet",
+        "surface.ring",
+    ];
     let is_in = |part: &&str| {
         key.strip_prefix(*part)
             .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))

@@ -1,4 +1,4 @@
-//! What can be wrong with a case file, each with a code, a place and a remedy.
+//! Errors of a case file, each with a code, a place and a remedy.
 
 use asperity_core::DomainError;
 use asperity_core::remedy::{Remedy, Setting};
@@ -18,7 +18,7 @@ pub enum CaseError {
     Open {
         /// Name of the file.
         file: String,
-        /// What the system says.
+        /// Reason the system gives.
         reason: std::io::Error,
     },
     /// A folder where a case file is due.
@@ -46,7 +46,7 @@ pub enum CaseError {
     Syntax {
         /// Where.
         place: Place,
-        /// What the parser says.
+        /// Message of the parser.
         message: String,
     },
     /// A key the case file does not know.
@@ -66,7 +66,7 @@ pub enum CaseError {
         place: Place,
         /// The key, with its table.
         key: Option<String>,
-        /// What was seen and what was expected.
+        /// Values seen and expected.
         message: String,
     },
     /// Keys that exclude or need each other.
@@ -76,7 +76,7 @@ pub enum CaseError {
         place: Place,
         /// The key, with its table.
         key: &'static str,
-        /// What must hold.
+        /// Rule.
         rule: &'static str,
     },
     /// A number outside its domain.
@@ -144,7 +144,7 @@ pub enum CaseError {
         place: Place,
         /// The key that names it.
         key: &'static str,
-        /// What the system says.
+        /// Reason the system gives.
         reason: std::io::Error,
     },
     /// A profile that cannot be read.
@@ -219,7 +219,7 @@ impl CaseError {
         }
     }
 
-    /// What can be done about it, where more is known than its code says.
+    /// Remedy, where more is known than its code says.
     pub fn remedy(&self) -> Remedy {
         match self {
             Self::Open { .. } => Remedy::act("check the path"),

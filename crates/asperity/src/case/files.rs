@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use asperity_core::Profile;
+use asperity_profile_io::read::{conditions_of, whole_file};
 
 use super::error::CaseError;
 use super::input::CaseInput;
@@ -15,7 +16,10 @@ pub(super) const FILE_OF_PINION: &str = "surface.pinion.file";
 pub(super) const FILE_OF_WHEEL: &str = "surface.wheel.file";
 pub(super) const XU_COEFFICIENTS: &str = "model.xu_coefficients";
 
-/// What stands behind the name of a file.
+/// Bytes of the largest file that a case may name.
+const LARGEST: u64 = 1_000_000_000;
+
+/// Content behind the name of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Content {
     /// The bytes of a file.
@@ -67,8 +71,19 @@ impl Files {
                 reason,
             })?;
             files.hold(name, Content::Bytes(bytes.into()));
+            // Not named in the case, and not missed where it is not there.
+            if let Some(conditions) = conditions_of(name)
+                && let Ok(bytes) = resolver(&conditions.display().to_string())
+            {
+                files.hold(&conditions, Content::Bytes(bytes.into()));
+            }
         }
         Ok(files)
+    }
+
+    /// Folder that names are relative to; none where only memory is asked.
+    pub(super) fn folder(&self) -> Option<&Path> {
+        self.folder.as_deref()
     }
 
     /// Keeps `content` under this name.
@@ -76,12 +91,22 @@ impl Files {
         self.held.insert(name.to_owned(), content);
     }
 
-    /// What is kept under this name.
+    /// Content kept under this name.
     pub(super) fn held(&self, name: &Path) -> Option<&Content> {
         self.held.get(name)
     }
 
-    /// What stands behind `name`, which stands at `key` of the case.
+    /// The measuring conditions that belong to the trace `name`, where there are any.
+    pub(super) fn conditions(&self, name: &Path) -> Option<Arc<[u8]>> {
+        let name = conditions_of(name)?;
+        if let Some(Content::Bytes(bytes)) = self.held.get(&name) {
+            return Some(Arc::clone(bytes));
+        }
+        let path = self.folder.as_ref()?.join(name);
+        whole_file(&path, LARGEST).ok().map(Into::into)
+    }
+
+    /// Content behind `name`, which stands at `key` of the case.
     pub(super) fn open(
         &self,
         name: &Path,
@@ -100,7 +125,7 @@ impl Files {
         match &self.folder {
             Some(folder) => {
                 let path = folder.join(name);
-                let bytes = std::fs::read(&path).map_err(|reason| refused(&path, reason))?;
+                let bytes = whole_file(&path, LARGEST).map_err(|reason| refused(&path, reason))?;
                 Ok(Content::Bytes(bytes.into()))
             }
             None => {

@@ -8,11 +8,13 @@ use asperity_core::remedy::Remedy;
 use asperity_core::{DomainError, Profile};
 use asperity_profile_io::Warning as ReadWarning;
 use asperity_profile_io::read::steepness::implausible;
-use asperity_profile_io::read::{Format, LengthUnit, ReadError, ReadOptions, Reading, read_bytes};
+use asperity_profile_io::read::{
+    FilterState, Format, LengthUnit, ReadError, ReadOptions, Reading, read_with_conditions,
+};
 use asperity_roughness::Parameters;
 use asperity_roughness::composite::resampled;
 use asperity_roughness::height_parameters::Mode;
-use asperity_roughness::preparation::prepare;
+use asperity_roughness::preparation::{Preparation, prepare};
 use sha2::{Digest, Sha256};
 
 use super::defaults::DefaultUsed;
@@ -38,7 +40,7 @@ pub(super) struct Flanks {
     pub provenance: Provenance,
 }
 
-/// What is shared by the reading of both flanks.
+/// Context shared by the reading of both flanks.
 #[derive(Clone, Copy)]
 struct Given<'a> {
     case: &'a Case,
@@ -84,8 +86,23 @@ fn both(case: &Case, source: &Source, files: &Files) -> Result<Flanks, CaseError
     let same_trace = pinion.raw.is_some() && pinion.raw == wheel.raw;
     let mut assumed = pinion.assumed;
     if case.input.surface.wheel.is_some() {
-        assumed.extend(wheel.assumed);
+        let told = |default: &DefaultUsed| !assumed.contains(default);
+        let more: Vec<DefaultUsed> = wheel.assumed.into_iter().filter(told).collect();
+        assumed.extend(more);
     }
+    // Two files may have been filtered differently; the summits are looked for at the longer waves.
+    let noise_cutoff = [&pinion.report, &wheel.report]
+        .into_iter()
+        .map(|report| match &report.preparation {
+            Some(record) => record.recipe.lambda_s,
+            None => case.preparation.lambda_s,
+        })
+        .max_by(|a, b| {
+            a.unwrap_or_default()
+                .si()
+                .total_cmp(&b.unwrap_or_default().si())
+        })
+        .flatten();
     let reports = [pinion.report, wheel.report];
     if reports[0].file.is_some() && reports[0].file == reports[1].file {
         // Said once, for the file they share.
@@ -95,7 +112,10 @@ fn both(case: &Case, source: &Source, files: &Files) -> Result<Flanks, CaseError
     }
     let textures = on_common_spacing([pinion.texture, wheel.texture], &mut warnings)?;
     Ok(Flanks {
-        surfaces: Surfaces::new(textures, case.preparation.lambda_s, same_trace),
+        surfaces: Surfaces::new(textures, noise_cutoff, same_trace).with_rz([0, 1].map(|body| {
+            let parameters = reports[body].parameters.as_ref();
+            parameters.map(|found| found.heights.rz)
+        })),
         reports,
         warnings,
         assumed,
@@ -206,7 +226,8 @@ fn trace(
         file: name.clone(),
         source,
     };
-    let preparation = &given.case.preparation;
+    let filters = Filters::of(given.case, &name, read.reading.as_ref());
+    let preparation = &filters.preparation;
     let prepared = prepare(&raw, preparation).map_err(refused)?;
     // Without a cut-off the whole trace is one evaluation of five sections, and nothing is filtered twice.
     let lambda_c = preparation.lambda_c;
@@ -227,6 +248,7 @@ fn trace(
     for warning in prepared.warnings.iter().chain(&parameters.warnings) {
         warn(warning.code(), warning, warning.remedy());
     }
+    warnings.extend(filters.overridden);
     let report = FlankReport {
         trace: Some(read.profile.clone()),
         file: Some(name),
@@ -240,8 +262,78 @@ fn trace(
         texture: Texture::Trace(prepared.profile),
         report,
         raw: Some(read.profile),
-        assumed: Vec::new(),
+        assumed: filters.stated,
     })
+}
+
+/// Filters of one trace: those of the case, else those its file states, else the defaults.
+struct Filters {
+    preparation: Preparation,
+    /// Cut-offs that the file states and the case leaves open.
+    stated: Vec<DefaultUsed>,
+    /// The warning that the case asks for other cut-offs than the file states.
+    overridden: Option<Warning>,
+}
+
+impl Filters {
+    fn of(case: &Case, file: &str, reading: Option<&Reading>) -> Self {
+        /// Cut-offs that differ by less are the same as printed.
+        const SAME: f64 = 1e-6;
+        let asked = &case.input.surface;
+        let mut filters = Self {
+            preparation: case.preparation,
+            stated: Vec::new(),
+            overridden: None,
+        };
+        // What was filtered before has been filtered with them.
+        let unfiltered = reading.filter(|r| r.filter_state != FilterState::Roughness);
+        let Some(facts) = unfiltered.map(|reading| &reading.metadata) else {
+            return filters;
+        };
+        let mut others = Vec::new();
+        let preparation = &mut filters.preparation;
+        for (key, name, given, of_file, used) in [
+            (
+                "surface.cutoff",
+                "λc",
+                asked.cutoff,
+                facts.lambda_c,
+                &mut preparation.lambda_c,
+            ),
+            (
+                "surface.noise_cutoff",
+                "λs",
+                asked.noise_cutoff,
+                facts.lambda_s,
+                &mut preparation.lambda_s,
+            ),
+        ] {
+            let Some(of_file) = of_file else {
+                continue;
+            };
+            match given {
+                None => {
+                    *used = Some(of_file);
+                    filters.stated.push(DefaultUsed {
+                        key: key.into(),
+                        value: format!("\"{of_file}\""),
+                        source: Some(format!("stated in {file}").into()),
+                    });
+                }
+                Some(given) if (given / of_file - 1.0).abs() > SAME => {
+                    others.push(format!("{name} {of_file}, the case {key} = {given}"));
+                }
+                Some(_) => {}
+            }
+        }
+        if !others.is_empty() {
+            filters.overridden = Some(Warning::new(
+                "W129",
+                format!("{file}: the file states {}", others.join("; ")),
+            ));
+        }
+        filters
+    }
 }
 
 /// A trace as measured; how it was read and the SHA-256 of its file where it comes from one.
@@ -277,7 +369,9 @@ fn read_trace(
         }
     };
     let options = read_options(input);
-    let read = read_bytes(&file.display().to_string(), &bytes, &options);
+    let conditions = given.files.conditions(file);
+    let name = file.display().to_string();
+    let read = read_with_conditions(&name, &bytes, conditions.as_deref(), &options);
     let plausible = read.and_then(|reading| reading.check_heights().map(|()| reading));
     let reading = plausible.map_err(|error| CaseError::Profile {
         place: source.place_of(key),
@@ -302,7 +396,7 @@ fn read_trace(
     })
 }
 
-/// What the keys of a flank say to the reader.
+/// Options of the reader from the keys of a flank.
 fn read_options(input: &FlankInput) -> ReadOptions {
     ReadOptions {
         x_unit: input.x_unit,

@@ -1,11 +1,13 @@
 //! A case with its traces: from a file, from a text with a resolver, from a value, or changed from another.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use asperity_core::provenance::Provenance;
+use asperity_profile_io::read::whole_file;
 use asperity_tribo_friction::XuCalibration;
 
+use super::defaults::DefaultUsed;
 use super::error::CaseError;
 use super::files::{Content, Files, XU_COEFFICIENTS};
 use super::flanks::{Flanks, flanks};
@@ -35,6 +37,8 @@ pub struct LoadedCase {
     pub provenance: Provenance,
     /// Equations that the preparation of the traces used, which a change of the case may keep.
     of_flanks: Provenance,
+    /// Values that follow from the flanks and their files.
+    assumed: Vec<DefaultUsed>,
     /// Name of the case, for messages about what is changed.
     name: Arc<str>,
     files: Arc<Files>,
@@ -168,6 +172,17 @@ impl LoadedCase {
         self.changed_to(input)
     }
 
+    /// Folder that records of mixed lubrication are kept in; none where the case turns that off, came without
+    /// files, or the user has no cache folder.
+    pub(crate) fn record_folder(&self) -> Option<PathBuf> {
+        let beside = self.files.folder()?;
+        match self.case.model.ehl.cache.as_str() {
+            "off" => None,
+            "user" => user_cache_folder(),
+            folder => Some(beside.join(folder)),
+        }
+    }
+
     fn changed_to(&self, input: CaseInput) -> Result<Self, Error> {
         // Lines of the file would be those of the values before.
         let source = Source::without_text(&self.name);
@@ -201,12 +216,15 @@ pub fn open_source(path: &Path) -> Result<Source, Error> {
     Ok(open(path)?)
 }
 
+/// Bytes of the largest case file: no case is longer.
+const LARGEST_CASE: u64 = 10_000_000;
+
 fn open(path: &Path) -> Result<Source, CaseError> {
     let file = path.display().to_string();
     if path.is_dir() {
         return Err(CaseError::Folder { file });
     }
-    match std::fs::read(path) {
+    match whole_file(path, LARGEST_CASE) {
         Ok(bytes) => Source::from_bytes(&file, &bytes),
         Err(reason) => Err(CaseError::Open { file, reason }),
     }
@@ -263,18 +281,15 @@ pub(super) fn complete(
             surfaces: before.surfaces.clone(),
             reports: before.flanks.clone(),
             warnings: of_files(&before.warnings),
-            assumed: before
-                .case
-                .defaults
-                .iter()
-                .filter(|default| is_of_a_flank(&default.key))
-                .cloned()
-                .collect(),
+            assumed: before.assumed.clone(),
             provenance: before.of_flanks.clone(),
         },
         _ => flanks(&case, source, &files)?,
     };
-    case.defaults.extend(assumed);
+    // What a file states stands in place of the default.
+    let is_told = |default: &DefaultUsed| assumed.iter().all(|stated| stated.key != default.key);
+    case.defaults.retain(is_told);
+    case.defaults.extend(assumed.iter().cloned());
     if case.model.run_in && !surfaces.are_measured() {
         let key = "model.run_in";
         return Err(CaseError::Conflict {
@@ -293,16 +308,22 @@ pub(super) fn complete(
         warnings,
         provenance,
         of_flanks,
+        assumed,
         name: source.name().into(),
         files,
     })
 }
 
-/// Whether a default is a roughness value of a flank.
-fn is_of_a_flank(key: &str) -> bool {
-    ["surface.pinion.", "surface.wheel."]
-        .iter()
-        .any(|table| key.starts_with(table))
+/// The cache folder of the user by the rules of the system.
+fn user_cache_folder() -> Option<PathBuf> {
+    let named = |name: &str| {
+        let folder = PathBuf::from(std::env::var_os(name)?);
+        folder.is_absolute().then_some(folder)
+    };
+    let root = named("XDG_CACHE_HOME")
+        .or_else(|| named("LOCALAPPDATA"))
+        .or_else(|| Some(named("HOME")?.join(".cache")))?;
+    Some(root.join("asperity"))
 }
 
 fn xu_calibration(file: &Path, source: &Source, files: &Files) -> Result<XuCalibration, CaseError> {

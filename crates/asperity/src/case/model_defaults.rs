@@ -10,7 +10,7 @@ use asperity_tribo_friction::boundary::BOUNDARY_FRICTION;
 use super::input::Formulation;
 use super::law_names::{FilmFrictionLaw, LoadShareName};
 
-/// What a formulation takes where the case says nothing.
+/// Defaults of a formulation where the case says nothing.
 #[derive(Debug, Clone)]
 pub(super) struct ModelDefaults {
     /// One position stands for the whole mesh.

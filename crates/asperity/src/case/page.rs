@@ -191,7 +191,7 @@ fn text_of(node: &Value) -> String {
     text.replace('\n', " ").replace('|', "\\|")
 }
 
-/// What may stand at a key, in words.
+/// Values a key accepts, in words.
 fn takes(schema: &Value, node: &Value) -> String {
     let mut kinds: Vec<String> = Vec::new();
     for kind in resolved(schema, node)

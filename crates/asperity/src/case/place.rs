@@ -17,6 +17,9 @@ pub struct Place {
     pub column: Option<usize>,
     /// Byte range in the text; `None` as for the line.
     pub span: Option<Range<usize>>,
+    /// Mesh of a planetary set that the key is about, whose gears are called pinion and wheel there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mesh: Option<&'static str>,
 }
 
 impl Place {
@@ -32,8 +35,12 @@ impl Place {
 impl std::fmt::Display for Place {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self.line {
-            Some(line) => write!(f, "{}:{line}", self.file),
-            None => write!(f, "{}", self.file),
+            Some(line) => write!(f, "{}:{line}", self.file)?,
+            None => write!(f, "{}", self.file)?,
+        }
+        match self.mesh {
+            Some(mesh) => write!(f, " ({mesh})"),
+            None => Ok(()),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What the parsers of TOML and JSON say, in words of the case file instead of Rust.
+//! Messages of the TOML and JSON parsers, in words of the case file instead of Rust.
 
 use serde_json::Value;
 
@@ -36,7 +36,7 @@ pub(super) fn plain(schema: &Value, key: Option<&str>, message: &str) -> String 
     message.to_owned()
 }
 
-/// What Rust calls a type, as a case file calls it.
+/// Name of a Rust type in the words of a case file.
 fn noun(expected: &str) -> &str {
     match expected {
         "i32" | "i64" => "a whole number",
@@ -52,7 +52,7 @@ fn noun(expected: &str) -> &str {
     }
 }
 
-/// What the schema says of a key, in brackets.
+/// Description of a key in the schema, in brackets.
 fn meaning(schema: &Value, key: &str) -> String {
     let Some(found) = property(schema, key) else {
         return String::new();

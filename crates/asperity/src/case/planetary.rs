@@ -3,7 +3,9 @@
 //! In the mesh of sun and planet the sun is the pinion; in that of planet and ring the planet is. Speeds are those
 //! relative to the carrier.
 
+use std::collections::BTreeSet;
 use std::path::Path;
+use std::sync::Arc;
 
 use asperity_core::lubricant::LubricantInput;
 use asperity_core::quantity::{Angle, AngularSpeed, Length};
@@ -14,17 +16,19 @@ use asperity_roughness::gaussian_filter::Ends;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::builder::CaseBuilder;
+use super::check::{completed, readable};
 use super::defaults::{DefaultUsed, Defaults};
 use super::error::CaseError;
+use super::files::Files;
 use super::gear_input::GearFlankInput;
 use super::input::{
-    BodyInput, CaseInput, FlankInput, GearsInput, MaterialInput, ModelInput, OneOrTwo,
+    BodyInput, CaseInput, FlankInput, Formulation, GearsInput, MaterialInput, ModelInput, OneOrTwo,
     OperationInput, SurfaceInput,
 };
 use super::known_keys::first_unknown;
-use super::loaded::LoadedCase;
-use super::source::Source;
+use super::loaded::{LoadedCase, complete, open_source};
+use super::set::set_key;
+use super::source::{MeshKeys, Source};
 use crate::error::Error;
 
 /// A planetary case as the user writes it. Torque and speed of the operation are those of the sun.
@@ -110,11 +114,11 @@ pub struct PlanetarySurfaceInput {
     pub ring: Option<FlankInput>,
     /// Form removed from each trace; default `level` (a straight line).
     pub form: Option<Form>,
-    /// Cut-off λc; default 0.8 mm.
+    /// Cut-off λc; default as the file states, else 0.25 mm.
     pub cutoff: Option<Length>,
-    /// Cut-off λs; default 2.5 um.
+    /// Cut-off λs; default as the file states, else 2.5 um.
     pub noise_cutoff: Option<Length>,
-    /// What the filters do at the ends of a trace; default `cut`.
+    /// Treatment of the ends of a trace by the filters; default `cut`.
     pub ends: Option<Ends>,
 }
 
@@ -126,13 +130,13 @@ pub struct LoadedPlanetary {
     pub title: String,
     /// The set.
     pub set: PlanetarySet,
-    /// What drives it.
+    /// Operating point.
     pub operation: PlanetaryOperation,
     /// The meshes of sun and planet, and of planet and ring.
     pub meshes: [LoadedCase; 2],
     /// The case as read.
     pub input: PlanetaryCaseInput,
-    /// Defaults of the set that were used; those of the meshes are theirs.
+    /// Every default that was used, by the keys of the set.
     pub defaults: Vec<DefaultUsed>,
 }
 
@@ -141,51 +145,224 @@ pub fn schema() -> serde_json::Value {
     schemars::schema_for!(PlanetaryCaseInput).to_value()
 }
 
+/// Whether the text is of a planetary set: it has a table `[planetary]`.
+pub fn is_planetary(source: &Source) -> bool {
+    source.key_paths().any(|key| key == "planetary")
+}
+
 /// Reads the planetary case file `path` and the traces it names; none when the file holds no `[planetary]`.
 ///
 /// # Errors
 /// When a file cannot be read or says something that cannot be.
 pub fn load(path: &Path) -> Result<Option<LoadedPlanetary>, Error> {
     // Files that cannot be read are told by the loader of ordinary cases.
-    let Ok(bytes) = std::fs::read(path) else {
+    let Ok(source) = open_source(path) else {
         return Ok(None);
     };
-    let Ok(source) = Source::from_bytes(&path.display().to_string(), &bytes) else {
-        return Ok(None);
-    };
-    if !source.key_paths().any(|key| key == "planetary") {
+    if !is_planetary(&source) {
         return Ok(None);
     }
-    let read = || {
-        if let Some((key, nearest)) = first_unknown(&schema(), source.key_paths()) {
+    load_set(source, path.parent().unwrap_or(Path::new(".")), &[], None).map(Some)
+}
+
+/// The planetary case in `source`, whose files are in `folder`, with keys set past the text, each by its path,
+/// and with both meshes in `formulation` where that is given.
+///
+/// # Errors
+/// As for [`load`], or when a key is not known or its value cannot be read.
+pub fn load_set(
+    source: Source,
+    folder: &Path,
+    keys: &[(String, String)],
+    formulation: Option<Formulation>,
+) -> Result<LoadedPlanetary, Error> {
+    let mut source = source;
+    let read = |source: &mut Source| -> Result<LoadedPlanetary, CaseError> {
+        let schema = schema();
+        if let Some((key, nearest)) = first_unknown(&schema, source.key_paths()) {
             return Err(CaseError::UnknownKey {
                 place: source.place_of_key(key),
                 key: key.to_owned(),
                 nearest,
             });
         }
-        let input: PlanetaryCaseInput = source.read()?;
-        let (set, operation, defaults) = set(&input, &source)?;
-        Ok((input, set, operation, defaults))
+        let mut input: PlanetaryCaseInput = source.read()?;
+        for (key, value) in keys {
+            source.set(key, value);
+            set_key(&mut input, &schema, source.place_of(key), key, value)?;
+        }
+        let files = Arc::new(Files::in_folder(folder));
+        let Derived {
+            set,
+            operation,
+            defaults,
+            cases,
+        } = derived(&input, source)?;
+        let mut meshes = Vec::with_capacity(2);
+        for (case, mesh) in cases.into_iter().zip(&MESHES) {
+            let case = CaseInput {
+                formulation,
+                ..case
+            };
+            let source = source.of_mesh(mesh.keys);
+            meshes.push(complete(case, &source, Arc::clone(&files), None)?);
+        }
+        loaded(input, set, operation, defaults, meshes)
     };
-    let (input, set, operation, defaults) =
-        read().map_err(|error| Error::in_text(error, source.clone()))?;
-    let folder = path.parent().unwrap_or(Path::new("."));
-    let meshes = meshes(&input, &set, &operation)
-        .map_err(|error| Error::in_text(refused(&source)(error), source.clone()))?;
-    let [sun_planet, planet_ring] = meshes;
-    let build = |case| CaseBuilder::of(case, folder).build();
-    Ok(Some(LoadedPlanetary {
+    read(&mut source).map_err(|error| Error::in_text(error, source))
+}
+
+/// The errors of a planetary case, or the case.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct SetFindings {
+    /// Every error, in the order in which they were found; empty when the case runs.
+    pub errors: Vec<Error>,
+    /// The case with its traces, where there is no error.
+    pub case: Option<LoadedPlanetary>,
+}
+
+/// Reads the planetary case in `source` as [`load_set`] does, and goes on after an error.
+pub fn check(source: Source, folder: &Path, keys: &[(String, String)]) -> SetFindings {
+    let mut source = source;
+    let mut errors = Vec::new();
+    let case = all(&mut source, folder, keys, &mut errors);
+    let errors: Vec<Error> = errors
+        .into_iter()
+        .map(|error| Error::in_text(error, source.clone()))
+        .collect();
+    SetFindings {
+        case: case.filter(|_| errors.is_empty()),
+        errors,
+    }
+}
+
+fn all(
+    source: &mut Source,
+    folder: &Path,
+    keys: &[(String, String)],
+    errors: &mut Vec<CaseError>,
+) -> Option<LoadedPlanetary> {
+    let schema = schema();
+    let (mut input, mut mending) =
+        readable::<PlanetaryCaseInput>(source, schema.clone(), RIGHT, errors)?;
+    for (key, value) in keys {
+        source.set(key, value);
+        if let Err(error) = set_key(&mut input, &schema, source.place_of(key), key, value) {
+            mending.blame(key);
+            errors.push(error);
+        }
+    }
+    let derived = match derived(&input, source) {
+        Ok(derived) => derived,
+        Err(error) => {
+            if !mending.is_known("planetary") {
+                errors.push(error);
+            }
+            return None;
+        }
+    };
+    let Derived {
+        set,
+        operation,
+        defaults,
+        cases,
+    } = derived;
+    let mut meshes = Vec::with_capacity(2);
+    for (case, mesh) in cases.into_iter().zip(&MESHES) {
+        let source = source.of_mesh(mesh.keys);
+        let mending = mending.of_mesh(mesh.keys)?;
+        let mut found = Vec::new();
+        meshes.extend(completed(case, &source, folder, mending, &mut found));
+        // What both meshes share is wrong in both.
+        let told: BTreeSet<_> = errors.iter().map(identity).collect();
+        errors.extend(
+            found
+                .into_iter()
+                .filter(|error| !told.contains(&identity(error))),
+        );
+    }
+    loaded(input, set, operation, defaults, meshes).ok()
+}
+
+/// Identity of an error: its code with the line it names, or with its text where it names none.
+fn identity(error: &CaseError) -> (&'static str, Option<usize>, String) {
+    let line = error.place().and_then(|place| place.line);
+    let text = line.map_or_else(|| error.to_string(), |_| String::new());
+    (error.code(), line, text)
+}
+
+/// A planetary case that is right, from which replacements are taken.
+const RIGHT: &str = r#"
+planetary = { teeth = [27, 24, -75], planets = 3, module = "2 mm", face_width = ["30 mm", "30 mm", "30 mm"] }
+operation = { torque = "100 N m", speed = "3000 1/min", temperature = "60 °C" }
+lubricant = { oil = "m100" }
+surface = { sun = { rq = "0.3 um" }, planet = { rq = "0.3 um" }, ring = { rq = "0.3 um" } }
+"#;
+
+/// Set and mesh cases derived from a planetary case.
+struct Derived {
+    set: PlanetarySet,
+    operation: PlanetaryOperation,
+    defaults: Vec<DefaultUsed>,
+    cases: [CaseInput; 2],
+}
+
+fn derived(input: &PlanetaryCaseInput, source: &Source) -> Result<Derived, CaseError> {
+    let (set, operation, defaults) = set(input, source)?;
+    let cases = meshes(input, &set, &operation).map_err(refused(source))?;
+    Ok(Derived {
+        set,
+        operation,
+        defaults,
+        cases,
+    })
+}
+
+/// The defaults of a mesh that are keys of the set, each once.
+fn add_defaults(defaults: &mut Vec<DefaultUsed>, mesh: &LoadedCase, keys: MeshKeys) {
+    let schema = schema();
+    for default in &mesh.case.defaults {
+        let key = match keys.in_set(&default.key) {
+            Some(in_set) => in_set.into(),
+            None => default.key.clone(),
+        };
+        let is_known = first_unknown(&schema, std::iter::once(&*key)).is_none();
+        if is_known && defaults.iter().all(|before| before.key != key) {
+            defaults.push(DefaultUsed {
+                key,
+                ..default.clone()
+            });
+        }
+    }
+}
+
+fn loaded(
+    input: PlanetaryCaseInput,
+    set: PlanetarySet,
+    operation: PlanetaryOperation,
+    mut defaults: Vec<DefaultUsed>,
+    meshes: Vec<LoadedCase>,
+) -> Result<LoadedPlanetary, CaseError> {
+    for (loaded, mesh) in meshes.iter().zip(&MESHES) {
+        add_defaults(&mut defaults, loaded, mesh.keys);
+    }
+    let meshes = <[LoadedCase; 2]>::try_from(meshes).map_err(|_| CaseError::Conflict {
+        place: Source::in_memory().place_of("planetary"),
+        key: "planetary",
+        rule: "needs both of its meshes",
+    })?;
+    Ok(LoadedPlanetary {
         title: input
             .title
             .clone()
             .unwrap_or_else(|| "untitled set".to_owned()),
-        meshes: [build(sun_planet)?, build(planet_ring)?],
+        meshes,
         set,
         operation,
         input,
         defaults,
-    }))
+    })
 }
 
 fn refused(source: &Source) -> impl Fn(GearError) -> CaseError + '_ {
@@ -251,16 +428,41 @@ fn set(
 struct Mesh {
     gears: [usize; 2],
     name: &'static str,
+    keys: MeshKeys,
 }
 
 const MESHES: [Mesh; 2] = [
     Mesh {
         gears: [0, 1],
         name: "sun and planet",
+        keys: MeshKeys {
+            name: "mesh of the sun, its pinion, and a planet",
+            tables: &[
+                ("gears.pinion", "planetary.sun"),
+                ("gears.wheel", "planetary.planet"),
+                ("gears", "planetary"),
+                ("material.pinion", "material.sun"),
+                ("material.wheel", "material.planet"),
+                ("surface.pinion", "surface.sun"),
+                ("surface.wheel", "surface.planet"),
+            ],
+        },
     },
     Mesh {
         gears: [1, 2],
         name: "planet and ring",
+        keys: MeshKeys {
+            name: "mesh of a planet, its pinion, and the ring",
+            tables: &[
+                ("gears.pinion", "planetary.planet"),
+                ("gears.wheel", "planetary.ring"),
+                ("gears", "planetary"),
+                ("material.pinion", "material.planet"),
+                ("material.wheel", "material.ring"),
+                ("surface.pinion", "surface.planet"),
+                ("surface.wheel", "surface.ring"),
+            ],
+        },
     },
 ];
 

@@ -22,8 +22,8 @@ use super::source::Source;
 use super::steel::materials;
 use crate::laws::Laws;
 
-/// Cut-offs of ISO 16610-21 practice: λc 0.8 mm, λs 2.5 µm.
-const CUTOFF: Length = Length::from_si(0.8e-3);
+/// Cut-offs of gear practice: λc 0.25 mm, which a flank a few millimetres long holds several times, λs 2.5 µm.
+const CUTOFF: Length = Length::from_si(0.25e-3);
 const NOISE_CUTOFF: Length = Length::from_si(2.5e-6);
 
 /// A case with every choice made.
@@ -57,7 +57,7 @@ pub struct Case {
     pub oil: LubricantState,
     /// The oil in the film, where film friction or load share look at it.
     pub rheology: Option<FilmRheology>,
-    /// What about the oil was outside the range of its laws.
+    /// Properties of the oil outside the range of its laws.
     pub oil_notes: Vec<OutOfRange>,
     /// How the traces are prepared.
     pub preparation: Preparation,
@@ -111,21 +111,20 @@ pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
     };
     check_load(&mesh, &model, formulation, source)?;
     let mut oil_state = oil.value;
-    let rheology =
-        match model.film_friction.shear_law().is_some() || model.load_share.supply().is_some() {
-            false => None,
-            true => {
-                let rheology = rheology(&lubricant, &model, operation.temperature)
-                    .map_err(rheology_at(source))?;
-                // One film in the whole run: as thick as the film friction has it.
-                let state = rheology
-                    .state(operation.temperature)
-                    .map_err(rheology_at(source))?;
-                oil_state.pressure_viscosity = state.pressure_viscosity;
-                oil_state.thermal_conductivity = state.conductivity;
-                Some(rheology)
-            }
-        };
+    let rheology = match model.film_friction.shear_law().is_some() || model.shears_its_film() {
+        false => None,
+        true => {
+            let rheology =
+                rheology(&lubricant, &model, operation.temperature).map_err(rheology_at(source))?;
+            // One film in the whole run: as thick as the film friction has it.
+            let state = rheology
+                .state(operation.temperature)
+                .map_err(rheology_at(source))?;
+            oil_state.pressure_viscosity = state.pressure_viscosity;
+            oil_state.thermal_conductivity = state.conductivity;
+            Some(rheology)
+        }
+    };
     Ok(Case {
         title: input
             .title

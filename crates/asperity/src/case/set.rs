@@ -1,5 +1,7 @@
 //! Keys of a case set by their path, and the case as text.
 
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use toml::{Table, Value};
 
 use super::error::CaseError;
@@ -43,25 +45,7 @@ impl CaseInput {
         path: &str,
         value: &str,
     ) -> Result<(), CaseError> {
-        let schema = schema();
-        if let Some((key, nearest)) = first_unknown(&schema, std::iter::once(path)) {
-            return Err(CaseError::UnknownKey {
-                place,
-                key: key.to_owned(),
-                nearest,
-            });
-        }
-        let typed = typed(value);
-        let is_text = typed.is_str();
-        let first = match self.replaced(path, typed, &place) {
-            // Text that looks like something else, as a title of digits.
-            Err(_) if !is_text && takes_text(&schema, path) => {
-                self.replaced(path, Value::String(value.to_owned()), &place)
-            }
-            replaced => replaced,
-        };
-        *self = first?;
-        Ok(())
+        set_key(self, &schema(), place, path, value)
     }
 
     /// Takes the key at `path` away, so that its default holds again.
@@ -78,7 +62,7 @@ impl CaseInput {
             }
             .into());
         }
-        let mut root = self.table(&place)?;
+        let mut root = table_of(self, &place)?;
         let (above, last) = path.rsplit_once('.').unwrap_or(("", path));
         let mut table = Some(&mut root);
         for part in above.split('.').filter(|part| !part.is_empty()) {
@@ -87,7 +71,7 @@ impl CaseInput {
         if let Some(table) = table {
             table.remove(last);
         }
-        *self = read(root, &place)?;
+        *self = read(root, &schema(), &place)?;
         Ok(())
     }
 
@@ -105,37 +89,72 @@ impl CaseInput {
         let text = toml::to_string_pretty(self).map_err(|error| unwritten(error.to_string()))?;
         Ok(text)
     }
+}
 
-    fn table(&self, place: &Place) -> Result<Table, CaseError> {
-        Table::try_from(self).map_err(|error| CaseError::Value {
-            place: place.clone(),
-            key: None,
-            message: error.to_string(),
-        })
+/// Sets the key at `path` of a case that `schema` describes; the case is unchanged where that fails.
+pub(super) fn set_key<T: Serialize + DeserializeOwned>(
+    case: &mut T,
+    schema: &serde_json::Value,
+    place: Place,
+    path: &str,
+    value: &str,
+) -> Result<(), CaseError> {
+    if let Some((key, nearest)) = first_unknown(schema, std::iter::once(path)) {
+        return Err(CaseError::UnknownKey {
+            place,
+            key: key.to_owned(),
+            nearest,
+        });
     }
-
-    fn replaced(&self, path: &str, value: Value, place: &Place) -> Result<Self, CaseError> {
-        let mut root = self.table(place)?;
-        let (above, last) = path.rsplit_once('.').unwrap_or(("", path));
-        let mut table = &mut root;
-        for part in above.split('.').filter(|part| !part.is_empty()) {
-            let entry = table
-                .entry(part)
-                .or_insert_with(|| Value::Table(Table::new()));
-            table = match entry {
-                Value::Table(inner) => inner,
-                other => {
-                    return Err(CaseError::Value {
-                        place: place.clone(),
-                        key: Some(path.to_owned()),
-                        message: format!("{part} is {other} and no table"),
-                    });
-                }
-            };
+    let typed = typed(value);
+    let is_text = typed.is_str();
+    let replaced = match replaced(case, schema, path, typed, &place) {
+        // Text that looks like something else, as a title of digits.
+        Err(_) if !is_text && takes_text(schema, path) => {
+            let text = Value::String(value.to_owned());
+            replaced(case, schema, path, text, &place)
         }
-        table.insert(last.to_owned(), value);
-        read(root, place)
+        replaced => replaced,
+    };
+    *case = replaced?;
+    Ok(())
+}
+
+fn table_of<T: Serialize>(case: &T, place: &Place) -> Result<Table, CaseError> {
+    Table::try_from(case).map_err(|error| CaseError::Value {
+        place: place.clone(),
+        key: None,
+        message: error.to_string(),
+    })
+}
+
+fn replaced<T: Serialize + DeserializeOwned>(
+    case: &T,
+    schema: &serde_json::Value,
+    path: &str,
+    value: Value,
+    place: &Place,
+) -> Result<T, CaseError> {
+    let mut root = table_of(case, place)?;
+    let (above, last) = path.rsplit_once('.').unwrap_or(("", path));
+    let mut table = &mut root;
+    for part in above.split('.').filter(|part| !part.is_empty()) {
+        let entry = table
+            .entry(part)
+            .or_insert_with(|| Value::Table(Table::new()));
+        table = match entry {
+            Value::Table(inner) => inner,
+            other => {
+                return Err(CaseError::Value {
+                    place: place.clone(),
+                    key: Some(path.to_owned()),
+                    message: format!("{part} is {other} and no table"),
+                });
+            }
+        };
     }
+    table.insert(last.to_owned(), value);
+    read(root, schema, place)
 }
 
 /// A value as a case file would have it; bare text where it is none.
@@ -155,13 +174,17 @@ fn takes_text(schema: &serde_json::Value, path: &str) -> bool {
     })
 }
 
-fn read(root: Table, place: &Place) -> Result<CaseInput, CaseError> {
+fn read<T: DeserializeOwned>(
+    root: Table,
+    schema: &serde_json::Value,
+    place: &Place,
+) -> Result<T, CaseError> {
     serde_path_to_error::deserialize(Value::Table(root)).map_err(|error| {
         let key = key_of(error.path());
         let message = error.inner().message().to_owned();
         CaseError::Value {
             place: place.clone(),
-            message: plain(&schema(), key.as_deref(), &message),
+            message: plain(schema, key.as_deref(), &message),
             key,
         }
     })

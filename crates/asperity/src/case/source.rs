@@ -32,6 +32,35 @@ pub struct Source {
     written: BTreeMap<String, String>,
     /// Keys that were set past the text.
     changed: BTreeSet<String>,
+    /// Where the text is of a planetary set: the mesh that this is the source of.
+    mesh: Option<MeshKeys>,
+}
+
+/// Mesh of a planetary set, whose keys stand elsewhere in the text than those of an ordinary case.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct MeshKeys {
+    /// Name of the mesh, for messages.
+    pub name: &'static str,
+    /// Tables of the case of the mesh, the longer before their beginnings, with those of the set.
+    pub tables: &'static [(&'static str, &'static str)],
+}
+
+impl MeshKeys {
+    /// The key of the set that is meant by `key` of the mesh; none where both have the same.
+    pub fn in_set(&self, key: &str) -> Option<String> {
+        self.tables.iter().find_map(|(of_mesh, of_set)| {
+            let rest = key.strip_prefix(of_mesh)?;
+            (rest.is_empty() || rest.starts_with('.')).then(|| format!("{of_set}{rest}"))
+        })
+    }
+
+    /// The part of the mesh's case that `part` of the set goes into.
+    pub fn in_mesh(&self, part: &str) -> Option<String> {
+        self.tables.iter().find_map(|(of_mesh, of_set)| {
+            let rest = part.strip_prefix(of_set)?;
+            (rest.is_empty() || rest.starts_with('.')).then(|| format!("{of_mesh}{rest}"))
+        })
+    }
 }
 
 impl Source {
@@ -50,6 +79,7 @@ impl Source {
             keys: BTreeMap::new(),
             written: BTreeMap::new(),
             changed: BTreeSet::new(),
+            mesh: None,
         }
     }
 
@@ -103,9 +133,18 @@ impl Source {
                         line: Some(line),
                         column: None,
                         span: None,
+                        mesh: None,
                     },
                 })
             }
+        }
+    }
+
+    /// The source of one mesh of the planetary set in this text.
+    pub(super) fn of_mesh(&self, mesh: MeshKeys) -> Self {
+        Self {
+            mesh: Some(mesh),
+            ..self.clone()
         }
     }
 
@@ -142,6 +181,8 @@ impl Source {
 
     /// The value of `key` as it stands in the file; none for a table, or where it is not there.
     pub fn written(&self, key: &str) -> Option<&str> {
+        let in_set = self.mesh.and_then(|mesh| mesh.in_set(key));
+        let key = in_set.as_deref().unwrap_or(key);
         self.written.get(key).map(String::as_str)
     }
 
@@ -177,6 +218,19 @@ impl Source {
     }
 
     fn nearest(&self, index: &BTreeMap<String, Range<usize>>, key: &str) -> Place {
+        let Some(mesh) = self.mesh else {
+            return self.nearest_in(index, key);
+        };
+        match mesh.in_set(key) {
+            Some(in_set) => Place {
+                mesh: Some(mesh.name),
+                ..self.nearest_in(index, &in_set).about(key)
+            },
+            None => self.nearest_in(index, key),
+        }
+    }
+
+    fn nearest_in(&self, index: &BTreeMap<String, Range<usize>>, key: &str) -> Place {
         let mut path = key;
         loop {
             if self.changed.contains(path) {
@@ -215,6 +269,7 @@ impl Source {
             column: before
                 .map(|before| 1 + before.chars().rev().take_while(|c| *c != '\n').count()),
             span,
+            mesh: None,
         }
     }
 
@@ -225,6 +280,7 @@ impl Source {
             line: (line > 0).then_some(line),
             column: None,
             span: None,
+            mesh: None,
         }
     }
 

@@ -46,7 +46,7 @@ pub enum LoadShareError {
     /// A scalar equation without root.
     #[error("the {quantity} has no solution: {source}")]
     NoRoot {
-        /// What was looked for.
+        /// Name that was looked for.
         quantity: &'static str,
         /// Where the search ended.
         source: RootError,

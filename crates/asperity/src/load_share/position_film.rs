@@ -158,7 +158,7 @@ pub struct PositionFilm<'a> {
     outside: Vec<OutOfRange>,
 }
 
-/// What the contact says at the share found.
+/// State of the contact at the share found.
 struct Touching<'s> {
     share: Solved,
     mean_gap: Length,
@@ -554,7 +554,7 @@ impl<'a> PositionFilm<'a> {
     }
 }
 
-/// What the film formulas see of a contact.
+/// Inputs of the film formulas from a contact.
 fn conditions(
     rheology: &FilmRheology,
     contact: &LineContact,

@@ -21,7 +21,7 @@ const LEAST_FLOW_PRESSURE: f64 = 1.5;
 /// Starts are kept this far below the pressure limit, so that no cell begins fixed.
 const BELOW_LIMIT: f64 = 0.999;
 
-/// What a rough contact is made of.
+/// Inputs of a rough contact.
 #[derive(Debug, Clone, Copy)]
 pub struct RoughWindow<'a> {
     /// Heights z₁ + z₂ of the composite window \[m\], the contact in its middle; not attenuated.

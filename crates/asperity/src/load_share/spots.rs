@@ -23,7 +23,7 @@ use super::rough_contact::Spot;
 /// Thinnest film that the shear rate of a spot is taken of.
 const THINNEST: f64 = 1e-9;
 
-/// What all spots of a contact have in common.
+/// Data common to all spots of a contact.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SpotConditions<'a> {
     pub(super) rheology: &'a FilmRheology,

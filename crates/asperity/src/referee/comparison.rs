@@ -58,7 +58,7 @@ pub struct ShareComparison {
     pub laws: Vec<LawShare>,
 }
 
-/// What the laws that solve for it make of a window.
+/// Solution of a window by the laws that solve for it.
 struct Window {
     roughness: Roughness,
     solved: LoadShareSolution,

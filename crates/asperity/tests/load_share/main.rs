@@ -346,7 +346,7 @@ fn load_share_of_the_reference_windows() {
     }
 }
 
-/// What twelve rows leave of the share and of the coefficient of one window: 0.0053 and 0.6 % at most in these
+/// Error that twelve rows leave in the share and of the coefficient of one window: 0.0053 and 0.6 % at most in these
 /// windows; over the path of the e-drive pair it averages out to 4e-5 of the loss.
 const TABLE_SHARE: f64 = 0.01;
 const TABLE_FRICTION: f64 = 0.01;

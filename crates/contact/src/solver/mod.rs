@@ -347,7 +347,7 @@ impl Solver {
 
     /// The solution that the workspace holds, when its certificate is good enough, with its gap
     ///
-    /// g = h + u − δ  `[P1]`
+    /// g = h + u − δ  `[Gap-deformed]`
     fn conclude(
         &mut self,
         discrete: &DiscreteProblem,
@@ -369,7 +369,7 @@ impl Solver {
             });
         }
         // The gap of `deformed_gap`, in place.
-        cite!("P1");
+        cite!("Gap-deformed");
         let pressure = std::mem::take(&mut self.work.pressure);
         let problem = discrete.problem;
         let approach = discrete.approach(&pressure, assessment.approach);

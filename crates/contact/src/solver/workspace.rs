@@ -161,9 +161,9 @@ impl Workspace {
 
     /// v = A p + h, with all points listed, and
     ///
-    /// A p = (1/(π·E*))·Σⱼ C_ij·p_j  `[P3]`
+    /// A p = (1/(π·E*))·Σⱼ C_ij·p_j  `[P1]`
     pub(crate) fn refresh(&mut self, displacement: &EvenFilter, task: &Task) {
-        cite!("P3");
+        cite!("P1");
         let points = self.pressure.len();
         let (buffers, pressure) = (&mut self.buffers, &self.pressure);
         displacement.filter(buffers, task.compliance, pressure);

@@ -1,4 +1,4 @@
-//! What can be wrong with a lubricant.
+//! Errors of a lubricant.
 
 use crate::error::DomainError;
 

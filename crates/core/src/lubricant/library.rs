@@ -31,7 +31,7 @@ pub struct LibraryOil {
     pub name: String,
     /// Where the numbers come from.
     pub source: String,
-    /// What to know before using it.
+    /// Notes for its use.
     pub note: String,
     /// The numbers.
     pub lubricant: LubricantInput,

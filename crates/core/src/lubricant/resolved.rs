@@ -286,7 +286,7 @@ impl Lubricant {
         self.thermal_conductivity
     }
 
-    /// What the input did not say.
+    /// Missing input.
     pub fn assumptions(&self) -> &[Assumption] {
         &self.assumptions
     }

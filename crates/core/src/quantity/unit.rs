@@ -40,7 +40,7 @@ pub trait Quantity:
     fn from_si(value: f64) -> Self;
 }
 
-/// What a quantity is called and which units it reads.
+/// Name of a quantity and the units it reads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Description {
     /// Name in messages: "torque".

@@ -19,7 +19,7 @@ pub(crate) struct Linearised<'a> {
     pub(crate) transient: bool,
 }
 
-/// What an iterative solution took.
+/// Effort of an iterative solution.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct LinearEffort {
     pub(crate) iterations: usize,

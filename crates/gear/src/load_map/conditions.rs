@@ -1,4 +1,4 @@
-//! What a law of load distribution is given.
+//! Inputs of a law of load distribution.
 
 use asperity_core::material::Material;
 use asperity_core::quantity::Torque;
@@ -7,7 +7,7 @@ use super::law::LoadMapSettings;
 use crate::pair::GearPair;
 use crate::relief::MicroGeometry;
 
-/// What a law of load distribution knows of a mesh.
+/// Inputs of a law of load distribution.
 #[derive(Debug, Clone, Copy)]
 pub struct LoadConditions<'a> {
     /// The pair.

@@ -68,7 +68,7 @@ pub(crate) struct Row {
     pub(crate) cells: Vec<Cell>,
 }
 
-/// What all rows share.
+/// Data shared by all rows.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Problem<'a> {
     /// F_bn.

@@ -6,7 +6,7 @@ use crate::pair::GearPair;
 use crate::pair_compliance::PairCompliance;
 use crate::relief::Separation;
 
-/// What the cells are filled from.
+/// Data from which the cells are filled.
 #[derive(Debug, Clone)]
 pub(crate) struct Grid {
     pub(crate) compliance: PairCompliance,

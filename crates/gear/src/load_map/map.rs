@@ -34,7 +34,7 @@ pub struct LoadSample {
     pub weight: Length,
 }
 
-/// What is known about how a load map was found.
+/// Evidence of the solution of a load map.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LoadMapEvidence {
     /// Where the stiffness of the teeth came from; none for laws without deflections.

@@ -1,4 +1,4 @@
-//! What holds for any bytes under any name.
+//! Property of any bytes under any name.
 
 #[path = "../../tests/common/drops.rs"]
 mod drops;

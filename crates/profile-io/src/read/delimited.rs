@@ -272,7 +272,7 @@ impl Found<'_> {
         .checked())
     }
 
-    /// What the x column holds: as stated, else by its label.
+    /// Meaning of the x column: as stated, else by its label.
     fn abscissa(&self) -> Abscissa {
         let labelled = self.chosen.x.and_then(|x| self.labels.get(x)?.role);
         match (self.options.abscissa, labelled) {
@@ -446,7 +446,7 @@ impl Found<'_> {
         }
     }
 
-    /// What header lines of the form "name, value" or "name = value" say.
+    /// Values of header lines of the form "name, value" or "name = value".
     fn metadata(&self) -> Metadata {
         let mut metadata = Metadata::default();
         for line in self.header {

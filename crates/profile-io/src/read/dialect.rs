@@ -71,7 +71,7 @@ pub(super) const LONGEST_NUMBER: usize = 64;
 /// Columns looked at; profiles have two to some dozens.
 const MOST_COLUMNS: usize = 1 << 16;
 
-/// What a cell holds.
+/// Content of a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Cell {
     Number(f64),
@@ -95,7 +95,7 @@ impl Dialect {
             .map(trim_cell)
     }
 
-    /// What `cell` holds; a number must be written in digits with this dialect's decimal sign.
+    /// Content of `cell`; a number must be written in digits with this dialect's decimal sign.
     pub(super) fn cell(self, cell: &str) -> Cell {
         match self.number(cell) {
             Some(value) if value.is_finite() => Cell::Number(value),
@@ -151,7 +151,7 @@ fn trim_cell(cell: &str) -> &str {
     quoted.map_or(cell, str::trim)
 }
 
-/// What is known about the dialect beforehand.
+/// Knowledge of the dialect beforehand.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Stated {
     pub separator: Option<Separator>,

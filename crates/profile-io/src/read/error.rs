@@ -22,9 +22,9 @@ pub enum ReadError {
         line: usize,
         /// The cell.
         text: String,
-        /// What the rest of the file looks like.
+        /// Look of the rest of the file.
         dialect: Dialect,
-        /// What to do.
+        /// Advice.
         remedy: CellRemedy,
     },
     /// No line holds a row of numbers.
@@ -42,7 +42,7 @@ pub enum ReadError {
     NotReadable {
         /// Name of the file.
         file: String,
-        /// What the system said.
+        /// Reason the system gave.
         source: std::io::Error,
     },
     /// No unit, and the values do not single one out.
@@ -122,7 +122,7 @@ pub enum ReadError {
     NoSpacing {
         /// Name of the file.
         file: String,
-        /// What the file says about it.
+        /// Statement of the file about it.
         hint: SpacingHint,
     },
     /// A row with too few or too many columns.
@@ -186,9 +186,9 @@ pub enum ReadError {
         file: String,
         /// Its format.
         format: Format,
-        /// What is wrong.
+        /// Fault.
         what: &'static str,
-        /// What was seen, empty when there is nothing to show.
+        /// Value seen, empty when there is nothing to show.
         seen: String,
     },
     /// More bytes than a profile has.
@@ -196,7 +196,7 @@ pub enum ReadError {
     TooLarge {
         /// Name of the file.
         file: String,
-        /// What is too large.
+        /// Part that is too large.
         what: &'static str,
         /// Its size.
         bytes: u64,
@@ -222,7 +222,7 @@ pub enum ReadError {
     RollLength {
         /// Name of the file.
         file: String,
-        /// What x is.
+        /// Meaning of x.
         abscissa: Abscissa,
     },
     /// Heights that no flank has.
@@ -238,7 +238,7 @@ pub enum ReadError {
     Impossible {
         /// Name of the file.
         file: String,
-        /// What it is.
+        /// Title.
         what: &'static str,
         /// Its value.
         value: f64,
@@ -275,7 +275,7 @@ impl ReadError {
         }
     }
 
-    /// What can be done about it.
+    /// Remedy.
     ///
     /// ```
     /// use asperity_core::remedy::{Action, Setting};
@@ -375,7 +375,7 @@ impl ReadError {
     }
 }
 
-/// What to do about a cell that is not a number.
+/// Treatment of a cell that is not a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum CellRemedy {
@@ -412,7 +412,7 @@ impl std::fmt::Display for FirstLine {
     }
 }
 
-/// What a file without an x column says about its spacing.
+/// Statement of a file without an x column about its spacing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum SpacingHint {

@@ -103,7 +103,7 @@ impl std::fmt::Display for Format {
 }
 
 impl Format {
-    /// What the user can do about a format that is not read.
+    /// Remedy for a format that is not read.
     pub fn remedy(self) -> &'static str {
         match self {
             Self::SurfcomConditions => {

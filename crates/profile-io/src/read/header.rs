@@ -1,4 +1,4 @@
-//! What the lines above a table say: which column is what, in which unit, filtered or not.
+//! Header lines above a table: the quantity and unit of each column, filtered or not.
 
 use serde::{Deserialize, Serialize};
 
@@ -21,7 +21,7 @@ pub enum FilterState {
     Roughness,
 }
 
-/// What a column holds, by its label.
+/// Quantity in a column, by its label.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Role {
     X,
@@ -44,7 +44,7 @@ pub(super) enum Stated {
     Other(String),
 }
 
-/// What the header says about one column.
+/// Statement of the header about one column.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Label {
     pub role: Option<Role>,

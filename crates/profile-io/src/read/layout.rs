@@ -30,7 +30,7 @@ impl std::fmt::Display for Dialect {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct TableLayout {
-    /// What separates the columns.
+    /// Separator of the columns.
     pub separator: Separator,
     /// The decimal sign.
     pub decimal: DecimalSign,

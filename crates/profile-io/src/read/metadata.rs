@@ -1,4 +1,4 @@
-//! What an instrument's file says beside the heights.
+//! Metadata of an instrument's file beside the heights.
 
 use asperity_core::quantity::Length;
 use serde::{Deserialize, Serialize};

@@ -45,11 +45,12 @@ mod taylor_hobson;
 mod text;
 mod trace;
 mod units;
+mod whole_file;
 mod x3p;
 mod xml;
 
 use std::io::{Cursor, Read, Seek};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 pub use error::{CellRemedy, FirstLine, ReadError, SpacingHint};
 pub use format::Format;
@@ -62,6 +63,7 @@ pub use options::{
     Uneven, UnknownChoice,
 };
 pub use reading::Reading;
+pub use whole_file::{regular_file, whole_file};
 
 use text::{Head, Start, Stream, Text};
 use trace::Trace;
@@ -91,6 +93,23 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Reading, ReadError> {
     read_streams(&name, &mut *stream, conditions.as_deref(), options)
 }
 
+/// The name of the file of measuring conditions (Surfcom `.tx3`) that belongs to the profile `path`, where its
+/// format has one.
+///
+/// ```
+/// use asperity_profile_io::read::conditions_of;
+/// assert_eq!(conditions_of("flank.tx1".as_ref()), Some("flank.tx3".into()));
+/// assert_eq!(conditions_of("flank.csv".as_ref()), None);
+/// ```
+pub fn conditions_of(path: &Path) -> Option<PathBuf> {
+    let ending = match path.extension()?.to_str()? {
+        "tx1" | "tx2" => "tx3",
+        "TX1" | "TX2" => "TX3",
+        _ => return None,
+    };
+    Some(path.with_extension(ending))
+}
+
 /// A file as it is read again and again; what cannot be (a pipe) is held.
 fn open(path: &Path, name: &str) -> Result<Box<dyn Stream>, ReadError> {
     let unreadable = |source| ReadError::NotReadable {
@@ -100,14 +119,15 @@ fn open(path: &Path, name: &str) -> Result<Box<dyn Stream>, ReadError> {
     if path == Path::new(STANDARD_INPUT) {
         return held(name, std::io::stdin().lock());
     }
-    // Asked before it is opened: opening a pipe waits for its writer, and a device never ends.
-    let kind = std::fs::metadata(path).map_err(unreadable)?.file_type();
-    if !kind.is_file() && !kind.is_dir() {
-        let text =
-            "it is a device or a pipe and not a file; pass - and pipe it into standard input";
-        return Err(unreadable(std::io::Error::other(text)));
-    }
-    Ok(Box::new(std::fs::File::open(path).map_err(unreadable)?))
+    let file = regular_file(path).map_err(|source| {
+        let is_odd = source.kind() == std::io::ErrorKind::Other;
+        let advised = |source| format!("{source}; pass - and pipe it into standard input");
+        unreadable(match is_odd {
+            true => std::io::Error::other(advised(source)),
+            false => source,
+        })
+    })?;
+    Ok(Box::new(file))
 }
 
 /// Bytes that come once, held so that they can be read again.

@@ -1,4 +1,4 @@
-//! What a user may state about a file; every statement wins over what the file looks like.
+//! Statements of a user about a file; each wins over the look of the file.
 
 use std::fmt;
 use std::str::FromStr;
@@ -28,19 +28,19 @@ pub struct ReadOptions {
     pub columns: Option<Columns>,
     /// The decimal sign.
     pub decimal: Option<DecimalSign>,
-    /// What separates the columns.
+    /// Separator of the columns.
     pub separator: Option<Separator>,
     /// The character encoding.
     pub encoding: Option<Encoding>,
-    /// What to do about missing points.
+    /// Treatment of missing points.
     pub gaps: Gaps,
     /// Which profile of a file that holds several, counted from 1.
     pub row: Option<usize>,
-    /// What the x column holds.
+    /// Meaning of the x column.
     pub abscissa: Option<Abscissa>,
     /// Base radius of the gear: an x that is a roll length or angle is converted with it.
     pub base_radius: Option<Length>,
-    /// What to do about an uneven x.
+    /// Treatment of an uneven x.
     pub uneven: Uneven,
 }
 
@@ -149,7 +149,7 @@ pub enum Abscissa {
 
 choice!(Abscissa, "distance, roll-length, roll-degrees, roll-radians": Distance "distance", RollLength "roll-length", RollDegrees "roll-degrees", RollRadians "roll-radians");
 
-/// What to do about an x column that is not even.
+/// Treatment of an x column that is not even.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Uneven {
@@ -232,7 +232,7 @@ pub enum DecimalSign {
 
 choice!(DecimalSign, "point, comma": Point "point", Comma "comma");
 
-/// What stands between two columns.
+/// Separator between two columns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
@@ -272,7 +272,7 @@ pub enum Encoding {
 
 choice!(Encoding, "utf-8, utf-16le, utf-16be, windows-1252": Utf8 "utf-8", Utf16Le "utf-16le", Utf16Be "utf-16be", Windows1252 "windows-1252");
 
-/// What to do about missing points.
+/// Treatment of missing points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Gaps {

@@ -10,7 +10,7 @@ use super::layout::Dialect;
 use super::options::{DecimalSign, Separator};
 use super::table::Chosen;
 
-/// What a column is read for.
+/// Role of a column.
 #[derive(Clone, Copy, PartialEq)]
 enum Use {
     X,
@@ -90,7 +90,7 @@ impl Plain {
         }
     }
 
-    /// What follows the blanks at the start of `rest`.
+    /// Rest after the blanks at the start of `rest`.
     #[inline]
     fn after_blanks<'l>(&self, mut rest: &'l [u8]) -> &'l [u8] {
         while let [byte @ (b' ' | b'\t' | b'\r'), after @ ..] = rest
@@ -102,7 +102,7 @@ impl Plain {
         rest
     }
 
-    /// What follows the separator that `rest` starts with; blanks are none.
+    /// Rest after the separator that `rest` starts with; blanks are none.
     #[inline]
     fn after_separator<'l>(&self, rest: &'l [u8]) -> Option<&'l [u8]> {
         match rest {
@@ -123,7 +123,7 @@ impl Plain {
             .map(|cell| self.after_blanks(cell))
     }
 
-    /// What follows a cell that is not read; blanks beyond ASCII are left to the reading cell by cell.
+    /// Rest after a cell that is not read; blanks beyond ASCII are left to the reading cell by cell.
     fn after_cell<'l>(&self, rest: &'l [u8]) -> Option<&'l [u8]> {
         let ends = |byte: &u8| *byte == self.separator || !byte.is_ascii_graphic();
         rest.get(rest.iter().position(ends)?..)

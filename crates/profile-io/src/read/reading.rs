@@ -45,9 +45,9 @@ pub struct Reading {
     pub points: usize,
     /// Points that were interpolated on request.
     pub gaps_filled: usize,
-    /// What the file says beside the heights.
+    /// Statements of the file beside the heights.
     pub metadata: Metadata,
-    /// What the user should know.
+    /// Warnings.
     pub warnings: Vec<Warning>,
 }
 

@@ -10,7 +10,7 @@ use super::options::{LengthUnit, ReadOptions};
 use super::text::Text;
 use crate::warning::Warning;
 
-/// What a file turned out to be, and the unit its format prescribes for heights.
+/// Kind of a file, and the unit its format prescribes for heights.
 pub(super) struct Special {
     pub format: Format,
     pub unit: Option<LengthUnit>,

@@ -37,7 +37,7 @@ pub struct Steepness {
     pub steepest: f64,
     /// Index of the point before the steepest step.
     pub at: usize,
-    /// What the slopes point at.
+    /// Cause that the slopes point at.
     pub suspicion: Suspicion,
 }
 
@@ -67,7 +67,7 @@ pub enum Suspicion {
 }
 
 impl Suspicion {
-    /// What can be done about it.
+    /// Remedy.
     pub fn remedy(self) -> Remedy {
         match self {
             Self::Unit { likely, .. } => {

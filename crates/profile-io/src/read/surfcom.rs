@@ -6,8 +6,7 @@
 //! evaluation length / number of points where that length is printed in full. Labels of the conditions are in the language of the
 //! instrument; Spanish is known from files, English and German labels are those of the manuals.
 
-use std::fs::File;
-use std::io::{Cursor, Read};
+use std::io::Cursor;
 use std::path::Path;
 
 use asperity_core::quantity::Length;
@@ -21,6 +20,7 @@ use super::metadata::{self, Metadata, PrintedParameter, number, short};
 use super::options::{LengthUnit, ReadOptions};
 use super::text::{Head, Start, Text};
 use super::trace::Trace;
+use super::{conditions_of, whole_file};
 use crate::warning::Warning;
 
 const FORMAT: Format = Format::SurfcomText;
@@ -30,16 +30,7 @@ const MOST_CONDITIONS: u64 = 1 << 20;
 
 /// The measuring conditions that lie beside a profile, when they can be read.
 pub(super) fn conditions_beside(path: &Path) -> Option<Vec<u8>> {
-    let conditions = match path.extension()?.to_str()? {
-        "tx1" | "tx2" => "tx3",
-        "TX1" | "TX2" => "TX3",
-        _ => return None,
-    };
-    let file = File::open(path.with_extension(conditions)).ok()?;
-    let mut bytes = Vec::new();
-    let taken = file.take(MOST_CONDITIONS + 1).read_to_end(&mut bytes);
-    let count = taken.ok()? as u64;
-    (count <= MOST_CONDITIONS).then_some(bytes)
+    whole_file(&conditions_of(path)?, MOST_CONDITIONS).ok()
 }
 
 /// Whether the first two lines are a length and the number of the lines that follow.

@@ -13,7 +13,7 @@ use super::options::{Encoding, LengthUnit, ReadOptions};
 use super::reading::Reading;
 use crate::warning::Warning;
 
-/// What a reader of an instrument's format found.
+/// Findings of a reader of an instrument's format.
 pub(super) struct Trace {
     pub format: Format,
     /// Heights in `z_unit`, NaN where there is none.

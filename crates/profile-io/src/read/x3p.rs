@@ -61,7 +61,7 @@ struct Axis {
     offset: f64,
 }
 
-/// What `main.xml` says.
+/// Content of `main.xml`.
 #[derive(Debug, Default)]
 struct Main {
     feature: String,

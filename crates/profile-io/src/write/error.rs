@@ -7,7 +7,7 @@ pub enum WriteError {
     /// The archive could not be made.
     #[error("the X3P archive cannot be made: {step} failed")]
     Archive {
-        /// What failed.
+        /// Action that failed.
         step: &'static str,
     },
 }

@@ -1,4 +1,4 @@
-//! What the numbers of a table mean: spacing, units, order.
+//! Meaning of the numbers of a table: spacing, units, order.
 
 use asperity_core::quantity::Length;
 use asperity_profile_io::Warning;

@@ -1,4 +1,4 @@
-//! What holds for every format, hostile files included.
+//! Properties of every format, hostile files included.
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;

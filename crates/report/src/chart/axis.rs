@@ -15,7 +15,7 @@ pub enum Scale {
 /// An axis before its range is known.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    /// What runs along it.
+    /// Quantity along the axis.
     pub label: String,
     /// Its unit; empty for a pure number.
     pub unit: String,

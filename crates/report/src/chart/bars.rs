@@ -23,7 +23,7 @@ pub struct Bar {
 pub struct BarChart {
     /// Name for links.
     pub id: String,
-    /// What it shows.
+    /// Title of the drawing.
     pub title: String,
     /// The table it was drawn from.
     pub source: String,

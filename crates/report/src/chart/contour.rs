@@ -17,7 +17,7 @@ const BANDS: usize = 10;
 pub struct Contour {
     /// Name for links.
     pub id: String,
-    /// What it shows.
+    /// Title of the drawing.
     pub title: String,
     /// The table it was drawn from.
     pub source: String,
@@ -25,7 +25,7 @@ pub struct Contour {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
-    /// What the colours mean, with its unit.
+    /// Quantity shown by the colours, with its unit.
     pub value: String,
     /// Places of the columns, rising.
     pub columns: Vec<f64>,
@@ -33,6 +33,8 @@ pub struct Contour {
     pub rows: Vec<f64>,
     /// Values row by row.
     pub values: Vec<f64>,
+    /// A value whose line is drawn over the bands.
+    pub isoline: Option<f64>,
     /// Height of the box in units of the drawing.
     pub height: f64,
 }
@@ -104,6 +106,9 @@ impl Contour {
             };
             canvas.path(&format!("band b{}", colour(band, levels.len())), &outline);
         }
+        if let Some(level) = self.isoline {
+            canvas.path("isoline", &self.line_at(level, &frame));
+        }
         canvas.raw("</g></g>");
         self.draw_scale(&mut canvas, &frame, &levels);
         document(dress, &self.title, frame.height, &canvas.into_text())
@@ -164,7 +169,40 @@ impl Contour {
         d
     }
 
-    /// What the script needs for zoom and read-off.
+    /// The line where the field is `level`, cell by cell.
+    fn line_at(&self, level: f64, frame: &Frame) -> String {
+        let (nx, ny) = (self.columns.len(), self.rows.len());
+        let px: Vec<f64> = self.columns.iter().map(|x| frame.px(*x)).collect();
+        let py: Vec<f64> = self.rows.iter().map(|y| frame.py(*y)).collect();
+        let at = |i: usize, j: usize| self.values[j * nx + i];
+        let mut d = String::new();
+        for j in 0..ny.saturating_sub(1) {
+            for i in 0..nx.saturating_sub(1) {
+                let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
+                let mut crossings = Vec::with_capacity(4);
+                for k in 0..4 {
+                    let ([(i1, j1), (i2, j2)], [a, b]) = {
+                        let ends = [corners[k], corners[(k + 1) % 4]];
+                        (ends, ends.map(|(i, j)| at(i, j)))
+                    };
+                    if (a >= level) != (b >= level) {
+                        let share = (level - a) / (b - a);
+                        crossings.push([
+                            px[i1] + share * (px[i2] - px[i1]),
+                            py[j1] + share * (py[j2] - py[j1]),
+                        ]);
+                    }
+                }
+                for pair in crossings.chunks_exact(2) {
+                    let [[x1, y1], [x2, y2]] = [pair[0], pair[1]];
+                    let _ = write!(d, "M{x1:.1} {y1:.1}L{x2:.1} {y2:.1}");
+                }
+            }
+        }
+        d
+    }
+
+    /// Data of the script for zoom and read-off.
     pub fn data(&self) -> Value {
         let mut data = self.frame(Dress::Page).data(&self.x, &self.y);
         data["kind"] = json!("contour");

@@ -45,7 +45,7 @@ impl Drawing {
         }
     }
 
-    /// What it shows.
+    /// Title of the drawing.
     pub fn title(&self) -> &str {
         match self {
             Self::Curves(chart) => &chart.title,
@@ -67,7 +67,7 @@ impl Drawing {
         }
     }
 
-    /// What the script needs for zoom and read-off; none for charts that have neither.
+    /// Data of the script for zoom and read-off; none for charts that have neither.
     pub fn data(&self) -> Option<serde_json::Value> {
         match self {
             Self::Curves(chart) => Some(chart.data()),

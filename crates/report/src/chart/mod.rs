@@ -14,6 +14,7 @@ mod drawing;
 mod dress;
 mod frame;
 mod pie;
+mod stacked;
 mod strip;
 mod xy;
 
@@ -24,5 +25,6 @@ pub use decimate::decimated;
 pub use drawing::Drawing;
 pub use dress::{Dress, STYLE};
 pub use pie::{PieChart, Slice};
+pub use stacked::stacked;
 pub use strip::Strip;
 pub use xy::{Chart, Level, Line, Mark, Series};

@@ -11,7 +11,7 @@ use super::xy::Mark;
 pub struct Strip {
     /// Name for links.
     pub id: String,
-    /// What it shows.
+    /// Title of the drawing.
     pub title: String,
     /// The table it was drawn from.
     pub source: String,

@@ -75,7 +75,7 @@ pub struct Level {
 pub struct Chart {
     /// Name for links.
     pub id: String,
-    /// What it shows.
+    /// Title of the drawing.
     pub title: String,
     /// The table it was drawn from.
     pub source: String,
@@ -161,6 +161,11 @@ impl Chart {
             Dress::Alone => 1 + self.legend_rows().len(),
         } + usize::from(!self.marks.is_empty());
         Frame::new(self.height, rows, 0.0, x, y, self.y.downward)
+    }
+
+    /// Height of the chart as a file of its own.
+    pub(super) fn height_alone(&self) -> f64 {
+        self.frame(Dress::Alone).height
     }
 
     /// The chart as SVG.
@@ -268,7 +273,7 @@ impl Chart {
         }
     }
 
-    /// What the script needs for zoom and read-off.
+    /// Data of the script for zoom and read-off.
     pub fn data(&self) -> Value {
         let frame = self.frame(Dress::Page);
         let mut data = frame.data(&self.x, &self.y);

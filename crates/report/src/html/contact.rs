@@ -2,7 +2,7 @@
 
 use asperity::case::Formulation;
 use asperity::result::{PositionRow, RunResult};
-use asperity_core::quantity::Ratio;
+use asperity_core::quantity::{Pressure, Ratio};
 use maud::{Markup, html};
 use serde::de::DeserializeOwned;
 
@@ -10,7 +10,7 @@ use super::page::figure;
 use crate::chart::{Axis, Chart, Contour, Drawing, Line, Series};
 use crate::error::ReportError;
 use crate::page_tables::PageTables;
-use crate::tables::{BODIES, ContactTables, ConvergenceRow, SubsurfaceRow, SurfaceRow, folder_of};
+use crate::tables::{ContactTables, ConvergenceRow, SubsurfaceRow, SurfaceRow, folder_of};
 
 pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup, ReportError> {
     let Some(contact) = &tables.contact else {
@@ -53,10 +53,11 @@ pub fn drawings(result: &RunResult, tables: &PageTables) -> Result<Vec<Drawing>,
     let row = row_of(result, contact)?;
     let folder = folder_of(contact.position);
     let surface = tables.source(&format!("{folder}/surface.csv"));
-    let mut drawings = flank_charts(&contact.surface, &surface);
+    let mut drawings = flank_charts(row, &contact.surface, &surface);
     drawings.push(pressure(&contact.surface, &surface));
     let below = tables.source(&format!("{folder}/subsurface.csv"));
-    drawings.extend(von_mises(row, &contact.subsurface, &below));
+    let limit = elastic_limit(result)?;
+    drawings.extend(von_mises(row, limit, &contact.subsurface, &below));
     if !contact.convergence.is_empty() {
         let steps = tables.source("convergence.csv");
         drawings.push(load(row, &contact.convergence, &steps));
@@ -73,63 +74,74 @@ fn column<R>(rows: &[R], value: impl Fn(&R) -> f64) -> Vec<f64> {
     rows.iter().map(value).collect()
 }
 
-/// Height, displacement and plastic displacement of a flank.
-type Flank = fn(&SurfaceRow) -> [f64; 3];
+/// Range shown across the contact, in Hertz half widths to either side.
+const REACH: f64 = 1.6;
 
-fn flank_charts(rows: &[SurfaceRow], source: &str) -> Vec<Drawing> {
-    let x = column(rows, |row| row.x_um);
-    let flanks: [Flank; 2] = [
-        |row| {
-            [
-                row.height_pinion_um,
-                row.displacement_pinion_um,
-                row.plastic_pinion_um,
-            ]
-        },
-        |row| {
-            [
-                row.height_wheel_um,
-                row.displacement_wheel_um,
-                row.plastic_wheel_um,
-            ]
-        },
-    ];
-    let mut drawings: Vec<Drawing> = BODIES
-        .iter()
-        .zip(flanks)
-        .map(|(body, of)| {
-            let title = format!("Flank of the {body} before, in and after contact");
-            let before = column(rows, |row| of(row)[0]);
-            let pressed = column(rows, |row| of(row)[0] - of(row)[1]);
-            let after = column(rows, |row| of(row)[0] - of(row)[2]);
-            let chart = Chart::new(
-                &format!("flank-contact-{body}"),
-                &title,
-                source,
-                across(),
-                Axis::new("height", "µm"),
-            )
-            .with(Series::new("before", Line::Solid, &x, &before))
-            .with(Series::new("in contact", Line::Solid, &x, &pressed))
-            .with(Series::new("after", Line::Dashed, &x, &after));
-            Drawing::Curves(chart)
-        })
-        .collect();
-    let gap = Chart::new(
-        "gap",
-        "Gap in contact",
-        source,
-        across(),
-        Axis::new("gap", "µm").from_zero(),
-    )
-    .with(Series::new(
-        "gap",
-        Line::Solid,
+/// Both flanks facing each other at first touch and under load, the gap between them, and what stays.
+fn flank_charts(at: &PositionRow, all: &[SurfaceRow], source: &str) -> Vec<Drawing> {
+    let reach = REACH * at.half_width_um;
+    let near = |row: &&SurfaceRow| row.x_um.abs() <= reach;
+    let rows: Vec<SurfaceRow> = all.iter().filter(near).cloned().collect();
+    let x = column(&rows, |row| row.x_um);
+    let pinion = column(&rows, |row| row.height_pinion_um);
+    let radius = 1e3 * at.radius_mm;
+    let open = |row: &SurfaceRow| {
+        0.5 * row.x_um.powi(2) / radius - row.height_pinion_um - row.height_wheel_um
+    };
+    let least = all.iter().map(open).fold(f64::INFINITY, f64::min);
+    let first_touch = facing(
+        ["flanks-touch", "Flanks facing each other at first touch"],
         &x,
-        &column(rows, |row| row.gap_um),
-    ));
-    drawings.push(Drawing::Curves(gap));
+        &pinion,
+        &column(&rows, |row| open(row) - least),
+        source,
+    );
+    let pressed = column(&rows, |row| {
+        row.height_pinion_um - row.displacement_pinion_um
+    });
+    let mean = pressed.iter().sum::<f64>() / pressed.len().max(1) as f64;
+    let pressed: Vec<f64> = pressed.iter().map(|height| height - mean).collect();
+    let gap = column(&rows, |row| row.gap_um);
+    let loaded = facing(
+        ["flanks-load", "Flanks facing each other under load"],
+        &x,
+        &pressed,
+        &gap,
+        source,
+    );
+    let of_gap = Axis::new("gap", "µm").from_zero();
+    let gap_chart = Chart::new("gap", "Gap under load", source, across(), of_gap)
+        .with(Series::new("gap", Line::Solid, &x, &gap));
+    let mut drawings = vec![first_touch, loaded, Drawing::Curves(gap_chart)];
+    drawings.extend(change(&rows, &x, source));
     drawings
+}
+
+/// The pinion's flank from below and the wheel's from above, `gap` apart.
+fn facing([id, title]: [&str; 2], x: &[f64], pinion: &[f64], gap: &[f64], source: &str) -> Drawing {
+    let wheel: Vec<f64> = pinion.iter().zip(gap).map(|(z, g)| z + g).collect();
+    let heights = Axis::new("height", "µm");
+    let chart = Chart::new(id, title, source, across(), heights)
+        .with(Series::new("wheel, above", Line::Solid, x, &wheel))
+        .with(Series::new("pinion, below", Line::Solid, x, pinion));
+    Drawing::Curves(chart)
+}
+
+/// Plastic change of both flanks, from before the contact to after it; none where nothing flows.
+fn change(rows: &[SurfaceRow], x: &[f64], source: &str) -> Option<Drawing> {
+    const NANOMETRES: f64 = 1e3;
+    let flows = |row: &SurfaceRow| row.plastic_pinion_um > 0.0 || row.plastic_wheel_um > 0.0;
+    if !rows.iter().any(flows) {
+        return None;
+    }
+    let title = "Change of the flanks by the contact: height after minus before";
+    let axis = Axis::new("change", "nm").from_zero();
+    let pinion = column(rows, |row| -NANOMETRES * row.plastic_pinion_um);
+    let wheel = column(rows, |row| -NANOMETRES * row.plastic_wheel_um);
+    let chart = Chart::new("flanks-change", title, source, across(), axis)
+        .with(Series::new("pinion", Line::Solid, x, &pinion))
+        .with(Series::new("wheel", Line::Dashed, x, &wheel));
+    Some(Drawing::Curves(chart))
 }
 
 fn pressure(rows: &[SurfaceRow], source: &str) -> Drawing {
@@ -155,9 +167,12 @@ fn pressure(rows: &[SurfaceRow], source: &str) -> Drawing {
 }
 
 /// Stress below the contact. The table reaches further down and to the sides, where it is smooth.
-fn von_mises(row: &PositionRow, cells: &[SubsurfaceRow], source: &str) -> Option<Drawing> {
-    /// What is shown, in Hertz half widths to either side and down.
-    const REACH: f64 = 1.6;
+fn von_mises(
+    row: &PositionRow,
+    limit: Pressure,
+    cells: &[SubsurfaceRow],
+    source: &str,
+) -> Option<Drawing> {
     let reach = REACH * row.half_width_um;
     let top = cells.first()?.depth_um;
     let stride = cells.iter().take_while(|cell| cell.depth_um == top).count();
@@ -174,13 +189,25 @@ fn von_mises(row: &PositionRow, cells: &[SubsurfaceRow], source: &str) -> Option
     if columns.len() < 2 || levels.len() < 2 {
         return None;
     }
-    let values = levels
+    let values: Vec<f64> = levels
         .iter()
         .flat_map(|level| level.iter().filter(shown).map(|cell| cell.von_mises_mpa))
         .collect();
+    let limit_mpa = limit.si() * 1e-6;
+    let passes = values.iter().any(|stress| *stress > limit_mpa);
     Some(Drawing::Contour(Contour {
         id: "von-mises".to_owned(),
-        title: "Von Mises stress below the surface".to_owned(),
+        title: match passes {
+            true => format!(
+                "Von Mises stress below the surface; line: elastic limit {limit_mpa:.0} MPa"
+            ),
+            false => {
+                format!(
+                    "Von Mises stress below the surface; elastic limit {limit_mpa:.0} MPa not reached"
+                )
+            }
+        },
+        isoline: passes.then_some(limit_mpa),
         source: source.to_owned(),
         x: across(),
         y: Axis::new("depth", "µm").downward(),
@@ -190,6 +217,18 @@ fn von_mises(row: &PositionRow, cells: &[SubsurfaceRow], source: &str) -> Option
         values,
         height: 250.0,
     }))
+}
+
+/// Elastic limit of the softer steel.
+fn elastic_limit(result: &RunResult) -> Result<Pressure, ReportError> {
+    let material = &result.inputs.material;
+    let pinion = material.pinion.elastic_limit;
+    let pinion: Pressure = choice(result, pinion, "material.pinion.elastic_limit")?;
+    let Some(wheel) = &material.wheel else {
+        return Ok(pinion);
+    };
+    let wheel = choice(result, wheel.elastic_limit, "material.wheel.elastic_limit")?;
+    Ok(if wheel < pinion { wheel } else { pinion })
 }
 
 fn load(row: &PositionRow, steps: &[ConvergenceRow], source: &str) -> Drawing {

@@ -69,6 +69,7 @@ pub(super) fn map(tables: &PageTables, axis: Axis) -> Option<Drawing> {
         values = values.repeat(2);
     }
     Some(Drawing::Contour(Contour {
+        isoline: None,
         id: "load-map".to_owned(),
         title: "Load over the flank, from A to E and across the face".to_owned(),
         source: tables.source("load_map.csv"),

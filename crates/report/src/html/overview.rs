@@ -7,12 +7,18 @@ use super::page::figure;
 use crate::chart::{Axis, Bar, BarChart, Drawing};
 
 pub(super) fn section(result: &RunResult) -> Markup {
-    let tiles = tiles(result);
+    let rows = [
+        ("tiles first", headline(result)),
+        ("tiles", parts(result)),
+        ("tiles last", evidence(result)),
+    ];
     let charts = [losses(result), laws(result), super::path::strip(result)];
     html! {
-        dl.tiles {
-            @for (name, value, key) in &tiles {
-                div { dt { (name) } dd data-key=(key) { (value) } }
+        @for (class, tiles) in &rows {
+            dl class=(class) {
+                @for (name, value, key) in tiles {
+                    div { dt { (name) } dd data-key=(key) { (value) } }
+                }
             }
         }
         @if let Some(run_in) = &result.run_in { (as_measured_and_run_in(result, run_in)) }
@@ -85,24 +91,32 @@ fn as_measured_and_run_in(result: &RunResult, run_in: &RunInFlanks) -> Markup {
 /// Name of a number, its value as text, its key in `result.json`.
 type Tile = (&'static str, String, &'static str);
 
-/// What a design review asks first.
-fn tiles(result: &RunResult) -> Vec<Tile> {
+/// Headline of a design review: efficiency and loss.
+fn headline(result: &RunResult) -> Vec<Tile> {
     let s = &result.summary;
-    let mut tiles = vec![(
-        "efficiency (mesh only)",
-        format!("{:.4} %", 100.0 * s.efficiency),
-        "summary.efficiency",
-    )];
-    if let Some(deviation) = s.efficiency_deviation {
-        tiles.push((
-            "standard deviation over the offsets",
-            format!("±{:.4} %", 100.0 * deviation),
-            "summary.efficiency_deviation",
-        ));
-    }
-    let energy = result.running_in.energy_per_engagement_j;
-    tiles.extend([
+    let band = match s.efficiency_deviation {
+        Some(deviation) => format!(" ±{:.3}", 100.0 * deviation),
+        None => String::new(),
+    };
+    vec![
+        (
+            "efficiency (mesh only), ± over the offsets",
+            format!("{:.4} %{band}", 100.0 * s.efficiency),
+            "summary.efficiency",
+        ),
         ("loss", format!("{:.1} W", s.loss_w), "summary.loss_w"),
+        (
+            "mixed lubrication, of the path",
+            format!("{:.1} %", 100.0 * s.mixed_share),
+            "summary.mixed_share",
+        ),
+    ]
+}
+
+/// Parts of the loss, and what goes in and out.
+fn parts(result: &RunResult) -> Vec<Tile> {
+    let s = &result.summary;
+    vec![
         (
             "sliding",
             format!("{:.1} W", s.sliding_w),
@@ -114,6 +128,16 @@ fn tiles(result: &RunResult) -> Vec<Tile> {
             "summary.rolling_w",
         ),
         (
+            "equivalent friction μ_eq",
+            format!("{:.4}", s.mu_equivalent),
+            "summary.mu_equivalent",
+        ),
+        (
+            "H_V of the load over the teeth",
+            format!("{:.4}", s.loss_factor_local),
+            "summary.loss_factor_local",
+        ),
+        (
             "power in",
             format!("{:.3} kW", 1e-3 * s.power_in_w),
             "summary.power_in_w",
@@ -123,25 +147,23 @@ fn tiles(result: &RunResult) -> Vec<Tile> {
             format!("{:.2} N m", s.torque_out_nm),
             "summary.torque_out_nm",
         ),
+    ]
+}
+
+/// How the numbers were come by.
+fn evidence(result: &RunResult) -> Vec<Tile> {
+    let s = &result.summary;
+    let energy = result.running_in.energy_per_engagement_j;
+    vec![
         (
-            "equivalent friction μ_eq",
-            format!("{:.4}", s.mu_equivalent),
-            "summary.mu_equivalent",
-        ),
-        (
-            "loss factor H_V",
+            "H_V by Ohlendorf",
             format!("{:.4}", s.loss_factor),
             "summary.loss_factor",
         ),
         (
-            "H_V of the load over the teeth",
-            format!("{:.4}", s.loss_factor_local),
-            "summary.loss_factor_local",
-        ),
-        (
-            "mixed lubrication, of the path",
-            format!("{:.1} %", 100.0 * s.mixed_share),
-            "summary.mixed_share",
+            "plastic work, first engagement",
+            format!("{energy:.2e} J"),
+            "running_in.energy_per_engagement_j",
         ),
         (
             "mesh positions",
@@ -158,13 +180,7 @@ fn tiles(result: &RunResult) -> Vec<Tile> {
             format!("{:.1e}", s.worst_load_error),
             "summary.worst_load_error",
         ),
-        (
-            "plastic work, first engagement",
-            format!("{energy:.2e} J"),
-            "running_in.energy_per_engagement_j",
-        ),
-    ]);
-    tiles
+    ]
 }
 
 /// Parts of the loss as bars.

@@ -106,7 +106,12 @@ const CHARTS: &[Along] = &[
         title: "Local loss per length of contact line",
         axis: ["loss", "kW/m"],
         curves: &[
-            ("sliding", |row| Some(1e-3 * row.sliding_w_per_m)),
+            ("sliding, all", |row| Some(1e-3 * row.sliding_w_per_m)),
+            ("in the film", |row| Some(1e-3 * row.film_w_per_m)),
+            ("lubricated asperities", |row| {
+                Some(1e-3 * row.lubricated_asperity_w_per_m)
+            }),
+            ("boundary layer", |row| Some(1e-3 * row.boundary_w_per_m)),
             ("rolling", |row| Some(1e-3 * row.rolling_w_per_m)),
         ],
     },

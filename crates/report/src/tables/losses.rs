@@ -70,7 +70,7 @@ pub struct FrictionLawRow<'a> {
     pub sliding_w: Option<f64>,
     /// Efficiency \[%\].
     pub efficiency_percent: Option<f64>,
-    /// What it was fitted to.
+    /// Data it was fitted to.
     pub fitted_to: &'a str,
     /// Inputs outside its range.
     pub outside: String,

@@ -1,4 +1,4 @@
-//! What a generated profile turned out to be.
+//! Measured properties of a generated profile.
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;

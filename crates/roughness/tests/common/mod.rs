@@ -1,4 +1,4 @@
-//! What several files of tests need.
+//! Helpers of several test files.
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use asperity::Error;
 use asperity::case::LoadedCase;
+use asperity::kept_fields::KeptFields;
 use asperity::pipeline::{self, Progress};
 use asperity::result::{OffsetRow, Outcome};
 use serde::Serialize;
@@ -23,7 +24,7 @@ pub struct Finish {
     pub case: LoadedCase,
 }
 
-/// What several finishes give; the first is the one the others are compared with.
+/// Results of several finishes; the first is the one the others are compared with.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Comparison {
     /// The program and its version.
@@ -41,7 +42,7 @@ pub struct Comparison {
     pub windows: usize,
 }
 
-/// What a finish gives.
+/// Result of a finish.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FinishResult {
     /// Its name.
@@ -85,7 +86,7 @@ pub fn compare(finishes: &[Finish], progress: Progress<'_>) -> Result<Comparison
     let mut results: Vec<FinishResult> = Vec::with_capacity(finishes.len());
     let (mut title, mut power_in_w) = (String::new(), 0.0);
     for finish in finishes {
-        let outcome = pipeline::run(&finish.case, &|_, _| {})?;
+        let outcome = pipeline::run_keeping(&finish.case, &KeptFields::Highest, &|_, _| {})?;
         title.clone_from(&outcome.result.title);
         power_in_w = outcome.result.summary.power_in_w;
         results.push(finish_result(finish, outcome, results.first())?);

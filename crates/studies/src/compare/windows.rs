@@ -7,6 +7,7 @@ use asperity::pipeline::stations;
 use asperity_core::Profile;
 use asperity_report::units::MICRO;
 use asperity_roughness::material_ratio::rk_parameters;
+use asperity_roughness::section_heights::section_heights;
 use asperity_roughness::spectral::moments;
 use serde::Serialize;
 
@@ -58,10 +59,11 @@ fn window(met: &Encounter) -> Result<WindowRoughness, PositionError> {
     let material = rk_parameters(&composite)?;
     let slope = moments(&Profile::new(met.spacing, composite)?)?.m2.sqrt();
     let both = |[a, b]: [f64; 2]| a.hypot(b) * MICRO;
+    let range = |heights: &[f64]| section_heights(heights).map(|found| found.rz.si());
     Ok(WindowRoughness {
         ra_um: both(met.roughness.ra),
         rq_um: both(met.roughness.rq),
-        rz_um: both(met.roughness.rz),
+        rz_um: both([range(first)?, range(second)?]),
         rdq: slope,
         rpk_composite_um: material.rpk.si() * MICRO,
         rk_composite_um: material.rk.si() * MICRO,

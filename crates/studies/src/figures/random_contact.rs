@@ -172,7 +172,7 @@ fn below(x: &[f64], solution: &ContactSolution, folder: &Path) -> Result<Contour
     const TABLE: &str = "fig06_subsurface.csv";
     const DEPTHS: usize = 32;
     const STRIDE: usize = 3;
-    /// What is shown, in half widths: asperities are felt near the surface.
+    /// Range shown, in half widths: asperities are felt near the surface.
     const REACH: [f64; 2] = [1.2, 0.5];
     let depths = graded_depths(SPACING, HALF_WIDTH, DEPTHS).map_err(PositionError::from)?;
     let field = subsurface_stress(&solution.pressure, None, SPACING, &depths)
@@ -202,6 +202,7 @@ fn below(x: &[f64], solution: &ContactSolution, folder: &Path) -> Result<Contour
         .collect();
     write(&folder.join(TABLE), cells.iter())?;
     Ok(Contour {
+        isoline: None,
         id: "fig06d".to_owned(),
         title: "Fig. 6: stress below the surface".to_owned(),
         source: TABLE.to_owned(),

@@ -15,15 +15,21 @@ use super::pies;
 /// File, chart of the report, title, table it is kept in.
 const FIGURES: &[(&str, &str, &str, &str)] = &[
     (
-        "fig09a_pinion",
-        "flank-contact-pinion",
-        "Fig. 9: pinion before, in and after contact",
+        "fig09a_touch",
+        "flanks-touch",
+        "Fig. 9: both flanks before the contact, facing each other",
         SURFACE,
     ),
     (
-        "fig09b_wheel",
-        "flank-contact-wheel",
-        "Fig. 9: wheel before, in and after contact",
+        "fig09b_load",
+        "flanks-load",
+        "Fig. 9: both flanks in contact, facing each other",
+        SURFACE,
+    ),
+    (
+        "fig09c_change",
+        "flanks-change",
+        "Fig. 9: change of the flanks, from before to after",
         SURFACE,
     ),
     (
@@ -54,7 +60,7 @@ const FIGURES: &[(&str, &str, &str, &str)] = &[
 const SURFACE: &str = "fig09_fig10_surface.csv";
 const SUBSURFACE: &str = "fig11_subsurface.csv";
 const MARCHING: &str = "fig13_convergence.csv";
-/// What a zoom shows of the contact [µm] and below it.
+/// Range of a zoom into the contact [µm] and below it.
 const ZOOM_UM: [f64; 2] = [-110.0, -70.0];
 const ZOOM_DEPTH_UM: f64 = 20.0;
 

@@ -99,7 +99,7 @@ impl Default for CarreauConstants {
     }
 }
 
-/// What film friction needs of an oil beside its viscosity.
+/// Properties of an oil for film friction beside its viscosity.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TractionConstants {
@@ -197,7 +197,7 @@ pub struct FilmOilState {
     pub conductivity: ThermalConductivity,
 }
 
-/// What a place in the film needs of its pressure alone.
+/// Properties of a place in the film that depend on its pressure alone.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PressurePoint {
     /// Pressure \[Pa\].

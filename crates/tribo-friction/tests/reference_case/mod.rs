@@ -106,7 +106,7 @@ pub const STEEL: Material = Material {
     heat_capacity: SpecificHeat::from_si(465.0),
 };
 
-/// What the laws see: Rq 0.3 um, Ra 0.25 um and Rz 2.5 um on each flank.
+/// Inputs of the laws: Rq 0.3 um, Ra 0.25 um and Rz 2.5 um on each flank.
 pub fn conditions(position: &Position) -> FrictionConditions {
     FrictionConditions {
         load: LOAD,

@@ -1,0 +1,84 @@
+//! The `asperity` command.
+
+mod args;
+mod commands;
+mod failure;
+#[doc(hidden)]
+pub mod fuzzing;
+mod output;
+mod words;
+
+use std::panic::AssertUnwindSafe;
+use std::process::ExitCode;
+
+use args::{Cli, Command, Common};
+use clap::Parser;
+use failure::Failure;
+
+/// Exit status of a process that was interrupted.
+const INTERRUPTED: i32 = 130;
+
+/// Runs the command line of this process; the status tells how it ended.
+pub fn main() -> ExitCode {
+    let cli = Cli::parse();
+    // Ctrl-C and SIGTERM leave nothing behind. Without the handler the next start would clear up.
+    let _ = ctrlc::set_handler(|| {
+        asperity_storage::abandon();
+        std::process::exit(INTERRUPTED);
+    });
+    // A panic unwinds to here, so that drafts of files are removed on the way.
+    let done = std::panic::catch_unwind(AssertUnwindSafe(|| {
+        start_threads(&cli.common).and_then(|()| dispatch(&cli))
+    }));
+    match done {
+        Ok(Ok(())) => ExitCode::SUCCESS,
+        Ok(Err(failure)) => failure.report(cli.common.json),
+        Err(_) => Failure::new(
+            "E501",
+            "internal fault: the program stopped itself, see above",
+        )
+        .report(cli.common.json),
+    }
+}
+
+/// Starts as many threads as asked for, at most one for each core: the result does not depend on it.
+fn start_threads(common: &Common) -> Result<(), Failure> {
+    let Some(wanted) = common.threads.map(usize::from) else {
+        return Ok(());
+    };
+    let cores = std::thread::available_parallelism().map_or(wanted, usize::from);
+    let threads = wanted.min(cores);
+    if threads < wanted && !common.quiet {
+        output::note(&format!(
+            "--threads {wanted}: this machine has {cores} cores; {threads} threads are used"
+        ));
+    }
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build_global()
+        .map_err(|error| Failure::new("E501", format!("cannot start {threads} threads: {error}")))
+}
+
+fn dispatch(cli: &Cli) -> Result<(), Failure> {
+    let common = &cli.common;
+    match &cli.command {
+        Command::Run(args) => commands::run::run(args, common),
+        Command::Report(args) => commands::report::report(args, common),
+        Command::Compare(args) => commands::compare::compare(args, common),
+        Command::Completions { kind } => commands::completions::completions(*kind, common),
+        Command::Figures(args) => commands::figures::figures(args, common),
+        Command::Regime(args) => commands::regime::regime(args, common),
+        Command::Gear(args) => commands::gear::gear(args, common),
+        Command::Contact(args) => commands::contact::contact(args, common),
+        Command::Ehl(args) => commands::ehl::ehl(args, common),
+        Command::Film(args) => commands::film::film(args, common),
+        Command::Profile(command) => commands::profile::run(command, common),
+        Command::Equations(args) => commands::reference::equations(args, common),
+        Command::Explain { code } => commands::reference::explain(code.as_deref(), common),
+        Command::Schema { markdown } => commands::reference::schema(*markdown, common),
+        Command::Check(args) => commands::check::check(args, common),
+        Command::Diff(args) => commands::diff::diff(args, common),
+        Command::Oils => commands::oils::oils(common),
+        Command::Demo { folder, paper } => commands::demo::demo(folder.as_deref(), *paper, common),
+    }
+}

@@ -1,0 +1,30 @@
+//! Several charts below each other as one file.
+
+use std::fmt::Write as _;
+
+use super::canvas::escaped;
+use super::dress::{Dress, STYLE};
+use super::frame::WIDTH;
+use super::xy::Chart;
+
+/// Room for the title of the file.
+const HEAD: f64 = 34.0;
+
+/// Charts below each other under a title, as an SVG file of its own.
+pub fn stacked(title: &str, charts: &[Chart]) -> String {
+    let mut body = String::new();
+    let mut top = HEAD;
+    for chart in charts {
+        let svg = chart.svg(Dress::Alone);
+        let height = chart.height_alone();
+        let place = format!("<svg y=\"{top:.0}\" width=\"{WIDTH}\" height=\"{height:.0}\" ");
+        let _ = write!(body, "{}", svg.replacen("<svg ", &place, 1));
+        top += height;
+    }
+    let name = escaped(title);
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart\" viewBox=\"0 0 {WIDTH} {top:.0}\" role=\"img\">\
+         <title>{name}</title><style>{STYLE}</style><rect class=\"paper\" width=\"100%\" height=\"100%\"/>\
+         <text class=\"title\" x=\"10\" y=\"23\">{name}</text>{body}</svg>\n"
+    )
+}

@@ -1,0 +1,179 @@
+//! Damaged texts for every parser of ours, by a generator with a fixed seed: the deterministic twin of the fuzz targets
+//! in `fuzz/`, which call the same functions.
+
+use asperity_tests::parsers;
+
+use crate::bench::E_DRIVE;
+
+/// SplitMix64.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn below(&mut self, end: usize) -> usize {
+        (self.next() % end.max(1) as u64) as usize
+    }
+}
+
+/// Pieces that trip parsers.
+const NASTY: &[&str] = &[
+    "",
+    "0",
+    "-",
+    "-0",
+    "1e308",
+    "1e-320",
+    "nan",
+    "inf",
+    "-inf",
+    "18446744073709551616",
+    "0x1",
+    "1_0",
+    "\"",
+    "'",
+    "\u{feff}",
+    "\0",
+    "µm",
+    "°C",
+    "1/min",
+    "[",
+    "]",
+    "{",
+    "}",
+    "=",
+    ",",
+    ";",
+    "\n",
+    "\r",
+    "\t",
+    "%",
+    "é",
+    "\u{202e}",
+];
+
+/// One to four damages: a piece put in, cut, repeated, exchanged, or a byte changed.
+fn damaged(seed: &str, random: &mut Random) -> Vec<u8> {
+    let mut bytes = seed.as_bytes().to_vec();
+    for _ in 0..=random.below(4) {
+        let at = random.below(bytes.len() + 1);
+        let end = (at + random.below(12)).min(bytes.len());
+        let piece = NASTY[random.below(NASTY.len())].as_bytes();
+        match random.below(6) {
+            0 => drop(bytes.splice(at..at, piece.iter().copied())),
+            1 => drop(bytes.splice(at..end, piece.iter().copied())),
+            2 => drop(bytes.drain(at..end)),
+            3 => {
+                let copy = bytes[at..end].to_vec();
+                drop(bytes.splice(at..at, copy));
+            }
+            4 => bytes.truncate(bytes.len() - random.below(bytes.len() / 4 + 1)),
+            _ => {
+                if let Some(byte) = bytes.get_mut(at) {
+                    *byte ^= 1 << random.below(8);
+                }
+            }
+        }
+    }
+    bytes
+}
+
+/// Damages each seed `count` times; both outcomes must have been seen.
+fn hold(seeds: &[&str], count: usize, parse: impl Fn(&[u8]) -> bool) {
+    let mut random = Random(20_261_120);
+    let mut seen = [0, 0];
+    for seed in seeds {
+        assert!(parse(seed.as_bytes()), "the seed itself: {seed}");
+        for _ in 0..count {
+            seen[usize::from(parse(&damaged(seed, &mut random)))] += 1;
+        }
+    }
+    assert!(
+        seen.iter().all(|times| *times > 0),
+        "refused, read: {seen:?}"
+    );
+}
+
+fn text(parse: impl Fn(&str) -> bool) -> impl Fn(&[u8]) -> bool {
+    move |bytes| parse(&String::from_utf8_lossy(bytes))
+}
+
+#[test]
+fn damaged_quantities_are_read_or_refused() {
+    let seeds = [
+        "1.3 mm",
+        "97.5 mPa s",
+        "9000 1/min",
+        "-12.5 °C",
+        "2e-8 1/Pa",
+        "285 N m",
+        "0.84 g/cm3",
+        "23.4 deg",
+    ];
+    hold(&seeds, 2000, text(parsers::units));
+}
+
+#[test]
+fn damaged_planetary_cases_are_read_or_refused() {
+    let seed = r#"
+        planetary = { teeth = [27, 24, -75], planets = 3, module = "2 mm", face_width = ["30 mm", "30 mm", "30 mm"] }
+        operation = { torque = "100 N m", speed = "3000 1/min", temperature = "60 °C" }
+        lubricant = { oil = "m100" }
+        surface = { sun = { rq = "0.3 um" }, planet = { rq = "0.3 um" }, ring = { rq = "0.3 um" } }
+    "#;
+    hold(&[seed], 150, text(parsers::planetary_case));
+}
+
+#[test]
+fn damaged_cases_with_their_traces_are_read_or_refused() {
+    let unit = "file = \"pinion.csv\", dx = \"0.5 um\", z_unit = \"um\"";
+    // Half of the text is a remark, so that some damage does no harm.
+    let remark = format!("# {}\n", "a small case of an electric drive, ".repeat(24));
+    let seed = (remark + E_DRIVE)
+        .replace("file = \"pinion.csv\"", unit)
+        .replace("file = \"wheel.csv\"", &unit.replace("pinion", "wheel"));
+    hold(&[&seed], 150, text(|text| parsers::case("case.toml", text)));
+}
+
+#[test]
+fn damaged_gaps_are_read_or_refused() {
+    let rows: String = (0..120)
+        .map(|i| format!("{i};{:.3}\n", f64::from(i * i) * 1e-3))
+        .collect();
+    let other: String = (0..120)
+        .map(|i| format!("{:.3}\t{i}\n", f64::from(i * i) * 1e-3))
+        .collect();
+    let seeds = [
+        format!("x_um;h_um\n{rows}"),
+        format!("h [nm]\tx [mm]\n{other}"),
+    ];
+    let seeds: Vec<&str> = seeds.iter().map(String::as_str).collect();
+    hold(&seeds, 1500, asperity_cli::fuzzing::gap);
+}
+
+#[test]
+fn damaged_command_lines_are_read_or_refused() {
+    let seeds = [
+        "compare\ncase.toml\n--finish\nground=a.csv,b.csv\n--finish\nhoned=c.csv\n--offsets\n8",
+        "run\ncase.toml\n--set\noperation.torque=200 N m\n--fields\n1,5\n--max-hours\n3",
+        "contact\n--gap\ngap.csv\n--e-star\n115.4 GPa\n--load\n300 N/mm\n--tolerance\n1e-8",
+        "profile\ninfo\na.csv\n--lambda-c\n0.25mm\n--dx\n0.5um\n--z-unit\num",
+    ];
+    hold(&seeds, 400, text(asperity_cli::fuzzing::arguments));
+}
+
+#[test]
+fn damaged_results_are_drawn_or_refused() {
+    let bench = crate::bench::Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    bench.run(&["run", "case.toml", "-o", "out", "-q"]).well();
+    let seed = std::fs::read_to_string(bench.path("out/result.json")).unwrap();
+    hold(&[&seed], 250, parsers::result);
+}
