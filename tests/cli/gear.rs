@@ -188,6 +188,47 @@ fn a_planetary_set_takes_keys_and_standard_input_and_is_checked() {
 }
 
 #[test]
+fn gear_and_regime_tell_of_each_mesh_of_a_set_and_commands_of_a_pair_refuse_it() {
+    let bench = bench(SET);
+    let said = bench.run(&["gear", "case.toml"]).well().out;
+    for says in [
+        "small set: sun and planet",
+        "teeth 27/24 ",
+        "small set: planet and ring",
+        "teeth 24/-75 ",
+    ] {
+        assert!(said.contains(says), "{says} is not in {said}");
+    }
+    let gears = bench.run(&["gear", "case.toml", "--json"]).well().json();
+    let meshes = gears["meshes"].as_array().unwrap();
+    assert_eq!(meshes.len(), 2);
+    // The torque of the sun over three planets, and by the teeth at the planet.
+    assert_eq!(meshes[0]["torque_nm"], 40.0);
+    assert!((meshes[1]["torque_nm"].as_f64().unwrap() - 40.0 * 24.0 / 27.0).abs() < 1e-9);
+    let said = bench.run(&["regime", "case.toml"]).well().out;
+    assert_eq!(said.matches("Lambda*").count(), 2, "{said}");
+    let rows = bench.run(&["regime", "case.toml", "--json"]).well().json();
+    assert_eq!(rows["meshes"][1]["rows"].as_array().unwrap().len(), 8);
+    let finishes = ["--finish", "a=pinion.csv", "--finish", "b=wheel.csv"];
+    for command in [
+        &["film", "case.toml"][..],
+        &["contact", "case.toml"],
+        &[&["compare", "case.toml"], &finishes[..]].concat(),
+    ] {
+        let refused = bench.run(command);
+        refused.refused(2, "E205", &["is a planetary set"]);
+    }
+}
+
+#[test]
+fn the_key_of_an_older_version_is_answered_with_todays() {
+    let bench = bench(SET);
+    bench
+        .run(&["check", "case.toml", "--set", "model.load_sharing=uniform"])
+        .refused(2, "E203", &["Did you mean \"load_distribution\"?"]);
+}
+
+#[test]
 fn check_tells_every_error_of_a_planetary_set_once() {
     let bad = SET
         .replace("1.5 mm", "1.5 m")

@@ -339,7 +339,11 @@ fn what_calls_for_attention_in_a_result_is_said_with_it() {
         &values,
         &[],
         "W408",
-        &["roughness values without rpk and asperity_radius"],
+        &[
+            "roughness values",
+            "so \"lambda-star\" stands for it",
+            "without rpk and asperity_radius",
+        ],
     );
 }
 

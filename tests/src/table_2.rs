@@ -46,6 +46,7 @@ pub fn table_2() -> CaseText {
         # The laws of the reference computation, by name.
         film_friction = "xu"
         load_share = "lambda-star"
+        lambda_film = "mass-flow"
         boundary_friction = 0.1
         hysteresis = "0 %"
         "#,

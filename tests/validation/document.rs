@@ -1,4 +1,4 @@
-//! `docs/VALIDATION.md` shows what the tests compute.
+//! `docs/VALIDATION.md` and `README.md` show what the tests compute.
 //!
 //! The tables stand between `<!-- name -->` and `<!-- end -->`. `ASPERITY_WRITE=1 cargo test -p
 //! asperity-tests --test validation document` writes them anew.
@@ -6,8 +6,8 @@
 use std::path::Path;
 
 use crate::{
-    fluid_film, full_film_losses, gear_tool, paper_formulation, petry_johnson, rough_contact,
-    spot_values, table_2,
+    fluid_film, full_film_losses, gear_tool, load_share, measured, paper_formulation,
+    petry_johnson, rough_contact, spot_values, table_2,
 };
 
 /// Every table by the name of its place.
@@ -32,6 +32,12 @@ fn tables() -> Vec<(&'static str, String)> {
         .map(|table| (table.name, table.markdown()))
         .collect();
     tables.push(("petry-johnson-measured", petry_johnson::beside_measured()));
+    tables.push(("gates", measured::gate_table()));
+    tables.push(("load-share-reference", measured::reference_table()));
+    tables.push(("load-share-laws", measured::share_table()));
+    tables.push(("cold-oil", measured::cold_table()));
+    tables.push(("one-key", load_share::one_key_changed()));
+    tables.push(("one-key-main", load_share::main_keys_changed()));
     tables.push(("film", fluid_film::over_thickness()));
     tables
 }
@@ -40,10 +46,10 @@ fn tables() -> Vec<(&'static str, String)> {
 fn with_tables(mut document: String, tables: &[(&str, String)]) -> String {
     for (name, table) in tables {
         let begin = format!("<!-- {name} -->\n");
-        let start = document
-            .find(&begin)
-            .unwrap_or_else(|| panic!("no place for {name}"))
-            + begin.len();
+        let Some(place) = document.find(&begin) else {
+            continue;
+        };
+        let start = place + begin.len();
         let length = document[start..].find("<!-- end -->").unwrap();
         document.replace_range(start..start + length, table);
     }
@@ -51,13 +57,28 @@ fn with_tables(mut document: String, tables: &[(&str, String)]) -> String {
 }
 
 #[test]
-fn the_document_shows_what_the_tests_compute() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/VALIDATION.md");
+fn the_documents_show_what_the_tests_compute() {
+    let tables = tables();
+    let mut shown = 0;
+    for name in ["docs/VALIDATION.md", "README.md"] {
+        shown += hold(name, &tables);
+    }
+    assert_eq!(shown, tables.len(), "a table has no place, or two");
+}
+
+/// Holds or writes a document; how many tables it shows.
+fn hold(name: &str, tables: &[(&str, String)]) -> usize {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(name);
     let document = std::fs::read_to_string(&path).unwrap();
-    let made = with_tables(document.clone(), &tables());
+    let made = with_tables(document.clone(), tables);
+    let places = tables.iter().filter(|(name, _)| {
+        let begin = format!("<!-- {name} -->\n");
+        document.contains(&begin)
+    });
+    let places = places.count();
     if std::env::var_os("ASPERITY_WRITE").is_some() {
         std::fs::write(&path, &made).unwrap();
-        return;
+        return places;
     }
     for (shown, made) in document.lines().zip(made.lines()) {
         assert_eq!(
@@ -66,4 +87,5 @@ fn the_document_shows_what_the_tests_compute() {
         );
     }
     assert_eq!(document.len(), made.len(), "the document is not up to date");
+    places
 }

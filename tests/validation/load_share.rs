@@ -2,36 +2,37 @@
 
 use std::fmt::Write as _;
 use std::path::Path;
+use std::sync::OnceLock;
 
 use asperity::case::{LoadedCase, load};
 use asperity::pipeline::{contact_tables, losses_with};
 use asperity::result::{Losses, Summary};
-use asperity_tests::{assert_close, petry_johnson};
+use asperity_tests::assert_close;
 
-fn shipped(name: &str) -> LoadedCase {
+pub fn shipped(name: &str) -> LoadedCase {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases");
     load(&folder.join(format!("{name}.toml")), None).unwrap()
 }
 
 /// A shipped case with these keys changed.
-fn with(name: &str, keys: &[(&str, &str)]) -> LoadedCase {
+pub fn with(name: &str, keys: &[(&str, &str)]) -> LoadedCase {
     keys.iter().fold(shipped(name), |case, (key, value)| {
         case.with_key(key, value).unwrap()
     })
 }
 
-fn losses(case: &LoadedCase) -> Losses {
+pub fn losses(case: &LoadedCase) -> Losses {
     asperity::losses(case, &|_, _| ()).unwrap()
 }
 
-fn summary(name: &str, keys: &[(&str, &str)]) -> Summary {
+pub fn summary(name: &str, keys: &[(&str, &str)]) -> Summary {
     losses(&with(name, keys)).summary
 }
 
 /// Few offsets, as the reference computation took.
-const FEW: [(&str, &str); 2] = [("model.positions", "16"), ("model.offsets", "4")];
+pub const FEW: [(&str, &str); 2] = [("model.positions", "16"), ("model.offsets", "4")];
 
-fn few(name: &str, keys: &[(&str, &str)]) -> Summary {
+pub fn few(name: &str, keys: &[(&str, &str)]) -> Summary {
     summary(name, &[&FEW[..], keys].concat())
 }
 
@@ -124,7 +125,12 @@ fn a_film_of_cold_oil_rubs_with_its_limiting_stress_at_most() {
         );
         for row in losses(&case).path {
             assert!(row.mu_film < 0.04, "{cold}: {}", row.mu_film);
-            assert!(row.film_central_um > 0.0 && row.thermal_reduction > 0.0);
+            // Of thick films little is left, but the numerator of Gupta's factor never reaches its floor.
+            assert!(
+                row.film_central_um > 0.5 && row.thermal_reduction > 0.02,
+                "{row:?}"
+            );
+            assert_eq!(row.regime, asperity::result::Regime::FullFilm);
         }
     }
 }
@@ -171,132 +177,14 @@ fn an_oil_without_a_family_is_refused_or_assumed() {
     assert!(listed.any(|used| used.key.ends_with("base_oil")));
 }
 
-/// A gate: what was measured, its rule, what comes out, whether it holds.
-struct Gate(&'static str, &'static str, String, bool);
-
-fn gates() -> Vec<Gate> {
-    let slow = |mu_b: &str| {
-        let mut case = with(
-            "fzg-c",
-            &[&FEW[..], &[("model.boundary_friction", mu_b)]].concat(),
-        );
-        // 0.5 m/s on a working pitch radius of 36.6 mm.
-        case = case.with_key("operation.speed", "130.5 1/min").unwrap();
-        let found = losses(&case).summary;
-        found.sliding_w / (found.loss_factor_local * found.power_in_w)
-    };
-    let (mu, lower) = (slow("0.08"), slow("0.07"));
-    let (ground, fine) = (few("e-drive", &[]), few("e-drive-superfinished", &[]));
-    let change = fine.loss_w / ground.loss_w - 1.0;
-    let cold = |name: &str| {
-        few(
-            name,
-            &[
-                ("operation.temperature", "40 °C"),
-                ("operation.speed", "20000 1/min"),
-            ],
-        )
-        .loss_w
-    };
-    let null = cold("e-drive-superfinished") / cold("e-drive") - 1.0;
-    let mut rows = vec![
-        Gate(
-            "T1 FZG C-mod 0.5 m/s (surrogate traces: the ground fixture)",
-            "mu 0.055 to 0.068",
-            format!("{mu:.4} ({lower:.4} with mu_b 0.07)"),
-            (0.055..=0.068).contains(&mu),
-        ),
-        Gate(
-            "T3 superfinishing, e-drive at 90 °C",
-            "-20 to -40 %",
-            format!("{:.0} %", 100.0 * change),
-            (-0.40..=-0.20).contains(&change),
-        ),
-        Gate(
-            "T4 superfinishing of thick films (40 °C, 20 000 1/min)",
-            "below 8 %",
-            format!("{:.1} %", 100.0 * null),
-            null.abs() < 0.08,
-        ),
-        Gate(
-            "T5 limiting shear stress, superfinished at -20 °C",
-            "film friction below 0.040",
-            {
-                let cold = [("operation.temperature", "-20 °C")];
-                let case = with("e-drive-superfinished", &[&FEW[..], &cold[..]].concat());
-                let most = losses(&case)
-                    .path
-                    .iter()
-                    .map(|row| row.mu_film)
-                    .fold(0.0, f64::max);
-                format!("{most:.4}")
-            },
-            true,
-        ),
-    ];
-    if let Some(row) = rows.last_mut() {
-        row.3 = row.2.parse::<f64>().is_ok_and(|mu| mu < 0.040);
-    }
-    rows.extend(SPEEDS.iter().map(|&(speed, [low, high])| {
-        let found = petry_johnson_by_default(speed);
-        Gate(
-            "T2 Petry-Johnson, superfinished 40/40 (grade C)",
-            match speed {
-                10_000 => "printed beyond 8000 1/min",
-                _ => "within 25 % of the measured span",
-            },
-            format!("{speed} 1/min: {low:.0} to {high:.0} W measured, {found:.0} W"),
-            speed > 8000 || (0.75 * low..=1.25 * high).contains(&found),
-        )
-    }));
-    rows
-}
-
-const SPEEDS: [(u32, [f64; 2]); 5] = [
-    (2000, [166.0, 174.0]),
-    (4000, [286.0, 320.0]),
-    (6000, [456.0, 499.0]),
-    (8000, [606.0, 633.0]),
-    (10_000, [472.0, 640.0]),
-];
-
-/// The loss \[W\] with the default laws; superfinished flanks known by their Rq, the oil taken as a PAO.
-fn petry_johnson_by_default(speed: u32) -> f64 {
-    let case = petry_johnson()
-        .with("model.film_friction", "eyring")
-        .with("model.boundary_friction", 0.08)
-        .with("lubricant.base_oil", "pao")
-        .with("operation.speed", format!("{speed} 1/min"));
-    case.run().result.summary.loss_w
-}
-
-/// Gates of measurement, computed with one set of defaults.
-pub fn beside_measured() -> String {
-    let mut text = String::from("| measured | rule | here | holds |\n|---|---|---|---|\n");
-    for Gate(what, rule, found, holds) in gates() {
-        let verdict = if holds { "pass" } else { "FAIL" };
-        let _ = writeln!(text, "| {what} | {rule} | {found} | {verdict} |");
-    }
-    text.push_str("\nTest: `most_gates_of_measurement_hold_together`.\n");
-    text
-}
-
-#[test]
-fn most_gates_of_measurement_hold_together() {
-    let gates = gates();
-    let held = gates.iter().filter(|gate| gate.3).count();
-    println!("{}", beside_measured());
-    // They are reported, never tuned one by one.
-    assert!(2 * held > gates.len(), "{}", beside_measured());
-}
-
 /// One key changed on the shipped drive, ground flanks.
-const CHANGES: [(&str, &str); 16] = [
+const CHANGES: [(&str, &str); 20] = [
     ("model.boundary_friction", "0.065"),
     ("model.boundary_friction", "0.12"),
     ("model.boundary_layer", "5 nm"),
     ("model.boundary_layer", "20 nm"),
     ("model.lay", "0.16666666666666666"),
+    ("model.lay", "isotropic"),
     ("model.central_film", "gap"),
     ("model.spot_speed", "half-sliding"),
     ("model.asperity_share_factor", "0.5"),
@@ -304,32 +192,80 @@ const CHANGES: [(&str, &str); 16] = [
     ("model.film_pressure_law", "roelands"),
     ("model.film_friction", "xu"),
     ("model.load_share", "lambda-star"),
+    ("model.load_share", "zhu-hu"),
+    ("model.load_share", "masjedi-khonsari"),
     ("model.load_share", "jgp"),
     ("model.load_distribution", "mean-length"),
     ("lubricant.base_oil", "mineral"),
+    ("lubricant.base_oil", "polyglycol"),
     ("operation.temperature", "60 °C"),
 ];
 
+/// Losses of the defaults and of each change, and of the run-in flanks.
+fn changes() -> &'static (f64, Vec<f64>, f64) {
+    static CHANGED: OnceLock<(f64, Vec<f64>, f64)> = OnceLock::new();
+    CHANGED.get_or_init(|| {
+        let base = losses(&with(
+            "e-drive",
+            &[&FEW[..], &[("model.run_in", "true")]].concat(),
+        ));
+        let changed = CHANGES.map(|(key, value)| few("e-drive", &[(key, value)]).loss_w);
+        let run_in = base.run_in.unwrap().summary.loss_w;
+        (base.summary.loss_w, changed.to_vec(), run_in)
+    })
+}
+
 /// Effect of one changed key on the loss.
 pub fn one_key_changed() -> String {
-    let base = few("e-drive", &[]).loss_w;
+    let (base, changed, run_in) = changes();
     let mut text = format!(
         "| key | value | loss W | change |\n|---|---|---|---|\n| - | defaults | {base:.0} | |\n"
     );
-    for (key, value) in CHANGES {
-        let loss = few("e-drive", &[(key, value)]).loss_w;
+    let rows = CHANGES.iter().zip(changed).map(|(row, loss)| (*row, *loss));
+    for ((key, value), loss) in rows.chain([(("model.run_in", "true"), *run_in)]) {
         let change = 100.0 * (loss / base - 1.0);
+        let value = match value {
+            "0.16666666666666666" => "1/6",
+            value => value,
+        };
         let _ = writeln!(text, "| `{key}` | {value} | {loss:.0} | {change:+.0} % |");
     }
+    text.push_str("\nTest: `every_choice_of_the_load_share_moves_the_loss`.\n");
+    text
+}
+
+/// The rows that matter most, for the first page.
+pub fn main_keys_changed() -> String {
+    const MAIN: [(&str, &str); 9] = [
+        ("model.boundary_friction", "0.065"),
+        ("model.boundary_friction", "0.12"),
+        ("model.boundary_layer", "5 nm"),
+        ("model.boundary_layer", "20 nm"),
+        ("model.spot_speed", "half-sliding"),
+        ("model.asperity_share_factor", "0.5"),
+        ("material.pinion.flow_pressure", "2.5 GPa"),
+        ("model.load_share", "lambda-star"),
+        ("lubricant.base_oil", "mineral"),
+    ];
+    let (base, changed, run_in) = changes();
+    let mut text = String::from("| key | value | change of the loss |\n|---|---|---|\n");
+    for (row, loss) in CHANGES.iter().zip(changed) {
+        if MAIN.contains(row) {
+            let (key, value) = row;
+            let change = 100.0 * (loss / base - 1.0);
+            let _ = writeln!(text, "| `{key}` | {value} | {change:+.0} % |");
+        }
+    }
+    let change = 100.0 * (run_in / base - 1.0);
+    let _ = writeln!(text, "| `model.run_in` | true | {change:+.0} % |");
     text
 }
 
 #[test]
 fn every_choice_of_the_load_share_moves_the_loss() {
-    println!("{}", one_key_changed());
-    let base = few("e-drive", &[]).loss_w;
-    for (key, value) in CHANGES {
-        let loss = few("e-drive", &[(key, value)]).loss_w;
+    let (base, changed, run_in) = changes();
+    for ((key, value), loss) in CHANGES.iter().zip(changed) {
         assert!((loss / base - 1.0).abs() > 1e-4, "{key} {value}: {loss}");
     }
+    assert!(run_in < base);
 }

@@ -12,6 +12,7 @@ mod fluid_film;
 mod full_film_losses;
 mod gear_tool;
 mod load_share;
+mod measured;
 mod paper_formulation;
 mod petry_johnson;
 mod rough_contact;

@@ -8,7 +8,7 @@ use asperity::kept_fields::KeptFields;
 use asperity_studies::compare::{self, Finish};
 
 use super::work::check_work;
-use super::{keys, source, stem};
+use super::{keys, pair_only, source, stem};
 use crate::args::{Common, CompareArgs, FinishArg};
 use crate::failure::Failure;
 use crate::output::{PATIENCE, print_json, print_text, progress};
@@ -34,6 +34,7 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
     }
     // Once for all finishes: standard input is read but once.
     let (text, folder) = source(&args.case)?;
+    pair_only(&text)?;
     let finishes = args
         .finishes
         .iter()

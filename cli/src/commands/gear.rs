@@ -2,21 +2,37 @@
 
 use std::fmt::Write as _;
 
+use asperity::case::LoadedCase;
 use asperity::gear_report::{GearReport, gear_report};
+use serde_json::json;
 
-use super::load_case;
+use super::{AnyCase, load_any};
 use crate::args::{CaseArgs, Common};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 
 /// `asperity gear`
 pub fn gear(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
-    let loaded = load_case(&args.case, &args.set, args.formulation)?;
-    let found = gear_report(&loaded.case).map_err(|error| Failure::about(&args.case, &error))?;
-    if common.json {
-        return print_json(&found);
+    let report = |loaded: &LoadedCase| {
+        gear_report(&loaded.case).map_err(|error| Failure::about(&args.case, &error))
+    };
+    match load_any(&args.case, &args.set, args.formulation)? {
+        AnyCase::Pair(pair) => {
+            let found = report(&pair)?;
+            if common.json {
+                return print_json(&found);
+            }
+            print_text(common, &text(&found))
+        }
+        AnyCase::Set(set) => {
+            let [first, second] = &set.meshes;
+            let found = [report(first)?, report(second)?];
+            if common.json {
+                return print_json(&json!({ "title": set.title, "meshes": found }));
+            }
+            print_text(common, &found.each_ref().map(text).join("\n"))
+        }
     }
-    print_text(common, &text(&found))
 }
 
 fn text(found: &GearReport) -> String {
@@ -67,7 +83,9 @@ fn write_mesh(text: &mut String, found: &GearReport) -> std::fmt::Result {
     writeln!(
         text,
         "torque {} N m   normal force {:.1} N   K_Hbeta {:.3}",
-        found.torque_nm, found.normal_force_n, found.face_load_factor
+        (found.torque_nm * 1e3).round() / 1e3,
+        found.normal_force_n,
+        found.face_load_factor
     )?;
     if let Some(error) = &found.transmission_error {
         writeln!(

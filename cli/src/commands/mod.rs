@@ -64,7 +64,20 @@ fn load_changed(
     change: &dyn Fn(&mut CaseInput),
 ) -> Result<LoadedCase, Failure> {
     let (source, folder) = source(path)?;
+    pair_only(&source)?;
     case::load_set(source, folder, &keys(set), change).map_err(|error| Failure::of(&error))
+}
+
+/// Refuses a planetary set where a command takes two gears.
+fn pair_only(source: &Source) -> Result<(), Failure> {
+    if !planetary::is_planetary(source) {
+        return Ok(());
+    }
+    let name = source.name();
+    let message = format!("{name}: is a planetary set; this command takes a pair of gears");
+    Err(Failure::new("E205", message).advising(
+        "run, check, gear and regime take sets; the result of a set holds a result of each mesh.",
+    ))
 }
 
 /// Name of a case for its results.

@@ -1,20 +1,38 @@
 //! `asperity regime`: film thickness and regime along the path, without the rough contact.
 
+use asperity::case::LoadedCase;
 use asperity::survey::{RegimeRow, survey};
+use serde_json::json;
 
-use super::load_case;
+use super::{AnyCase, load_any};
 use crate::args::{CaseArgs, Common};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 
 /// `asperity regime`
 pub fn regime(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
-    let loaded = load_case(&args.case, &args.set, args.formulation)?;
-    let rows = survey(&loaded).map_err(|error| Failure::about(&args.case, &error))?;
-    if common.json {
-        return print_json(&rows);
+    let rows =
+        |loaded: &LoadedCase| survey(loaded).map_err(|error| Failure::about(&args.case, &error));
+    match load_any(&args.case, &args.set, args.formulation)? {
+        AnyCase::Pair(pair) => {
+            let rows = rows(&pair)?;
+            if common.json {
+                return print_json(&rows);
+            }
+            print_text(common, &table(&rows))
+        }
+        AnyCase::Set(set) => {
+            let [first, second] = &set.meshes;
+            let found = [(first, rows(first)?), (second, rows(second)?)];
+            if common.json {
+                let meshes =
+                    found.map(|(mesh, rows)| json!({ "title": mesh.case.title, "rows": rows }));
+                return print_json(&json!({ "title": set.title, "meshes": meshes }));
+            }
+            let tables = found.map(|(mesh, rows)| format!("{}\n{}", mesh.case.title, table(&rows)));
+            print_text(common, &tables.join("\n"))
+        }
     }
-    print_text(common, &table(&rows))
 }
 
 fn table(rows: &[RegimeRow]) -> String {

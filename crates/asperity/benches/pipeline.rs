@@ -4,9 +4,10 @@
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 
-use asperity::case::{Formulation, LoadedCase, load};
+use asperity::case::{FilmFrictionLaw, Formulation, LoadShareName, LoadedCase, load};
 use asperity::dry_contact::dry_contact;
 use asperity::pipeline::run;
+use asperity_gear::load_map::LoadLaw;
 use criterion::{Criterion, criterion_group, criterion_main};
 
 fn case(name: &str, formulation: Formulation) -> LoadedCase {
@@ -44,6 +45,23 @@ fn whole_runs(criterion: &mut Criterion) {
     }
 }
 
+fn first_version(criterion: &mut Criterion) {
+    let place = |loaded: &LoadedCase| loaded.case.model.position;
+    let whole = of_the_first_version(case("table2.toml", Formulation::Corrected));
+    criterion.bench_function("first version's laws/dry contact", |bencher| {
+        bencher.iter(|| dry_contact(black_box(&whole), place(&whole)).expect("it is solved"));
+    });
+    criterion.bench_function("first version's laws/whole run", |bencher| {
+        bencher.iter(|| run(black_box(&whole), &|_, _| {}).expect("the case runs"));
+    });
+    let mut single = whole.clone();
+    single.case.model.positions = 2;
+    single.case.model.offsets = 1;
+    criterion.bench_function("first version's laws/two positions", |bencher| {
+        bencher.iter(|| run(black_box(&single), &|_, _| {}).expect("the case runs"));
+    });
+}
+
 fn one_position(criterion: &mut Criterion) {
     let loaded = case("table2.toml", Formulation::Corrected);
     let place = loaded.case.model.position;
@@ -61,6 +79,16 @@ fn one_position(criterion: &mut Criterion) {
     );
 }
 
+/// `loaded` with the laws of the first version, to hold its times beside these.
+fn of_the_first_version(mut loaded: LoadedCase) -> LoadedCase {
+    let model = &mut loaded.case.model;
+    model.positions = 32;
+    model.load_distribution = LoadLaw::MeanLength;
+    model.load_share = LoadShareName::LambdaStar;
+    model.film_friction = FilmFrictionLaw::Xu;
+    loaded
+}
+
 fn reading(criterion: &mut Criterion) {
     criterion.bench_function(
         "case/table2 read, resolved, traces read and prepared",
@@ -73,6 +101,6 @@ fn reading(criterion: &mut Criterion) {
 criterion_group! {
     name = benches;
     config = Criterion::default().sample_size(20);
-    targets = reading, one_position, whole_runs
+    targets = reading, one_position, whole_runs, first_version
 }
 criterion_main!(benches);

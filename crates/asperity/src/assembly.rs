@@ -6,13 +6,15 @@ use crate::case::Case;
 use crate::comparison::published_laws;
 use crate::deformation_losses::of_all_offsets;
 use crate::error::PositionError;
+use crate::film_constants::film_constants;
 use crate::flank_record::FlankRecord;
 use crate::load_report::LoadReport;
 use crate::position::{Offset, Position};
 use crate::result::{
-    Losses, OffsetRow, Outcome, PointRow, PositionRow, Regime, RunResult, RunningIn,
+    Losses, OffsetRow, Outcome, PointRow, PositionRow, Regime, RunInFlanks, RunResult, RunningIn,
     SCHEMA_VERSION, Summary,
 };
+use crate::run_in::RanIn;
 use crate::solved::{Solved, mean};
 use crate::{attention, formulation, rolling};
 
@@ -23,6 +25,7 @@ impl Solved<'_> {
             summary: self.summary()?,
             path: self.path()?,
             offsets: offset_rows(&self.meshes),
+            run_in: None,
             equations: Vec::new(),
         })
     }
@@ -48,11 +51,13 @@ impl Solved<'_> {
             path: self.path()?,
             points: self.points(points)?,
             running_in: running_in(case, &self.meshes),
+            run_in: None,
             summary,
             warnings,
             flanks: [0, 1].map(|body| FlankRecord::from(&self.loaded.flanks[body])),
             gears: case.gears.clone(),
             lubricant: case.oil,
+            film_constants: film_constants(case)?,
             inputs: case.input.clone(),
             defaults: case.defaults.clone(),
             equations: Vec::new(),
@@ -68,6 +73,18 @@ impl Solved<'_> {
             fields: fields.collect(),
             load_map: self.map.clone(),
             traces: [0, 1].map(|body| self.loaded.flanks[body].trace.clone()),
+        })
+    }
+
+    /// What is told of flanks that have run in.
+    pub(crate) fn run_in_flanks(&self, ran_in: RanIn) -> Result<RunInFlanks, PositionError> {
+        let [measured, run_in] = ran_in.heights;
+        Ok(RunInFlanks {
+            summary: self.summary()?,
+            running_in: running_in(&self.loaded.case, &self.meshes),
+            measured,
+            run_in,
+            cycles: ran_in.cycles,
         })
     }
 
@@ -177,6 +194,13 @@ fn summary(
             power(LossKind::DeformationPinion),
             power(LossKind::DeformationWheel),
         ],
+        deformation_after_contact_w: [0, 1].map(|body: usize| {
+            let of = |offset: &Offset| offset.deformation.after_contact[body];
+            let at = positions
+                .iter()
+                .map(|position| mean(position.offsets.iter().map(of)));
+            at.sum()
+        }),
         hysteresis_w: 0.0,
         elastic_cycling_w: 0.0,
         asperity_share: share_of(&|offset| 1.0 - offset.film_share),
@@ -244,8 +268,8 @@ fn row(case: &Case, position: &Position, rolling: f64, per_width: f64) -> Positi
         half_width_um: station.hertz.half_width.si() * 1e6,
         hertz_pressure_mpa: station.hertz.max_pressure.si() * 1e-6,
         thermal_reduction: station.thermal_reduction,
-        film_central_um: station.film.central.si() * 1e6,
-        film_minimum_um: station.film.minimum.si() * 1e6,
+        film_central_um: station.film_shown.central.si() * 1e6,
+        film_minimum_um: station.film_shown.minimum.si() * 1e6,
         lambda_star: median(known),
         // Between flat flanks it has no limit.
         film_ratio: Some(over(|offset| offset.film_ratio)).filter(|ratio| ratio.is_finite()),

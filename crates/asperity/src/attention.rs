@@ -269,25 +269,33 @@ fn stress(
             ),
         ));
     }
-    let strained = positions
-        .iter()
-        .filter(|position| {
-            position
-                .von_mises
-                .is_some_and(|(stress, _)| stress.si() > limit)
-        })
-        .count();
+    let strained = positions.iter().map(|p| strained(p, limit, bearable));
+    let strained: usize = strained.sum();
     if strained > 0 && highest <= bearable {
+        let contacts: usize = positions.iter().map(|p| p.offsets.len()).sum();
         found.push(Warning::new(
             "W410",
             format!(
-                "von Mises stress under the asperities passes the elastic limit {:.0} MPa at {strained} of {} positions",
+                "von Mises stress under the asperities passes the elastic limit {:.0} MPa in {strained} of {contacts} contacts, over all positions and offsets",
                 limit * 1e-6,
-                positions.len()
             ),
         ));
     }
     Ok(())
+}
+
+/// Offsets of a position at which an asperity yields below its surface: by the stress field where that was
+/// computed, elsewhere where its pressure passes that at which a line contact first yields.
+fn strained(position: &Position, limit: f64, bearable: f64) -> usize {
+    let fields = position.von_mises.map(|(stress, _)| stress.si() > limit);
+    let offsets = position.offsets.iter().enumerate();
+    let yields = offsets.filter(|(index, offset)| match fields {
+        Some(yields) if *index == 0 => yields,
+        _ => offset
+            .contact
+            .is_some_and(|contact| contact.p_max > bearable),
+    });
+    yields.count()
 }
 
 /// W406, W407, W408, W411: what the traces do not tell.
@@ -299,14 +307,7 @@ fn roughness(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warnin
                 .iter()
                 .all(|offset| offset.lambda_star.is_some())
         });
-        found.push(Warning::new(
-            "W408",
-            if known {
-                "a flank is given by roughness values: losses follow from the load share, the rough contact was not computed"
-            } else {
-                "a flank is given by roughness values without rpk and asperity_radius: the classical film ratio decides the regime, the rough contact was not computed"
-            },
-        ));
+        found.push(Warning::new("W408", values_alone(loaded, known)));
         return;
     }
     let mixed = |offset: &&crate::position::Offset| offset.regime == Regime::Mixed;
@@ -341,6 +342,26 @@ fn roughness(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warnin
         ));
     }
     overlap(loaded, positions, found);
+}
+
+/// Text of W408: which law of the load share stands for one that needs the rough contact, and what decides.
+fn values_alone(loaded: &LoadedCase, lambda_star_known: bool) -> String {
+    let named = loaded.case.model.load_share;
+    let own = loaded.case.laws.load_share.is_some();
+    let law = match named.supply() {
+        Some(_) if !own => format!(
+            "load_share = \"{}\" needs the traces of both, so \"lambda-star\" stands for it and all asperity load rubs with the boundary coefficient",
+            named.name()
+        ),
+        _ => "the load share follows from the film ratio".to_owned(),
+    };
+    let ratio = match lambda_star_known {
+        true => "Lambda*",
+        false => "without rpk and asperity_radius the classical film ratio",
+    };
+    format!(
+        "a flank is given by roughness values, the rough contact was not computed: {law}; {ratio} decides"
+    )
 }
 
 fn overlap(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warning>) {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use asperity_core::OutOfRange;
 use asperity_core::provenance::Provenance;
 use asperity_efficiency::LossKind;
 use asperity_tribo_friction::{FilmFriction, FrictionLaw, NamedFriction};
@@ -35,6 +36,11 @@ fn row(solved: &Solved<'_>, law: FrictionLaw) -> Result<PublishedLawRow, Positio
         .iter()
         .map(ToString::to_string)
         .collect();
+    for position in &solved.positions {
+        let notes = about.outside_pressure(position.station.hertz.max_pressure)?;
+        let named = |note: &OutOfRange| format!("{} of {}", note.name, note.correlation);
+        outside.extend(notes.iter().map(named));
+    }
     let outcome = match Provenance::new().collect(|| applied(solved, law, &mut outside)) {
         Ok(outcome) => outcome,
         // A law that refuses these conditions must not stop the run: it was not asked for.

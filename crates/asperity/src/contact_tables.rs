@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use crate::case::Case;
 use crate::error::PositionError;
 use crate::load_share::ContactTable;
+use crate::local_roughness::Roughness;
 use crate::station::Station;
 use crate::surfaces::{Surfaces, Texture};
 
@@ -16,14 +17,24 @@ use crate::surfaces::{Surfaces, Texture};
 #[derive(Debug, Clone)]
 pub struct ContactTables {
     fingerprint: Vec<u64>,
-    rows: BTreeMap<[u64; 2], Vec<ContactTable>>,
+    rows: BTreeMap<[u64; 2], Vec<KeptContact>>,
+}
+
+/// The contact of one window with what else does not hang on oil, speed and temperature.
+#[derive(Debug, Clone)]
+pub(crate) struct KeptContact {
+    pub table: ContactTable,
+    pub roughness: Roughness,
+    /// First points of the window on both traces, and its points.
+    pub starts: [usize; 2],
+    pub points: usize,
 }
 
 impl ContactTables {
     pub(crate) fn new(
         case: &Case,
         surfaces: &Surfaces,
-        rows: impl Iterator<Item = (Station, Vec<ContactTable>)>,
+        rows: impl Iterator<Item = (Station, Vec<KeptContact>)>,
     ) -> Self {
         Self {
             fingerprint: fingerprint(case, surfaces),
@@ -43,17 +54,19 @@ impl ContactTables {
         }
     }
 
+    /// The contact at one offset; none where no window was resolved.
+    ///
+    /// # Errors
+    /// When there is no such position.
     pub(crate) fn at(
         &self,
         station: &Station,
         offset: usize,
-    ) -> Result<&ContactTable, PositionError> {
-        self.rows
-            .get(&key(station))
-            .and_then(|row| row.get(offset))
-            .ok_or(PositionError::OtherTables {
-                differs: "line load or radius",
-            })
+    ) -> Result<Option<&KeptContact>, PositionError> {
+        let differs = "line load or radius";
+        let row = self.rows.get(&key(station));
+        let row = row.ok_or(PositionError::OtherTables { differs })?;
+        Ok(row.get(offset))
     }
 
     /// Number of contact tables.
@@ -87,6 +100,8 @@ fn fingerprint(case: &Case, surfaces: &Surfaces) -> Vec<u64> {
     .map(f64::to_bits)
     .to_vec();
     bits.push(case.model.offsets as u64);
+    let noise = case.preparation.lambda_s.map_or(0.0, |cutoff| cutoff.si());
+    bits.push(noise.to_bits());
     for texture in surfaces.textures() {
         if let Texture::Trace(profile) = texture {
             bits.push(profile.spacing().si().to_bits());

@@ -1,7 +1,9 @@
 //! Regime and load share at one mesh position and one offset.
 
 use asperity_core::quantity::Length;
-use asperity_ehl_regime::{AsperityShape, Orientation, Regime, film_ratio, lambda_star};
+use asperity_ehl_regime::{
+    AsperityShape, FilmThickness, Orientation, Regime, film_ratio, lambda_star,
+};
 
 use crate::case::Case;
 use crate::chosen_laws::ChosenLaws;
@@ -38,13 +40,20 @@ pub(crate) fn decide(
     } else {
         f64::INFINITY
     };
-    let lambda_star = lambda_star_of(laws, station, roughness)?;
+    let star = |film: &FilmThickness| lambda_star_of(laws, station, film, roughness);
+    let lambda_star = star(&station.film_shown)?;
+    // The laws of the load share take the film that film friction takes.
+    let of_share = case.model.central_film;
+    let film_of_share = FilmThickness {
+        central: of_share.thickness(station.film.central, station.hertz.max_pressure)?,
+        ..station.film
+    };
     let contact = friction::film_contact(case, station, roughness, &case.oil)?;
     let conditions = ShareConditions {
         station,
         roughness,
         encounter,
-        lambda_star,
+        lambda_star: star(&film_of_share)?,
         film_ratio: ratio,
         contact: &contact,
         flow_pressure: case.flow_pressure,
@@ -53,7 +62,7 @@ pub(crate) fn decide(
     Ok(Decision {
         lambda_star,
         film_ratio: ratio,
-        regime: Regime::of(conditions.deciding_ratio())?,
+        regime: Regime::of(lambda_star.unwrap_or(ratio))?,
         shared: laws.load_share.share(&conditions)?,
     })
 }
@@ -61,6 +70,7 @@ pub(crate) fn decide(
 pub(crate) fn lambda_star_of(
     laws: &ChosenLaws,
     station: &Station,
+    film: &FilmThickness,
     roughness: &Roughness,
 ) -> Result<Option<f64>, PositionError> {
     let Some(peak) = roughness.reduced_peak.filter(|peak| *peak > 0.0) else {
@@ -73,6 +83,6 @@ pub(crate) fn lambda_star_of(
             .film_factor(Orientation::Transverse, laws.film.speed_exponent())?,
     };
     Ok(Some(
-        lambda_star(&station.film, factor, Length::from_si(peak))?.value,
+        lambda_star(film, factor, Length::from_si(peak))?.value,
     ))
 }

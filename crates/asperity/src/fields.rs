@@ -35,19 +35,9 @@ pub(crate) fn fields(
     };
     let gap = match &carried.solids {
         Some(solids) => solids.gap.clone(),
-        None => vec![station.film.central.si(); n],
+        None => vec![station.film_shown.central.si(); n],
     };
-    // Friction drags the pinion's flank against its sliding.
-    let sign = -station.motion.sliding.si().signum();
-    let mu_solid = scene
-        .decision
-        .shared
-        .asperity_coefficient(case.model.boundary_friction);
-    let shear: Vec<f64> = solid
-        .iter()
-        .zip(&carried.fluid)
-        .map(|(s, f)| sign * (mu_solid * s + mu_film * f))
-        .collect();
+    let shear = shear(scene, &carried, mu_film);
     let total: Vec<f64> = solid
         .iter()
         .zip(&carried.fluid)
@@ -77,6 +67,21 @@ pub(crate) fn fields(
         },
         von_mises: von_mises.flatten(),
     })
+}
+
+/// Shear stress on the pinion's flank \[Pa\], with the friction coefficient `mu_film` in the film.
+pub(crate) fn shear(scene: &Scene<'_>, carried: &Carried, mu_film: f64) -> Vec<f64> {
+    // Friction drags the pinion's flank against its sliding.
+    let sign = -scene.station.motion.sliding.si().signum();
+    let mu_solid = scene
+        .decision
+        .shared
+        .asperity_coefficient(scene.case.model.boundary_friction);
+    let solid = carried.solids.as_ref().map(|solids| &solids.pressure);
+    let fluid = carried.fluid.iter().enumerate();
+    fluid
+        .map(|(i, f)| sign * (mu_solid * solid.map_or(0.0, |solid| solid[i]) + mu_film * f))
+        .collect()
 }
 
 fn stress_below(

@@ -18,7 +18,7 @@ use rayon::prelude::*;
 
 use crate::case::LoadedCase;
 use crate::chosen_laws::ChosenLaws;
-use crate::contact_tables::ContactTables;
+use crate::contact_tables::{ContactTables, KeptContact};
 use crate::detail::Detail;
 use crate::encounter::meeting;
 use crate::error::{Error, PositionError};
@@ -27,12 +27,15 @@ use crate::kept_fields::{Keeper, KeptFields};
 use crate::physical_sense::{check_position, check_station};
 use crate::position::Position;
 use crate::provenance;
-use crate::result::{Losses, Outcome};
+use crate::result::{Losses, Outcome, RunInFlanks};
 use crate::rolling;
 use crate::rough_film;
+use crate::run_in;
 use crate::solve::Run;
 use crate::solved::Solved;
+use crate::station::Station;
 use crate::stations::{named_points, stations_with};
+use crate::surfaces::Surfaces;
 
 pub use crate::stations::{station_at, stations};
 
@@ -137,8 +140,13 @@ pub fn contact_tables(loaded: &LoadedCase) -> Result<ContactTables, Error> {
             let mut tables = Vec::with_capacity(count);
             for k in 0..count {
                 let window = case.model.window;
-                if let (Some(met), _) = meeting(surfaces, &station, window, k, count)? {
-                    tables.push(rough_film::table(case, &station, &met)?);
+                if let (Some(met), roughness) = meeting(surfaces, &station, window, k, count)? {
+                    tables.push(KeptContact {
+                        table: rough_film::table(case, &station, &met)?,
+                        roughness,
+                        starts: met.starts,
+                        points: met.x.len(),
+                    });
                 }
             }
             Ok((station, tables))
@@ -160,9 +168,14 @@ fn losses_of(
     let laws = ChosenLaws::of(&loaded.case);
     let chosen = (Detail::Losses, tables);
     let keeper = Keeper::new(&KeptFields::All);
-    let (map, positions) = positions(loaded, &laws, chosen, &keeper, progress, &used)?;
-    let sums = || sums(loaded, &map, positions)?.losses();
+    let mesh = used
+        .collect(|| stations_with(&loaded.case, &laws))
+        .map_err(Box::new)?;
+    let run = run_of(loaded, &laws, &loaded.surfaces, chosen);
+    let positions = positions(&run, mesh.1.clone(), &keeper, progress, &used)?;
+    let sums = || sums(loaded, &mesh.0, positions)?.losses();
     let mut losses = used.collect(sums).map_err(Box::new)?;
+    losses.run_in = run_in_flanks(loaded, &laws, &mesh, &used)?;
     (losses.equations, _) = provenance::used(&tags(loaded, &used));
     Ok(losses)
 }
@@ -176,15 +189,19 @@ fn outcome(
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
     let keeper = Keeper::new(kept);
-    let chosen = (detail, None);
-    let (map, mut positions) = positions(loaded, &laws, chosen, &keeper, progress, &used)?;
+    let mesh = used
+        .collect(|| stations_with(&loaded.case, &laws))
+        .map_err(Box::new)?;
+    let run = run_of(loaded, &laws, &loaded.surfaces, (detail, None));
+    let mut positions = positions(&run, mesh.1.clone(), &keeper, progress, &used)?;
     keeper.give_back(&mut positions);
     let sums = || {
-        let points = points(loaded, &laws, &map)?;
-        sums(loaded, &map, positions)?.outcome(&points)
+        let points = points(loaded, &laws, &mesh.0)?;
+        sums(loaded, &mesh.0, positions)?.outcome(&points)
     };
     let mut outcome = used.collect(sums).map_err(Box::new)?;
     let result = &mut outcome.result;
+    result.run_in = run_in_flanks(loaded, &laws, &mesh, &used)?;
     (result.equations, result.references) = provenance::used(&tags(loaded, &used));
     Ok(outcome)
 }
@@ -196,25 +213,48 @@ fn tags(loaded: &LoadedCase, used: &Provenance) -> BTreeSet<&'static str> {
     tags
 }
 
-fn positions(
+/// The flanks of a case run in and what the mesh then loses, where the case asks for it.
+fn run_in_flanks(
     loaded: &LoadedCase,
     laws: &ChosenLaws,
-    (detail, tables): (Detail, Option<&ContactTables>),
+    (map, stations): &(LoadMap, Vec<Station>),
+    used: &Provenance,
+) -> Result<Option<RunInFlanks>, Error> {
+    let case = &loaded.case;
+    if !case.model.run_in {
+        return Ok(None);
+    }
+    let run_in = || run_in::run_in(case, &loaded.surfaces, stations);
+    let ran_in = used.collect(run_in).map_err(Box::new)?;
+    let run = run_of(loaded, laws, &ran_in.surfaces, (Detail::Losses, None));
+    let keeper = Keeper::new(&KeptFields::All);
+    let positions = positions(&run, stations.clone(), &keeper, &|_, _| {}, used)?;
+    let sums = || sums(loaded, map, positions)?.run_in_flanks(ran_in);
+    Ok(Some(used.collect(sums).map_err(Box::new)?))
+}
+
+fn run_of<'a>(
+    loaded: &'a LoadedCase,
+    laws: &'a ChosenLaws,
+    surfaces: &'a Surfaces,
+    (detail, tables): (Detail, Option<&'a ContactTables>),
+) -> Run<'a> {
+    Run {
+        case: &loaded.case,
+        laws,
+        surfaces,
+        detail,
+        tables,
+    }
+}
+
+fn positions(
+    run: &Run<'_>,
+    stations: Vec<Station>,
     keeper: &Keeper<'_>,
     progress: Progress<'_>,
     used: &Provenance,
-) -> Result<(LoadMap, Vec<Position>), Error> {
-    let case = &loaded.case;
-    let (map, stations) = used
-        .collect(|| stations_with(case, laws))
-        .map_err(Box::new)?;
-    let run = Run {
-        case,
-        laws,
-        surfaces: &loaded.surfaces,
-        detail,
-        tables,
-    };
+) -> Result<Vec<Position>, Error> {
     let count = stations.len();
     let done = AtomicUsize::new(0);
     let solved: Vec<Result<Position, PositionError>> = stations
@@ -238,8 +278,7 @@ fn positions(
             source: Box::new(source),
         })
     };
-    let positions: Result<_, _> = solved.into_iter().enumerate().map(of_position).collect();
-    Ok((map, positions?))
+    solved.into_iter().enumerate().map(of_position).collect()
 }
 
 /// The points A to E of the path by the film's formulae, for display.
@@ -252,13 +291,7 @@ fn points(
     if formulation::of(case.formulation).takes_one_position() {
         return Ok(Vec::new());
     }
-    let run = Run {
-        case,
-        laws,
-        surfaces: &loaded.surfaces,
-        detail: Detail::Losses,
-        tables: None,
-    };
+    let run = run_of(loaded, laws, &loaded.surfaces, (Detail::Losses, None));
     let stations = named_points(case, laws, map)?.into_iter();
     stations
         .map(|(name, station)| Ok((name, run.solve(station)?)))

@@ -66,8 +66,17 @@ pub(crate) struct Offset {
     pub flash: f64,
     /// Numbers of the rough contact, where it was asked for and the flanks touch.
     pub contact: Option<ContactNumbers>,
-    /// Deformation loss of the paper's reading, per surface \[W\].
-    pub deformation: [f64; 2],
+    /// Deformation loss of the paper's reading.
+    pub deformation: PrintedDeformation,
+}
+
+/// Deformation loss of one position in the paper's reading \[W\], each of pinion and wheel.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct PrintedDeformation {
+    /// In contact: elastic and plastic displacement.
+    pub in_contact: [f64; 2],
+    /// After contact: plastic displacement alone.
+    pub after_contact: [f64; 2],
 }
 
 /// Numbers kept of a rough contact.

@@ -9,9 +9,11 @@ use asperity_gear::{GearPair, LoadMap};
 use serde::{Deserialize, Serialize};
 
 use crate::case::{CaseInput, DefaultUsed, Formulation};
+pub use crate::film_constants::FilmConstant;
 use crate::flank_record::FlankRecord;
 use crate::load_report::LoadReport;
 use crate::message::Warning;
+pub use crate::run_in::{FlankHeights, RunInCycle};
 
 /// Version of the structure of `result.json`; raised when a field changes its meaning.
 pub const SCHEMA_VERSION: u32 = 2;
@@ -41,6 +43,9 @@ pub struct RunResult {
     pub points: Vec<PointRow>,
     /// Plastic work of the first engagement.
     pub running_in: RunningIn,
+    /// The mesh with flanks that have run in, where the case asks for it; all else is of the flanks as measured.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub run_in: Option<RunInFlanks>,
     /// Warnings.
     pub warnings: Vec<Warning>,
     /// The flanks as read and prepared.
@@ -49,6 +54,9 @@ pub struct RunResult {
     pub gears: GearPair,
     /// The oil at the temperature of the flanks.
     pub lubricant: LubricantState,
+    /// Constants of film friction by the family of the oil, each with its band, source and how sure it is.
+    #[serde(default)]
+    pub film_constants: Vec<FilmConstant>,
     /// The case as read.
     pub inputs: CaseInput,
     /// Every default that was used.
@@ -87,6 +95,9 @@ pub struct Summary {
     pub rolling_w: f64,
     /// Deformation loss of pinion and wheel \[W\], where the formulation counts it.
     pub deformation_w: [f64; 2],
+    /// Part of it after contact, by plastic displacement alone \[W\].
+    #[serde(default)]
+    pub deformation_after_contact_w: [f64; 2],
     /// Part of the rolling loss by hysteresis of the steel \[W\].
     pub hysteresis_w: f64,
     /// Elastic work put into the flanks and given back, but for hysteresis \[W\]; no loss.
@@ -259,6 +270,22 @@ pub struct RunningIn {
     pub included: bool,
 }
 
+/// The mesh with flanks that have run in.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct RunInFlanks {
+    /// Efficiency and losses of the run-in flanks.
+    pub summary: Summary,
+    /// Plastic work that an engagement still does.
+    pub running_in: RunningIn,
+    /// Roughness of the flanks as measured.
+    pub measured: FlankHeights,
+    /// Roughness of the run-in flanks.
+    pub run_in: FlankHeights,
+    /// Every cycle of the running-in.
+    pub cycles: Vec<RunInCycle>,
+}
+
 /// An equation the result rests on.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
@@ -381,6 +408,9 @@ pub struct Losses {
     pub path: Vec<PositionRow>,
     /// Efficiency and losses at each offset, whose mean is the summary.
     pub offsets: Vec<OffsetRow>,
+    /// Losses with flanks that have run in, where the case asks for them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub run_in: Option<RunInFlanks>,
     /// Equations used.
     pub equations: Vec<EquationUse>,
 }

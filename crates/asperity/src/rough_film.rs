@@ -8,26 +8,18 @@ use asperity_ehl_regime::inlet_flow::Lay;
 
 use crate::case::{Case, Formulation};
 use crate::chosen_laws::ChosenLaws;
+use crate::contact_tables::KeptContact;
 use crate::encounter::Encounter;
 use crate::error::PositionError;
 use crate::load_share::{
-    AttenuatedTraces, ContactTable, LineContact, LoadShareSettings, LoadShareSolution,
-    PositionFilm, RoughContact, RoughWindow, SmoothFilm,
+    AttenuatedTraces, ContactState, ContactTable, LineContact, LoadShareSettings,
+    LoadShareSolution, PositionFilm, RoughContact, RoughWindow, SmoothFilm,
 };
 use crate::station::Station;
 use crate::surfaces::{Surfaces, Texture};
 
 /// Loosest tolerance of the contacts that decide the loss: at 1e-4 it would move by 3e-5.
 const LOOSEST_TOLERANCE: f64 = 1e-8;
-
-/// Where the table of a window comes from.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Tables<'a> {
-    /// Made here, unless the window stays apart.
-    AtNeed,
-    /// Made before.
-    Made(&'a ContactTable),
-}
 
 /// Film of a position with the traces as its inlet leaves them.
 pub(crate) struct RoughFilm<'a> {
@@ -84,25 +76,42 @@ impl<'a> RoughFilm<'a> {
         }))
     }
 
-    /// Load share and friction at one offset.
+    /// Load share and friction of a contact made before.
+    pub(crate) fn share_of_kept(
+        &mut self,
+        kept: &KeptContact,
+    ) -> Result<Checked<LoadShareSolution>, PositionError> {
+        let rms = self.traces.window_rms(kept.starts, kept.points)?;
+        Ok(self.film.share(&kept.table, rms)?)
+    }
+
+    /// Load share and friction at one offset; the contact is solved unless the window stays apart.
     pub(crate) fn share(
         &mut self,
         encounter: &Encounter,
-        tables: Tables<'_>,
     ) -> Result<Checked<LoadShareSolution>, PositionError> {
         let rms = self
             .traces
             .window_rms(encounter.starts, encounter.x.len())?;
-        if let Tables::Made(table) = tables {
-            return Ok(self.film.share(table, rms)?);
-        }
-        let mut contact = rough_contact(self.case, &self.contact, encounter)?;
+        let (composite, spacing) = (encounter.composite(), encounter.spacing);
+        let mut contact = rough_contact(self.case, &self.contact, &composite, spacing)?;
         let apart = self.film.share_apart(contact.first_touch_gap(), rms)?;
         match apart {
             Some(solution) => Ok(solution),
             None => Ok(self.film.share(&ContactTable::build(&mut contact)?, rms)?),
         }
     }
+}
+
+/// The contact of a window of heights `composite` that carries the whole load without a film.
+pub(crate) fn without_film(
+    case: &Case,
+    station: &Station,
+    composite: &[f64],
+    spacing: Length,
+) -> Result<ContactState, PositionError> {
+    let mut contact = rough_contact(case, &line_contact(case, station), composite, spacing)?;
+    Ok(contact.at(1.0)?)
 }
 
 /// The loaded line contact of a position.
@@ -122,19 +131,21 @@ pub(crate) fn table(
     station: &Station,
     encounter: &Encounter,
 ) -> Result<ContactTable, PositionError> {
-    let mut contact = rough_contact(case, &line_contact(case, station), encounter)?;
+    let (composite, spacing) = (encounter.composite(), encounter.spacing);
+    let mut contact = rough_contact(case, &line_contact(case, station), &composite, spacing)?;
     Ok(ContactTable::build(&mut contact)?)
 }
 
 fn rough_contact(
     case: &Case,
     contact: &LineContact,
-    encounter: &Encounter,
+    composite: &[f64],
+    spacing: Length,
 ) -> Result<RoughContact, PositionError> {
     let [pinion, wheel] = case.flow_pressure.map(Pressure::si);
     Ok(RoughContact::new(&RoughWindow {
-        composite: &encounter.composite(),
-        spacing: encounter.spacing,
+        composite,
+        spacing,
         load: contact.load,
         radius: contact.radius,
         modulus: contact.modulus,

@@ -5,7 +5,7 @@ use asperity_core::Checked;
 
 use crate::case::Case;
 use crate::chosen_laws::ChosenLaws;
-use crate::contact_tables::ContactTables;
+use crate::contact_tables::{ContactTables, KeptContact};
 use crate::decision::{Decision, decide};
 use crate::detail::Detail;
 use crate::encounter::{Encounter, meeting};
@@ -15,8 +15,8 @@ use crate::formulation::{self, Scene, Strategy};
 use crate::friction::{self, InFilm, Rubbing};
 use crate::load_share::LoadShareSolution;
 use crate::local_roughness::Roughness;
-use crate::position::{ContactNumbers, Offset, Position};
-use crate::rough_film::{RoughFilm, Tables};
+use crate::position::{ContactNumbers, Offset, Position, PrintedDeformation};
+use crate::rough_film::RoughFilm;
 use crate::station::{Resolution, Station};
 use crate::surfaces::Surfaces;
 
@@ -74,15 +74,19 @@ impl Run<'_> {
     ) -> Result<Offset, PositionError> {
         let (case, laws) = (self.case, self.laws);
         let window = case.model.window;
-        let (encounter, roughness) = meeting(self.surfaces, &position.station, window, k, count)?;
+        let station = &position.station;
+        let kept = self.kept(station, k, workspace.film.is_some())?;
+        let (encounter, roughness) = match kept {
+            Some(kept) => (None, kept.roughness),
+            None => meeting(self.surfaces, station, window, k, count)?,
+        };
         if encounter.is_none() && self.strategy().needs_traces() {
             return Err(PositionError::NoProfile);
         }
-        let station = &position.station;
-        let solved = match (&mut workspace.film, &encounter) {
-            (Some(film), Some(met)) => {
-                let tables = self.tables_at(station, k)?;
-                let shared = film.share(met, tables);
+        let solved = match (&mut workspace.film, kept, &encounter) {
+            (Some(film), Some(kept), _) => Some(film.share_of_kept(kept)?),
+            (Some(film), None, Some(met)) => {
+                let shared = film.share(met);
                 Some(shared.map_err(|error| error.keeping(&met.x, &met.gap))?)
             }
             _ => None,
@@ -103,7 +107,7 @@ impl Run<'_> {
             friction_force: 0.0,
             flash: 0.0,
             contact: None,
-            deformation: [0.0; 2],
+            deformation: PrintedDeformation::default(),
         };
         let first = position.offsets.is_empty() && self.detail == Detail::Fields;
         let needed = first || (offset.solved.is_none() && self.solves_contacts());
@@ -121,10 +125,18 @@ impl Run<'_> {
         Ok(offset)
     }
 
-    fn tables_at(&self, station: &Station, offset: usize) -> Result<Tables<'_>, PositionError> {
+    /// The contact made before, where all that the law of the load share looks at is in it: a law of a user's own
+    /// may look at the heights.
+    fn kept(
+        &self,
+        station: &Station,
+        offset: usize,
+        is_solved: bool,
+    ) -> Result<Option<&KeptContact>, PositionError> {
+        let named = self.case.laws.load_share.is_none();
         match self.tables {
-            Some(tables) => Ok(Tables::Made(tables.at(station, offset)?)),
-            None => Ok(Tables::AtNeed),
+            Some(tables) if is_solved && named => tables.at(station, offset),
+            _ => Ok(None),
         }
     }
 
@@ -166,7 +178,7 @@ impl Run<'_> {
         let mut carried = strategy.carry(&scene, solver)?;
         offset.rubbing = strategy.rubbing(&scene, &carried)?;
         offset.film_share = strategy.film_share(&scene, &carried, &offset.rubbing);
-        offset.deformation = strategy.deformation(&scene, &carried)?;
+        offset.deformation = strategy.deformation(&scene, &carried, offset.friction.mu)?;
         let doubts = carried.solids.iter().flat_map(ContactSolution::warnings);
         position.doubts.extend(doubts);
         offset.contact = carried.solids.as_ref().map(|solids| ContactNumbers {

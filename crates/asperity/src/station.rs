@@ -57,8 +57,10 @@ pub struct Station {
     pub film_conditions: FilmConditions,
     /// Thermal reduction φ of film and rolling.
     pub thermal_reduction: f64,
-    /// Smooth film with thermal reduction.
+    /// Smooth film with thermal reduction, as the formulae give it: their central film is one of mass flow.
     pub film: FilmThickness,
+    /// The same with the central film as Λ* and the tables take it.
+    pub film_shown: FilmThickness,
     /// Inputs that left their fitted range.
     pub outside: Vec<OutOfRange>,
 }

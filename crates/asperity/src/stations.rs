@@ -2,7 +2,7 @@
 
 use asperity_contact::hertz_line::HertzLine;
 use asperity_core::quantity::Length;
-use asperity_ehl_regime::{FilmConditions, thermal_loading};
+use asperity_ehl_regime::{FilmConditions, FilmThickness, thermal_loading};
 use asperity_gear::LoadMap;
 
 use crate::case::Case;
@@ -115,6 +115,12 @@ fn station(
     )?;
     let mut outside = smooth.outside;
     outside.extend(reduction.outside);
+    let film = smooth.value.reduced(reduction.value);
+    let shown = case.model.lambda_film;
+    let film_shown = FilmThickness {
+        central: shown.thickness(film.central, hertz.max_pressure)?,
+        ..film
+    };
     Ok(Station {
         number,
         s,
@@ -126,7 +132,8 @@ fn station(
         hertz,
         film_conditions,
         thermal_reduction: reduction.value,
-        film: smooth.value.reduced(reduction.value),
+        film,
+        film_shown,
         outside,
     })
 }

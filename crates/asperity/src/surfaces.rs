@@ -84,6 +84,15 @@ impl Surfaces {
         self.rz[body].unwrap_or(window).si()
     }
 
+    /// The same flanks with other traces.
+    pub(crate) fn with_traces(&self, traces: [Profile; 2]) -> Self {
+        Self::new(
+            traces.map(Texture::Trace),
+            self.noise_cutoff,
+            self.same_trace,
+        )
+    }
+
     /// Pinion and wheel.
     pub fn textures(&self) -> &[Texture; 2] {
         &self.textures

@@ -13,7 +13,7 @@ use crate::error::{Error, PositionError};
 use crate::fluid::film_at;
 use crate::physical_sense::check_station;
 use crate::result::Regime;
-use crate::rough_film::{RoughFilm, Tables};
+use crate::rough_film::RoughFilm;
 use crate::stations::{station_at, stations_with};
 
 /// Film and regime at one mesh position, mean over the offsets, Λ* their median.
@@ -67,7 +67,7 @@ fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
             let (met, roughness) =
                 meeting(&loaded.surfaces, &station, case.model.window, k, count)?;
             let solved = match (&mut film, &met) {
-                (Some(film), Some(met)) => Some(film.share(met, Tables::AtNeed)?.value),
+                (Some(film), Some(met)) => Some(film.share(met)?.value),
                 _ => None,
             };
             let solved = solved.as_ref();
@@ -88,8 +88,8 @@ fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
             hertz_pressure_mpa: station.hertz.max_pressure.si() * 1e-6,
             sliding_m_per_s: station.motion.sliding.si(),
             entrainment_m_per_s: station.motion.entrainment.si(),
-            film_central_um: station.film.central.si() * 1e6,
-            film_minimum_um: station.film.minimum.si() * 1e6,
+            film_central_um: station.film_shown.central.si() * 1e6,
+            film_minimum_um: station.film_shown.minimum.si() * 1e6,
             thermal_reduction: station.thermal_reduction,
             lambda_star: median(known),
             film_ratio: Some(decisions.iter().map(|d| d.film_ratio).sum::<f64>() / n)
@@ -174,7 +174,7 @@ fn film_rows(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, Posi
     Ok(FilmSurvey {
         path_fraction: place,
         hertz_pressure_pa: hertz,
-        film_central_m: station.film.central.si(),
+        film_central_m: station.film_shown.central.si(),
         rows,
     })
 }

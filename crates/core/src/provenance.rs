@@ -41,11 +41,42 @@ static REGISTRY: Mutex<Vec<&'static str>> = Mutex::new(Vec::new());
 /// Bits of a word of a [`BitSet`].
 const WORD: usize = u64::BITS as usize;
 
-type BitSet = Vec<u64>;
+/// Words of the first tags, which a thread notes without a look at the heap: hot loops do it per point.
+const WORDS: usize = 16;
+
+/// Tags noted, by their bits.
+#[derive(Default)]
+struct BitSet {
+    first: [u64; WORDS],
+    more: Vec<u64>,
+}
+
+impl BitSet {
+    fn has(&self, index: usize) -> bool {
+        let (word, bit) = (index / WORD, index % WORD);
+        let bits = self.first.get(word).or_else(|| self.more.get(word - WORDS));
+        bits.is_some_and(|bits| bits >> bit & 1 == 1)
+    }
+
+    /// Takes what this thread has noted and leaves it `next`.
+    fn exchange(next: Self) -> Self {
+        let mut taken = Self {
+            more: NOTED_MORE.replace(next.more),
+            ..Self::default()
+        };
+        NOTED.with(|noted| {
+            for ((to, from), next) in taken.first.iter_mut().zip(noted).zip(next.first) {
+                *to = from.replace(next);
+            }
+        });
+        taken
+    }
+}
 
 thread_local! {
     static COLLECTING: Cell<bool> = const { Cell::new(false) };
-    static NOTED: RefCell<BitSet> = const { RefCell::new(Vec::new()) };
+    static NOTED: [Cell<u64>; WORDS] = const { [const { Cell::new(0) }; WORDS] };
+    static NOTED_MORE: RefCell<Vec<u64>> = const { RefCell::new(Vec::new()) };
 }
 
 /// Place in the code that evaluates an equation; made by [`cite!`](crate::cite).
@@ -79,11 +110,14 @@ impl Site {
             0 => self.register(),
             number => number - 1,
         };
-        NOTED.with_borrow_mut(|noted| {
-            if noted.len() <= index / WORD {
-                noted.resize(index / WORD + 1, 0);
-            }
-            noted[index / WORD] |= 1 << (index % WORD);
+        let (word, bit) = (index / WORD, 1 << (index % WORD));
+        NOTED.with(|noted| match noted.get(word) {
+            Some(bits) => bits.set(bits.get() | bit),
+            None => NOTED_MORE.with_borrow_mut(|more| {
+                let word = word - WORDS;
+                more.resize(more.len().max(word + 1), 0);
+                more[word] |= bit;
+            }),
         });
     }
 
@@ -151,7 +185,7 @@ struct Scope<'a> {
 
 impl<'a> Scope<'a> {
     fn enter(into: &'a Provenance) -> Self {
-        let noted = NOTED.take();
+        let noted = BitSet::exchange(BitSet::default());
         Self {
             into,
             outer: COLLECTING.replace(true).then_some(noted),
@@ -162,7 +196,7 @@ impl<'a> Scope<'a> {
 impl Drop for Scope<'_> {
     fn drop(&mut self) {
         COLLECTING.set(self.outer.is_some());
-        let noted = NOTED.replace(self.outer.take().unwrap_or_default());
+        let noted = BitSet::exchange(self.outer.take().unwrap_or_default());
         let registry = REGISTRY.lock().unwrap_or_else(PoisonError::into_inner);
         let mut tags = self
             .into
@@ -170,8 +204,7 @@ impl Drop for Scope<'_> {
             .lock()
             .unwrap_or_else(PoisonError::into_inner);
         for (index, tag) in registry.iter().enumerate() {
-            let word = noted.get(index / WORD).copied().unwrap_or(0);
-            if word >> (index % WORD) & 1 == 1 {
+            if noted.has(index) {
                 tags.insert(tag);
             }
         }
@@ -221,5 +254,15 @@ mod tests {
             }
         });
         assert_eq!(used.tags(), BTreeSet::from(["Test-1", "Test-2"]));
+    }
+
+    #[test]
+    fn any_number_of_tags_is_told_apart() {
+        let names = (0..WORDS * WORD + 70).map(|k| format!("Many-{k}"));
+        let sites: Vec<Site> = names.map(|name| Site::new(name.leak())).collect();
+        let used = Provenance::new();
+        used.collect(|| sites.iter().step_by(3).for_each(Site::note));
+        let expected: BTreeSet<_> = sites.iter().step_by(3).map(|site| site.tag).collect();
+        assert_eq!(used.tags(), expected);
     }
 }

@@ -175,17 +175,18 @@ pub fn moes(groups: &FilmGroups, radius: Length) -> Result<Length, RegimeError> 
     let (g, u, w) = checked(groups)?;
     let r = DomainError::positive("radius", radius)?;
     let u_sum = 2.0 * u;
-    let m = w / u_sum.sqrt();
-    let l = g * u_sum.powf(0.25);
+    // In logarithms: a load share asks for thousands of films of touching asperities, and powers cost most of it.
+    let (m, l) = ((w / u_sum.sqrt()).ln(), (g * u_sum.sqrt().sqrt()).ln());
     let asymptote =
-        |(factor, load, material): (f64, f64, f64)| factor * m.powf(load) * l.powf(material);
+        |(factor, load, material): (f64, f64, f64)| factor.ln() + load * m + material * l;
     let h_ri = asymptote(RIGID_ISOVISCOUS);
     let h_ei = asymptote(ELASTIC_ISOVISCOUS);
     let h_rp = asymptote(RIGID_PIEZOVISCOUS);
     let h_ep = asymptote(ELASTIC_PIEZOVISCOUS);
-    let s = (7.0 + 8.0 * (-2.0 * h_ei / h_ri).exp()) / 5.0;
-    let isoviscous = h_ri.powf(7.0 / 3.0) + h_ei.powf(7.0 / 3.0);
-    let piezoviscous = h_rp.powf(-3.5) + h_ep.powf(-3.5);
-    let film = (isoviscous.powf(3.0 * s / 7.0) + piezoviscous.powf(-2.0 * s / 7.0)).powf(1.0 / s);
+    let s = (7.0 + 8.0 * (-2.0 * (h_ei - h_ri).exp()).exp()) / 5.0;
+    let isoviscous = (7.0 / 3.0 * h_ri).exp() + (7.0 / 3.0 * h_ei).exp();
+    let piezoviscous = (-3.5 * h_rp).exp() + (-3.5 * h_ep).exp();
+    let sum = (3.0 * s / 7.0 * isoviscous.ln()).exp() + (-2.0 * s / 7.0 * piezoviscous.ln()).exp();
+    let film = (sum.ln() / s).exp();
     Ok(Length::from_si(film * u_sum.sqrt() * r))
 }

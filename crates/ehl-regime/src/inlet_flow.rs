@@ -18,11 +18,14 @@
 //! The film thickens as the asperities take load off it: h ∝ w^(−0.13) and, with the stiffness, −0.03
 //! more (Johnson, Greenwood and Poon's 6.3 is its inverse).
 
+use std::borrow::Cow;
+
 use asperity_core::lubricant::dowson_higginson_density;
 use asperity_core::quantity::{Density, Length, Pressure};
 use asperity_core::{DomainError, cite};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::de::{self, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::error::RegimeError;
 
@@ -34,9 +37,62 @@ const SUPPLY_POWER: f64 = -0.16;
 pub const LARGEST_SHARE: f64 = 0.99;
 
 /// Lay of the roughness: how far the ridges run across the face.
-#[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Serialize, Deserialize, JsonSchema)]
-#[serde(try_from = "f64", into = "f64")]
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Serialize)]
+#[serde(into = "f64")]
 pub struct Lay(f64);
+
+/// Lays with a name, γ 0 and 1.
+const NAMED: [(&str, Lay); 2] = [("across", Lay::ACROSS), ("isotropic", Lay::ISOTROPIC)];
+
+impl<'de> Deserialize<'de> for Lay {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(LayVisitor)
+    }
+}
+
+struct LayVisitor;
+
+impl Visitor<'_> for LayVisitor {
+    type Value = Lay;
+
+    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "across, isotropic, or a number from 0 to 1")
+    }
+
+    fn visit_f64<E: de::Error>(self, gamma: f64) -> Result<Lay, E> {
+        Lay::new(gamma).map_err(E::custom)
+    }
+
+    fn visit_i64<E: de::Error>(self, gamma: i64) -> Result<Lay, E> {
+        self.visit_f64(gamma as f64)
+    }
+
+    fn visit_u64<E: de::Error>(self, gamma: u64) -> Result<Lay, E> {
+        self.visit_f64(gamma as f64)
+    }
+
+    fn visit_str<E: de::Error>(self, name: &str) -> Result<Lay, E> {
+        let named = NAMED.into_iter().find(|(own, _)| *own == name);
+        named
+            .map(|(_, lay)| lay)
+            .ok_or_else(|| E::invalid_value(de::Unexpected::Str(name), &self))
+    }
+}
+
+impl JsonSchema for Lay {
+    fn schema_name() -> Cow<'static, str> {
+        "Lay".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        schemars::json_schema!({
+            "anyOf": [
+                { "type": "number", "minimum": 0.0, "maximum": 1.0 },
+                { "type": "string", "enum": NAMED.map(|(name, _)| name) }
+            ]
+        })
+    }
+}
 
 impl Lay {
     /// Ridges across the whole face width, γ = 0: ground and superfinished gear flanks.

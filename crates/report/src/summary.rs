@@ -60,6 +60,7 @@ fn numbers(result: &RunResult) -> String {
     // Writing into a string cannot fail.
     let _ = write_losses(&mut text, result);
     let _ = write_regime(&mut text, result);
+    let _ = write_run_in(&mut text, result);
     text
 }
 
@@ -161,6 +162,36 @@ fn write_regime(text: &mut String, result: &RunResult) -> std::fmt::Result {
         )?;
     }
     Ok(())
+}
+
+/// The losses as measured and run in, where the flanks were run in.
+fn write_run_in(text: &mut String, result: &RunResult) -> std::fmt::Result {
+    let Some(run_in) = &result.run_in else {
+        return Ok(());
+    };
+    let (before, after) = (&result.summary, &run_in.summary);
+    let heights = |rq: [f64; 2]| format!("Rq {:.3} and {:.3} um", rq[0], rq[1]);
+    for (name, s, rq) in [
+        ("as measured", before, run_in.measured.rq_um),
+        ("run in", after, run_in.run_in.rq_um),
+    ] {
+        writeln!(
+            text,
+            "{name:<11}  loss {}, {:.4} %, boundary layer on {:.1} % of the load, {}",
+            watts(s.loss_w),
+            100.0 * s.efficiency,
+            100.0 * s.boundary_share,
+            heights(rq),
+        )?;
+    }
+    writeln!(
+        text,
+        "  sliding run in {}: film {}, lubricated asperities {}, boundary layer {}",
+        watts(after.sliding_w),
+        watts(after.film_w),
+        watts(after.lubricated_asperity_w),
+        watts(after.boundary_w),
+    )
 }
 
 /// The published laws, each applied whole, as a table of their own.

@@ -14,7 +14,7 @@
 //! | `eyring` | no | three base oils of ISO VG 100 |
 //! | `constant` | as the number | - |
 
-use asperity_core::quantity::Temperature;
+use asperity_core::quantity::{Pressure, Temperature};
 use asperity_core::{DomainError, FittedRange, OutOfRange};
 use serde::Serialize;
 
@@ -48,6 +48,8 @@ pub struct PublishedLaw {
     pub excludes_rolling: bool,
     #[serde(skip)]
     temperature: Option<FittedRange>,
+    #[serde(skip)]
+    pressure: Option<FittedRange>,
 }
 
 const fn celsius(low: f64, high: f64, correlation: &'static str) -> Option<FittedRange> {
@@ -56,6 +58,16 @@ const fn celsius(low: f64, high: f64, correlation: &'static str) -> Option<Fitte
         low,
         high,
         unit: "°C",
+        correlation,
+    })
+}
+
+const fn gigapascals(low: f64, high: f64, correlation: &'static str) -> Option<FittedRange> {
+    Some(FittedRange {
+        name: "maximum pressure",
+        low,
+        high,
+        unit: "GPa",
         correlation,
     })
 }
@@ -115,12 +127,23 @@ impl FrictionLaw {
             ),
             Self::Constant => (Asperities::Unknown, "a given number", true, None),
         };
+        // Xu's and Arana's laws check the pressure themselves; rollers and gears of the others ran at these
+        // (judgement, the texts give none).
+        let pressure = match self {
+            Self::BenedictKelley => gigapascals(0.3, 2.0, "Benedict-Kelley (judgement)"),
+            Self::Iso14179Part1 => gigapascals(0.3, 2.0, "ISO/TR 14179-1 (judgement)"),
+            Self::Iso14179Part2 => gigapascals(0.3, 2.0, "ISO/TR 14179-2 (judgement)"),
+            Self::Matsumoto => gigapascals(0.3, 2.0, "Matsumoto (judgement)"),
+            Self::Doleschel => gigapascals(0.3, 2.0, "Doleschel (judgement)"),
+            _ => None,
+        };
         PublishedLaw {
             law: self,
             asperities,
             fitted_to,
             excludes_rolling,
             temperature,
+            pressure,
         }
     }
 }
@@ -151,6 +174,27 @@ impl PublishedLaw {
         let mut outside = Vec::new();
         if let Some(range) = &self.temperature {
             range.check(celsius, &mut outside);
+        }
+        Ok(outside)
+    }
+
+    /// The largest Hertz pressure, where it lies outside those that the law was fitted at and the law does not
+    /// look at it itself.
+    ///
+    /// # Errors
+    /// When the pressure is negative.
+    ///
+    /// ```
+    /// use asperity_tribo_friction::FrictionLaw;
+    /// let hard = FrictionLaw::BenedictKelley.published().outside_pressure("2.4 GPa".parse()?)?;
+    /// assert_eq!(hard.len(), 1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn outside_pressure(&self, hertz: Pressure) -> Result<Vec<OutOfRange>, FrictionError> {
+        let giga = DomainError::non_negative("maximum pressure", hertz)? * 1e-9;
+        let mut outside = Vec::new();
+        if let Some(range) = &self.pressure {
+            range.check(giga, &mut outside);
         }
         Ok(outside)
     }

@@ -1,4 +1,14 @@
 //! The film law against independent programs, its limits, and what must hold whatever the numbers.
+//!
+//! | what must hold | test |
+//! |---|---|
+//! | even in V_s, bodies change places, heat only lowers μ, falls with T₀ at a given film, at most Λ + 2 a τ_L0/w | `film_friction_keeps_its_bounds_and_symmetries` |
+//! | μ V_s never falls, isothermally | `the_isothermal_loss_never_falls_with_sliding` |
+//! | 0 at V_s = 0, Newton's slope there, residuals of stress and temperature at exit | `film_friction_solves_its_equations_and_is_newtons_at_rest` |
+//! | units do not matter | `units_do_not_matter` |
+//! | closed forms of slow and of fast sliding | `a_newtonian_isothermal_film_has_its_closed_form`, `at_high_slip_the_coefficient_is_the_limiting_shear` |
+//! | fourteen conditions to 1e-8 | `film_friction_of_fourteen_conditions` |
+//! | the parts of the powers add up | `three_parts_add_up` |
 
 #![allow(
     clippy::unwrap_used,
@@ -8,8 +18,8 @@
 use asperity_core::lubricant::{LubricantInput, ViscosityLaw};
 use asperity_core::material::Material;
 use asperity_core::quantity::{
-    Density, KinematicViscosity, Length, LineLoad, PerKelvin, Pressure, PressureViscosity,
-    SpecificHeat, Speed, Temperature, ThermalConductivity,
+    Density, DynamicViscosity, KinematicViscosity, Length, LineLoad, PerKelvin, Pressure,
+    PressureViscosity, SpecificHeat, Speed, Temperature, ThermalConductivity,
 };
 use asperity_tribo_friction::boundary::{SharedFriction, boundary_share};
 use asperity_tribo_friction::film_friction::{CarreauConstants, LoadedFilm, solve};
@@ -459,6 +469,102 @@ proptest! {
         let warmer = FilmLineContact { temperature: celsius(temperature + 5.0), ..contact };
         prop_assert!(friction(&rheology, &warmer, 16).coefficient < mu);
         prop_assert!(heated.limited_share >= 0.0 && heated.limited_share <= 1.0 + 1e-12);
+    }
+
+    #[test]
+    fn film_friction_solves_its_equations_and_is_newtons_at_rest(
+        load in 4e4..4e5_f64,
+        entrainment in 0.5..25.0_f64,
+        slide_to_roll in 1e-3..1.5_f64,
+        film in 5e-8..1.5e-6_f64,
+        temperature in -20.0..130.0_f64,
+        which in 0..3_usize,
+    ) {
+        let rheology = oil(["e-fluid", "M100", "PAO100"][which]);
+        let at = |slide_to_roll: f64| FilmLineContact {
+            load: LineLoad::from_si(load),
+            speeds: speeds(entrainment, slide_to_roll),
+            film: Length::from_si(film),
+            temperature: celsius(temperature),
+            ..e_drive(0.0)
+        };
+        let contact = at(slide_to_roll);
+        let found = friction(&rheology, &contact, 16);
+        // F3 at exit.
+        let mut again = LoadedFilm::new(&rheology, &contact, FilmSettings::default()).unwrap();
+        let [mu, _] = again.friction_at(again.surface_rise(found.coefficient)).unwrap();
+        prop_assert!((mu / found.coefficient - 1.0).abs() < 1e-12);
+        // F1 at exit, in the middle of the contact.
+        let wall = Temperature::from_si(contact.temperature.si() + found.surface_rise);
+        let [u1, u2] = contact.speeds.map(Speed::si);
+        let tau = rheology.shear_stress(found.max_pressure, wall, Speed::from_si(u1 - u2), contact.film).unwrap();
+        prop_assert!(tau.residual.abs() <= 1e-7 * tau.value);
+        // Without sliding nothing rubs, and a little sliding rubs in proportion.
+        prop_assert_eq!(friction(&rheology, &at(0.0), 16).coefficient, 0.0);
+        let newton = rheology.clone().with_laws(ShearLaw::Newton, PressureLaw::Barus);
+        let slow = at(1e-12);
+        // The limiting stress enters with the fourth power of its share.
+        let (eyring, newton) = (isothermal(&rheology, &slow, 32), isothermal(&newton, &slow, 32));
+        prop_assert!((eyring / newton - 1.0).abs() < 1e-3 || newton > 1e-6, "{eyring} {newton}");
+    }
+
+    #[test]
+    fn units_do_not_matter(
+        slide_to_roll in 1e-3..1.5_f64,
+        film in 5e-8..1.5e-6_f64,
+        temperature in 0.0..130.0_f64,
+        length in 0.5..2.0_f64,
+        time in 0.5..2.0_f64,
+        mass in 0.5..2.0_f64,
+    ) {
+        let of = |length: f64, time: f64, mass: f64| {
+            let pressure = mass / (length * time * time);
+            let conductivity = mass * length / time.powi(3);
+            let density = mass / length.powi(3);
+            let lubricant = LubricantInput {
+                viscosity: Some(ViscosityLaw::Given {
+                    dynamic_viscosity: DynamicViscosity::from_si(0.012 * pressure * time),
+                    temperature: Some(celsius(90.0)),
+                }),
+                temperature_coefficient: Some(PerKelvin::from_si(0.03)),
+                density: Some(Density::from_si(850.0 * density)),
+                thermal_expansion: Some(PerKelvin::from_si(7e-4)),
+                pressure_viscosity: Some(PressureViscosity::from_si(1e-8)),
+                ..LubricantInput::default()
+            };
+            let lubricant = lubricant.resolve(celsius(90.0)).unwrap();
+            let family = TractionConstants::of(OilFamily::Mineral).unwrap();
+            let constants = TractionConstants {
+                ambient_limit: family.ambient_limit * pressure,
+                eyring_stress: family.eyring_stress * pressure,
+                conductivity: family.conductivity * conductivity,
+                conductivity_rise: family.conductivity_rise / pressure,
+                conductivity_bend: family.conductivity_bend / pressure,
+                ..family
+            };
+            let alpha = PressureViscosity::from_si(1.4e-8 / pressure);
+            let rheology = FilmRheology::with_alpha(&lubricant, constants, alpha, celsius(90.0)).unwrap();
+            let steel = Material {
+                young: STEEL.young * pressure,
+                conductivity: STEEL.conductivity * conductivity,
+                density: STEEL.density * density,
+                heat_capacity: STEEL.heat_capacity * (length / time).powi(2),
+                ..STEEL
+            };
+            let contact = e_drive(slide_to_roll);
+            friction(&rheology, &FilmLineContact {
+                load: contact.load * (pressure * length),
+                radius: contact.radius * length,
+                modulus: contact.modulus * pressure,
+                speeds: contact.speeds.map(|u| u * (length / time)),
+                film: Length::from_si(film * length),
+                temperature: celsius(temperature),
+                bodies: [steel, steel],
+            }, 16)
+        };
+        let (one, other) = (of(1.0, 1.0, 1.0), of(length, time, mass));
+        prop_assert!((other.coefficient / one.coefficient - 1.0).abs() < 1e-9);
+        prop_assert!((other.surface_rise - one.surface_rise).abs() < 1e-9 * one.surface_rise);
     }
 
     #[test]

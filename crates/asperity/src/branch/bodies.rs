@@ -18,6 +18,16 @@ pub(crate) struct Bodies {
     pub plastic: [Vec<f64>; 2],
 }
 
+/// Shares of pinion and wheel in the plastic displacement.
+pub(crate) fn flow_shares(case: &Case) -> Result<[f64; 2], PositionError> {
+    // The shares are defined by elastic limits; here the flow pressures stand for them.
+    let flowing = |body: usize| Material {
+        elastic_limit: case.flow_pressure[body],
+        ..case.materials[body]
+    };
+    Ok(plastic_shares(&flowing(0), &flowing(1))?)
+}
+
 impl Bodies {
     /// Bodies that keep their shape, at `n` points.
     pub(crate) fn none(n: usize) -> Self {
@@ -33,12 +43,7 @@ impl Bodies {
     pub(crate) fn new(case: &Case, solution: &ContactSolution) -> Result<Self, PositionError> {
         let [pinion, wheel] = &case.materials;
         let [elastic_share, _] = elastic_shares(pinion, wheel)?;
-        // The shares are defined by elastic limits; here the flow pressures stand for them.
-        let flowing = |body: usize| Material {
-            elastic_limit: case.flow_pressure[body],
-            ..case.materials[body]
-        };
-        let [plastic_share, _] = plastic_shares(&flowing(0), &flowing(1))?;
+        let [plastic_share, _] = flow_shares(case)?;
         let split = |field: &[f64], share: f64| {
             [
                 field.iter().map(|v| v * share).collect(),

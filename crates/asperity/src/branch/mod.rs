@@ -9,9 +9,9 @@ mod mixed;
 mod printed_deformation;
 mod rough_contact;
 
-pub(crate) use bodies::Bodies;
+pub(crate) use bodies::{Bodies, flow_shares};
 pub(crate) use carried::Carried;
 pub(crate) use full_film::full_film;
 pub(crate) use marching::march;
 pub(crate) use mixed::{Mixed, load_path, mixed};
-pub(crate) use printed_deformation::printed_deformation;
+pub(crate) use printed_deformation::printed_deformation_of;

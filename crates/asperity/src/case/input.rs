@@ -312,11 +312,15 @@ pub struct ModelInput {
     pub boundary_friction: Option<f64>,
     /// Height of the boundary layer on touching asperities; default 10 nm, which belongs to λs = 2.5 um.
     pub boundary_layer: Option<Length>,
-    /// Lay γ of the roughness, one for both flanks or `[pinion, wheel]`: 0 ridges across the whole face
-    /// (default), 1 isotropic.
+    /// Lay γ of the roughness, one for both flanks or `[pinion, wheel]`: 0 or `across`, ridges across the whole
+    /// face (default), to 1 or `isotropic`.
     pub lay: Option<OneOrTwo<Lay>>,
     /// Reading of the central film in film friction and load share: `mass-flow` (default) or `gap`.
     pub central_film: Option<CentralFilm>,
+    /// Reading of the central film in Λ* and wherever the film is printed: `gap` (default) or `mass-flow`
+    /// (`paper`: `mass-flow`).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lambda_film: Option<CentralFilm>,
     /// Speed that carries oil into touching asperities: `entrainment` (default) or `half-sliding`, for the band.
     pub spot_speed: Option<SpotSpeed>,
     /// Factor on the solved share of the asperities, for the band; default 1.
@@ -342,6 +346,9 @@ pub struct ModelInput {
     pub tolerance: Option<f64>,
     /// Count the plastic work of running-in among the losses; default false.
     pub include_running_in: Option<bool>,
+    /// Run the flanks in and give the losses of the run-in flanks beside those as measured; default false.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub run_in: Option<bool>,
     /// Fraction of the elastic energy lost in hysteresis, part of rolling; default 1 % (`paper`: 0).
     pub hysteresis: Option<Ratio>,
     /// Depths at which subsurface stress is computed; default 24.

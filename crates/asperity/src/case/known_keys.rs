@@ -68,7 +68,7 @@ fn objects<'a>(schema: &'a Value, node: &'a Value) -> Vec<&'a Value> {
         .collect()
 }
 
-fn properties(object: &Value) -> impl Iterator<Item = &str> {
+fn properties(object: &Value) -> impl Iterator<Item = &str> + Clone {
     object
         .get("properties")
         .and_then(Value::as_object)
@@ -76,10 +76,29 @@ fn properties(object: &Value) -> impl Iterator<Item = &str> {
         .flat_map(|map| map.keys().map(String::as_str))
 }
 
-/// The known key most like `seen`, if any is like it at all.
-pub(super) fn nearest<'a>(seen: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
+/// Names that older versions and other programs have for a key, and ours.
+const OTHER_NAMES: [(&str, &str); 6] = [
+    ("load_sharing", "load_distribution"),
+    ("friction", "film_friction"),
+    ("friction_law", "film_friction"),
+    ("film_share", "load_share"),
+    ("oil_temperature", "temperature"),
+    ("width", "face_width"),
+];
+
+/// The known key of another name of it, else the one most like `seen`, if any is like it at all.
+pub(super) fn nearest<'a>(
+    seen: &str,
+    known: impl Iterator<Item = &'a str> + Clone,
+) -> Option<String> {
     /// Below this Jaro-Winkler likeness a suggestion confuses more than it helps.
     const LIKE: f64 = 0.75;
+    let ours = (OTHER_NAMES.iter()).find_map(|(other, ours)| (*other == seen).then_some(*ours));
+    if let Some(ours) = ours
+        && known.clone().any(|key| key == ours)
+    {
+        return Some(ours.to_owned());
+    }
     known
         .map(|key| (strsim::jaro_winkler(seen, key), key))
         .filter(|(likeness, _)| *likeness >= LIKE)

@@ -279,6 +279,14 @@ pub(super) fn complete(
     let is_told = |default: &DefaultUsed| assumed.iter().all(|stated| stated.key != default.key);
     case.defaults.retain(is_told);
     case.defaults.extend(assumed.iter().cloned());
+    if case.model.run_in && !surfaces.are_measured() {
+        let key = "model.run_in";
+        return Err(CaseError::Conflict {
+            place: source.place_of(key),
+            key,
+            rule: "needs the traces of both flanks",
+        });
+    }
     let mut warnings = warnings;
     warnings.splice(0..0, unusual(&case.input, &case.oil));
     provenance.include(&of_flanks);

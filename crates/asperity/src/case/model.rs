@@ -50,6 +50,8 @@ pub struct Model {
     pub lay: [Lay; 2],
     /// Reading of the central film in film friction and load share.
     pub central_film: CentralFilm,
+    /// Reading of the central film in Λ* and wherever the film is printed.
+    pub lambda_film: CentralFilm,
     /// Speed that carries oil into touching asperities.
     pub spot_speed: SpotSpeed,
     /// Factor on the solved share of the asperities.
@@ -72,6 +74,8 @@ pub struct Model {
     pub tolerance: f64,
     /// Count running-in among the losses.
     pub include_running_in: bool,
+    /// Give the losses of run-in flanks as well.
+    pub run_in: bool,
     /// Fraction of the elastic energy lost.
     pub hysteresis: f64,
     /// Number of depths of subsurface fields.
@@ -139,6 +143,7 @@ pub(super) fn model(
         boundary_layer: share_choices.boundary_layer,
         lay: share_choices.lay,
         central_film: share_choices.central_film,
+        lambda_film: defaults.take("model.lambda_film", given.lambda_film, own.lambda_film),
         spot_speed: share_choices.spot_speed,
         asperity_share_factor: share_choices.factor,
         film: defaults.take("model.film", given.film, own.film),
@@ -164,6 +169,7 @@ pub(super) fn model(
             given.include_running_in,
             false,
         ),
+        run_in: share_choices.run_in,
         hysteresis: defaults
             .take(
                 "model.hysteresis",
@@ -174,6 +180,7 @@ pub(super) fn model(
         depths: defaults.take("model.depths", given.depths, 24),
     };
     check_model(&model, source)?;
+    check_run_in(formulation, given, source)?;
     check_constant(given.constant_friction, model.film_friction, source)?;
     Ok(model)
 }
@@ -186,6 +193,7 @@ struct ShareChoices {
     spot_speed: SpotSpeed,
     factor: f64,
     film_pressure_law: PressureLaw,
+    run_in: bool,
 }
 
 impl ShareChoices {
@@ -199,6 +207,7 @@ impl ShareChoices {
             central_film: defaults.take("model.central_film", film, CentralFilm::MassFlow),
             spot_speed: defaults.take("model.spot_speed", speed, SpotSpeed::Entrainment),
             factor: defaults.take("model.asperity_share_factor", factor, 1.0),
+            run_in: defaults.take("model.run_in", given.run_in, false),
             film_pressure_law: defaults.take(
                 "model.film_pressure_law",
                 given.film_pressure_law,
@@ -339,6 +348,23 @@ fn check_model(model: &Model, source: &Source) -> Result<(), CaseError> {
         DomainError::require(holds, name, value, "-", rule).map_err(domain(source, key))?;
     }
     Ok(())
+}
+
+/// Running-in is of the corrected formulation, whose contacts carry the load of the cells.
+fn check_run_in(
+    formulation: Formulation,
+    given: &ModelInput,
+    source: &Source,
+) -> Result<(), CaseError> {
+    let key = "model.run_in";
+    if formulation == Formulation::Corrected || given.run_in != Some(true) {
+        return Ok(());
+    }
+    Err(CaseError::Conflict {
+        place: source.place_of(key),
+        key,
+        rule: "belongs to the corrected formulation; leave one of the two out",
+    })
 }
 
 /// A constant coefficient is given with the law that uses it, and only with it.

@@ -1,6 +1,7 @@
 //! Defaults of the model that hang on its reading.
 
 use asperity_efficiency::swept::HYSTERESIS;
+use asperity_ehl_regime::inlet_flow::CentralFilm;
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
 use asperity_gear::LoadLaw;
 use asperity_ns_film::FluidModel;
@@ -21,6 +22,7 @@ pub(super) struct ModelDefaults {
     pub boundary_friction: f64,
     pub hysteresis: f64,
     pub film: FilmLaw,
+    pub lambda_film: CentralFilm,
     pub thermal: ThermalLaw,
     pub fluid_pressure: FluidModel,
     pub clamp_roughness: bool,
@@ -35,6 +37,7 @@ const CORRECTED: ModelDefaults = ModelDefaults {
     boundary_friction: BOUNDARY_FRICTION,
     hysteresis: HYSTERESIS,
     film: FilmLaw::DowsonToyoda,
+    lambda_film: CentralFilm::Gap,
     thermal: ThermalLaw::Gupta,
     fluid_pressure: FluidModel::ReynoldsCross,
     clamp_roughness: true,
@@ -50,6 +53,7 @@ const PAPER: ModelDefaults = ModelDefaults {
     boundary_friction: 0.3,
     hysteresis: 0.0,
     film: FilmLaw::HamrockDowson,
+    lambda_film: CentralFilm::MassFlow,
     thermal: ThermalLaw::None,
     fluid_pressure: FluidModel::Paper,
     clamp_roughness: false,

@@ -14,7 +14,7 @@ use crate::case::Case;
 use crate::deformation_losses::running_in_power;
 use crate::error::PositionError;
 use crate::friction::Rubbing;
-use crate::position::Position;
+use crate::position::{Position, PrintedDeformation};
 use crate::result::HistoryRow;
 use crate::station::{Place, Resolution};
 
@@ -135,8 +135,13 @@ impl Strategy for Corrected {
         scene.decision.shared.film_share
     }
 
-    fn deformation(&self, _: &Scene<'_>, _: &Carried) -> Result<[f64; 2], PositionError> {
-        Ok([0.0; 2])
+    fn deformation(
+        &self,
+        _: &Scene<'_>,
+        _: &Carried,
+        _: f64,
+    ) -> Result<PrintedDeformation, PositionError> {
+        Ok(PrintedDeformation::default())
     }
 
     fn deformation_losses(

@@ -7,11 +7,11 @@ use asperity_ehl_regime::Regime;
 use asperity_gear::LoadMap;
 
 use super::strategy::{Scene, Strategy};
-use crate::branch::{Carried, full_film, march, printed_deformation};
+use crate::branch::{Carried, full_film, march, printed_deformation_of};
 use crate::case::Case;
 use crate::error::PositionError;
 use crate::friction::Rubbing;
-use crate::position::Position;
+use crate::position::{Position, PrintedDeformation};
 use crate::result::HistoryRow;
 use crate::station::{Place, Resolution};
 
@@ -78,8 +78,13 @@ impl Strategy for Paper {
         }
     }
 
-    fn deformation(&self, scene: &Scene<'_>, carried: &Carried) -> Result<[f64; 2], PositionError> {
-        printed_deformation(scene.case, scene.station, scene.encounter, carried)
+    fn deformation(
+        &self,
+        scene: &Scene<'_>,
+        carried: &Carried,
+        mu_film: f64,
+    ) -> Result<PrintedDeformation, PositionError> {
+        printed_deformation_of(scene, carried, mu_film)
     }
 
     fn deformation_losses(
@@ -92,7 +97,8 @@ impl Strategy for Paper {
         let of = |body: usize| {
             let power = positions
                 .iter()
-                .map(|position| position.offsets[offset].deformation[body])
+                .map(|position| &position.offsets[offset].deformation)
+                .map(|powers| powers.in_contact[body] + powers.after_contact[body])
                 .sum();
             Power::from_si(power)
         };

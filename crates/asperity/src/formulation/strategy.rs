@@ -13,7 +13,7 @@ use crate::decision::Decision;
 use crate::encounter::Encounter;
 use crate::error::PositionError;
 use crate::friction::Rubbing;
-use crate::position::Position;
+use crate::position::{Position, PrintedDeformation};
 use crate::result::HistoryRow;
 use crate::station::{Place, Station};
 
@@ -63,8 +63,13 @@ pub(crate) trait Strategy: Debug + Send + Sync {
     /// Share of the load that the film carries, where the contact was solved.
     fn film_share(&self, scene: &Scene<'_>, carried: &Carried, rubbing: &Rubbing) -> f64;
 
-    /// Deformation loss of pinion and wheel at one offset \[W\].
-    fn deformation(&self, scene: &Scene<'_>, carried: &Carried) -> Result<[f64; 2], PositionError>;
+    /// Deformation loss at one offset, with the friction coefficient `mu_film` in the film.
+    fn deformation(
+        &self,
+        scene: &Scene<'_>,
+        carried: &Carried,
+        mu_film: f64,
+    ) -> Result<PrintedDeformation, PositionError>;
 
     /// Losses by deformation of the mesh at one offset.
     fn deformation_losses(

@@ -28,4 +28,12 @@ pub const EQUATIONS: &[Equation] = &[
         "load_share_of_the_reference_windows",
         &[],
     ),
+    Equation::new(
+        "Run-in",
+        "Flanks after running-in",
+        "zᵢ ← zᵢ − sᵢ w under the contact of each pass, until the work of a cycle is 5 % of the first's",
+        "crates/asperity/src/run_in.rs",
+        "running_in_takes_height_and_loss_off_ground_flanks",
+        &[],
+    ),
 ];

@@ -231,7 +231,7 @@ fn mean_share(
     for window in windows {
         let combined = window.roughness.combined_rq()?;
         let ratio = asperity_ehl_regime::film_ratio(station.film.minimum, 1.0, combined)?;
-        let Some(lambda) = lambda_star_of(&laws, station, &window.roughness)? else {
+        let Some(lambda) = lambda_star_of(&laws, station, &station.film, &window.roughness)? else {
             return Ok(None);
         };
         sum += 1.0 - law.film_share(lambda, ratio)?;

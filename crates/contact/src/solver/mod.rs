@@ -138,6 +138,15 @@ impl Levels {
     }
 }
 
+/// What is known of a pressure on the whole grid.
+struct Certified {
+    /// Range of the deformation about the contact in m.
+    deformation: f64,
+    /// Scale of the certificate in m.
+    reference_gap: f64,
+    assessment: Assessment,
+}
+
 impl Solver {
     /// A solver of problems with this many points and these ends.
     ///
@@ -212,8 +221,8 @@ impl Solver {
             buffers.signal(shape.points)
         })?;
         let start = self.start(&discrete, settings)?;
-        let iterations = self.descend(&discrete, settings, start)?;
-        self.conclude(&discrete, settings, iterations)
+        let (iterations, certified) = self.descend(&discrete, settings, start);
+        self.conclude(&discrete, settings, iterations, &certified)
     }
 
     /// The pressure to start from: as given, from coarser grids, or even.
@@ -274,17 +283,17 @@ impl Solver {
     }
 
     /// Solves the finest grid, windows first, and leaves the result in the workspace. Returns the
-    /// iterations.
+    /// iterations and what is certified of the result.
     fn descend(
         &mut self,
         discrete: &DiscreteProblem,
         settings: &SolverSettings,
         mut pressure: Vec<f64>,
-    ) -> Result<usize, ContactError> {
+    ) -> (usize, Certified) {
         let points = self.shape.points;
         let mut touches = touching(&discrete.gap, &pressure);
-        let (mut iterations, mut was_whole) = (0, false);
-        for attempt in 0..=MAX_WINDOWS {
+        let (mut iterations, mut attempt, mut was_whole) = (0, 0, false);
+        loop {
             let window = if self.windowed(settings) && attempt < MAX_WINDOWS {
                 Window::around(points, &touches)
             } else {
@@ -296,15 +305,16 @@ impl Solver {
             if !is_whole {
                 self.spread(discrete, settings, &pressure);
             }
+            let certified = self.certify(&discrete.task(Window::whole(points), settings, 0));
             // The whole grid is solved again when its reference gap was that of a poor start.
-            if self.verify(discrete, settings) || (is_whole && was_whole) {
-                break;
+            let solved = certified.assessment.within(settings.tolerance);
+            if solved || attempt == MAX_WINDOWS || (is_whole && was_whole) {
+                return (iterations, certified);
             }
-            was_whole = is_whole;
+            (attempt, was_whole) = (attempt + 1, is_whole);
             touches.clear();
             touches.extend(self.work.runs.iter().flat_map(|run| run.range()));
         }
-        Ok(iterations)
     }
 
     /// Takes the pressure of a window, and the gap under it, to the whole grid.
@@ -320,22 +330,19 @@ impl Solver {
         self.work.refresh(displacement, &task);
     }
 
-    /// Whether the pressure on the whole grid is the solution, by the reference gap that follows
-    /// from it.
-    fn verify(&mut self, discrete: &DiscreteProblem, settings: &SolverSettings) -> bool {
-        let task = discrete.task(Window::whole(self.shape.points), settings, 0);
-        let (_, assessment) = self.certify(&task);
-        assessment.within(settings.tolerance)
-    }
-
-    /// Reference gap in m and assessment of the pressure on the whole grid.
-    fn certify(&mut self, task: &Task) -> (f64, Assessment) {
-        let reference_gap = self.work.reference_gap(task);
+    /// Assessment of the pressure on the whole grid by the reference gap that follows from it.
+    fn certify(&mut self, task: &Task) -> Certified {
+        let deformation = self.work.deformation(task);
+        let reference_gap = task.reference_bounds.between(deformation);
         let task = Task {
             reference_gap,
             ..*task
         };
-        (reference_gap, self.work.assess(&task))
+        Certified {
+            deformation,
+            reference_gap,
+            assessment: self.work.assess(&task),
+        }
     }
 
     /// The solution that the workspace holds, when its certificate is good enough, with its gap
@@ -346,10 +353,13 @@ impl Solver {
         discrete: &DiscreteProblem,
         settings: &SolverSettings,
         iterations: usize,
+        certified: &Certified,
     ) -> Result<ContactSolution, ContactError> {
-        let task = discrete.task(Window::whole(self.shape.points), settings, 0);
-        let deformation = self.work.deformation(&task);
-        let (reference_gap, assessment) = self.certify(&task);
+        let Certified {
+            deformation,
+            reference_gap,
+            assessment,
+        } = *certified;
         let certificate = discrete.certificate(&self.work.pressure, &assessment, reference_gap);
         if !certificate.within(settings.tolerance) {
             return Err(ContactError::NotConverged {

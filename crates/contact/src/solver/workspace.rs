@@ -57,6 +57,18 @@ pub(crate) struct ReferenceBounds {
     pub(crate) most: f64,
 }
 
+impl ReferenceBounds {
+    /// The smaller of the ranges of gap and deformation in m, but not below the least.
+    pub(crate) fn between(self, deformation: f64) -> f64 {
+        let Self { least, most } = self;
+        if deformation > 0.0 {
+            most.min(deformation).max(least)
+        } else {
+            most.max(least)
+        }
+    }
+}
+
 impl Task<'_> {
     /// Contribution of the datum to the displacement by pressures of this sum.
     pub(crate) fn datum_displacement(&self, sum: impl FnOnce() -> f64) -> f64 {
@@ -186,13 +198,7 @@ impl Workspace {
 
     /// The smaller of the ranges of gap and deformation, but not below the least.
     pub(crate) fn reference_gap(&self, task: &Task) -> f64 {
-        let ReferenceBounds { least, most } = task.reference_bounds;
-        let deformation = self.deformation(task);
-        if deformation > 0.0 {
-            most.min(deformation).max(least)
-        } else {
-            most.max(least)
-        }
+        task.reference_bounds.between(self.deformation(task))
     }
 
     pub(crate) fn list_all(&mut self) {

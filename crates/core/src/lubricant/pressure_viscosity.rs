@@ -69,14 +69,19 @@ impl BaseOil {
         }
     }
 
-    /// Gold's s \[1/GPa\] and t (Fernandes and others 2013, α at 0.2 GPa).
-    const fn gold(self) -> (f64, f64) {
+    /// Gold's s \[1/GPa\] and t of α = s ν^t (Fernandes and others 2013, α at 0.2 GPa).
+    ///
+    /// ```
+    /// use asperity_core::lubricant::BaseOil;
+    /// assert_eq!(BaseOil::Pao.gold_constants(), [7.382, 0.1335]);
+    /// ```
+    pub const fn gold_constants(self) -> [f64; 2] {
         match self {
-            Self::Mineral | Self::Naphthenic => (9.904, 0.1390),
-            Self::GroupIii => (8.5, 0.1360),
-            Self::Pao => (7.382, 0.1335),
-            Self::Ester => (6.605, 0.1360),
-            Self::Polyglycol => (5.489, 0.1485),
+            Self::Mineral | Self::Naphthenic => [9.904, 0.1390],
+            Self::GroupIii => [8.5, 0.1360],
+            Self::Pao => [7.382, 0.1335],
+            Self::Ester => [6.605, 0.1360],
+            Self::Polyglycol => [5.489, 0.1485],
         }
     }
 
@@ -118,7 +123,7 @@ pub fn gold_pressure_viscosity(
 ) -> Result<Checked<PressureViscosity>, DomainError> {
     crate::cite!("Gold-1");
     let nu = DomainError::positive("kinematic viscosity", viscosity)? * MM2_PER_M2;
-    let (s, t) = base_oil.gold();
+    let [s, t] = base_oil.gold_constants();
     let mut outside = Vec::new();
     GOLD_RANGE.check(nu, &mut outside);
     Ok(Checked {

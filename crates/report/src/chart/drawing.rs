@@ -3,6 +3,7 @@
 use super::bars::BarChart;
 use super::contour::Contour;
 use super::dress::Dress;
+use super::pie::PieChart;
 use super::strip::Strip;
 use super::xy::Chart;
 
@@ -13,6 +14,8 @@ pub enum Drawing {
     Curves(Chart),
     /// Bars.
     Bars(BarChart),
+    /// Parts of a whole.
+    Pie(PieChart),
     /// Shares along the path.
     Strip(Strip),
     /// A field.
@@ -25,6 +28,7 @@ impl Drawing {
         match self {
             Self::Curves(chart) => chart.svg(dress),
             Self::Bars(chart) => chart.svg(dress),
+            Self::Pie(chart) => chart.svg(dress),
             Self::Strip(chart) => chart.svg(dress),
             Self::Contour(chart) => chart.svg(dress),
         }
@@ -35,6 +39,7 @@ impl Drawing {
         match self {
             Self::Curves(chart) => &chart.id,
             Self::Bars(chart) => &chart.id,
+            Self::Pie(chart) => &chart.id,
             Self::Strip(chart) => &chart.id,
             Self::Contour(chart) => &chart.id,
         }
@@ -45,6 +50,7 @@ impl Drawing {
         match self {
             Self::Curves(chart) => &chart.title,
             Self::Bars(chart) => &chart.title,
+            Self::Pie(chart) => &chart.title,
             Self::Strip(chart) => &chart.title,
             Self::Contour(chart) => &chart.title,
         }
@@ -55,6 +61,7 @@ impl Drawing {
         match self {
             Self::Curves(chart) => &chart.source,
             Self::Bars(chart) => &chart.source,
+            Self::Pie(chart) => &chart.source,
             Self::Strip(chart) => &chart.source,
             Self::Contour(chart) => &chart.source,
         }
@@ -65,7 +72,7 @@ impl Drawing {
         match self {
             Self::Curves(chart) => Some(chart.data()),
             Self::Contour(chart) => Some(chart.data()),
-            Self::Bars(_) | Self::Strip(_) => None,
+            Self::Bars(_) | Self::Pie(_) | Self::Strip(_) => None,
         }
     }
 

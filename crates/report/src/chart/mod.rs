@@ -1,8 +1,8 @@
 //! Charts as SVG: complete without scripts, every axis with its unit, every chart with the name of
 //! the table it was drawn from.
 //!
-//! A [`Chart`] holds curves over an axis, a [`BarChart`] bars from zero, a [`Strip`] shares along the
-//! path of contact, a [`Contour`] a field. Each draws itself for a page, which adds title and legend
+//! A [`Chart`] holds curves over an axis, a [`BarChart`] bars from zero, a [`PieChart`] parts of a whole, a
+//! [`Strip`] shares along the path of contact, a [`Contour`] a field. Each draws itself for a page, which adds title and legend
 //! as text, or alone as a file.
 
 mod axis;
@@ -13,6 +13,7 @@ mod decimate;
 mod drawing;
 mod dress;
 mod frame;
+mod pie;
 mod stacked;
 mod strip;
 mod xy;
@@ -23,6 +24,7 @@ pub use contour::Contour;
 pub use decimate::decimated;
 pub use drawing::Drawing;
 pub use dress::{Dress, STYLE};
+pub use pie::{PieChart, Slice};
 pub use stacked::stacked;
 pub use strip::Strip;
 pub use xy::{Chart, Level, Line, Mark, Series};

@@ -1,6 +1,7 @@
 //! Inputs: the case with its defaults, the files, the equations and their sources.
 
-use asperity::result::RunResult;
+use asperity::result::{FilmConstant, RunResult};
+use asperity::tribo_friction::film_friction::Mark;
 use maud::{Markup, html};
 use serde_json::Value;
 
@@ -25,6 +26,7 @@ pub(super) fn section(result: &RunResult) -> Result<Markup, ReportError> {
                 }
             }
         } }
+        (film_constants(result))
         (files(result))
         (equations(result))
     })
@@ -85,6 +87,32 @@ fn plain(value: &Value) -> String {
     value
         .as_str()
         .map_or_else(|| value.to_string(), str::to_owned)
+}
+
+/// Constants of film friction with what is known of each.
+fn film_constants(result: &RunResult) -> Markup {
+    let band = |constant: &FilmConstant| match (constant.low, constant.high) {
+        (Some(low), Some(high)) => format!("{low} to {high}"),
+        _ => "–".to_owned(),
+    };
+    let sure = |constant: &FilmConstant| match constant.mark {
+        Mark::Seen => "seen in its source",
+        Mark::Calibrated => "calibrated here",
+        Mark::Memory => "from memory, source not reached",
+        Mark::Judged => "judgement",
+    };
+    html! {
+        @if !result.film_constants.is_empty() {
+            h3 { "Oil in the film" }
+            div.scroll { table {
+                thead { tr { th { "constant" } th { "value" } th { "band" } th { "how sure" } th { "source" } } }
+                tbody { @for constant in &result.film_constants { tr {
+                    th scope="row" { code { (constant.name) } }
+                    td { (constant.value) } td { (band(constant)) } td { (sure(constant)) } td { (constant.source) }
+                } } }
+            } }
+        }
+    }
 }
 
 fn files(result: &RunResult) -> Markup {

@@ -12,7 +12,6 @@ mod page;
 mod path;
 
 pub use contact::drawings as drawings_of_contact;
-pub use overview::losses as drawing_of_losses;
 pub use page::{figure, page};
 
 use asperity::case::Formulation;

@@ -1,6 +1,6 @@
 //! Summary: the numbers that matter, the warnings, the losses, the friction laws, the regime.
 
-use asperity::result::{PublishedOutcome, RunResult};
+use asperity::result::{FlankHeights, PublishedOutcome, RunInFlanks, RunResult, Summary};
 use maud::{Markup, html};
 
 use super::page::figure;
@@ -21,6 +21,7 @@ pub(super) fn section(result: &RunResult) -> Markup {
                 }
             }
         }
+        @if let Some(run_in) = &result.run_in { (as_measured_and_run_in(result, run_in)) }
         @if !result.warnings.is_empty() {
             h3 { "Warnings" }
             ul.warnings {
@@ -28,6 +29,62 @@ pub(super) fn section(result: &RunResult) -> Markup {
             }
         }
         div.charts { @for chart in &charts { (figure(chart)) } }
+    }
+}
+
+/// Losses and roughness of the flanks as measured beside those of the run-in flanks.
+fn as_measured_and_run_in(result: &RunResult, run_in: &RunInFlanks) -> Markup {
+    let passes: usize = run_in.cycles.iter().map(|cycle| cycle.passes).sum();
+    let states = [
+        (&result.summary, &run_in.measured),
+        (&run_in.summary, &run_in.run_in),
+    ];
+    let cells = |of: &dyn Fn(&Summary, &FlankHeights) -> String| {
+        states.map(|(summary, heights)| of(summary, heights))
+    };
+    let both = |values: [f64; 2]| format!("{:.3} and {:.3} µm", values[0], values[1]);
+    let watts = |power: f64| format!("{} W", significant(power));
+    let rows = [
+        (
+            "efficiency (mesh only)",
+            cells(&|s, _| format!("{:.4} %", 100.0 * s.efficiency)),
+        ),
+        ("loss", cells(&|s, _| watts(s.loss_w))),
+        ("sliding in film", cells(&|s, _| watts(s.film_w))),
+        (
+            "lubricated asperities",
+            cells(&|s, _| watts(s.lubricated_asperity_w)),
+        ),
+        ("boundary layer", cells(&|s, _| watts(s.boundary_w))),
+        (
+            "share of the load on asperities",
+            cells(&|s, _| percent(s.asperity_share)),
+        ),
+        (
+            "share of it on the boundary layer",
+            cells(&|s, _| percent(s.boundary_share)),
+        ),
+        (
+            "Rq of pinion and wheel",
+            cells(&|_, heights| both(heights.rq_um)),
+        ),
+        (
+            "Rpk of pinion and wheel",
+            cells(&|_, heights| both(heights.rpk_um)),
+        ),
+    ];
+    html! {
+        h3 { "As measured and run in" }
+        p {
+            "The flanks ran in over " (passes) " contacts of the whole load without a film; all else on this page is of \
+            the flanks as measured."
+        }
+        div.scroll { table {
+            thead { tr { th { "number" } th { "as measured" } th { "run in" } } }
+            tbody { @for (name, [measured, after]) in &rows {
+                tr { th scope="row" { (name) } td { (measured) } td { (after) } }
+            } }
+        } }
     }
 }
 
@@ -127,7 +184,7 @@ fn evidence(result: &RunResult) -> Vec<Tile> {
 }
 
 /// Parts of the loss as bars.
-pub fn losses(result: &RunResult) -> Drawing {
+fn losses(result: &RunResult) -> Drawing {
     let s = &result.summary;
     let running_in = match result.running_in.included {
         true => result.running_in.first_pass_w,

@@ -4,6 +4,7 @@
 
 mod figure;
 mod lubricant_matrix;
+mod pies;
 mod random_contact;
 mod reference_case;
 mod thick_films;
@@ -42,7 +43,8 @@ const FILES: &[&str] = &[
     "fig11a_subsurface.svg",
     "fig11b_subsurface_near.svg",
     "fig12_losses.csv",
-    "fig12_losses.svg",
+    "fig12a_in_contact.svg",
+    "fig12b_after_contact.svg",
     "fig13_convergence.csv",
     "fig13a_load.svg",
     "fig13b_convergence.svg",

@@ -6,10 +6,11 @@ use asperity::case::LoadedCase;
 use asperity::pipeline;
 use asperity_report::PageTables;
 use asperity_report::chart::{Axis, Chart, Drawing};
-use asperity_report::html::{drawing_of_losses, drawings_of_contact};
-use asperity_report::tables::{losses, write};
+use asperity_report::html::drawings_of_contact;
+use asperity_report::tables::write;
 
 use super::figure::{Figure, FigureError};
+use super::pies;
 
 /// File, chart of the report, title, table it is kept in.
 const FIGURES: &[(&str, &str, &str, &str)] = &[
@@ -44,12 +45,6 @@ const FIGURES: &[(&str, &str, &str, &str)] = &[
         SUBSURFACE,
     ),
     (
-        "fig12_losses",
-        "losses",
-        "Fig. 12: losses in and after contact",
-        LOSSES,
-    ),
-    (
         "fig13a_load",
         "approach",
         "Fig. 13: load while the surfaces are lowered",
@@ -64,7 +59,6 @@ const FIGURES: &[(&str, &str, &str, &str)] = &[
 ];
 const SURFACE: &str = "fig09_fig10_surface.csv";
 const SUBSURFACE: &str = "fig11_subsurface.csv";
-const LOSSES: &str = "fig12_losses.csv";
 const MARCHING: &str = "fig13_convergence.csv";
 /// Range of a zoom into the contact [µm] and below it.
 const ZOOM_UM: [f64; 2] = [-110.0, -70.0];
@@ -74,15 +68,13 @@ pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, F
     let outcome = pipeline::run(case, &|_, _| {})?;
     let result = &outcome.result;
     let tables = PageTables::of(&outcome, Some(1))?;
-    let mut drawings = vec![drawing_of_losses(result)];
-    drawings.extend(drawings_of_contact(result, &tables)?);
+    let drawings = drawings_of_contact(result, &tables)?;
     if let Some(contact) = &tables.contact {
         write(&folder.join(SURFACE), &contact.surface)?;
         write(&folder.join(SUBSURFACE), &contact.subsurface)?;
         write(&folder.join(MARCHING), &contact.convergence)?;
     }
-    write(&folder.join(LOSSES), losses(result))?;
-    let mut figures = Vec::new();
+    let mut figures = pies::figures(&result.summary, folder)?;
     for &(name, id, title, table) in FIGURES {
         let found = drawings.iter().find(|drawing| drawing.id() == id);
         let drawing = found.ok_or(FigureError::NoContact { table })?;
@@ -99,6 +91,7 @@ fn renamed(mut drawing: Drawing, title: &str, table: &str) -> Drawing {
     let (own_title, source) = match &mut drawing {
         Drawing::Curves(chart) => (&mut chart.title, &mut chart.source),
         Drawing::Bars(chart) => (&mut chart.title, &mut chart.source),
+        Drawing::Pie(chart) => (&mut chart.title, &mut chart.source),
         Drawing::Strip(chart) => (&mut chart.title, &mut chart.source),
         Drawing::Contour(chart) => (&mut chart.title, &mut chart.source),
     };

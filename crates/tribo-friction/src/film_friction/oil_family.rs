@@ -6,10 +6,9 @@
 //! | τ₀ | `eyring_stress` | Pa |
 //! | k | `conductivity` at ambient pressure | W/(m K) |
 //! | c₁, c₂ | `conductivity_rise`, `conductivity_bend` in k(p) = k (1 + c₁ p/(1 + c₂ p)) | 1/GPa |
-//! | s, t | `gold_factor`, `gold_exponent` in α = s ν^t | 1/GPa, - |
 //!
 //! The numbers are data (`data/oil_families.json`), each with its band where one is known, its source and
-//! how sure it is ([`Mark`]). The families are those of the base oil; additives are not in them.
+//! how sure it is ([`Mark`]). Gold's constants for α are those of the base oil in `asperity-core`. The families are those of the base oil; additives are not in them.
 
 use std::sync::OnceLock;
 
@@ -69,10 +68,6 @@ pub struct OilFamilyData {
     pub conductivity_rise: MarkedValue,
     /// Coefficient c₂ of the conductivity over pressure \[1/GPa\].
     pub conductivity_bend: MarkedValue,
-    /// Gold's factor s \[1/GPa\].
-    pub gold_factor: MarkedValue,
-    /// Gold's exponent t.
-    pub gold_exponent: MarkedValue,
 }
 
 #[derive(Debug, Deserialize)]
@@ -110,6 +105,19 @@ impl From<BaseOil> for OilFamily {
             BaseOil::Pao => Self::Pao,
             BaseOil::Ester => Self::Ester,
             BaseOil::Polyglycol => Self::Polyglycol,
+        }
+    }
+}
+
+impl From<OilFamily> for BaseOil {
+    fn from(family: OilFamily) -> Self {
+        match family {
+            OilFamily::Mineral => Self::Mineral,
+            OilFamily::Naphthenic => Self::Naphthenic,
+            OilFamily::GroupIii => Self::GroupIii,
+            OilFamily::Pao => Self::Pao,
+            OilFamily::Ester => Self::Ester,
+            OilFamily::Polyglycol => Self::Polyglycol,
         }
     }
 }
@@ -159,6 +167,43 @@ impl OilFamily {
     }
 }
 
+impl OilFamily {
+    /// Every constant of the family by the name that output gives it, Gold's of the base oil among them.
+    ///
+    /// # Errors
+    /// As [`data`](Self::data).
+    ///
+    /// ```
+    /// use asperity_tribo_friction::{OilFamily, film_friction::Mark};
+    /// let constants = OilFamily::Ester.constants()?;
+    /// assert!(constants.iter().any(|(name, value)| *name == "limiting_shear" && value.mark == Mark::Judged));
+    /// # Ok::<(), asperity_tribo_friction::FrictionError>(())
+    /// ```
+    pub fn constants(self) -> Result<Vec<(&'static str, MarkedValue)>, FrictionError> {
+        let data = self.data()?;
+        let [factor, exponent] = BaseOil::from(self).gold_constants();
+        let gold = |value: f64| MarkedValue {
+            value,
+            low: None,
+            high: None,
+            mark: match self {
+                Self::GroupIii => Mark::Judged,
+                _ => Mark::Memory,
+            },
+            source: "gold_2001".to_owned(),
+        };
+        Ok(vec![
+            ("limiting_shear", data.limiting_shear.clone()),
+            ("eyring_stress_pa", data.eyring_stress.clone()),
+            ("conductivity_w_per_m_k", data.conductivity.clone()),
+            ("conductivity_rise_per_gpa", data.conductivity_rise.clone()),
+            ("conductivity_bend_per_gpa", data.conductivity_bend.clone()),
+            ("gold_factor_per_gpa", gold(factor)),
+            ("gold_exponent", gold(exponent)),
+        ])
+    }
+}
+
 /// Text of the source with this key.
 ///
 /// ```
@@ -190,13 +235,14 @@ mod tests {
                 &data.conductivity,
                 &data.conductivity_rise,
                 &data.conductivity_bend,
-                &data.gold_factor,
-                &data.gold_exponent,
             ] {
                 assert!(number.value > 0.0);
                 assert!(number.low.is_none_or(|low| low < number.value));
                 assert!(number.high.is_none_or(|high| high > number.value));
                 assert!(family_source(&number.source).is_some(), "{}", number.source);
+            }
+            for (name, constant) in family.constants().unwrap() {
+                assert!(family_source(&constant.source).is_some(), "{name}");
             }
             assert!(data.limiting_shear.low.is_some() && data.limiting_shear.high.is_some());
         }

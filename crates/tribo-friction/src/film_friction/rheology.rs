@@ -18,7 +18,7 @@
 //! The blend of τ_E and τ_L with the power 4 and τ_L0 = 2 MPa are judgement; b_L is not known and 0.
 
 use asperity_core::cite;
-use asperity_core::lubricant::Lubricant;
+use asperity_core::lubricant::{BaseOil, Lubricant, gold_pressure_viscosity};
 use asperity_core::numerics::{Solved, newton_root};
 use asperity_core::quantity::{
     DynamicViscosity, Length, PerKelvin, Pressure, PressureViscosity, Speed, Temperature,
@@ -139,7 +139,7 @@ impl TractionConstants {
             conductivity: ThermalConductivity::from_si(data.conductivity.value),
             conductivity_rise: data.conductivity_rise.value,
             conductivity_bend: data.conductivity_bend.value,
-            gold_exponent: data.gold_exponent.value,
+            gold_exponent: BaseOil::from(family).gold_constants()[1],
         })
     }
 
@@ -226,13 +226,10 @@ impl FilmRheology {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn new(lubricant: &Lubricant, family: OilFamily) -> Result<Self, FrictionError> {
-        cite!("Gold-1");
-        let data = family.data()?;
-        let state = lubricant.at(GOLD_TEMPERATURE)?.value;
-        let nu = state.kinematic_viscosity.si() * 1e6;
-        let alpha = data.gold_factor.value * nu.powf(data.gold_exponent.value) * 1e-9;
+        let nu = lubricant.at(GOLD_TEMPERATURE)?.value.kinematic_viscosity;
+        // At 80 °C thin oils lie below what the formula was fitted to; film friction was calibrated so.
+        let alpha = gold_pressure_viscosity(family.into(), nu)?.value;
         let constants = TractionConstants::of(family)?;
-        let alpha = PressureViscosity::from_si(alpha);
         Self::with_alpha(lubricant, constants, alpha, GOLD_TEMPERATURE)
     }
 

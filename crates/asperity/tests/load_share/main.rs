@@ -1,9 +1,13 @@
-//! The load share against an independent program, and what must hold whatever the numbers.
+//! The load share against an independent program, and what must hold whatever the numbers: single windows here,
+//! drawn ones in `properties`, whole flanks that run in in `run_in`.
 
 #![allow(
     clippy::unwrap_used,
     reason = "helpers of tests may unwrap as tests do"
 )]
+
+mod properties;
+mod run_in;
 
 use std::path::Path;
 use std::sync::OnceLock;
@@ -255,7 +259,7 @@ struct Window {
 
 #[test]
 fn load_share_of_the_reference_windows() {
-    let golden: Golden = serde_json::from_str(include_str!("golden/load_share.json")).unwrap();
+    let golden: Golden = serde_json::from_str(include_str!("../golden/load_share.json")).unwrap();
     assert_eq!(golden.windows.len(), 18);
     for row in golden.windows {
         let name = format!("{} {:?} w {}", row.profile, row.starts, row.w);

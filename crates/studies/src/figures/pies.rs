@@ -1,0 +1,82 @@
+//! Fig. 12: the losses in contact and after contact, each a pie of four parts.
+//!
+//! In contact the deformation of eq. 19 is elastic and plastic, after contact plastic alone; sliding and rolling
+//! are the same in both.
+
+use std::path::Path;
+
+use asperity::result::Summary;
+use asperity_report::chart::{Drawing, PieChart, Slice};
+use asperity_report::tables::write;
+use serde::Serialize;
+
+use super::figure::{Figure, FigureError};
+
+const TABLE: &str = "fig12_losses.csv";
+
+/// A part of both pies.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+struct PartRow {
+    part: &'static str,
+    in_contact_w: f64,
+    in_contact_percent: f64,
+    after_contact_w: f64,
+    after_contact_percent: f64,
+}
+
+pub(super) fn figures(summary: &Summary, folder: &Path) -> Result<Vec<Figure>, FigureError> {
+    let after = summary.deformation_after_contact_w;
+    let within = [0, 1].map(|body: usize| summary.deformation_w[body] - after[body]);
+    let (sliding, rolling) = (summary.sliding_w, summary.rolling_w);
+    let parts = [
+        ("deformation, pinion", within[0], after[0]),
+        ("deformation, wheel", within[1], after[1]),
+        ("sliding", sliding, sliding),
+        ("rolling", rolling, rolling),
+    ];
+    let whole = |of: fn(&(&str, f64, f64)) -> f64| parts.iter().map(of).sum::<f64>();
+    let (in_contact, after_contact) = (whole(|part| part.1), whole(|part| part.2));
+    let percent = |power: f64, whole: f64| match whole > 0.0 {
+        true => 100.0 * power / whole,
+        false => 0.0,
+    };
+    let rows = parts.map(|(part, first, second)| PartRow {
+        part,
+        in_contact_w: first,
+        in_contact_percent: percent(first, in_contact),
+        after_contact_w: second,
+        after_contact_percent: percent(second, after_contact),
+    });
+    write(&folder.join(TABLE), rows)?;
+    let pie = |name, title: &str, of: fn(&PartRow) -> (f64, f64)| Figure {
+        name,
+        drawing: Drawing::Pie(PieChart {
+            id: name.to_owned(),
+            title: title.to_owned(),
+            source: TABLE.to_owned(),
+            slices: rows.iter().map(|row| slice(row.part, of(row))).collect(),
+        }),
+    };
+    Ok(vec![
+        pie("fig12a_in_contact", "Fig. 12: losses in contact", |row| {
+            (row.in_contact_w, row.in_contact_percent)
+        }),
+        pie(
+            "fig12b_after_contact",
+            "Fig. 12: losses after contact",
+            |row| (row.after_contact_w, row.after_contact_percent),
+        ),
+    ])
+}
+
+fn slice(name: &str, (value, percent): (f64, f64)) -> Slice {
+    let text = match percent >= 0.01 {
+        true => format!("{value:.1} W, {percent:.1} %"),
+        false => format!("{value:.1e} W, {percent:.0e} %"),
+    };
+    Slice {
+        name: name.to_owned(),
+        value,
+        text,
+    }
+}
