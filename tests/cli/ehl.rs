@@ -167,6 +167,144 @@ fn a_case_is_set_beside_the_laws_of_load_sharing() {
 }
 
 #[test]
+fn several_records_are_averaged_and_a_page_plays_their_film() {
+    let bench = Bench::new();
+    bench.write("one.csv", wave(0.15));
+    let options = [
+        "--profile1",
+        "one.csv",
+        "--periodic",
+        "--cells",
+        "128",
+        "--half-widths",
+        "2",
+        "--start",
+        "1",
+        "--records",
+        "2",
+        "--report",
+        "page.html",
+        "--every",
+        "0.5",
+        "--json",
+    ];
+    let found = bench.run(&gear(&options)).well().json();
+    let records = found["records"].as_array().unwrap();
+    assert_eq!(records.len(), 2);
+    let mean = 0.5 * (number(&records[0], "mean") + number(&records[1], "mean"));
+    assert!((number(&found, "solid_share") - mean).abs() < 1e-12);
+    assert!((number(&found, "travel_half_widths") - 4.0).abs() < 0.1);
+    let page = std::fs::read_to_string(bench.path("page.html")).unwrap();
+    for part in [
+        "formula, smooth gap",
+        "data-player=\"play\"",
+        "id=\"frames\"",
+        "Hertz",
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+    assert!(
+        !page.contains("http://") && !page.contains("src="),
+        "needs a network"
+    );
+}
+
+#[test]
+fn traction_has_its_heat_where_the_oil_is_known() {
+    let bench = Bench::new();
+    let oil = [
+        "--oil",
+        "m100",
+        "--bulk",
+        "90 °C",
+        "--json",
+        "--report",
+        "page.html",
+    ];
+    let found = bench.run(&[&GEAR[..11], &oil].concat()).well().json();
+    let cold = number(&found["traction_isothermal"], "coefficient");
+    let hot = number(&found["traction_thermal"], "coefficient");
+    assert!(hot > 0.0 && hot < cold, "{hot} {cold}");
+    // Without sliding heat the limit is 0.05 of the pressure.
+    assert!(cold <= 0.05);
+    assert!(number(&found["traction_thermal"], "film_rise") > 0.0);
+    let page = std::fs::read_to_string(bench.path("page.html")).unwrap();
+    assert!(page.contains("traction, thermal"));
+    let bare = bench.run(&gear(&["--json"])).well().json();
+    assert!(bare["traction_thermal"].is_null());
+}
+
+#[test]
+fn a_run_takes_shares_from_records_and_keeps_them() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    let options = [
+        "run",
+        "case.toml",
+        "--no-output",
+        "--json",
+        "--set",
+        "model.load_share=ehl",
+        "--set",
+        "model.ehl.records=2",
+        "--set",
+        "model.ehl.cells=128",
+        "--set",
+        "model.ehl.travel=2",
+        "--set",
+        "model.ehl.cache=kept",
+        "--set",
+        "model.positions=4",
+        "--set",
+        "model.offsets=1",
+    ];
+    let found = bench.run(&options).well().json();
+    assert_eq!(found["records"].as_array().unwrap().len(), 2);
+    assert!(number(&found["summary"], "asperity_share_standard_error") > 0.0);
+    assert_eq!(std::fs::read_dir(bench.path("kept")).unwrap().count(), 2);
+    let once = bench.run(&[&options[..], &["--threads", "1"]].concat());
+    assert_eq!(once.well().json(), found);
+    bench
+        .run(&[
+            "run",
+            "case.toml",
+            "--no-output",
+            "--set",
+            "model.load_share=ehl",
+            "--set",
+            "model.ehl.cells=100",
+        ])
+        .refused(2, "E209", &["cells across the film", "multiple of 64"]);
+}
+
+#[test]
+fn a_full_film_off_its_formulas_is_told() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    // Seven times the speed: the film carries everything and heats more than its formula knows.
+    let options = [
+        "run",
+        "case.toml",
+        "--no-output",
+        "--notes",
+        "--set",
+        "model.full_film=ehl",
+        "--set",
+        "model.positions=4",
+        "--set",
+        "model.offsets=1",
+        "--set",
+        "operation.speed=60000 1/min",
+        "--set",
+        "model.load_share=lambda-star",
+    ];
+    let text = bench.run(&options).well().out;
+    assert!(text.contains("W416 "), "{text}");
+}
+
+#[test]
 fn ridges_that_cannot_leak_are_told() {
     let bench = Bench::new();
     bench.write("one.csv", wave(0.5));

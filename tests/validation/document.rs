@@ -7,7 +7,7 @@ use std::path::Path;
 
 use crate::{
     fluid_film, full_film_losses, gear_tool, load_share, measured, paper_formulation,
-    petry_johnson, rough_contact, spot_values, table_2,
+    petry_johnson, rough_contact, spot_values, steady_films, table_2,
 };
 
 /// Every table by the name of its place.
@@ -25,6 +25,7 @@ fn tables() -> Vec<(&'static str, String)> {
         petry_johnson::losses(),
         fluid_film::at_the_pitch_point(),
         rough_contact::smooth_flanks(),
+        steady_films::films(),
         paper_formulation::printed_deformation(),
     ];
     let mut tables: Vec<_> = compared

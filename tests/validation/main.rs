@@ -17,4 +17,5 @@ mod paper_formulation;
 mod petry_johnson;
 mod rough_contact;
 mod spot_values;
+mod steady_films;
 mod table_2;

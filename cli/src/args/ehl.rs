@@ -34,6 +34,9 @@ pub struct EhlArgs {
     /// Eyring stress of the film, as "5 MPa" [default: that of the base oil; bare: Newtonian]
     #[arg(long, allow_hyphen_values = true)]
     pub eyring_stress: Option<Pressure>,
+    /// Records, each from another pair of places on the profiles, in parallel; their mean is told
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=64))]
+    pub records: u16,
     /// Cells across the film, a multiple of 64; at least 8 a shortest wave of the profiles
     #[arg(long, default_value_t = 512)]
     pub cells: usize,
@@ -62,15 +65,12 @@ pub struct EhlArgs {
     /// Write pressure and film per point; of two rough surfaces at several times
     #[arg(long, short)]
     pub output: Option<PathBuf>,
-    /// Travel between the times that are written, in half-widths
-    #[arg(
-        long,
-        value_name = "TRAVEL",
-        requires = "output",
-        default_value_t = 5.0,
-        allow_hyphen_values = true
-    )]
-    pub every: f64,
+    /// Write a page with film and pressure; of two rough surfaces with frames that can be played
+    #[arg(long, value_name = "FILE")]
+    pub report: Option<PathBuf>,
+    /// Travel between the times that are written, in half-widths [default: 5, in a page 0.1]
+    #[arg(long, value_name = "TRAVEL", allow_hyphen_values = true)]
+    pub every: Option<f64>,
 }
 
 /// Bodies, speeds, oil and profiles without a case.

@@ -10,9 +10,10 @@ use crate::film_constants::film_constants;
 use crate::flank_record::FlankRecord;
 use crate::load_report::LoadReport;
 use crate::position::{Offset, Position};
+use crate::records::{PathRecords, PlacedRecord};
 use crate::result::{
-    Losses, OffsetRow, Outcome, PointRow, PositionRow, Regime, RunInFlanks, RunResult, RunningIn,
-    SCHEMA_VERSION, Summary,
+    Losses, OffsetRow, Outcome, PointRow, PositionRow, RecordRow, Regime, RunInFlanks, RunResult,
+    RunningIn, SCHEMA_VERSION, Summary,
 };
 use crate::run_in::RanIn;
 use crate::solved::{Solved, mean};
@@ -41,6 +42,11 @@ impl Solved<'_> {
         let load = LoadReport::new(case, self.map)?;
         warnings.extend(attention::warnings(self.loaded, &self.positions, &summary)?);
         attention::load(self.loaded, &self.positions, &load, &mut warnings);
+        let records = self
+            .records
+            .map(|records| record_rows(case, records))
+            .unwrap_or_default();
+        attention::records(&records, &mut warnings);
         let result = RunResult {
             schema_version: SCHEMA_VERSION,
             program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
@@ -50,6 +56,7 @@ impl Solved<'_> {
             load,
             path: self.path()?,
             points: self.points(points)?,
+            records,
             running_in: running_in(case, &self.meshes),
             run_in: None,
             summary,
@@ -121,6 +128,11 @@ impl Solved<'_> {
         let (positions, meshes) = (&self.positions, &self.meshes);
         let factors = [case.gears.ohlendorf_loss_factor(), self.map.loss_factor()];
         let mut summary = summary(positions, meshes, factors)?;
+        if let Some(records) = self.records.filter(|_| case.load_share().needs_records()) {
+            let places = positions.iter().map(|position| &position.station);
+            let weighted = places.map(|station| (station.s, station.weight));
+            summary.asperity_share_standard_error = Some(records.mean_share_error(weighted));
+        }
         let swept = of_all_offsets(case, positions)?;
         summary.hysteresis_w = swept.hysteresis.si();
         summary.elastic_cycling_w = swept.elastic_cycling.si();
@@ -204,6 +216,7 @@ fn summary(
         hysteresis_w: 0.0,
         elastic_cycling_w: 0.0,
         asperity_share: share_of(&|offset| 1.0 - offset.film_share),
+        asperity_share_standard_error: None,
         boundary_share: share_of(&boundary_share),
         mu_equivalent: equivalent.value,
         loss_factor: ohlendorf,
@@ -247,8 +260,12 @@ fn row(case: &Case, position: &Position, rolling: f64, per_width: f64) -> Positi
     let solid = over(|offset| 1.0 - offset.film_share);
     let gaps: Vec<f64> = offsets
         .iter()
-        .filter_map(|offset| offset.solved.map(|solved| solved.mean_gap.si()))
+        .filter_map(|offset| {
+            let recorded = offset.recorded.map(|recorded| recorded.mean_gap.mean);
+            recorded.or_else(|| Some(offset.solved?.mean_gap.si()))
+        })
         .collect();
+    let recorded = offsets.first().and_then(|offset| offset.recorded);
     let sliding = motion.sliding.si().abs() * station.sliding_factor;
     let parts = [0, 1, 2].map(|part| mean(forces(position).map(|force| force[part])));
     let surfaces = formulation::of(case.formulation).rolling_surfaces().count();
@@ -280,9 +297,11 @@ fn row(case: &Case, position: &Position, rolling: f64, per_width: f64) -> Positi
             Regime::FullFilm
         },
         film_share: over(|offset| offset.film_share),
+        film_share_standard_error: recorded.map(|share| share.solid_share.standard_error),
         boundary_of_asperities: (solid > 0.0).then(|| over(boundary_share) / solid),
         boundary_share: over(boundary_share),
         mean_gap_um: (!gaps.is_empty()).then(|| mean(gaps.iter().copied()) * 1e6),
+        full_film: position.full_film.as_ref().map(|film| film.row),
         mu_film: over(|offset| offset.friction.mu),
         mu: force / station.load.si(),
         flash_k: over(|offset| offset.flash),
@@ -299,6 +318,35 @@ fn row(case: &Case, position: &Position, rolling: f64, per_width: f64) -> Positi
         iterations: contacts.iter().map(|contact| contact.iterations).sum(),
         load_error: contacts.iter().map(|c| c.load_error).fold(0.0, f64::max),
     }
+}
+
+fn record_rows(case: &Case, records: &PathRecords) -> Vec<RecordRow> {
+    let path = case.gears.path();
+    let row = |place: &PlacedRecord| {
+        let (station, record) = (&place.station, &place.record);
+        RecordRow {
+            path_fraction: (station.s - path.a) / (path.e - path.a),
+            hertz_pressure_mpa: station.hertz.max_pressure.si() * 1e-6,
+            slide_to_roll: station.motion.slide_to_roll,
+            smooth_film_um: record.smooth_film.si() * 1e6,
+            roughness_over_film: record.attenuated_roughness / record.smooth_film,
+            solid_share: record.solid_share.mean,
+            solid_share_standard_error: record.solid_share.standard_error,
+            share_below_50_nm: record.share_below_50_nm.mean,
+            mean_gap_um: record.mean_film.mean * 1e6,
+            mean_gap_standard_error_um: record.mean_film.standard_error * 1e6,
+            friction: record.friction.mean,
+            friction_standard_error: record.friction.standard_error,
+            mean_p_max_mpa: record.mean_max_pressure.mean * 1e-6,
+            p_max_mpa: record.max_pressure.si() * 1e-6,
+            travel_half_widths: record.travel,
+            steps: record.steps,
+            steps_cut: record.steps_cut,
+            loose_steps: record.loose_steps,
+            load_error: record.load_error,
+        }
+    };
+    records.places.iter().map(row).collect()
 }
 
 fn running_in(case: &Case, meshes: &[MeshEfficiency]) -> RunningIn {

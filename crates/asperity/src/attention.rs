@@ -12,11 +12,13 @@ use crate::case::LoadedCase;
 use crate::encounter::is_substituted;
 use crate::error::PositionError;
 use crate::formulation;
+use crate::full_film::{FullFilmRow, NOTED_DEVIATION};
 use crate::load_report::LoadReport;
 use crate::local_roughness::FEW_ASPERITIES;
 use crate::message::Warning;
 use crate::position::Position;
-use crate::result::{Regime, Summary};
+use crate::referee::LARGEST_ROUGHNESS;
+use crate::result::{RecordRow, Regime, Summary};
 use crate::surfaces::Texture;
 
 /// Warnings about the positions and the summary.
@@ -50,6 +52,7 @@ pub(crate) fn warnings(
     stress(loaded, positions, &mut found)?;
     contacts(positions, &mut found);
     roughness(loaded, positions, &mut found);
+    full_film(positions, &mut found);
     Ok(found)
 }
 
@@ -296,6 +299,56 @@ fn strained(position: &Position, limit: f64, bearable: f64) -> usize {
             .is_some_and(|contact| contact.p_max > bearable),
     });
     yields.count()
+}
+
+/// W415: records whose ridges cannot leak.
+pub(crate) fn records(records: &[RecordRow], found: &mut Vec<Warning>) {
+    let ratios = records.iter().map(|record| record.roughness_over_film);
+    let beyond = ratios.clone().filter(|r| *r > LARGEST_ROUGHNESS).count();
+    if beyond > 0 {
+        found.push(Warning::new(
+            "W415",
+            format!(
+                "the roughness left in the contact is up to {:.2} smooth films, above {LARGEST_ROUGHNESS} in {beyond} of {} records: ridges that cannot leak make those no referee, measurement decides",
+                ratios.fold(0.0, f64::max),
+                records.len()
+            ),
+        ));
+    }
+}
+
+/// W416: full films off their formulas.
+fn full_film(positions: &[Position], found: &mut Vec<Warning>) {
+    let rows = || {
+        let films = positions.iter().filter_map(|p| p.full_film.as_ref());
+        films.map(|film| film.row)
+    };
+    let off = |row: &FullFilmRow| row.largest_deviation() > NOTED_DEVIATION;
+    let count = rows().filter(off).count();
+    if count == 0 {
+        return;
+    }
+    let most = |of: &dyn Fn(&FullFilmRow) -> f64| {
+        let values = rows().map(|row| of(&row));
+        values.fold(0.0, |most: f64, value| {
+            if value.abs() > most.abs() {
+                value
+            } else {
+                most
+            }
+        })
+    };
+    found.push(Warning::new(
+        "W416",
+        format!(
+            "the solved full film is more than {:.0} % off the formulas at {count} of {} positions: central film by up to {:+.0} %, minimum film {:+.0} %, friction {:+.0} %",
+            100.0 * NOTED_DEVIATION,
+            rows().count(),
+            100.0 * most(&|row| row.film_central_deviation),
+            100.0 * most(&|row| row.film_minimum_deviation),
+            100.0 * most(&|row| row.mu_deviation.unwrap_or(0.0)),
+        ),
+    ));
 }
 
 /// W406, W407, W408, W411: what the traces do not tell.

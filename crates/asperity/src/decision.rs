@@ -13,6 +13,7 @@ use crate::friction;
 use crate::load_share::LoadShareSolution;
 use crate::load_share_law::{ShareConditions, SharedLoad};
 use crate::local_roughness::Roughness;
+use crate::records::RecordedShare;
 use crate::station::Station;
 
 /// The regime, what decides it, and how film and asperities share the load.
@@ -33,6 +34,7 @@ pub(crate) fn decide(
     roughness: &Roughness,
     encounter: Option<&Encounter>,
     solved: Option<&LoadShareSolution>,
+    recorded: Option<&RecordedShare>,
 ) -> Result<Decision, PositionError> {
     let combined = roughness.combined_rq()?;
     let ratio = if combined.si() > 0.0 {
@@ -58,6 +60,7 @@ pub(crate) fn decide(
         contact: &contact,
         flow_pressure: case.flow_pressure,
         solved,
+        recorded,
     };
     Ok(Decision {
         lambda_star,

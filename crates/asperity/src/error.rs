@@ -27,6 +27,9 @@ pub enum PositionError {
     /// The load share has no solution.
     #[error(transparent)]
     LoadShare(#[from] LoadShareError),
+    /// The lubricated contact has no solution, or did not converge.
+    #[error(transparent)]
+    Ehl(#[from] asperity_ehl::EhlError),
     /// Contact tables of other gears, flanks or loads.
     #[error("the contact tables were made for another {differs}")]
     OtherTables {
@@ -213,6 +216,7 @@ fn advice(source: &PositionError) -> &'static str {
     match source.reason() {
         PositionError::Contact(ContactError::NotConverged { .. })
         | PositionError::Impossible { .. }
+        | PositionError::Ehl(_)
         | PositionError::FlashNotSettled { .. }
         | PositionError::Marching { .. } => ". No efficiency is reported",
         _ => "",
@@ -309,6 +313,7 @@ impl PositionError {
                 ..
             })) => "E302",
             Self::LoadShare(LoadShareError::FlowPressureTooLow { .. }) => "E306",
+            Self::Ehl(error) if error.is_unconverged() => "E307",
             _ => "E305",
         }
     }
@@ -322,6 +327,9 @@ impl PositionError {
                 .because("to a shorter one")
                 .or_set(key("model.window"), Value::Any)
                 .because("to fewer half-widths"),
+            Self::Ehl(error) if error.is_unconverged() => {
+                Remedy::state(key("model.ehl.cells")).because("to more cells across the film")
+            }
             Self::FlashNotSettled { .. } => Remedy::omit(key("model.flash_feedback")),
             Self::LoadShare(LoadShareError::FlowPressureTooLow { .. }) => {
                 Remedy::state(key("material.pinion.flow_pressure"))

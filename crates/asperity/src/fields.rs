@@ -35,7 +35,10 @@ pub(crate) fn fields(
     };
     let gap = match &carried.solids {
         Some(solids) => solids.gap.clone(),
-        None => vec![station.film_shown.central.si(); n],
+        None => match scene.full_film {
+            Some(film) => film.gap_at(&encounter.x, station.motion.radius),
+            None => vec![station.film_shown.central.si(); n],
+        },
     };
     let shear = shear(scene, &carried, mu_film);
     let total: Vec<f64> = solid

@@ -11,10 +11,12 @@ use asperity_tribo_friction::{
 
 use crate::branch::Carried;
 use crate::case::Case;
+use crate::chosen_laws::ChosenLaws;
 use crate::error::PositionError;
 use crate::load_share_law::SharedLoad;
 use crate::local_roughness::Roughness;
 use crate::station::Station;
+use crate::surfaces::Surfaces;
 
 /// Friction coefficient in the film.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,6 +61,18 @@ pub(crate) fn in_film(
         flash_kelvin: before,
         passes: FLASH_PASSES,
     })
+}
+
+/// Friction coefficient of the smooth film by the law of the case.
+pub(crate) fn smooth(
+    case: &Case,
+    laws: &ChosenLaws,
+    surfaces: &Surfaces,
+    station: &Station,
+) -> Result<f64, PositionError> {
+    let roughness = surfaces.roughness_as_a_whole()?;
+    let contact = film_contact(case, station, &roughness, &case.oil)?;
+    Ok(laws.friction.traction(&contact)?.value.coefficient)
 }
 
 /// Flash temperature \[K\] of a contact whose whole friction coefficient is `mu`.

@@ -18,6 +18,7 @@ use crate::encounter::Encounter;
 use crate::error::PositionError;
 use crate::load_share::{InletSupply, LoadShareSolution};
 use crate::local_roughness::Roughness;
+use crate::records::RecordedShare;
 use crate::station::Station;
 
 /// Film and asperities at one mesh position and one offset, as a law of load sharing sees them.
@@ -42,6 +43,9 @@ pub struct ShareConditions<'a> {
     /// The rough contact solved for the supply of [`LoadShare::supply`]; none where the law asks for none, or
     /// a flank was not measured.
     pub solved: Option<&'a LoadShareSolution>,
+    /// Records of mixed lubrication along the path, interpolated here; none where the law asks for none, or a
+    /// flank was not measured.
+    pub recorded: Option<&'a RecordedShare>,
 }
 
 impl ShareConditions<'_> {
@@ -136,6 +140,11 @@ pub trait LoadShare: Debug + Send + Sync {
         None
     }
 
+    /// Whether the law wants records of mixed lubrication along the path; not by default.
+    fn needs_records(&self) -> bool {
+        false
+    }
+
     /// Shares at one mesh position and one offset.
     ///
     /// # Errors
@@ -166,7 +175,11 @@ impl LoadShare for LoadShareName {
         (*self).supply()
     }
 
-    /// Where the rough contact is not known, `solved` and `jgp` fall back on `lambda-star`.
+    fn needs_records(&self) -> bool {
+        *self == Self::Ehl
+    }
+
+    /// Where the rough contact is not known, `solved`, `jgp` and `ehl` fall back on `lambda-star`.
     fn share(&self, conditions: &ShareConditions<'_>) -> Result<SharedLoad, PositionError> {
         match (self, conditions.solved) {
             (Self::Solved, Some(solved)) => Ok(SharedLoad {
@@ -177,12 +190,23 @@ impl LoadShare for LoadShareName {
                 )
             }),
             (Self::Jgp, Some(solved)) => Ok(SharedLoad::of_film(1.0 - solved.asperity_share)),
+            (Self::Ehl, _) if conditions.recorded.is_some() => Ok(conditions
+                .recorded
+                .map_or(SharedLoad::of_film(1.0), of_records)),
             (Self::MasjediKhonsari, _) => share_by_regression(conditions),
             (Self::ZhuHu, _) => LoadShareLaw::ZhuHu.share(conditions),
-            (Self::Solved | Self::Jgp | Self::LambdaStar, _) => {
+            (Self::Solved | Self::Jgp | Self::Ehl | Self::LambdaStar, _) => {
                 LoadShareLaw::LambdaStar.share(conditions)
             }
         }
+    }
+}
+
+fn of_records(recorded: &RecordedShare) -> SharedLoad {
+    SharedLoad {
+        film_coefficient: recorded.film_coefficient,
+        ..SharedLoad::of_film(1.0 - recorded.solid_share.mean)
+            .with_lubricated_asperities(recorded.boundary_part, recorded.lubricated_coefficient)
     }
 }
 

@@ -27,6 +27,7 @@ use crate::kept_fields::{Keeper, KeptFields};
 use crate::physical_sense::{check_position, check_station};
 use crate::position::Position;
 use crate::provenance;
+use crate::records::{self, PathRecords};
 use crate::result::{Losses, Outcome, RunInFlanks};
 use crate::rolling;
 use crate::rough_film;
@@ -35,7 +36,6 @@ use crate::solve::Run;
 use crate::solved::Solved;
 use crate::station::Station;
 use crate::stations::{named_points, stations_with};
-use crate::surfaces::Surfaces;
 
 pub use crate::stations::{station_at, stations};
 
@@ -166,14 +166,11 @@ fn losses_of(
 ) -> Result<Losses, Error> {
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
-    let chosen = (Detail::Losses, tables);
+    let mesh = Mesh::of(loaded, &laws, progress, &used)?;
+    let run = mesh.run(loaded, &laws, (Detail::Losses, tables));
     let keeper = Keeper::new(&KeptFields::All);
-    let mesh = used
-        .collect(|| stations_with(&loaded.case, &laws))
-        .map_err(Box::new)?;
-    let run = run_of(loaded, &laws, &loaded.surfaces, chosen);
-    let positions = positions(&run, mesh.1.clone(), &keeper, progress, &used)?;
-    let sums = || sums(loaded, &mesh.0, positions)?.losses();
+    let positions = mesh.positions(&run, &keeper, progress, &used)?;
+    let sums = || mesh.sums(loaded, positions)?.losses();
     let mut losses = used.collect(sums).map_err(Box::new)?;
     losses.run_in = run_in_flanks(loaded, &laws, &mesh, &used)?;
     (losses.equations, _) = provenance::used(&tags(loaded, &used));
@@ -188,16 +185,14 @@ fn outcome(
 ) -> Result<Outcome, Error> {
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
+    let mesh = Mesh::of(loaded, &laws, progress, &used)?;
+    let run = mesh.run(loaded, &laws, (detail, None));
     let keeper = Keeper::new(kept);
-    let mesh = used
-        .collect(|| stations_with(&loaded.case, &laws))
-        .map_err(Box::new)?;
-    let run = run_of(loaded, &laws, &loaded.surfaces, (detail, None));
-    let mut positions = positions(&run, mesh.1.clone(), &keeper, progress, &used)?;
+    let mut positions = mesh.positions(&run, &keeper, progress, &used)?;
     keeper.give_back(&mut positions);
     let sums = || {
-        let points = points(loaded, &laws, &mesh.0)?;
-        sums(loaded, &mesh.0, positions)?.outcome(&points)
+        let points = mesh.points(loaded, &laws)?;
+        mesh.sums(loaded, positions)?.outcome(&points)
     };
     let mut outcome = used.collect(sums).map_err(Box::new)?;
     let result = &mut outcome.result;
@@ -217,95 +212,143 @@ fn tags(loaded: &LoadedCase, used: &Provenance) -> BTreeSet<&'static str> {
 fn run_in_flanks(
     loaded: &LoadedCase,
     laws: &ChosenLaws,
-    (map, stations): &(LoadMap, Vec<Station>),
+    mesh: &Mesh,
     used: &Provenance,
 ) -> Result<Option<RunInFlanks>, Error> {
     let case = &loaded.case;
     if !case.model.run_in {
         return Ok(None);
     }
-    let run_in = || run_in::run_in(case, &loaded.surfaces, stations);
+    let run_in = || run_in::run_in(case, &loaded.surfaces, &mesh.stations);
     let ran_in = used.collect(run_in).map_err(Box::new)?;
-    let run = run_of(loaded, laws, &ran_in.surfaces, (Detail::Losses, None));
+    let mut loaded = loaded.clone();
+    loaded.surfaces = ran_in.surfaces.clone();
+    let loaded = &loaded;
+    let recorded = || records::of_case(loaded, laws, &mesh.stations, &|_, _| {});
+    let (records, record_count) = used.collect(recorded).map_err(Box::new)?;
+    let mesh = Mesh {
+        records,
+        record_count,
+        ..mesh.clone()
+    };
+    let run = mesh.run(loaded, laws, (Detail::Losses, None));
     let keeper = Keeper::new(&KeptFields::All);
-    let positions = positions(&run, stations.clone(), &keeper, &|_, _| {}, used)?;
-    let sums = || sums(loaded, map, positions)?.run_in_flanks(ran_in);
+    let positions = mesh.positions(&run, &keeper, &|_, _| {}, used)?;
+    let sums = || mesh.sums(loaded, positions)?.run_in_flanks(ran_in);
     Ok(Some(used.collect(sums).map_err(Box::new)?))
 }
 
-fn run_of<'a>(
-    loaded: &'a LoadedCase,
-    laws: &'a ChosenLaws,
-    surfaces: &'a Surfaces,
-    (detail, tables): (Detail, Option<&'a ContactTables>),
-) -> Run<'a> {
-    Run {
-        case: &loaded.case,
-        laws,
-        surfaces,
-        detail,
-        tables,
-    }
-}
-
-fn positions(
-    run: &Run<'_>,
+/// The load over the flanks, the mesh positions, and the records between which load shares are read.
+#[derive(Clone)]
+struct Mesh {
+    map: LoadMap,
     stations: Vec<Station>,
-    keeper: &Keeper<'_>,
-    progress: Progress<'_>,
-    used: &Provenance,
-) -> Result<Vec<Position>, Error> {
-    let count = stations.len();
-    let done = AtomicUsize::new(0);
-    let solved: Vec<Result<Position, PositionError>> = stations
-        .into_par_iter()
-        .map(|station| {
-            let position = used.collect(|| {
-                check_station(&station)?;
-                let mut position = run.solve(station)?;
-                check_position(&position)?;
-                keeper.take(&mut position);
-                Ok(position)
-            });
-            progress(1 + done.fetch_add(1, Ordering::Relaxed), count);
-            position
-        })
-        .collect();
-    let of_position = |(index, solved): (usize, Result<Position, PositionError>)| {
-        solved.map_err(|source| Error::Position {
-            number: index + 1,
-            count,
-            source: Box::new(source),
-        })
-    };
-    solved.into_iter().enumerate().map(of_position).collect()
+    records: Option<PathRecords>,
+    /// Records that progress counts before the positions.
+    record_count: usize,
 }
 
-/// The points A to E of the path by the film's formulae, for display.
-fn points(
-    loaded: &LoadedCase,
-    laws: &ChosenLaws,
-    map: &LoadMap,
-) -> Result<Vec<(&'static str, Position)>, PositionError> {
-    let case = &loaded.case;
-    if formulation::of(case.formulation).takes_one_position() {
-        return Ok(Vec::new());
+impl Mesh {
+    fn of(
+        loaded: &LoadedCase,
+        laws: &ChosenLaws,
+        progress: Progress<'_>,
+        used: &Provenance,
+    ) -> Result<Self, Error> {
+        let found = || -> Result<Self, PositionError> {
+            let (map, stations) = stations_with(&loaded.case, laws)?;
+            let (records, record_count) = records::of_case(loaded, laws, &stations, progress)?;
+            Ok(Self {
+                map,
+                stations,
+                records,
+                record_count,
+            })
+        };
+        Ok(used.collect(found).map_err(Box::new)?)
     }
-    let run = run_of(loaded, laws, &loaded.surfaces, (Detail::Losses, None));
-    let stations = named_points(case, laws, map)?.into_iter();
-    stations
-        .map(|(name, station)| Ok((name, run.solve(station)?)))
-        .collect()
-}
 
-fn sums<'a>(
-    loaded: &'a LoadedCase,
-    map: &'a LoadMap,
-    positions: Vec<Position>,
-) -> Result<Solved<'a>, PositionError> {
-    let rolling = positions
-        .iter()
-        .map(|position| rolling::rolling(&loaded.case, &position.station))
-        .collect::<Result<Vec<_>, _>>()?;
-    Solved::new(loaded, map, positions, rolling)
+    fn run<'a>(
+        &'a self,
+        loaded: &'a LoadedCase,
+        laws: &'a ChosenLaws,
+        (detail, tables): (Detail, Option<&'a ContactTables>),
+    ) -> Run<'a> {
+        Run {
+            case: &loaded.case,
+            laws,
+            surfaces: &loaded.surfaces,
+            detail,
+            tables,
+            records: self.records.as_ref(),
+        }
+    }
+
+    fn positions(
+        &self,
+        run: &Run<'_>,
+        keeper: &Keeper<'_>,
+        progress: Progress<'_>,
+        used: &Provenance,
+    ) -> Result<Vec<Position>, Error> {
+        let count = self.stations.len();
+        let done = AtomicUsize::new(self.record_count);
+        let solved: Vec<Result<Position, PositionError>> = self
+            .stations
+            .par_iter()
+            .map(|station| {
+                let position = used.collect(|| {
+                    check_station(station)?;
+                    let mut position = run.solve(station.clone())?;
+                    check_position(&position)?;
+                    keeper.take(&mut position);
+                    Ok(position)
+                });
+                let before = done.fetch_add(1, Ordering::Relaxed);
+                progress(1 + before, self.record_count + count);
+                position
+            })
+            .collect();
+        let of_position = |(index, solved): (usize, Result<Position, PositionError>)| {
+            solved.map_err(|source| Error::Position {
+                number: index + 1,
+                count,
+                source: Box::new(source),
+            })
+        };
+        solved.into_iter().enumerate().map(of_position).collect()
+    }
+
+    /// The points A to E of the path by the film's formulae, for display.
+    fn points(
+        &self,
+        loaded: &LoadedCase,
+        laws: &ChosenLaws,
+    ) -> Result<Vec<(&'static str, Position)>, PositionError> {
+        let case = &loaded.case;
+        if formulation::of(case.formulation).takes_one_position() {
+            return Ok(Vec::new());
+        }
+        let run = self.run(loaded, laws, (Detail::Losses, None));
+        let stations = named_points(case, laws, &self.map)?.into_iter();
+        stations
+            .map(|(name, station)| Ok((name, run.solve(station)?)))
+            .collect()
+    }
+
+    fn sums<'a>(
+        &'a self,
+        loaded: &'a LoadedCase,
+        positions: Vec<Position>,
+    ) -> Result<Solved<'a>, PositionError> {
+        let rolling = positions
+            .iter()
+            .map(|position| rolling::rolling(&loaded.case, &position.station))
+            .collect::<Result<Vec<_>, _>>()?;
+        let solved = Solved::new(loaded, &self.map, positions, rolling)?;
+        Ok(Solved {
+            records: self.records.as_ref(),
+            ..solved
+        })
+    }
 }

@@ -5,8 +5,10 @@ use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::Regime;
 
 use crate::friction::{InFilm, Rubbing};
+use crate::full_film::FullFilm;
 use crate::load_share::LoadShareSolution;
 use crate::local_roughness::Roughness;
+use crate::records::RecordedShare;
 use crate::result::PositionFields;
 use crate::solved::mean;
 use crate::station::Station;
@@ -18,6 +20,8 @@ pub(crate) struct Position {
     pub offsets: Vec<Offset>,
     /// Fields of the first offset, where they were asked for.
     pub fields: Option<PositionFields>,
+    /// The full film by its elastohydrodynamic solution, where the case asks for it and an offset has one.
+    pub full_film: Option<FullFilm>,
     /// Largest von Mises stress below the first offset's contact, and its depth.
     pub von_mises: Option<(Pressure, Length)>,
     /// Doubts about the rough contacts that were solved.
@@ -56,6 +60,8 @@ pub(crate) struct Offset {
     pub boundary_part: f64,
     /// The rough contact at its share, where the law of the load share looks at it.
     pub solved: Option<LoadShareSolution>,
+    /// Shares and friction of the records beside the position, where the law of the load share asks for them.
+    pub recorded: Option<RecordedShare>,
     /// Friction in the film.
     pub friction: InFilm,
     /// Contributions of asperities and film to the friction force.

@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 use crate::case::{CaseInput, DefaultUsed, Formulation};
 pub use crate::film_constants::FilmConstant;
 use crate::flank_record::FlankRecord;
+pub use crate::full_film::FullFilmRow;
 use crate::load_report::LoadReport;
 use crate::message::Warning;
 pub use crate::run_in::{FlankHeights, RunInCycle};
@@ -41,6 +42,9 @@ pub struct RunResult {
     /// The points A to E of the path under the mean load over the face, with the roughness of the whole flanks;
     /// shown, and in no mean. Points that relief unloads are left out.
     pub points: Vec<PointRow>,
+    /// Records of mixed lubrication that load share or full film rest on; none with other laws.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub records: Vec<RecordRow>,
     /// Plastic work of the first engagement.
     pub running_in: RunningIn,
     /// The mesh with flanks that have run in, where the case asks for it; all else is of the flanks as measured.
@@ -104,6 +108,9 @@ pub struct Summary {
     pub elastic_cycling_w: f64,
     /// Share of the load on touching asperities, mean over mesh time.
     pub asperity_share: f64,
+    /// Its standard error, where it is recorded.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub asperity_share_standard_error: Option<f64>,
     /// Share of the load on their boundary layer, mean over mesh time.
     pub boundary_share: f64,
     /// Friction coefficient that explains the loss with the local loss factor.
@@ -209,12 +216,18 @@ pub struct PositionRow {
     pub regime: Regime,
     /// Share of the load the film carries; asperities carry the rest, φ.
     pub film_share: f64,
+    /// Standard error of that share, where it is recorded.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub film_share_standard_error: Option<f64>,
     /// Share β of the asperities' load on the boundary layer; absent where nothing touches.
     pub boundary_of_asperities: Option<f64>,
     /// Share φβ of the load on the boundary layer.
     pub boundary_share: f64,
     /// Mean gap of the rough flanks \[µm\], of load shares that solve the contact.
     pub mean_gap_um: Option<f64>,
+    /// The full film by its elastohydrodynamic solution, where the case asks for it and an offset has one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub full_film: Option<FullFilmRow>,
     /// Friction coefficient in the film.
     pub mu_film: f64,
     /// Friction coefficient of the whole contact.
@@ -256,6 +269,51 @@ pub struct PointRow {
     /// Property that holds there.
     #[serde(flatten)]
     pub row: PositionRow,
+}
+
+/// A record of transient mixed lubrication at one place of the path; means with standard errors from the means
+/// of its half-widths of travel.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct RecordRow {
+    /// Place on the path, 0 at A and 1 at E.
+    pub path_fraction: f64,
+    /// Hertz pressure \[MPa\].
+    pub hertz_pressure_mpa: f64,
+    /// Slide-to-roll ratio.
+    pub slide_to_roll: f64,
+    /// Central film of smooth flanks \[µm\].
+    pub smooth_film_um: f64,
+    /// Roughness that is left in the contact over that film.
+    pub roughness_over_film: f64,
+    /// Share of the load on films below 20 nm.
+    pub solid_share: f64,
+    /// Its standard error.
+    pub solid_share_standard_error: f64,
+    /// Share of the load on films below 50 nm.
+    pub share_below_50_nm: f64,
+    /// Mean gap of the flanks \[µm\].
+    pub mean_gap_um: f64,
+    /// Its standard error \[µm\].
+    pub mean_gap_standard_error_um: f64,
+    /// Isothermal friction coefficient, film and boundary layer.
+    pub friction: f64,
+    /// Its standard error.
+    pub friction_standard_error: f64,
+    /// Mean of the largest pressure \[MPa\].
+    pub mean_p_max_mpa: f64,
+    /// Largest pressure of all times \[MPa\].
+    pub p_max_mpa: f64,
+    /// Travel in half-widths.
+    pub travel_half_widths: f64,
+    /// Time steps.
+    pub steps: usize,
+    /// Steps repeated at half their length.
+    pub steps_cut: usize,
+    /// Steps with a node held in contact.
+    pub loose_steps: usize,
+    /// Largest load error of a step.
+    pub load_error: f64,
 }
 
 /// Plastic work of the first engagement, which decays as the flanks run in.

@@ -3,7 +3,7 @@
 use asperity_contact::{ContactSolution, Solver};
 use asperity_core::Checked;
 
-use crate::case::Case;
+use crate::case::{Case, FullFilmName};
 use crate::chosen_laws::ChosenLaws;
 use crate::contact_tables::{ContactTables, KeptContact};
 use crate::decision::{Decision, decide};
@@ -13,9 +13,11 @@ use crate::error::PositionError;
 use crate::fields::fields;
 use crate::formulation::{self, Scene, Strategy};
 use crate::friction::{self, InFilm, Rubbing};
+use crate::full_film::FullFilm;
 use crate::load_share::LoadShareSolution;
 use crate::local_roughness::Roughness;
 use crate::position::{ContactNumbers, Offset, Position, PrintedDeformation};
+use crate::records::{PathRecords, RecordedShare};
 use crate::rough_film::RoughFilm;
 use crate::station::{Resolution, Station};
 use crate::surfaces::Surfaces;
@@ -28,6 +30,8 @@ pub(crate) struct Run<'a> {
     pub detail: Detail,
     /// Contact tables made before.
     pub tables: Option<&'a ContactTables>,
+    /// Records of mixed lubrication along the path.
+    pub records: Option<&'a PathRecords>,
 }
 
 impl Run<'_> {
@@ -50,6 +54,7 @@ impl Run<'_> {
         let mut position = Position {
             offsets: Vec::with_capacity(count),
             fields: None,
+            full_film: None,
             von_mises: None,
             doubts: Vec::new(),
             station,
@@ -57,7 +62,14 @@ impl Run<'_> {
         let mut workspace = Workspace {
             solver: None,
             film: RoughFilm::at(self.case, self.laws, self.surfaces, &position.station)?,
+            smooth: self.smooth_friction(&position.station)?,
+            recorded: None,
         };
+        let records = self
+            .records
+            .filter(|_| self.laws.load_share.needs_records());
+        let recorded = records.map(|records| records.at(position.station.s, workspace.smooth));
+        workspace.recorded = recorded;
         for k in 0..count {
             let offset = self.offset(&mut position, k, count, &mut workspace)?;
             position.offsets.push(offset);
@@ -93,7 +105,15 @@ impl Run<'_> {
         };
         let solution = solved.as_ref().map(|solved| &solved.value);
         let met = encounter.as_ref();
-        let decision = decide(case, laws, station, &roughness, met, solution)?;
+        let recorded = workspace.recorded.as_ref();
+        let decision = decide(case, laws, station, &roughness, met, solution, recorded)?;
+        let is_full = self.strategy().is_full_film(&decision);
+        if is_full && position.full_film.is_none() {
+            position.full_film =
+                FullFilm::at(case, &position.station, self.records, workspace.smooth)?;
+        }
+        let station = &position.station;
+        let full_film = position.full_film.as_ref().filter(|_| is_full);
         let mut offset = Offset {
             roughness,
             lambda_star: decision.lambda_star,
@@ -102,7 +122,8 @@ impl Run<'_> {
             film_share: decision.shared.film_share,
             boundary_part: decision.shared.boundary_part,
             solved: solution.copied(),
-            friction: self.in_film(station, &roughness, &decision, solved)?,
+            recorded: workspace.recorded,
+            friction: self.in_film(station, &roughness, &decision, (full_film, solved))?,
             rubbing: Rubbing::of_share(case, station, &decision.shared),
             friction_force: 0.0,
             flash: 0.0,
@@ -146,16 +167,32 @@ impl Run<'_> {
         station: &Station,
         roughness: &Roughness,
         decision: &Decision,
-        solved: Option<Checked<LoadShareSolution>>,
+        (full_film, solved): (Option<&FullFilm>, Option<Checked<LoadShareSolution>>),
     ) -> Result<InFilm, PositionError> {
         let case = self.case;
-        let own = case.laws.friction.is_some() || case.model.film_friction.shear_law().is_none();
-        match (decision.shared.film_coefficient, solved) {
-            (Some(mu), Some(solved)) if !own => Ok(InFilm {
+        let by_full_film = full_film.and_then(|film| film.coefficient);
+        match by_full_film.or(decision.shared.film_coefficient) {
+            Some(mu) if self.is_film_alone() => Ok(InFilm {
                 mu: case.model.friction_scale * mu,
-                outside: solved.outside,
+                outside: solved.map(|solved| solved.outside).unwrap_or_default(),
             }),
             _ => friction::in_film(case, self.laws.friction.as_ref(), station, roughness),
+        }
+    }
+
+    /// Whether the film friction of the case is that of a film alone, which a solved film can replace.
+    fn is_film_alone(&self) -> bool {
+        let case = self.case;
+        case.laws.friction.is_none() && case.model.film_friction.shear_law().is_some()
+    }
+
+    /// Friction coefficient of the smooth film, where records or a full film are compared with it.
+    fn smooth_friction(&self, station: &Station) -> Result<Option<f64>, PositionError> {
+        let is_compared =
+            self.records.is_some() || self.case.model.full_film != FullFilmName::Formulas;
+        match is_compared && self.is_film_alone() {
+            true => friction::smooth(self.case, self.laws, self.surfaces, station).map(Some),
+            false => Ok(None),
         }
     }
 
@@ -174,6 +211,7 @@ impl Run<'_> {
             station: &position.station,
             encounter,
             decision,
+            full_film: position.full_film.as_ref(),
         };
         let mut carried = strategy.carry(&scene, solver)?;
         offset.rubbing = strategy.rubbing(&scene, &carried)?;
@@ -208,6 +246,9 @@ impl Run<'_> {
 struct Workspace<'a> {
     solver: Option<Solver>,
     film: Option<RoughFilm<'a>>,
+    /// Friction coefficient of the smooth film.
+    smooth: Option<f64>,
+    recorded: Option<RecordedShare>,
 }
 
 /// Numbers of a contact known by its table, in a window of `window` half-widths to each side.

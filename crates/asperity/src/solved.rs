@@ -7,6 +7,7 @@ use crate::case::LoadedCase;
 use crate::error::PositionError;
 use crate::losses::efficiency_at;
 use crate::position::Position;
+use crate::records::PathRecords;
 
 /// Solved positions with the rolling force at each and the mesh at each offset.
 pub(crate) struct Solved<'a> {
@@ -16,6 +17,8 @@ pub(crate) struct Solved<'a> {
     pub positions: Vec<Position>,
     /// Rolling friction force per metre of contact line on one surface at each position \[N/m\].
     pub rolling: Vec<f64>,
+    /// Records of mixed lubrication along the path.
+    pub records: Option<&'a PathRecords>,
     /// Mesh with all flanks at each offset.
     pub meshes: Vec<MeshEfficiency>,
 }
@@ -43,6 +46,7 @@ impl<'a> Solved<'a> {
             map,
             positions,
             rolling,
+            records: None,
             meshes,
         })
     }

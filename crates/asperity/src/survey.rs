@@ -12,6 +12,7 @@ use crate::encounter::meeting;
 use crate::error::{Error, PositionError};
 use crate::fluid::film_at;
 use crate::physical_sense::check_station;
+use crate::records;
 use crate::result::Regime;
 use crate::rough_film::RoughFilm;
 use crate::stations::{station_at, stations_with};
@@ -59,8 +60,14 @@ fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
     let laws = ChosenLaws::of(case);
     let count = loaded.surfaces.offsets(case.model.offsets);
     let mut rows = Vec::new();
-    for station in stations_with(case, &laws)?.1 {
+    let stations = stations_with(case, &laws)?.1;
+    let records = match laws.load_share.needs_records() {
+        true => records::of_case(loaded, &laws, &stations, &|_, _| ())?.0,
+        false => None,
+    };
+    for station in stations {
         check_station(&station)?;
+        let recorded = records.as_ref().map(|records| records.at(station.s, None));
         let mut decisions = Vec::with_capacity(count);
         let mut film = RoughFilm::at(case, &laws, &loaded.surfaces, &station)?;
         for k in 0..count {
@@ -78,6 +85,7 @@ fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
                 &roughness,
                 met.as_ref(),
                 solved,
+                recorded.as_ref(),
             )?);
         }
         let n = count as f64;

@@ -1,10 +1,10 @@
 //! Means over a record with standard errors from the means of its blocks.
 
 use asperity_core::cite;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Mean of a record with its standard error.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Estimate {
     /// Mean over the record.
     pub mean: f64,

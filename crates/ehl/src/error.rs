@@ -83,3 +83,15 @@ pub enum EhlError {
         time: f64,
     },
 }
+
+impl EhlError {
+    /// Whether the iteration failed, and no input is to blame.
+    pub fn is_unconverged(&self) -> bool {
+        matches!(
+            self,
+            Self::NotConverged { .. }
+                | Self::StepFailed { .. }
+                | Self::TemperaturesUnsettled { .. }
+        )
+    }
+}

@@ -44,6 +44,8 @@ pub struct Friction {
     pub graded: f64,
     /// Boundary friction below the solid film, the film above it.
     pub stepped: f64,
+    /// Share of the load on the boundary layer, with the weight e^(−h/h_b).
+    pub boundary_share: f64,
 }
 
 impl FrictionLaw {
@@ -129,6 +131,7 @@ impl FrictionLaw {
             load += weight * pressure;
             sum.film += stress;
             sum.graded += share * boundary + (1.0 - share) * stress;
+            sum.boundary_share += share * weight * pressure;
             sum.stepped += if film <= solid_film { boundary } else { stress };
         }
         let per_load = if load > 0.0 { 1.0 / load } else { 0.0 };
@@ -136,6 +139,7 @@ impl FrictionLaw {
             film: sum.film * per_load,
             graded: sum.graded * per_load,
             stepped: sum.stepped * per_load,
+            boundary_share: sum.boundary_share * per_load,
         }
     }
 }
@@ -166,5 +170,6 @@ mod tests {
         let all_boundary = law.friction([(1.0, 1e9, 0.0)].into_iter(), 1.0, 0.0);
         assert_eq!(all_boundary.graded, 0.1);
         assert_eq!(all_boundary.stepped, 0.1);
+        assert_eq!(all_boundary.boundary_share, 1.0);
     }
 }

@@ -29,6 +29,7 @@ pub mod moving_profile;
 mod newton;
 mod reynolds;
 pub mod rheology;
+pub mod several_records;
 pub mod steady;
 mod stepper;
 pub mod traction;

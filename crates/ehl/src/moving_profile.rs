@@ -116,6 +116,14 @@ impl MovingProfile {
         self
     }
 
+    /// Length after which the surface repeats; none of one that passes once.
+    pub fn period(&self) -> Option<Length> {
+        match self.ends {
+            Ends::Periodic => Some(Length::from_si(self.heights.len() as f64 * self.spacing)),
+            Ends::Smooth { .. } => None,
+        }
+    }
+
     /// Length of a surface that does not repeat.
     pub fn length(&self) -> Option<Length> {
         match self.ends {

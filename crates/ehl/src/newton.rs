@@ -99,6 +99,27 @@ pub(crate) struct Limits {
     pub(crate) load: f64,
 }
 
+/// Loosest residual of a linear system far from the solution.
+const LOOSEST_LINEAR: f64 = 1e-3;
+/// Residual over the square of the last change: what is left is then that of Newton's method.
+const FORCING: f64 = 0.1;
+
+impl Limits {
+    /// Residual of the next linear system, no finer than Newton's method is there.
+    ///
+    /// tol = clamp(0.1·δ², linear tolerance, 10⁻³), δ the last change of the pressure.
+    fn forcing(&self, effort: &Effort) -> f64 {
+        let wanted = match effort.iterations {
+            0 => LOOSEST_LINEAR,
+            _ => FORCING * effort.change * effort.change,
+        };
+        wanted.clamp(
+            self.linear_tolerance,
+            LOOSEST_LINEAR.max(self.linear_tolerance),
+        )
+    }
+}
+
 /// How an iteration ended.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Effort {
@@ -206,7 +227,7 @@ impl Newton {
                 &linearised,
                 &self.right,
                 &mut self.step,
-                limits.linear_tolerance,
+                limits.forcing(&effort),
             );
             effort.linear_iterations += linear.iterations;
             effort.capped += usize::from(linear.capped);

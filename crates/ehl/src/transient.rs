@@ -130,7 +130,7 @@ pub struct LoadBelow {
 }
 
 /// Friction over the load, averaged over a record.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct MeanFriction {
     /// The film alone, everywhere.
     pub film: Estimate,
@@ -138,6 +138,8 @@ pub struct MeanFriction {
     pub graded: Estimate,
     /// Boundary friction below the solid film.
     pub stepped: Estimate,
+    /// Share of the load on the boundary layer, with the weight of the graded friction.
+    pub boundary_share: Estimate,
 }
 
 /// One time of a record.
@@ -199,11 +201,15 @@ pub struct Record {
     pub max_pressure: Pressure,
     /// Friction, with a law.
     pub friction: Option<MeanFriction>,
+    /// Mean over time of the pressure over p₀ on the nodes.
+    pub mean_pressure: Vec<f64>,
+    /// Mean over time of the film over a²/R on the nodes.
+    pub mean_film_on_nodes: Vec<f64>,
     /// Every step, on request.
     pub history: Vec<Moment>,
     /// Frames, on request.
     pub frames: Vec<Frame>,
-    /// Places of the nodes of the frames over a.
+    /// Places of the nodes over a.
     pub x: Vec<f64>,
 }
 
@@ -227,8 +233,8 @@ const PLASTIC: usize = 2;
 const FILM: usize = 3;
 const FILM_SQUARE: usize = 4;
 const PRESSURE: usize = 5;
-const FRICTION: [usize; 3] = [6, 7, 8];
-const SHARES: usize = 9;
+const FRICTION: [usize; 4] = [6, 7, 8, 9];
+const SHARES: usize = 10;
 
 /// Records a rough contact.
 ///
@@ -412,6 +418,10 @@ struct Recorder<'a> {
     means: BatchMeans,
     values: Vec<f64>,
     max_pressure: f64,
+    /// Time integrals of pressure and film on the nodes, and the time.
+    pressure: Vec<f64>,
+    film: Vec<f64>,
+    elapsed: f64,
     history: Vec<Moment>,
     frames: Vec<Frame>,
     next_frame: f64,
@@ -429,6 +439,9 @@ impl<'a> Recorder<'a> {
             means: BatchMeans::new(count, BLOCK),
             values: vec![0.0; count],
             max_pressure: 0.0,
+            pressure: Vec::new(),
+            film: Vec::new(),
+            elapsed: 0.0,
             history: Vec::new(),
             frames: Vec::new(),
             next_frame: f64::NEG_INFINITY,
@@ -453,11 +466,16 @@ impl<'a> Recorder<'a> {
             law.friction(nodes, self.scales.sliding, self.settings.solid_film.si())
         });
         if let Some(f) = friction {
-            for (index, value) in FRICTION.into_iter().zip([f.film, f.graded, f.stepped]) {
+            for (index, value) in
+                FRICTION
+                    .into_iter()
+                    .zip([f.film, f.graded, f.stepped, f.boundary_share])
+            {
                 self.values[index] = value;
             }
         }
         self.means.add(&self.values, step);
+        self.add_profiles(stepper, step);
         if self.settings.history {
             self.history.push(Moment {
                 time: stepper.time,
@@ -523,6 +541,19 @@ impl<'a> Recorder<'a> {
         self.values[FILM_SQUARE] /= count;
     }
 
+    fn add_profiles(&mut self, stepper: &Stepper, step: f64) {
+        let now = &stepper.now;
+        self.pressure.resize(now.film.len(), 0.0);
+        self.film.resize(now.film.len(), 0.0);
+        self.elapsed += step;
+        for (sum, p) in self.pressure.iter_mut().zip(&now.unknowns.pressure) {
+            *sum += step * p;
+        }
+        for (sum, h) in self.film.iter_mut().zip(&now.film) {
+            *sum += step * h;
+        }
+    }
+
     fn add_frame(&mut self, stepper: &Stepper) {
         let Some(interval) = self.settings.frame_interval else {
             return;
@@ -549,6 +580,7 @@ impl<'a> Recorder<'a> {
     fn finish(self, stepper: &Stepper, smooth_film: Length, travel: f64) -> Record {
         let of = |index| self.means.estimate(index);
         let film = of(FILM);
+        let over_time = |sums: Vec<f64>| sums.iter().map(|sum| sum / self.elapsed).collect();
         let variance = of(FILM_SQUARE).mean - film.mean * film.mean;
         let load_below = self
             .settings
@@ -577,7 +609,10 @@ impl<'a> Recorder<'a> {
                 film: of(FRICTION[0]),
                 graded: of(FRICTION[1]),
                 stepped: of(FRICTION[2]),
+                boundary_share: of(FRICTION[3]),
             }),
+            mean_pressure: over_time(self.pressure),
+            mean_film_on_nodes: over_time(self.film),
             history: self.history,
             frames: self.frames,
             x: stepper.grid.x.clone(),

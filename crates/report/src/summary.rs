@@ -47,8 +47,8 @@ const LARGE_LOAD_ERROR: f64 = 0.011;
 const SHOWN_NOTES: usize = 2;
 /// Codes of warnings that put the efficiency in doubt and tell what to do, the weightiest first.
 const MATTERS: &[&str] = &[
-    "W402", "W412", "W405", "W201", "W124", "W128", "W112", "W118", "W111", "W125", "W117", "W113",
-    "W408", "W404", "W410",
+    "W402", "W412", "W415", "W405", "W201", "W124", "W128", "W112", "W118", "W111", "W125", "W117",
+    "W113", "W408", "W404", "W410",
 ];
 
 fn note(warning: &Warning) -> String {
@@ -145,6 +145,14 @@ fn write_regime(text: &mut String, result: &RunResult) -> std::fmt::Result {
         )?;
     } else {
         writeln!(text, "converged  {count} (full film: no contact to solve)")?;
+    }
+    if let Some(error) = s.asperity_share_standard_error {
+        writeln!(
+            text,
+            "share of the load below 20 nm  {:.3} ±{error:.3} ({} records of mixed lubrication)",
+            s.asperity_share,
+            result.records.len()
+        )?;
     }
     if s.offsets > 1 {
         writeln!(text, "spread  over {} profile offsets", s.offsets)?;

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use asperity::ehl::traction::Heat;
 use asperity::ehl::{
     DensityLaw, FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling, RoughContact,
     ShearLaw, ViscosityLaw,
@@ -9,7 +10,11 @@ use asperity::ehl::{
 use asperity::referee::attenuated_roughness;
 use asperity_core::Profile;
 use asperity_core::lubricant::LubricantInput;
-use asperity_core::quantity::{DynamicViscosity, Length, Pressure, PressureViscosity};
+use asperity_core::material::Material;
+use asperity_core::quantity::{
+    Density, DynamicViscosity, Length, Pressure, PressureViscosity, SpecificHeat,
+    ThermalConductivity,
+};
 
 use super::failed::of_referee;
 use crate::args::{EhlArgs, ViscosityLawArg};
@@ -24,6 +29,15 @@ const AMBIENT_LIMIT: Pressure = Pressure::from_si(2e6);
 const BOUNDARY_LAYER: Length = Length::from_si(10e-9);
 /// Compliance above the flow pressure, in cells.
 const COMPLIANCE: f64 = 10.0;
+/// Steel of the bodies, whose heat the thermal traction needs.
+const STEEL: Material = Material {
+    young: Pressure::from_si(210e9),
+    poisson: 0.3,
+    elastic_limit: Pressure::from_si(1500e6),
+    density: Density::from_si(7830.0),
+    conductivity: ThermalConductivity::from_si(45.0),
+    heat_capacity: SpecificHeat::from_si(465.0),
+};
 /// Part of a profile over which its end fades into its beginning.
 const OVERLAP: f64 = 0.1;
 
@@ -33,6 +47,8 @@ pub struct Bare {
     pub rough: RoughContact,
     pub friction: FrictionLaw,
     pub ceiling: Option<PlasticCeiling>,
+    /// Heat of the film, where the oil is one of the library.
+    pub heat: Option<Heat>,
     /// Roughness left in the contact, of both profiles together.
     pub attenuated_roughness: Length,
 }
@@ -55,7 +71,7 @@ pub fn read(args: &EhlArgs) -> Result<Bare, Failure> {
         speed_1: bare.u1.ok_or_else(|| needed("--u1"))?,
         speed_2: bare.u2.ok_or_else(|| needed("--u2"))?,
     };
-    let (viscosity, pressure_viscosity) = oil_state(args)?;
+    let (viscosity, pressure_viscosity, heat) = oil_state(args)?;
     let oil = Oil {
         viscosity,
         pressure_viscosity,
@@ -115,12 +131,15 @@ pub fn read(args: &EhlArgs) -> Result<Bare, Failure> {
             pressure,
             compliance: COMPLIANCE,
         }),
+        heat,
         attenuated_roughness,
     })
 }
 
-/// Viscosity and its pressure coefficient at the inlet.
-fn oil_state(args: &EhlArgs) -> Result<(DynamicViscosity, PressureViscosity), Failure> {
+/// Viscosity and its pressure coefficient at the inlet, and the heat of an oil of the library between steel.
+fn oil_state(
+    args: &EhlArgs,
+) -> Result<(DynamicViscosity, PressureViscosity, Option<Heat>), Failure> {
     let bare = &args.bare;
     match (&bare.oil, bare.bulk, bare.viscosity, bare.pressure_viscosity) {
         (Some(name), Some(bulk), _, _) => {
@@ -136,9 +155,19 @@ fn oil_state(args: &EhlArgs) -> Result<(DynamicViscosity, PressureViscosity), Fa
                         .advising("Name an oil of the library, or pass --viscosity and --pressure-viscosity.")
                 })?
                 .value;
-            Ok((state.dynamic_viscosity, state.pressure_viscosity))
+            let heat = Heat {
+                bulk,
+                temperature_coefficient: state.temperature_coefficient,
+                oil_conductivity: state.thermal_conductivity,
+                material: STEEL,
+            };
+            Ok((
+                state.dynamic_viscosity,
+                state.pressure_viscosity,
+                Some(heat),
+            ))
         }
-        (_, _, Some(viscosity), Some(coefficient)) => Ok((viscosity, coefficient)),
+        (_, _, Some(viscosity), Some(coefficient)) => Ok((viscosity, coefficient, None)),
         _ => Err(Failure::new(
             "E205",
             "the oil is missing: pass --oil and --bulk, or --viscosity and --pressure-viscosity",

@@ -3,12 +3,14 @@
 mod bare;
 mod failed;
 mod laws;
+mod page;
 mod rough;
 mod smooth;
 
 use std::path::Path;
 
 use asperity::ehl::RecordSettings;
+use asperity::ehl::traction::Heat;
 use asperity::referee::{RefereeContact, RefereeSettings, shares};
 
 use super::{load_case, on_the_path};
@@ -34,16 +36,26 @@ fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> 
     let settings = RefereeSettings {
         record: record_settings(args),
         eyring_stress: args.eyring_stress,
+        beginning: 0,
     };
     let about = |error| failed::of_referee(path, &error);
     let contact = RefereeContact::of(&loaded, place, &settings).map_err(about)?;
     let title = format!("{} at {place:.4} of the path", path.display());
     if args.smooth {
-        let film = smooth::solve(title, &contact.rough, contact.record.friction, args.cells)?;
+        let heat = Heat {
+            bulk: loaded.case.temperature,
+            temperature_coefficient: loaded.case.oil.temperature_coefficient,
+            oil_conductivity: loaded.case.oil.thermal_conductivity,
+            material: loaded.case.materials[0],
+        };
+        let friction = contact.record.friction;
+        let film = smooth::solve(title, &contact.rough, friction, Some(heat), args.cells)?;
+        report(args, || film.page(&contact.rough))?;
         return tell(args, common, &film.json(), &film.text(), &|| film.points());
     }
-    let mut record = rough::solve(title, &contact.rough, &contact.record, common)?;
+    let mut record = rough::solve(title, &contact.rough, &contact.record, args, common)?;
     record.attenuated_roughness = Some(contact.attenuated_roughness);
+    report(args, || record.page(&contact.rough))?;
     let comparison = match args.compare {
         true => Some(shares(&loaded, &contact, &record.solved.value).map_err(about)?),
         false => None,
@@ -59,7 +71,14 @@ fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> 
 fn of_numbers(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
     let bare = bare::read(args)?;
     if bare.is_smooth() {
-        let film = smooth::solve(bare.title, &bare.rough, Some(bare.friction), args.cells)?;
+        let film = smooth::solve(
+            bare.title,
+            &bare.rough,
+            Some(bare.friction),
+            bare.heat,
+            args.cells,
+        )?;
+        report(args, || film.page(&bare.rough))?;
         return tell(args, common, &film.json(), &film.text(), &|| film.points());
     }
     let settings = RecordSettings {
@@ -67,8 +86,9 @@ fn of_numbers(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
         ceiling: bare.ceiling,
         ..record_settings(args)
     };
-    let mut record = rough::solve(bare.title, &bare.rough, &settings, common)?;
+    let mut record = rough::solve(bare.title, &bare.rough, &settings, args, common)?;
     record.attenuated_roughness = Some(bare.attenuated_roughness);
+    report(args, || record.page(&bare.rough))?;
     tell(args, common, &record.json(None), &record.text(), &|| {
         record.points()
     })
@@ -81,8 +101,29 @@ fn record_settings(args: &EhlArgs) -> RecordSettings {
         length: args.half_widths,
         solid_film: args.solid_film,
         contact_film: args.contact_film,
-        frame_interval: args.output.is_some().then_some(args.every),
+        history: args.report.is_some(),
+        frame_interval: frame_interval(args),
         ..RecordSettings::default()
+    }
+}
+
+/// Travel between frames: a page plays them, a table of points wants few.
+fn frame_interval(args: &EhlArgs) -> Option<f64> {
+    const OF_PAGE: f64 = 0.1;
+    const OF_POINTS: f64 = 5.0;
+    let default = match (&args.report, &args.output) {
+        (Some(_), None) => OF_PAGE,
+        (_, Some(_)) => OF_POINTS,
+        (None, None) => return None,
+    };
+    Some(args.every.unwrap_or(default))
+}
+
+/// Writes the page where it is asked for.
+fn report(args: &EhlArgs, page: impl FnOnce() -> Result<String, Failure>) -> Result<(), Failure> {
+    match &args.report {
+        Some(file) => save(file, page()?.as_bytes()),
+        None => Ok(()),
     }
 }
 

@@ -1,15 +1,16 @@
 //! The record of two rough surfaces: its words, its JSON and its points.
 
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
-use asperity::ehl::transient::record_watched;
-use asperity::ehl::{EhlError, Estimate, NodeState, Record, RecordSettings, RoughContact, Solved};
+use asperity::ehl::several_records::{mean_of, record_several};
+use asperity::ehl::{Estimate, NodeState, Record, RecordSettings, RoughContact, Solved, Window};
 use asperity::referee::{LARGEST_ROUGHNESS, ShareComparison};
 use asperity_core::quantity::Length;
 use serde_json::{Value, json};
 
 use super::failed::of_contact;
-use crate::args::Common;
+use crate::args::{Common, EhlArgs};
 use crate::failure::Failure;
 use crate::output::{PATIENCE, progress};
 
@@ -18,7 +19,10 @@ pub struct Recorded {
     pub title: String,
     pub solid_film: Length,
     pub cells: usize,
+    pub window: Window,
     pub solved: Solved<Record>,
+    /// Solid share of each record that the mean is of.
+    pub shares: Vec<Estimate>,
     /// Roughness left in the contact, of both surfaces together.
     pub attenuated_roughness: Option<Length>,
 }
@@ -28,24 +32,37 @@ pub fn solve(
     title: String,
     contact: &RoughContact,
     settings: &RecordSettings,
+    args: &EhlArgs,
     common: &Common,
 ) -> Result<Recorded, Failure> {
     let begin = Instant::now();
     let bar = progress(common.quiet);
     bar.set_message("half-widths travelled");
-    let found: Result<Solved<Record>, EhlError> = record_watched(contact, settings, |now| {
+    let count = usize::from(args.records);
+    // Thousandths of a half-width, of all records together.
+    let travelled: Vec<AtomicU64> = (0..count).map(|_| AtomicU64::new(0)).collect();
+    let found = record_several(contact, count, settings, &|number, now| {
+        travelled[number].store((1e3 * now.time) as u64, Ordering::Relaxed);
         if begin.elapsed() >= PATIENCE {
-            bar.set_length(now.end.ceil() as u64);
-            bar.set_position(now.time as u64);
+            let all: u64 = travelled.iter().map(|t| t.load(Ordering::Relaxed)).sum();
+            bar.set_length((now.end.ceil() as u64) * count as u64);
+            bar.set_position(all / 1000);
         }
         true
     });
     bar.finish_and_clear();
+    let records = found.map_err(|error| of_contact(&title, &error))?;
+    let none = || Failure::new("E501", format!("{title}: no record"));
     Ok(Recorded {
-        solved: found.map_err(|error| of_contact(&title, &error))?,
+        solved: mean_of(&records).ok_or_else(none)?,
+        shares: records
+            .iter()
+            .map(|record| record.value.solid_share)
+            .collect(),
         title,
         solid_film: settings.solid_film,
         cells: settings.cells,
+        window: settings.window,
         attenuated_roughness: None,
     })
 }
@@ -58,7 +75,7 @@ impl Recorded {
     }
 
     /// Codes and words of what is doubtful.
-    fn warnings(&self) -> Vec<(&'static str, String)> {
+    pub fn warnings(&self) -> Vec<(&'static str, String)> {
         let mut warnings = Vec::new();
         if let Some(ratio) = self
             .roughness_over_film()
@@ -113,6 +130,7 @@ impl Recorded {
             "slide_to_roll": scales.slide_to_roll,
             "travel_half_widths": record.travel,
             "blocks": record.blocks,
+            "records": self.shares.iter().map(estimate).collect::<Vec<_>>(),
             "solid_film_nm": nanometres(self.solid_film),
             "solid_share": record.solid_share.mean,
             "solid_share_standard_error": finite(record.solid_share.standard_error),
@@ -148,7 +166,7 @@ impl Recorded {
         let mut text = format!(
             "{}\n  half width {:.4}   p0 {:.4}   slide-to-roll {:.3}   M {:.1}, L {:.1}\n  \
              smooth central film {:.4} um   mean film {:.4} +- {:.4} um, spread {:.4} um\n  \
-             solid share (below {:.0} nm) {:.4} +- {:.4} over {:.1} half-widths\n",
+             solid share (below {:.0} nm) {:.4} +- {:.4} over {:.1} half-widths{}\n",
             self.title,
             scales.half_width,
             scales.max_pressure,
@@ -163,6 +181,10 @@ impl Recorded {
             record.solid_share.mean,
             record.solid_share.standard_error,
             record.travel,
+            match self.shares.len() {
+                1 => String::new(),
+                count => format!(" in {count} records"),
+            },
         );
         for below in &record.load_below {
             text.push_str(&format!(

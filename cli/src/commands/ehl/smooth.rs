@@ -1,6 +1,6 @@
 //! The steady film of smooth surfaces: its words, its JSON and its points.
 
-use asperity::ehl::traction::{Traction, TractionLaw, traction};
+use asperity::ehl::traction::{Heat, Traction, TractionLaw, traction};
 use asperity::ehl::{
     FrictionLaw, RoughContact, ShearLaw, Solved, SteadyFilm, SteadySettings, Warning, steady,
 };
@@ -11,17 +11,20 @@ use crate::failure::Failure;
 
 /// A steady film and its traction.
 pub struct Smooth {
-    title: String,
+    pub title: String,
     cells: usize,
-    solved: Solved<SteadyFilm>,
-    traction: Option<Traction>,
+    pub solved: Solved<SteadyFilm>,
+    /// Isothermal traction, and with its heat.
+    traction: [Option<Traction>; 2],
 }
 
-/// Solves the contact without its surfaces, and its isothermal traction where a law is given.
+/// Solves the contact without its surfaces, and its traction with limiting shear stress where a law is given:
+/// isothermal, and thermal where the heat of the case is known.
 pub fn solve(
     title: String,
     contact: &RoughContact,
     friction: Option<FrictionLaw>,
+    heat: Option<Heat>,
     cells: usize,
 ) -> Result<Smooth, Failure> {
     let RoughContact { contact, oil, .. } = contact;
@@ -31,7 +34,7 @@ pub fn solve(
     };
     let failed = |error| of_contact(&title, &error);
     let solved = steady::solve(contact, oil, &settings).map_err(failed)?;
-    let law = friction.map(|law| TractionLaw {
+    let law = |law: FrictionLaw, heat| TractionLaw {
         shear: match oil.shear_law {
             ShearLaw::Newtonian => ShearLaw::Eyring {
                 stress: law.eyring_stress,
@@ -39,22 +42,34 @@ pub fn solve(
             other => other,
         },
         limit: Some(law.limiting_slope),
-        heat: None,
-    });
-    let traction = law
-        .map(|law| traction(contact, oil, &solved.value, &law))
-        .transpose()
-        .map_err(|error| of_contact(&title, &error))?;
+        heat,
+    };
+    let of = |law: Option<TractionLaw>| {
+        law.map(|law| traction(contact, oil, &solved.value, &law))
+            .transpose()
+            .map_err(failed)
+    };
+    let traction = [
+        of(friction.map(|known| law(known, None)))?,
+        of(friction
+            .zip(heat)
+            .map(|(known, heat)| law(known, Some(heat))))?,
+    ];
     Ok(Smooth {
-        title,
+        traction,
         cells,
         solved,
-        traction,
+        title,
     })
 }
 
 impl Smooth {
-    fn warnings(&self) -> Vec<(&'static str, String)> {
+    /// Isothermal traction, and with its heat.
+    pub fn tractions(&self) -> [Option<Traction>; 2] {
+        self.traction
+    }
+
+    pub fn warnings(&self) -> Vec<(&'static str, String)> {
         let told = |warning: &Warning| match warning {
             Warning::InletUnresolved { cells } => format!(
                 "the inlet zone spans {cells:.1} cells (2 needed): the film reads low; pass more --cells"
@@ -90,6 +105,10 @@ impl Smooth {
             "moes_lubricant": scales.moes_lubricant,
             "slide_to_roll": scales.slide_to_roll,
             "solid_share": 0.0,
+            "solid_share_standard_error": 0.0,
+            "steps": 0,
+            "steps_cut": 0,
+            "mean_film_um": mean_film_um(film),
             "central_film_um": film.central_film.si() * 1e6,
             "minimum_film_um": film.minimum_film.si() * 1e6,
             "minimum_place": film.minimum_place,
@@ -98,7 +117,9 @@ impl Smooth {
             "spike_place": film.spike.map(|(_, x)| x),
             "exit": film.exit,
             "rolling_force_n_per_m": film.rolling_force.si(),
-            "traction_coefficient": self.traction.map(|traction| traction.coefficient),
+            "traction_coefficient": self.traction[0].map(|traction| traction.coefficient),
+            "traction_isothermal": self.traction[0],
+            "traction_thermal": self.traction[1],
             "newton_iterations": evidence.newton_iterations,
             "gmres_iterations": evidence.gmres_iterations,
             "load_error": evidence.load_error,
@@ -135,11 +156,18 @@ impl Smooth {
             film.exit,
             film.rolling_force.si(),
         );
-        if let Some(traction) = &self.traction {
+        if let [Some(cold), hot] = &self.traction {
             text.push_str(&format!(
-                "  isothermal traction coefficient {:.5}\n",
-                traction.coefficient
+                "  traction coefficient, isothermal {:.5}",
+                cold.coefficient
             ));
+            if let Some(hot) = hot {
+                text.push_str(&format!(
+                    ", thermal {:.5} (film +{:.1} K, surfaces +{:.1} K)",
+                    hot.coefficient, hot.film_rise, hot.surface_rise
+                ));
+            }
+            text.push('\n');
         }
         text.push_str(&format!(
             "  {} Newton, {} GMRES; load error {:.1e}, mass balance {:.1e}\n",
@@ -170,4 +198,11 @@ impl Smooth {
         }
         text
     }
+}
+
+/// Mean film within the half-width \[µm\].
+fn mean_film_um(film: &SteadyFilm) -> f64 {
+    let inside = film.x.iter().zip(&film.film).filter(|(x, _)| x.abs() < 1.0);
+    let (sum, count) = inside.fold((0.0, 0.0), |(sum, count), (_, h)| (sum + h, count + 1.0));
+    film.scales.film_length(sum / count).si() * 1e6
 }

@@ -1,15 +1,23 @@
 //! The film alone: its pressure is Hertz's and carries the whole load.
 
 use crate::error::PositionError;
+use crate::full_film::FullFilm;
 use crate::station::Station;
 
 use super::carried::Carried;
 
-/// The film's pressure at the points `x` [m]: that of the smooth dry contact, which a full film
-/// takes over all but its inlet and its outlet.
-pub(crate) fn full_film(station: &Station, x: &[f64]) -> Result<Carried, PositionError> {
+/// The film's pressure at the points `x` [m]: that of `solution`, or without one that of the smooth dry contact,
+/// which a full film takes over all but its inlet and its outlet.
+pub(crate) fn full_film(
+    station: &Station,
+    x: &[f64],
+    solution: Option<&FullFilm>,
+) -> Result<Carried, PositionError> {
     Ok(Carried {
-        fluid: hertz_pressure(station, x, 1.0)?,
+        fluid: match solution {
+            Some(film) => film.pressure_at(x),
+            None => hertz_pressure(station, x, 1.0)?,
+        },
         solids: None,
         history: Vec::new(),
     })

@@ -81,6 +81,11 @@ impl Files {
         Ok(files)
     }
 
+    /// Folder that names are relative to; none where only memory is asked.
+    pub(super) fn folder(&self) -> Option<&Path> {
+        self.folder.as_deref()
+    }
+
     /// Keeps `content` under this name.
     pub(super) fn hold(&mut self, name: &Path, content: Content) {
         self.held.insert(name.to_owned(), content);

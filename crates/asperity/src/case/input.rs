@@ -26,7 +26,7 @@ use serde::de::{IntoDeserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::gear_input::{EndReliefInput, GearFlankInput};
-use super::law_names::{FilmFrictionLaw, LoadShareName};
+use super::law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
 use crate::load_share::SpotSpeed;
 
 /// A case: gears, steel, oil, operation, two measured flanks, and the model to use.
@@ -332,8 +332,16 @@ pub struct ModelInput {
     /// Feed the flash temperature back into the viscosity of the friction law; default false.
     pub flash_feedback: Option<bool>,
     /// Share of the load that the film carries: `solved` (default) from the rough contact; `lambda-star`,
-    /// `zhu-hu`, `masjedi-khonsari` and `jgp` have all asperity load rub with the boundary coefficient.
+    /// `zhu-hu`, `masjedi-khonsari` and `jgp` have all asperity load rub with the boundary coefficient; `ehl`
+    /// takes shares and friction from records of transient mixed lubrication, which take a minute and more.
     pub load_share: Option<LoadShareName>,
+    /// What a film that carries the whole load is taken from: `formulas` (default), `ehl`, the steady
+    /// elastohydrodynamic solution of smooth flanks, or `ehl-transient`, records with both traces.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub full_film: Option<FullFilmName>,
+    /// The elastohydrodynamic solutions of `load_share = "ehl"` and `full_film`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ehl: Option<EhlInput>,
     /// Model of the fluid pressure across the film; default `reynolds-cross` (`paper`: `paper`).
     pub fluid_pressure: Option<FluidModel>,
     /// Clamp the roughness in Xu's law at 0.6 um; default true (`paper`: false).
@@ -353,6 +361,22 @@ pub struct ModelInput {
     pub hysteresis: Option<Ratio>,
     /// Depths at which subsurface stress is computed; default 24.
     pub depths: Option<usize>,
+}
+
+/// Grid and length of the elastohydrodynamic solutions, and where records are kept.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct EhlInput {
+    /// Records along the path; default 8. Between them shares and friction are interpolated.
+    pub records: Option<usize>,
+    /// Cells across the film, a multiple of 64; default 512.
+    pub cells: Option<usize>,
+    /// Travel of a record in half-widths of the contact; default 20.
+    pub travel: Option<f64>,
+    /// Folder that keeps records by their content, so that none is solved twice: `user` (default), the cache
+    /// folder of the user (`asperity` in `$XDG_CACHE_HOME`, `~/.cache` or `%LOCALAPPDATA%`), a folder relative
+    /// to the case file, or `off`.
+    pub cache: Option<String>,
 }
 
 /// A point on the path of contact.

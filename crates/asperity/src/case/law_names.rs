@@ -83,6 +83,34 @@ pub enum LoadShareName {
     MasjediKhonsari,
     /// Johnson, Greenwood and Poon: the solved contact with the gap of the smooth film.
     Jgp,
+    /// Records of transient mixed lubrication at a few places of the path, interpolated between.
+    Ehl,
+}
+
+/// What a film that carries the whole load is taken from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[non_exhaustive]
+pub enum FullFilmName {
+    /// Film formula, Hertz pressure and the law of film friction.
+    #[default]
+    Formulas,
+    /// The steady elastohydrodynamic solution of smooth flanks.
+    Ehl,
+    /// Means over transient solutions with both traces.
+    EhlTransient,
+}
+
+impl FullFilmName {
+    /// The name in a case file.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Formulas => "formulas",
+            Self::Ehl => "ehl",
+            Self::EhlTransient => "ehl-transient",
+        }
+    }
 }
 
 impl LoadShareName {
@@ -105,6 +133,7 @@ impl LoadShareName {
             Self::ZhuHu => "zhu-hu",
             Self::MasjediKhonsari => "masjedi-khonsari",
             Self::Jgp => "jgp",
+            Self::Ehl => "ehl",
         }
     }
 }

@@ -1,6 +1,6 @@
 //! A case with its traces: from a file, from a text with a resolver, from a value, or changed from another.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use asperity_core::provenance::Provenance;
@@ -172,6 +172,17 @@ impl LoadedCase {
         self.changed_to(input)
     }
 
+    /// Folder that records of mixed lubrication are kept in; none where the case turns that off, came without
+    /// files, or the user has no cache folder.
+    pub(crate) fn record_folder(&self) -> Option<PathBuf> {
+        let beside = self.files.folder()?;
+        match self.case.model.ehl.cache.as_str() {
+            "off" => None,
+            "user" => user_cache_folder(),
+            folder => Some(beside.join(folder)),
+        }
+    }
+
     fn changed_to(&self, input: CaseInput) -> Result<Self, Error> {
         // Lines of the file would be those of the values before.
         let source = Source::without_text(&self.name);
@@ -301,6 +312,18 @@ pub(super) fn complete(
         name: source.name().into(),
         files,
     })
+}
+
+/// The cache folder of the user by the rules of the system.
+fn user_cache_folder() -> Option<PathBuf> {
+    let named = |name: &str| {
+        let folder = PathBuf::from(std::env::var_os(name)?);
+        folder.is_absolute().then_some(folder)
+    };
+    let root = named("XDG_CACHE_HOME")
+        .or_else(|| named("LOCALAPPDATA"))
+        .or_else(|| Some(named("HOME")?.join(".cache")))?;
+    Some(root.join("asperity"))
 }
 
 fn xu_calibration(file: &Path, source: &Source, files: &Files) -> Result<XuCalibration, CaseError> {

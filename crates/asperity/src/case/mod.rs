@@ -46,12 +46,12 @@ pub use defaults::DefaultUsed;
 pub use error::CaseError;
 pub use gear_input::{EndReliefInput, GearFlankInput, ReliefInput};
 pub use input::{
-    BodyInput, CaseInput, FlankInput, Formulation, GearsInput, MaterialInput, ModelInput,
+    BodyInput, CaseInput, EhlInput, FlankInput, Formulation, GearsInput, MaterialInput, ModelInput,
     NamedPoint, OneOrTwo, OperationInput, PathPoint, SurfaceInput, schema,
 };
-pub use law_names::{FilmFrictionLaw, LoadShareName};
+pub use law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
 pub use loaded::{LoadedCase, Resolver, from_text, load, load_set, load_with, open_source};
-pub use model::Model;
+pub use model::{EhlChoices, Model};
 pub use page::markdown;
 pub use place::Place;
 pub use resolve::{Case, resolve};

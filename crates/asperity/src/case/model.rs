@@ -13,8 +13,8 @@ use serde::Serialize;
 use super::defaults::Defaults;
 use super::domain::domain;
 use super::error::{CaseError, LOOSEST_TOLERANCE};
-use super::input::{Formulation, ModelInput, NamedPoint, OneOrTwo, PathPoint};
-use super::law_names::{FilmFrictionLaw, LoadShareName};
+use super::input::{EhlInput, Formulation, ModelInput, NamedPoint, OneOrTwo, PathPoint};
+use super::law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
 use super::model_defaults::ModelDefaults;
 use super::source::Source;
 use crate::load_share::SpotSpeed;
@@ -64,6 +64,10 @@ pub struct Model {
     pub flash_feedback: bool,
     /// Share of the load that the film carries.
     pub load_share: LoadShareName,
+    /// What a film that carries the whole load is taken from.
+    pub full_film: FullFilmName,
+    /// Elastohydrodynamic solutions.
+    pub ehl: EhlChoices,
     /// Fluid pressure across the film.
     pub fluid_pressure: FluidModel,
     /// Step of the paper's marching.
@@ -80,6 +84,15 @@ pub struct Model {
     pub hysteresis: f64,
     /// Number of depths of subsurface fields.
     pub depths: usize,
+}
+
+impl Model {
+    /// Whether load share or full film need the oil's rheology, whatever the law of film friction.
+    pub(super) fn shears_its_film(&self) -> bool {
+        self.load_share.supply().is_some()
+            || self.load_share == LoadShareName::Ehl
+            || self.full_film != FullFilmName::Formulas
+    }
 }
 
 /// Makes every choice that the case leaves open.
@@ -116,6 +129,8 @@ pub(super) fn model(
         false => &mut *defaults,
     };
     let share_choices = ShareChoices::of(given, of_share);
+    let load_share = given.load_share.unwrap_or(own.load_share);
+    let full_film = given.full_film.unwrap_or_default();
     let model = Model {
         positions,
         position: point.fraction_of(gears.path()),
@@ -150,6 +165,8 @@ pub(super) fn model(
         thermal: defaults.take("model.thermal", given.thermal, own.thermal),
         flash_feedback: defaults.take("model.flash_feedback", given.flash_feedback, false),
         load_share: defaults.take("model.load_share", given.load_share, own.load_share),
+        full_film,
+        ehl: EhlChoices::of(given.ehl.as_ref(), load_share, full_film, defaults),
         fluid_pressure: defaults.take(
             "model.fluid_pressure",
             given.fluid_pressure,
@@ -183,6 +200,48 @@ pub(super) fn model(
     check_run_in(formulation, given, source)?;
     check_constant(given.constant_friction, model.film_friction, source)?;
     Ok(model)
+}
+
+/// Choices of the elastohydrodynamic solutions.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct EhlChoices {
+    /// Records along the path.
+    pub records: usize,
+    /// Cells across the film.
+    pub cells: usize,
+    /// Travel of a record in half-widths.
+    pub travel: f64,
+    /// Where records are kept: `user`, `off`, or a folder.
+    pub cache: String,
+}
+
+impl EhlChoices {
+    /// The choices; defaults are noted where a solution is asked for.
+    fn of(
+        given: Option<&EhlInput>,
+        share: LoadShareName,
+        film: FullFilmName,
+        defaults: &mut Defaults,
+    ) -> Self {
+        let mut unused = Defaults::default();
+        let has_records = share == LoadShareName::Ehl || film == FullFilmName::EhlTransient;
+        let is_asked = has_records || film == FullFilmName::Ehl;
+        let given = given.cloned().unwrap_or_default();
+        let of_grid = if is_asked {
+            &mut *defaults
+        } else {
+            &mut unused
+        };
+        let cells = of_grid.take("model.ehl.cells", given.cells, 512);
+        let of_records = if has_records { defaults } else { &mut unused };
+        Self {
+            records: of_records.take("model.ehl.records", given.records, 8),
+            cells,
+            travel: of_records.take("model.ehl.travel", given.travel, 20.0),
+            cache: of_records.take("model.ehl.cache", given.cache, "user".to_owned()),
+        }
+    }
 }
 
 /// Choices of the load share and of film friction.
@@ -244,7 +303,7 @@ type Check = (&'static str, &'static str, f64, bool, &'static str);
 
 fn check_model(model: &Model, source: &Source) -> Result<(), CaseError> {
     let count = |n: usize| n as f64;
-    let checks: [Check; 14] = [
+    let checks: [Check; 17] = [
         (
             "model.positions",
             "positions",
@@ -335,6 +394,27 @@ fn check_model(model: &Model, source: &Source) -> Result<(), CaseError> {
             model.tolerance,
             (1e-16..=LOOSEST_TOLERANCE).contains(&model.tolerance),
             "must be 1e-16 to 1e-4",
+        ),
+        (
+            "model.ehl.records",
+            "records along the path",
+            count(model.ehl.records),
+            (2..=64).contains(&model.ehl.records),
+            "must be 2 to 64",
+        ),
+        (
+            "model.ehl.cells",
+            "cells across the film",
+            count(model.ehl.cells),
+            model.ehl.cells.is_multiple_of(64) && (64..=8192).contains(&model.ehl.cells),
+            "must be a multiple of 64, 64 to 8192",
+        ),
+        (
+            "model.ehl.travel",
+            "travel of a record",
+            model.ehl.travel,
+            (2.0..=1000.0).contains(&model.ehl.travel),
+            "must be 2 to 1000 half-widths",
         ),
         (
             "model.hysteresis",

@@ -111,21 +111,20 @@ pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
     };
     check_load(&mesh, &model, formulation, source)?;
     let mut oil_state = oil.value;
-    let rheology =
-        match model.film_friction.shear_law().is_some() || model.load_share.supply().is_some() {
-            false => None,
-            true => {
-                let rheology = rheology(&lubricant, &model, operation.temperature)
-                    .map_err(rheology_at(source))?;
-                // One film in the whole run: as thick as the film friction has it.
-                let state = rheology
-                    .state(operation.temperature)
-                    .map_err(rheology_at(source))?;
-                oil_state.pressure_viscosity = state.pressure_viscosity;
-                oil_state.thermal_conductivity = state.conductivity;
-                Some(rheology)
-            }
-        };
+    let rheology = match model.film_friction.shear_law().is_some() || model.shears_its_film() {
+        false => None,
+        true => {
+            let rheology =
+                rheology(&lubricant, &model, operation.temperature).map_err(rheology_at(source))?;
+            // One film in the whole run: as thick as the film friction has it.
+            let state = rheology
+                .state(operation.temperature)
+                .map_err(rheology_at(source))?;
+            oil_state.pressure_viscosity = state.pressure_viscosity;
+            oil_state.thermal_conductivity = state.conductivity;
+            Some(rheology)
+        }
+    };
     Ok(Case {
         title: input
             .title

@@ -11,6 +11,7 @@ use asperity_gear::{LoadCell, LoadMap};
 use super::strategy::{Scene, Strategy};
 use crate::branch::{Carried, Mixed, full_film, load_path, mixed};
 use crate::case::Case;
+use crate::decision::Decision;
 use crate::deformation_losses::running_in_power;
 use crate::error::PositionError;
 use crate::friction::Rubbing;
@@ -97,13 +98,17 @@ impl Strategy for Corrected {
         RollingSurfaces::Both
     }
 
+    fn is_full_film(&self, decision: &Decision) -> bool {
+        decision.shared.film_share >= 1.0
+    }
+
     fn carry(
         &self,
         scene: &Scene<'_>,
         solver: &mut Option<Solver>,
     ) -> Result<Carried, PositionError> {
-        if scene.decision.shared.film_share >= 1.0 {
-            return full_film(scene.station, &scene.encounter.x);
+        if self.is_full_film(scene.decision) {
+            return full_film(scene.station, &scene.encounter.x, scene.full_film);
         }
         let problem = problem(scene);
         let solver = match solver {

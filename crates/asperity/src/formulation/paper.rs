@@ -9,6 +9,7 @@ use asperity_gear::LoadMap;
 use super::strategy::{Scene, Strategy};
 use crate::branch::{Carried, full_film, march, printed_deformation_of};
 use crate::case::Case;
+use crate::decision::Decision;
 use crate::error::PositionError;
 use crate::friction::Rubbing;
 use crate::position::{Position, PrintedDeformation};
@@ -49,11 +50,15 @@ impl Strategy for Paper {
         RollingSurfaces::One
     }
 
+    fn is_full_film(&self, decision: &Decision) -> bool {
+        decision.regime == Regime::FullFilm
+    }
+
     fn carry(&self, scene: &Scene<'_>, _: &mut Option<Solver>) -> Result<Carried, PositionError> {
-        match scene.decision.regime {
-            Regime::FullFilm => full_film(scene.station, &scene.encounter.x),
-            Regime::Mixed => march(scene.case, scene.station, scene.encounter),
+        if self.is_full_film(scene.decision) {
+            return full_film(scene.station, &scene.encounter.x, scene.full_film);
         }
+        march(scene.case, scene.station, scene.encounter)
     }
 
     /// The march keeps its own history.

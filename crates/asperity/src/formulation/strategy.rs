@@ -13,6 +13,7 @@ use crate::decision::Decision;
 use crate::encounter::Encounter;
 use crate::error::PositionError;
 use crate::friction::Rubbing;
+use crate::full_film::FullFilm;
 use crate::position::{Position, PrintedDeformation};
 use crate::result::HistoryRow;
 use crate::station::{Place, Station};
@@ -23,6 +24,8 @@ pub(crate) struct Scene<'a> {
     pub station: &'a Station,
     pub encounter: &'a Encounter,
     pub decision: &'a Decision,
+    /// The full film by its elastohydrodynamic solution; none for formulas and where asperities touch.
+    pub full_film: Option<&'a FullFilm>,
 }
 
 /// A reading of the model.
@@ -41,6 +44,9 @@ pub(crate) trait Strategy: Debug + Send + Sync {
 
     /// Surfaces on which rolling friction is counted.
     fn rolling_surfaces(&self) -> RollingSurfaces;
+
+    /// Whether the film carries the whole load under `decision`.
+    fn is_full_film(&self, decision: &Decision) -> bool;
 
     /// Pressures of film and solids; `solver` is made at first need and kept for all offsets.
     fn carry(

@@ -24,6 +24,18 @@ pub enum RefereeError {
     NoBaseOil,
 }
 
+/// A position whose load share is recorded has the errors of the records.
+impl From<RefereeError> for PositionError {
+    fn from(error: RefereeError) -> Self {
+        match error {
+            RefereeError::Position(error) => error,
+            RefereeError::Ehl(error) => Self::Ehl(error),
+            RefereeError::Share(error) => Self::LoadShare(error),
+            RefereeError::NoBaseOil => Self::Lubricant(LubricantError::NoBaseOil),
+        }
+    }
+}
+
 macro_rules! by_position {
     ($($error:ty),+) => {
         $(impl From<$error> for RefereeError {

@@ -12,4 +12,7 @@ mod settings;
 
 pub use comparison::{LawShare, ShareComparison, shares};
 pub use error::RefereeError;
-pub use settings::{LARGEST_ROUGHNESS, RefereeContact, RefereeSettings, attenuated_roughness};
+pub(crate) use settings::smooth_contact;
+pub use settings::{
+    LARGEST_ROUGHNESS, RefereeContact, RefereeSettings, attenuated_roughness, formula_film,
+};

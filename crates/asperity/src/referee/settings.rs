@@ -7,7 +7,8 @@ use asperity_ehl::{
     DensityLaw, FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling, RecordSettings,
     RoughContact, ShearLaw, ViscosityLaw,
 };
-use asperity_ehl_regime::{FilmConditions, MoesNumbers, TraceSpectrum};
+use asperity_ehl_regime::inlet_flow::CentralFilm;
+use asperity_ehl_regime::{FilmConditions, FilmLaw, MoesNumbers, TraceSpectrum};
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
 use asperity_tribo_friction::FilmRheology;
 
@@ -34,6 +35,10 @@ const OVERLAP: f64 = 0.1;
 /// Parts of the traces at which a record begins: the pairs of a record are unrelated.
 const OFFSETS: [f64; 2] = [0.07, 0.44];
 
+/// Parts of the traces between one record and the next: multiples of them, minus their whole parts, fill the
+/// traces evenly and never the same pairs.
+const OFFSET_STEPS: [f64; 2] = [0.618_033_988_749_894_9, 0.414_213_562_373_095];
+
 /// Choices of the referee.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RefereeSettings {
@@ -41,6 +46,8 @@ pub struct RefereeSettings {
     pub record: RecordSettings,
     /// Eyring stress in place of that of the base oil.
     pub eyring_stress: Option<Pressure>,
+    /// Number of the pair of places on the traces at which the record begins, from 0.
+    pub beginning: usize,
 }
 
 /// The lubricated contact of a case at one place, with what was measured of its roughness.
@@ -74,6 +81,21 @@ impl RefereeContact {
         let case = &loaded.case;
         let path = case.gears.path();
         let station = station_at(case, path.a + (path.e - path.a) * path_fraction)?;
+        Self::at(loaded, station, settings)
+    }
+
+    /// The contact of `loaded` at a mesh position.
+    ///
+    /// # Errors
+    /// As [`Self::of`].
+    pub fn at(
+        loaded: &LoadedCase,
+        station: Station,
+        settings: &RefereeSettings,
+    ) -> Result<Self, RefereeError> {
+        let case = &loaded.case;
+        let path = case.gears.path();
+        let path_fraction = (station.s - path.a) / (path.e - path.a);
         let [Texture::Trace(first), Texture::Trace(second)] = loaded.surfaces.textures() else {
             return Err(PositionError::NoProfile.into());
         };
@@ -81,13 +103,7 @@ impl RefereeContact {
         let rheology = rheology(case)?;
         let constants = rheology.constants();
         let stress = settings.eyring_stress.unwrap_or(constants.eyring_stress);
-        let oil = Oil {
-            viscosity: case.oil.dynamic_viscosity,
-            pressure_viscosity: case.oil.pressure_viscosity,
-            viscosity_law: ViscosityLaw::Roelands { exponent: ROELANDS },
-            density_law: DensityLaw::DowsonHigginson,
-            shear_law: ShearLaw::Eyring { stress },
-        };
+        let oil = oil_of(case, ShearLaw::Eyring { stress });
         let mut record = settings.record.clone();
         record.friction = Some(FrictionLaw {
             viscosity: oil.viscosity,
@@ -107,11 +123,15 @@ impl RefereeContact {
         let cell = station.hertz.half_width * (window / record.cells.max(1) as f64);
         let shortest = Length::from_si(SHORTEST_WAVE.si().max(CELLS_A_WAVE * cell.si()));
         let traces = [smoothed(first, shortest)?, smoothed(second, shortest)?];
+        let begins = [0, 1].map(|surface| {
+            let number = settings.beginning as f64;
+            (OFFSETS[surface] + number * OFFSET_STEPS[surface]).fract()
+        });
         let rough = RoughContact {
             contact,
             oil,
-            surface_1: moving(&traces[0], OFFSETS[0])?,
-            surface_2: moving(&traces[1], OFFSETS[1])?,
+            surface_1: moving(&traces[0], begins[0])?,
+            surface_2: moving(&traces[1], begins[1])?,
         };
         let attenuated_roughness = attenuated_roughness(&contact, &oil, &[&traces[0], &traces[1]])?;
         Ok(Self {
@@ -122,6 +142,25 @@ impl RefereeContact {
             traces,
             attenuated_roughness,
         })
+    }
+}
+
+/// Bodies and Newtonian oil of a mesh position, without its surfaces.
+pub(crate) fn smooth_contact(case: &Case, station: &Station) -> (LineContact, Oil) {
+    (
+        line_contact(case, station),
+        oil_of(case, ShearLaw::Newtonian),
+    )
+}
+
+/// The oil at the temperature of the case.
+fn oil_of(case: &Case, shear_law: ShearLaw) -> Oil {
+    Oil {
+        viscosity: case.oil.dynamic_viscosity,
+        pressure_viscosity: case.oil.pressure_viscosity,
+        viscosity_law: ViscosityLaw::Roelands { exponent: ROELANDS },
+        density_law: DensityLaw::DowsonHigginson,
+        shear_law,
     }
 }
 
@@ -169,15 +208,7 @@ pub fn attenuated_roughness(
     oil: &Oil,
     traces: &[&Profile],
 ) -> Result<Length, RefereeError> {
-    let conditions = FilmConditions {
-        entrainment: (contact.speed_1 + contact.speed_2) * 0.5,
-        radius: contact.radius,
-        load: contact.load,
-        modulus: contact.modulus,
-        viscosity: oil.viscosity,
-        pressure_viscosity: oil.pressure_viscosity,
-        contact_length: None,
-    };
+    let conditions = conditions(contact, oil);
     let hertz = HertzLine::new(contact.load, contact.radius, contact.modulus)
         .map_err(PositionError::from)?;
     let numbers = MoesNumbers::of(&conditions.line_groups()?)?;
@@ -188,4 +219,30 @@ pub fn attenuated_roughness(
         squares += left.iter().map(|z| z * z).sum::<f64>() / left.len() as f64;
     }
     Ok(Length::from_si(squares.sqrt()))
+}
+
+/// Gap in the middle and minimum film of smooth surfaces by Dowson and Toyoda, and Dowson and Higginson; their
+/// central film is a flow of mass, and the gap thinner by the density under the Hertz pressure.
+///
+/// # Errors
+/// When a number is outside its domain.
+pub fn formula_film(contact: &LineContact, oil: &Oil) -> Result<[Length; 2], RefereeError> {
+    let film = FilmLaw::DowsonToyoda.film(&conditions(contact, oil))?.value;
+    let hertz = HertzLine::new(contact.load, contact.radius, contact.modulus)
+        .map_err(PositionError::from)?;
+    let gap = CentralFilm::Gap.thickness(film.central, hertz.max_pressure)?;
+    Ok([gap, film.minimum])
+}
+
+/// What film formulas see of a contact.
+fn conditions(contact: &LineContact, oil: &Oil) -> FilmConditions {
+    FilmConditions {
+        entrainment: (contact.speed_1 + contact.speed_2) * 0.5,
+        radius: contact.radius,
+        load: contact.load,
+        modulus: contact.modulus,
+        viscosity: oil.viscosity,
+        pressure_viscosity: oil.pressure_viscosity,
+        contact_length: None,
+    }
 }

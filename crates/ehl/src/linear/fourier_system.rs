@@ -14,7 +14,7 @@ const CAP: usize = 80;
 /// Coarse cells on grids of at least `COARSE_CELLS`·`LEAST_RATIO` cells.
 const COARSE_CELLS: usize = 64;
 /// Fewest fine cells of a coarse cell.
-const LEAST_RATIO: usize = 4;
+const LEAST_RATIO: usize = 8;
 
 pub(crate) struct FourierSystem {
     levels: Levels,

@@ -34,7 +34,8 @@ impl Gmres {
         if size == 0.0 {
             return LinearEffort::default();
         }
-        self.reserve(cap, right.len());
+        self.clear_other_sizes(right.len());
+        self.reserve(0, right.len());
         self.rotations.clear();
         self.right.clear();
         self.right.push(size);
@@ -43,6 +44,7 @@ impl Gmres {
         }
         let mut iterations = 0;
         while iterations < cap {
+            self.reserve(iterations + 1, right.len());
             let left = self.step(operator, iterations);
             iterations += 1;
             if left <= tolerance * size {
@@ -57,16 +59,22 @@ impl Gmres {
         }
     }
 
-    fn reserve(&mut self, cap: usize, size: usize) {
+    fn clear_other_sizes(&mut self, size: usize) {
         for vectors in [&mut self.basis, &mut self.corrections] {
             if vectors.first().is_some_and(|v| v.len() != size) {
                 vectors.clear();
             }
-            while vectors.len() <= cap {
+        }
+    }
+
+    /// Room for the vectors up to number `last`; most solutions need few.
+    fn reserve(&mut self, last: usize, size: usize) {
+        for vectors in [&mut self.basis, &mut self.corrections] {
+            while vectors.len() <= last {
                 vectors.push(vec![0.0; size]);
             }
         }
-        while self.triangle.len() <= cap {
+        while self.triangle.len() <= last {
             self.triangle.push(vec![0.0; self.triangle.len() + 2]);
         }
     }

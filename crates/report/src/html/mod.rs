@@ -7,11 +7,15 @@ mod contact;
 mod flanks;
 mod inputs;
 mod load;
+mod lubricated;
 mod overview;
 mod page;
 mod path;
 
 pub use contact::drawings as drawings_of_contact;
+pub use lubricated::{
+    FilmAndPressure, FilmFrame, LubricatedContact, SharePoint, lubricated_contact,
+};
 pub use page::{figure, page};
 
 use asperity::case::Formulation;

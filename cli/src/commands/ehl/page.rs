@@ -1,0 +1,190 @@
+//! The page of a lubricated contact.
+
+use asperity::ehl::transient::Moment;
+use asperity::ehl::{RoughContact, Scales, SteadyFilm, SteadySettings, steady};
+use asperity::referee::formula_film;
+use asperity_report::html::{
+    FilmAndPressure, FilmFrame, LubricatedContact, SharePoint, lubricated_contact,
+};
+
+use super::failed::of_contact;
+use super::rough::Recorded;
+use super::smooth::Smooth;
+use crate::failure::Failure;
+
+/// What every page of a contact has.
+struct About<'a> {
+    title: &'a str,
+    scales: &'a Scales,
+    warnings: Vec<(&'static str, String)>,
+}
+
+fn page_of(
+    about: About<'_>,
+    contact: &RoughContact,
+    smooth: &SteadyFilm,
+) -> Result<LubricatedContact, Failure> {
+    let refused = |error| super::failed::of_referee(about.title.as_ref(), &error);
+    let formula = formula_film(&contact.contact, &contact.oil).map_err(refused)?;
+    let scales = about.scales;
+    let owned = |(code, text): (&str, String)| (code.to_owned(), text);
+    Ok(LubricatedContact {
+        title: about.title.to_owned(),
+        subtitle: format!(
+            "asperity {} · half width {:.4}, p0 {:.4}, slide-to-roll {:.3}, M {:.1}, L {:.1}",
+            env!("CARGO_PKG_VERSION"),
+            scales.half_width,
+            scales.max_pressure,
+            scales.slide_to_roll,
+            scales.moes_load,
+            scales.moes_lubricant
+        ),
+        numbers: Vec::new(),
+        warnings: about.warnings.into_iter().map(owned).collect(),
+        hertz_pressure: scales.max_pressure.si() * 1e-9,
+        formula: formula.map(|film| film.si() * 1e6),
+        smooth: curve(scales, &smooth.x, &smooth.pressure, &smooth.film),
+        mean: None,
+        shares: Vec::new(),
+        history: Vec::new(),
+        frames: Vec::new(),
+    })
+}
+
+/// Pressure in GPa and film in um.
+fn curve(scales: &Scales, x: &[f64], pressure: &[f64], film: &[f64]) -> FilmAndPressure {
+    FilmAndPressure {
+        x: x.to_vec(),
+        pressure: gigapascals(scales, pressure),
+        film: micrometres(scales, film),
+    }
+}
+
+fn gigapascals(scales: &Scales, pressure: &[f64]) -> Vec<f64> {
+    let p_0 = scales.max_pressure.si() * 1e-9;
+    pressure.iter().map(|p| p * p_0).collect()
+}
+
+fn micrometres(scales: &Scales, film: &[f64]) -> Vec<f64> {
+    let unit = scales.film_length(1.0).si() * 1e6;
+    film.iter().map(|h| h * unit).collect()
+}
+
+fn number(name: &str, value: String) -> (String, String) {
+    (name.to_owned(), value)
+}
+
+impl Smooth {
+    /// The page of the smooth film.
+    pub fn page(&self, contact: &RoughContact) -> Result<String, Failure> {
+        let film = &self.solved.value;
+        let about = About {
+            title: &self.title,
+            scales: &film.scales,
+            warnings: self.warnings(),
+        };
+        let mut page = page_of(about, contact, film)?;
+        let micrometres = |length: f64| format!("{:.4} µm", length * 1e6);
+        page.numbers = vec![
+            number("central film", micrometres(film.central_film.si())),
+            number("minimum film", micrometres(film.minimum_film.si())),
+            number(
+                "rolling force a surface",
+                format!("{:.2} N/m", film.rolling_force.si()),
+            ),
+        ];
+        let names = ["traction, isothermal", "traction, thermal"];
+        for (name, traction) in names.into_iter().zip(self.tractions()) {
+            if let Some(traction) = traction {
+                page.numbers
+                    .push(number(name, format!("{:.5}", traction.coefficient)));
+            }
+        }
+        Ok(lubricated_contact(&page))
+    }
+}
+
+impl Recorded {
+    /// The page of the record, its frames those of the first record.
+    pub fn page(&self, contact: &RoughContact) -> Result<String, Failure> {
+        let record = &self.solved.value;
+        let scales = &record.scales;
+        let settings = SteadySettings {
+            cells: self.cells,
+            window: Some(self.window),
+        };
+        let smooth = steady::solve(&contact.contact, &contact.oil, &settings)
+            .map_err(|error| of_contact(&self.title, &error))?;
+        let about = About {
+            title: &self.title,
+            scales,
+            warnings: self.warnings(),
+        };
+        let mut page = page_of(about, contact, &smooth.value)?;
+        let share = &record.solid_share;
+        page.numbers = vec![
+            number(
+                "load on solids",
+                format!("{:.4} ± {:.4}", share.mean, share.standard_error),
+            ),
+            number(
+                "mean film",
+                format!(
+                    "{:.4} ± {:.4} µm",
+                    record.mean_film.mean * 1e6,
+                    record.mean_film.standard_error * 1e6
+                ),
+            ),
+            number(
+                "smooth film",
+                format!("{:.4} µm", record.smooth_film.si() * 1e6),
+            ),
+            number(
+                "largest pressure, mean",
+                format!("{:.3} GPa", record.mean_max_pressure.mean * 1e-9),
+            ),
+            number("travel", format!("{:.1} half-widths", record.travel)),
+        ];
+        if let Some(friction) = &record.friction {
+            let text = format!(
+                "{:.5} ± {:.5}",
+                friction.graded.mean, friction.graded.standard_error
+            );
+            page.numbers.push(number("friction", text));
+        }
+        page.mean = Some(curve(
+            scales,
+            &record.x,
+            &record.mean_pressure,
+            &record.mean_film_on_nodes,
+        ));
+        page.shares = record
+            .load_below
+            .iter()
+            .map(|below| SharePoint {
+                film_nm: below.film.si() * 1e9,
+                share: below.share.mean,
+                standard_error: Some(below.share.standard_error).filter(|e| e.is_finite()),
+            })
+            .collect();
+        let moment = |m: &Moment| {
+            [
+                m.time,
+                m.solid_share,
+                m.mean_film.si() * 1e6,
+                m.max_pressure.si() * 1e-9,
+            ]
+        };
+        page.history = record.history.iter().map(moment).collect();
+        page.frames = record
+            .frames
+            .iter()
+            .map(|frame| FilmFrame {
+                travel: frame.time,
+                pressure: gigapascals(scales, &frame.pressure),
+                film: micrometres(scales, &frame.film),
+            })
+            .collect();
+        Ok(lubricated_contact(&page))
+    }
+}

@@ -1,0 +1,249 @@
+//! Records at a few places of the path, and what holds between them.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use asperity_core::provenance::{Provenance, Site};
+use asperity_core::quantity::Length;
+use asperity_ehl::{Estimate, RecordSettings, transient};
+use rayon::prelude::*;
+
+use super::path_record::PathRecord;
+use super::share::RecordedShare;
+use super::store::RecordStore;
+use crate::case::{Formulation, LoadedCase};
+use crate::encounter::is_substituted;
+use crate::equations::find;
+use crate::error::PositionError;
+use crate::referee::{RefereeContact, RefereeError, RefereeSettings};
+use crate::station::{Resolution, Station};
+
+/// A record at its place on the path.
+#[derive(Debug, Clone)]
+pub(crate) struct PlacedRecord {
+    pub station: Station,
+    pub record: PathRecord,
+    /// Friction of the film with its heat over that without, smooth flanks; 1 for published laws.
+    pub heat: f64,
+}
+
+/// Records of a case, in order along the path.
+#[derive(Debug, Clone)]
+pub(crate) struct PathRecords {
+    pub places: Vec<PlacedRecord>,
+}
+
+/// Weights of the records on both sides of a place.
+struct Between {
+    low: usize,
+    high: usize,
+    part: f64,
+}
+
+impl PathRecords {
+    /// Solves the records of `loaded` along its `stations`, or finds them where they were kept; `smooth` gives
+    /// the friction of the smooth film with its heat, and none for a published law. None where a flank was not
+    /// measured, and in the paper's reading.
+    ///
+    /// # Errors
+    /// When a record has no solution.
+    pub(crate) fn solve(
+        loaded: &LoadedCase,
+        stations: &[Station],
+        smooth: &(dyn Fn(&Station) -> Result<Option<f64>, PositionError> + Sync),
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<Option<Self>, PositionError> {
+        let case = &loaded.case;
+        if case.formulation == Formulation::Paper || !loaded.surfaces.are_measured() {
+            return Ok(None);
+        }
+        let chosen = chosen(loaded, stations);
+        let store = RecordStore::new(loaded.record_folder());
+        let contacts = contacts(loaded, &chosen)?;
+        let found: Vec<_> = contacts
+            .iter()
+            .map(|contact| {
+                let file = store.file(contact);
+                let record = file.as_deref().and_then(RecordStore::find);
+                (file, record)
+            })
+            .collect();
+        let missing = found.iter().filter(|(_, record)| record.is_none()).count();
+        let done = AtomicUsize::new(0);
+        let records: Vec<Result<PathRecord, PositionError>> = contacts
+            .par_iter()
+            .zip(found)
+            .map(|(contact, (file, record))| {
+                if let Some(record) = record {
+                    return Ok(record);
+                }
+                let record = solved(contact)?;
+                if let Some(file) = &file {
+                    store.keep(file, &record);
+                }
+                progress(1 + done.fetch_add(1, Ordering::Relaxed), missing);
+                Ok(record)
+            })
+            .collect();
+        let places = chosen.into_iter().zip(records).map(|(station, record)| {
+            let record = record?;
+            let heat = match smooth(&station)? {
+                Some(hot) if record.smooth_friction > 0.0 => hot / record.smooth_friction,
+                _ => 1.0,
+            };
+            Ok(PlacedRecord {
+                station,
+                record,
+                heat,
+            })
+        });
+        let places: Vec<_> = places.collect::<Result<_, PositionError>>()?;
+        Ok((!places.is_empty()).then_some(Self { places }))
+    }
+
+    /// Notes the equations of the records, solved now or before.
+    pub(crate) fn cite(&self) {
+        let tags = self.places.iter().flat_map(|place| &place.record.tags);
+        for equation in tags.filter_map(|tag| find(tag)) {
+            Site::new(equation.tag).note();
+        }
+    }
+
+    /// Records that a run has to solve at most.
+    pub(crate) fn count(loaded: &LoadedCase, stations: &[Station]) -> usize {
+        chosen(loaded, stations).len()
+    }
+
+    /// Shares and friction at `s`; `smooth` is the friction of the smooth film there. Beyond the first and the
+    /// last record those hold.
+    pub(crate) fn at(&self, s: Length, smooth: Option<f64>) -> RecordedShare {
+        let between = self.between(s);
+        let mean = |of: &dyn Fn(&PlacedRecord) -> f64| between.mean(&self.places, of);
+        let estimate = |of: fn(&PathRecord) -> Estimate| between.estimate(&self.places, of);
+        RecordedShare {
+            solid_share: estimate(|record| record.solid_share),
+            boundary_part: mean(&|place| place.record.boundary_part()),
+            lubricated_coefficient: mean(&|place| place.heat * place.record.lubricated_friction),
+            film_coefficient: smooth
+                .map(|smooth| smooth * mean(&|place| place.record.film_ratio())),
+            mean_gap: estimate(|record| record.mean_film),
+            max_pressure: mean(&|place| place.record.mean_max_pressure.mean),
+        }
+    }
+
+    /// Mean pressure over p₀ and mean film \[m\] on the nodes `x`/a at `s`.
+    pub(crate) fn profile(&self, s: Length) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+        let between = self.between(s);
+        let [low, high] = [between.low, between.high].map(|k| &self.places[k].record);
+        let mixed = |a: &[f64], b: &[f64]| {
+            let pairs = a.iter().zip(b);
+            pairs.map(|(a, b)| a + between.part * (b - a)).collect()
+        };
+        (
+            low.x.clone(),
+            mixed(&low.pressure, &high.pressure),
+            mixed(&low.film, &high.film),
+        )
+    }
+
+    /// Standard error of the weighted mean of the solid share over places with their weights: records are
+    /// independent, places between the same two are not.
+    pub(crate) fn mean_share_error(&self, weighted: impl Iterator<Item = (Length, f64)>) -> f64 {
+        let mut of_record = vec![0.0; self.places.len()];
+        let mut total = 0.0;
+        for (s, weight) in weighted {
+            let between = self.between(s);
+            of_record[between.low] += weight * (1.0 - between.part);
+            of_record[between.high] += weight * between.part;
+            total += weight;
+        }
+        let square = |(weight, place): (f64, &PlacedRecord)| {
+            (weight / total * place.record.solid_share.standard_error).powi(2)
+        };
+        let squares = of_record.into_iter().zip(&self.places).map(square);
+        squares.sum::<f64>().sqrt()
+    }
+
+    fn between(&self, s: Length) -> Between {
+        let s = s.si();
+        let place = |k: usize| self.places[k].station.s.si();
+        let last = self.places.len() - 1;
+        let high = self
+            .places
+            .partition_point(|place| place.station.s.si() <= s)
+            .clamp(1.min(last), last);
+        let low = high.saturating_sub(1);
+        let part = if low == high {
+            0.0
+        } else {
+            ((s - place(low)) / (place(high) - place(low))).clamp(0.0, 1.0)
+        };
+        Between { low, high, part }
+    }
+}
+
+impl Between {
+    fn mean(&self, places: &[PlacedRecord], of: &dyn Fn(&PlacedRecord) -> f64) -> f64 {
+        (1.0 - self.part) * of(&places[self.low]) + self.part * of(&places[self.high])
+    }
+
+    fn estimate(&self, places: &[PlacedRecord], of: fn(&PathRecord) -> Estimate) -> Estimate {
+        let [low, high] = [self.low, self.high].map(|k| of(&places[k].record));
+        let [a, b] = [1.0 - self.part, self.part];
+        Estimate {
+            mean: a * low.mean + b * high.mean,
+            standard_error: (a * low.standard_error).hypot(b * high.standard_error),
+        }
+    }
+}
+
+/// Stations of the records: evenly among those whose contact the traces resolve and that carry the loss.
+fn chosen(loaded: &LoadedCase, stations: &[Station]) -> Vec<Station> {
+    let carries = |station: &&Station| {
+        station.resolution == Resolution::Required && !is_substituted(&loaded.surfaces, station)
+    };
+    let mut able: Vec<&Station> = stations.iter().filter(carries).collect();
+    if able.is_empty() {
+        able = stations.iter().filter(|s| s.load.si() > 0.0).collect();
+    }
+    let count = loaded.case.model.ehl.records.min(able.len());
+    let last = able.len().saturating_sub(1);
+    let steps = count.saturating_sub(1).max(1);
+    // The nearest whole number of k/(count − 1) of the way.
+    (0..count)
+        .map(|k| able[(2 * k * last + steps) / (2 * steps)].clone())
+        .collect()
+}
+
+fn contacts(
+    loaded: &LoadedCase,
+    stations: &[Station],
+) -> Result<Vec<RefereeContact>, PositionError> {
+    let choices = &loaded.case.model.ehl;
+    let numbered = stations.iter().enumerate();
+    numbered
+        .map(|(beginning, station)| {
+            let settings = RefereeSettings {
+                record: RecordSettings {
+                    cells: choices.cells,
+                    length: choices.travel,
+                    ..RecordSettings::default()
+                },
+                eyring_stress: None,
+                beginning,
+            };
+            Ok(RefereeContact::at(loaded, station.clone(), &settings)?)
+        })
+        .collect()
+}
+
+fn solved(contact: &RefereeContact) -> Result<PathRecord, PositionError> {
+    let law = contact.record.friction.ok_or(RefereeError::NoBaseOil)?;
+    let used = Provenance::new();
+    let solve = || -> Result<_, PositionError> {
+        let record = transient::record(&contact.rough, &contact.record)?;
+        Ok(PathRecord::new(contact, &record, &law))
+    };
+    let record = used.collect(solve)?;
+    let tags = used.tags().into_iter().map(str::to_owned).collect();
+    Ok(PathRecord { tags, ..record })
+}

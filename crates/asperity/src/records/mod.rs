@@ -1,0 +1,18 @@
+//! Records of transient mixed lubrication along the path of contact: the load share `ehl`.
+//!
+//! [`PathRecords`] solves the rough contact of a case at a few places of the path, each over a travel of some
+//! half-widths, and interpolates shares, films and friction between them. [`RecordStore`] keeps what was solved
+//! by its content, so that a second run solves nothing.
+
+mod along_path;
+pub mod equations;
+mod of_case;
+mod path_record;
+mod share;
+mod store;
+
+pub(crate) use along_path::{PathRecords, PlacedRecord};
+pub(crate) use of_case::of_case;
+pub use path_record::PathRecord;
+pub use share::RecordedShare;
+pub use store::RecordStore;

@@ -1,0 +1,200 @@
+//! What is kept of a record of transient mixed lubrication.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | φ | share of the load on films not above the solid film | - |
+//! | b | share of the load on the boundary layer | - |
+//! | μ, μ_s, μ_τ | friction with graded boundary share, with boundary friction below the solid film, of the film alone | - |
+//! | μ_b | boundary friction | - |
+//! | μ_f, μ_l | film friction above and below the solid film | - |
+
+use asperity_core::cite;
+use asperity_core::quantity::{Length, Pressure};
+use asperity_ehl::{Estimate, FrictionLaw, Record, Solved};
+use serde::{Deserialize, Serialize};
+
+use crate::referee::RefereeContact;
+
+/// Points at which friction is summed over the Hertz pressure.
+const HERTZ_POINTS: usize = 200;
+/// Share below which no load is called solid \[-\].
+const NO_SHARE: f64 = 1e-9;
+
+/// Means of a record of transient mixed lubrication with its evidence.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct PathRecord {
+    /// Share φ of the load on films not above the solid film.
+    pub solid_share: Estimate,
+    /// Share of the load on films not above 50 nm.
+    pub share_below_50_nm: Estimate,
+    /// Share b of the load on the boundary layer.
+    pub boundary_share: Estimate,
+    /// Mean gap within the half-width \[m\].
+    pub mean_film: Estimate,
+    /// Central film of smooth flanks.
+    pub smooth_film: Length,
+    /// Friction with a boundary share that fades over the boundary layer, isothermal.
+    pub friction: Estimate,
+    /// Film friction of the load above the solid film, isothermal.
+    pub film_friction: f64,
+    /// Film friction of the load below it, isothermal.
+    pub lubricated_friction: f64,
+    /// Friction of a smooth film under the Hertz pressure by the same law.
+    pub smooth_friction: f64,
+    /// Mean over time of the largest pressure \[Pa\].
+    pub mean_max_pressure: Estimate,
+    /// Largest pressure of all times.
+    pub max_pressure: Pressure,
+    /// Standard deviation of the roughness that is left in the contact.
+    pub attenuated_roughness: Length,
+    /// Travel in half-widths.
+    pub travel: f64,
+    /// Places of the nodes over a.
+    pub x: Vec<f64>,
+    /// Mean over time of the pressure over p₀ on the nodes.
+    pub pressure: Vec<f64>,
+    /// Mean over time of the film on the nodes \[m\].
+    pub film: Vec<f64>,
+    /// Largest load error of a step.
+    pub load_error: f64,
+    /// Time steps.
+    pub steps: usize,
+    /// Steps repeated at half their length.
+    pub steps_cut: usize,
+    /// Steps with a node held in contact.
+    pub loose_steps: usize,
+    /// Newton iterations.
+    pub newton_iterations: usize,
+    /// GMRES iterations.
+    pub gmres_iterations: usize,
+    /// Tags of the equations used.
+    pub(super) tags: Vec<String>,
+}
+
+impl PathRecord {
+    /// What is kept of `solved`, the record of `contact` with a friction law.
+    pub(super) fn new(
+        contact: &RefereeContact,
+        solved: &Solved<Record>,
+        law: &FrictionLaw,
+    ) -> Self {
+        let (record, evidence) = (&solved.value, &solved.evidence);
+        let friction = record.friction.unwrap_or_default();
+        let [mu_f, mu_l] = parts(
+            record.solid_share.mean,
+            [friction.graded, friction.stepped, friction.film].map(|part| part.mean),
+            friction.boundary_share.mean,
+            law.boundary_friction,
+        );
+        let below_50 = record.load_below.iter().find(|below| {
+            let nanometres = below.film.si() * 1e9;
+            (nanometres - 50.0).abs() < 1e-6
+        });
+        let scales = &record.scales;
+        Self {
+            solid_share: record.solid_share,
+            share_below_50_nm: below_50.map_or(record.solid_share, |below| below.share),
+            boundary_share: friction.boundary_share,
+            mean_film: record.mean_film,
+            smooth_film: record.smooth_film,
+            friction: friction.graded,
+            film_friction: mu_f,
+            lubricated_friction: mu_l,
+            smooth_friction: smooth_friction(contact, law, record.smooth_film),
+            mean_max_pressure: record.mean_max_pressure,
+            max_pressure: record.max_pressure,
+            attenuated_roughness: contact.attenuated_roughness,
+            travel: record.travel,
+            x: record.x.clone(),
+            pressure: record.mean_pressure.clone(),
+            film: record
+                .mean_film_on_nodes
+                .iter()
+                .map(|film| scales.film_length(*film).si())
+                .collect(),
+            load_error: evidence.load_error,
+            steps: evidence.steps,
+            steps_cut: evidence.steps_cut,
+            loose_steps: evidence.loose_steps,
+            newton_iterations: evidence.newton_iterations,
+            gmres_iterations: evidence.gmres_iterations,
+            tags: Vec::new(),
+        }
+    }
+
+    /// Share of the solid load on the boundary layer, at most 1.
+    pub(super) fn boundary_part(&self) -> f64 {
+        let phi = self.solid_share.mean;
+        if phi > NO_SHARE {
+            (self.boundary_share.mean / phi).min(1.0)
+        } else {
+            0.0
+        }
+    }
+
+    /// Film friction of the record over that of the smooth film.
+    pub(super) fn film_ratio(&self) -> f64 {
+        if self.smooth_friction > 0.0 {
+            self.film_friction / self.smooth_friction
+        } else {
+            1.0
+        }
+    }
+}
+
+/// Film friction above and below the solid film, so that the parts make up the friction of the record.
+///
+/// ```text
+/// μ_l = (μ_τ − (μ_s − μ_b·φ))/φ,  μ = (1 − φ)·μ_f + (φ − b)·μ_l + b·μ_b,  b ≤ φ    [Record-friction]
+/// ```
+fn parts(phi: f64, [mu, mu_s, mu_tau]: [f64; 3], b: f64, mu_b: f64) -> [f64; 2] {
+    cite!("Record-friction");
+    let mu_l = if phi > NO_SHARE {
+        (mu_tau - (mu_s - mu_b * phi)) / phi
+    } else {
+        mu_tau
+    };
+    let b = b.min(phi);
+    let mu_f = if phi < 1.0 {
+        (mu - (phi - b) * mu_l - b * mu_b) / (1.0 - phi)
+    } else {
+        mu_tau
+    };
+    [mu_f, mu_l]
+}
+
+/// Friction coefficient of a film of one thickness under the Hertz pressure.
+fn smooth_friction(contact: &RefereeContact, law: &FrictionLaw, film: Length) -> f64 {
+    let line = &contact.rough.contact;
+    let rate = (line.speed_1 - line.speed_2).si().abs() / film.si();
+    let p_0 = contact.station.hertz.max_pressure.si();
+    let (mut stress, mut load) = (0.0, 0.0);
+    for k in 0..HERTZ_POINTS {
+        let x = (k as f64 + 0.5) / HERTZ_POINTS as f64;
+        let pressure = p_0 * (1.0 - x * x).sqrt();
+        stress += law.film_stress(pressure, rate);
+        load += pressure;
+    }
+    stress / load
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn friction_of_a_record_is_the_sum_of_its_parts() {
+        // A fifth of the load below the solid film, sheared at 0.04, the rest at 0.02; half of the fifth, and of the
+        // rest nothing, on a boundary layer of 0.1.
+        let (phi, b, mu_b) = (0.2, 0.1, 0.1);
+        let (above, below) = (0.8 * 0.02, 0.2 * 0.04);
+        let graded = above + 0.5 * below + b * mu_b;
+        let [mu_f, mu_l] = parts(phi, [graded, above + phi * mu_b, above + below], b, mu_b);
+        assert!((mu_f - 0.02).abs() < 1e-15 && (mu_l - 0.04).abs() < 1e-15);
+        let whole = (1.0 - phi) * mu_f + (phi - b) * mu_l + b * mu_b;
+        assert!((whole - graded).abs() < 1e-15);
+        assert_eq!(parts(0.0, [0.03, 0.03, 0.03], 0.0, 0.1), [0.03, 0.03]);
+        assert_eq!(parts(1.0, [0.1, 0.1, 0.04], 1.0, 0.1)[1], 0.04);
+    }
+}

@@ -1,0 +1,68 @@
+//! Records kept by their content.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use serde_json::{from_slice, to_vec};
+use sha2::{Digest, Sha256};
+
+use super::path_record::PathRecord;
+use crate::referee::RefereeContact;
+
+/// Raised whenever the solver gives other numbers for the same contact, so that older records are left alone.
+const REVISION: u32 = 1;
+
+/// Folder of records, each in a file named after everything that the record depends on.
+///
+/// A folder that cannot be read or written keeps nothing; no result depends on it.
+#[derive(Debug, Clone)]
+pub struct RecordStore {
+    folder: Option<PathBuf>,
+}
+
+impl RecordStore {
+    /// Records in `folder`, made at need; without one nothing is kept.
+    #[must_use]
+    pub fn new(folder: Option<PathBuf>) -> Self {
+        Self { folder }
+    }
+
+    /// File of the record of `contact`: the SHA-256 of its bodies, oil, surfaces and settings.
+    pub(super) fn file(&self, contact: &RefereeContact) -> Option<PathBuf> {
+        // Debug prints every digit of a number.
+        let content = format!("{REVISION} {:?} {:?}", contact.rough, contact.record);
+        let name: String = Sha256::digest(content.as_bytes())
+            .iter()
+            .map(|byte| format!("{byte:02x}"))
+            .collect();
+        Some(self.folder.as_ref()?.join(format!("record-{name}.json")))
+    }
+
+    /// The record in `file`, if there is one that can be read.
+    pub(super) fn find(file: &Path) -> Option<PathRecord> {
+        from_slice(&fs::read(file).ok()?).ok()
+    }
+
+    /// Keeps `record` in `file`; a reader sees it whole or not at all.
+    pub(super) fn keep(&self, file: &Path, record: &PathRecord) {
+        // A cache that cannot be written costs time, and no result.
+        let _ = self.written(file, record);
+    }
+
+    fn written(&self, file: &Path, record: &PathRecord) -> std::io::Result<()> {
+        if let Some(folder) = &self.folder {
+            fs::create_dir_all(folder)?;
+        }
+        let draft = file.with_extension(format!("{}.draft", std::process::id()));
+        let write = || {
+            let mut made = fs::File::create_new(&draft)?;
+            made.write_all(&to_vec(record)?)?;
+            made.sync_all()?;
+            fs::rename(&draft, file)
+        };
+        write().inspect_err(|_| {
+            let _ = fs::remove_file(&draft);
+        })
+    }
+}

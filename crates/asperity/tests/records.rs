@@ -1,0 +1,146 @@
+//! The load share `ehl` and the full film `ehl`: records along the path, kept and interpolated.
+
+use std::path::Path;
+
+use asperity::case::{LoadedCase, load_with};
+use asperity::result::RunResult;
+use asperity::{Error, pipeline};
+
+/// A shipped case with few positions and one offset.
+fn case(name: &str, keys: &[(&str, &str)]) -> Result<LoadedCase, Error> {
+    let file = Path::new("../../fixtures/cases").join(name);
+    let mut loaded = load_with(&file, &|input| {
+        (input.model.positions, input.model.offsets) = (Some(5), Some(1));
+        input.model.depths = Some(0);
+    })?;
+    for (key, value) in keys {
+        loaded = loaded.with_key(key, value)?;
+    }
+    Ok(loaded)
+}
+
+/// The e-drive with records on few cells: what is tested is not their accuracy.
+fn recorded(cache: &Path, more: &[(&str, &str)]) -> LoadedCase {
+    let folder = cache.display().to_string();
+    let mut keys = vec![
+        ("model.load_share", "ehl"),
+        ("model.ehl.cells", "128"),
+        ("model.ehl.travel", "2"),
+        ("model.ehl.records", "3"),
+        ("model.ehl.cache", folder.as_str()),
+    ];
+    keys.extend_from_slice(more);
+    case("e-drive.toml", &keys).unwrap()
+}
+
+fn run(loaded: &LoadedCase) -> RunResult {
+    pipeline::run(loaded, &|_, _| {}).unwrap().result
+}
+
+fn files(folder: &Path) -> usize {
+    std::fs::read_dir(folder).map_or(0, Iterator::count)
+}
+
+#[test]
+fn shares_come_from_records_and_a_second_run_finds_them() {
+    let cache = tempfile::tempdir().unwrap();
+    let loaded = recorded(cache.path(), &[]);
+    let first = run(&loaded);
+    assert_eq!(first.records.len(), 3);
+    assert_eq!(files(cache.path()), 3);
+    let error = first.summary.asperity_share_standard_error.unwrap();
+    assert!(error > 0.0 && error < first.summary.asperity_share);
+    assert_eq!(run(&loaded), first);
+    // At the place of a record its own share.
+    for record in &first.records {
+        let at = |row: &&asperity::result::PositionRow| {
+            (row.path_fraction - record.path_fraction).abs() < 1e-12
+        };
+        let row = first.path.iter().find(at).unwrap();
+        assert!((1.0 - row.film_share - record.solid_share).abs() < 1e-12);
+        let error = row.film_share_standard_error.unwrap();
+        assert!((error - record.solid_share_standard_error).abs() < 1e-12);
+        assert!((row.mean_gap_um.unwrap() - record.mean_gap_um).abs() < 1e-12);
+    }
+    let losses = pipeline::losses(&loaded, &|_, _| {}).unwrap();
+    assert_eq!(losses.summary.loss_w, first.summary.loss_w);
+    assert_eq!(
+        losses.summary.asperity_share_standard_error,
+        first.summary.asperity_share_standard_error
+    );
+    // What changes the contact is another record; what does not, is not.
+    run(&recorded(
+        cache.path(),
+        &[("operation.temperature", "80 °C")],
+    ));
+    assert_eq!(files(cache.path()), 6);
+    run(&recorded(cache.path(), &[("model.hysteresis", "2 %")]));
+    assert_eq!(files(cache.path()), 6);
+}
+
+#[test]
+fn a_damaged_record_is_solved_again_and_off_keeps_nothing() {
+    let cache = tempfile::tempdir().unwrap();
+    let loaded = recorded(cache.path(), &[("model.ehl.records", "2")]);
+    let first = run(&loaded);
+    for entry in std::fs::read_dir(cache.path()).unwrap() {
+        std::fs::write(entry.unwrap().path(), b"{\"solid_share\":1").unwrap();
+    }
+    assert_eq!(run(&loaded), first);
+    let off = run(&recorded(
+        cache.path(),
+        &[("model.ehl.records", "2"), ("model.ehl.cache", "off")],
+    ));
+    assert_eq!(off.summary, first.summary);
+    assert_eq!(files(cache.path()), 2);
+}
+
+#[test]
+fn a_steady_solution_stands_for_a_full_film_and_says_where_the_formulas_are_off() {
+    let loaded = case("e-drive-superfinished.toml", &[("model.full_film", "ehl")]).unwrap();
+    let formulas = case("e-drive-superfinished.toml", &[]).unwrap();
+    let (solved, plain) = (run(&loaded), run(&formulas));
+    let films: Vec<_> = solved.path.iter().filter_map(|row| row.full_film).collect();
+    assert!(!films.is_empty(), "no position in full film");
+    for film in &films {
+        // Flow of mass and minimum film are those of the formulas to some 20 %.
+        assert!(film.film_central_deviation.abs() < 0.25, "{film:?}");
+        assert!(film.film_minimum_deviation.abs() < 0.25, "{film:?}");
+        assert!(film.mu.unwrap() > 0.0);
+    }
+    assert!(plain.path.iter().all(|row| row.full_film.is_none()));
+    assert_ne!(solved.summary.loss_w, plain.summary.loss_w);
+    let noted = solved.warnings.iter().any(|warning| warning.code == "W416");
+    let off = films.iter().any(|film| {
+        let mu = film.mu_deviation.unwrap_or(0.0).abs();
+        mu.max(film.film_central_deviation.abs())
+            .max(film.film_minimum_deviation.abs())
+            > 0.1
+    });
+    assert_eq!(noted, off);
+    println!("{films:#?}");
+}
+
+#[test]
+fn a_full_film_can_be_that_of_records() {
+    let keys = [
+        ("model.full_film", "ehl-transient"),
+        ("model.load_share", "lambda-star"),
+        ("model.ehl.cells", "128"),
+        ("model.ehl.travel", "2"),
+        ("model.ehl.records", "2"),
+        ("model.ehl.cache", "off"),
+    ];
+    let solved = run(&case("e-drive-superfinished.toml", &keys).unwrap());
+    assert_eq!(solved.records.len(), 2);
+    assert_eq!(solved.summary.asperity_share_standard_error, None);
+    let row = solved
+        .path
+        .iter()
+        .find(|row| row.full_film.is_some())
+        .unwrap();
+    let film = row.full_film.unwrap();
+    // The mean gap of superfinished flanks is near their smooth film.
+    assert!((0.7..1.4).contains(&(film.film_central_um / row.film_central_um)));
+    assert!(film.p_max_mpa > row.hertz_pressure_mpa * 0.9);
+}

@@ -1,0 +1,358 @@
+//! The page of one lubricated contact: film and pressure, load against film, and frames that can be played.
+
+use maud::{Markup, PreEscaped, html};
+use serde_json::json;
+
+use super::page::{figure, page};
+use crate::chart::{Axis, Chart, Drawing, Line, Series};
+
+const PLAYER: &str = include_str!("frames.js");
+/// Size of the player's drawing.
+const WIDTH: f64 = 900.0;
+const PANEL: f64 = 210.0;
+/// Left and right of both panels, top of each, height between them.
+const LEFT: f64 = 62.0;
+const RIGHT: f64 = 12.0;
+const TOP: f64 = 22.0;
+const GAP: f64 = 44.0;
+
+/// Pressure and film on the same places.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FilmAndPressure {
+    /// Places over the half-width.
+    pub x: Vec<f64>,
+    /// Pressure \[GPa\].
+    pub pressure: Vec<f64>,
+    /// Film \[µm\].
+    pub film: Vec<f64>,
+}
+
+/// One time of a record.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FilmFrame {
+    /// Half-widths travelled.
+    pub travel: f64,
+    /// Pressure on the nodes \[GPa\].
+    pub pressure: Vec<f64>,
+    /// Film on the nodes \[µm\].
+    pub film: Vec<f64>,
+}
+
+/// Share of the load on films not above one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SharePoint {
+    /// The film \[nm\].
+    pub film_nm: f64,
+    /// The share.
+    pub share: f64,
+    /// Its standard error, where it has one.
+    pub standard_error: Option<f64>,
+}
+
+/// What the page of a lubricated contact shows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LubricatedContact {
+    /// Title of the page.
+    pub title: String,
+    /// Line below it.
+    pub subtitle: String,
+    /// Numbers with their names.
+    pub numbers: Vec<(String, String)>,
+    /// Codes and texts of warnings.
+    pub warnings: Vec<(String, String)>,
+    /// Hertz pressure \[GPa\].
+    pub hertz_pressure: f64,
+    /// Gap in the middle and minimum film by formula \[µm\].
+    pub formula: [f64; 2],
+    /// The steady solution of smooth surfaces.
+    pub smooth: FilmAndPressure,
+    /// Mean over time of rough surfaces.
+    pub mean: Option<FilmAndPressure>,
+    /// Load against film.
+    pub shares: Vec<SharePoint>,
+    /// Travel, share of the load on thin films, mean film \[µm\], largest pressure \[GPa\] of every step.
+    pub history: Vec<[f64; 4]>,
+    /// Frames on the places of `mean`.
+    pub frames: Vec<FilmFrame>,
+}
+
+/// The page.
+pub fn lubricated_contact(contact: &LubricatedContact) -> String {
+    let sections = [
+        ("Summary", numbers(contact)),
+        ("Film and pressure", films(contact)),
+        ("Rough film in motion", player(contact)),
+        ("Over the travel", history(contact)),
+    ];
+    page(&contact.title, &contact.subtitle, &sections)
+}
+
+fn numbers(contact: &LubricatedContact) -> Markup {
+    html! {
+        dl.tiles {
+            @for (name, value) in &contact.numbers { div { dt { (name) } dd { (value) } } }
+        }
+        @if !contact.warnings.is_empty() {
+            h3 { "Warnings" }
+            ul.warnings {
+                @for (code, text) in &contact.warnings { li { code { (code) } " " (text) } }
+            }
+        }
+    }
+}
+
+fn across() -> Axis {
+    Axis::new("distance from the middle over the half-width", "")
+}
+
+fn films(contact: &LubricatedContact) -> Markup {
+    let smooth = &contact.smooth;
+    let hertz = |x: &f64| contact.hertz_pressure * (1.0 - x * x).max(0.0).sqrt();
+    let hertz: Vec<f64> = smooth.x.iter().map(hertz).collect();
+    let pressure_axis = Axis::new("pressure", "GPa").from_zero();
+    let mut pressure = Chart::new("pressure", "Pressure", "this page", across(), pressure_axis)
+        .with(Series::new(
+            "smooth, solved",
+            Line::Solid,
+            &smooth.x,
+            &smooth.pressure,
+        ));
+    let within: Vec<f64> = smooth
+        .x
+        .iter()
+        .copied()
+        .filter(|x| x.abs() <= 1.0)
+        .collect();
+    let [central, minimum] = contact.formula;
+    let flat = vec![central; within.len()];
+    // The gap is shown as far as a few central films.
+    let most = 4.0 * central.max(contact.mean.as_ref().map_or(0.0, |mean| middle(mean)));
+    let shown = |film: &[f64]| -> Vec<f64> {
+        film.iter()
+            .map(|h| if *h <= most { *h } else { f64::NAN })
+            .collect()
+    };
+    let film_axis = Axis::new("film", "µm").from_zero();
+    let mut film = Chart::new("film", "Film", "this page", across(), film_axis).with(Series::new(
+        "smooth, solved",
+        Line::Solid,
+        &smooth.x,
+        &shown(&smooth.film),
+    ));
+    if let Some(mean) = &contact.mean {
+        pressure = pressure.with(Series::new(
+            "rough, mean over time",
+            Line::Solid,
+            &mean.x,
+            &mean.pressure,
+        ));
+        film = film.with(Series::new(
+            "rough, mean over time",
+            Line::Solid,
+            &mean.x,
+            &shown(&mean.film),
+        ));
+    }
+    pressure = pressure.with(Series::new("Hertz", Line::Dashed, &smooth.x, &hertz));
+    film = film
+        .with(Series::new(
+            "formula, smooth gap",
+            Line::Dashed,
+            &within,
+            &flat,
+        ))
+        .level(minimum, "formula, minimum");
+    let mut charts = vec![Drawing::Curves(pressure), Drawing::Curves(film)];
+    charts.extend(shares(contact));
+    html! { div.charts { @for chart in &charts { (figure(chart)) } } }
+}
+
+/// Film in the middle.
+fn middle(curve: &FilmAndPressure) -> f64 {
+    let nearest = curve.x.iter().zip(&curve.film);
+    let nearest = nearest.min_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+    nearest.map_or(0.0, |(_, film)| *film)
+}
+
+fn shares(contact: &LubricatedContact) -> Option<Drawing> {
+    if contact.shares.is_empty() {
+        return None;
+    }
+    let films: Vec<f64> = contact.shares.iter().map(|point| point.film_nm).collect();
+    let of = |sign: f64| -> Vec<f64> {
+        let value = |point: &SharePoint| point.share + sign * point.standard_error.unwrap_or(0.0);
+        contact
+            .shares
+            .iter()
+            .map(|point| value(point).max(0.0))
+            .collect()
+    };
+    let axis = Axis::new("film", "nm").log();
+    let chart = Chart::new(
+        "load-below",
+        "Share of the load on films not above one",
+        "this page",
+        axis,
+        Axis::new("share of the load", "").from_zero(),
+    )
+    .with(Series::new("mean", Line::Dots, &films, &of(0.0)))
+    .with(Series::new(
+        "minus one standard error",
+        Line::Dashed,
+        &films,
+        &of(-1.0),
+    ))
+    .with(Series::new(
+        "plus one standard error",
+        Line::Dashed,
+        &films,
+        &of(1.0),
+    ));
+    Some(Drawing::Curves(chart))
+}
+
+fn history(contact: &LubricatedContact) -> Markup {
+    if contact.history.is_empty() {
+        return html! {};
+    }
+    let column = |k: usize| -> Vec<f64> { contact.history.iter().map(|row| row[k]).collect() };
+    let travel = column(0);
+    let chart = |id: &str, title: &str, unit: &str, k: usize| {
+        let axis = Axis::new("travel in half-widths", "");
+        let values = Axis::new(&title.to_lowercase(), unit).from_zero();
+        let chart = Chart::new(id, title, "this page", axis, values);
+        Drawing::Curves(chart.with(Series::new(title, Line::Solid, &travel, &column(k))))
+    };
+    let charts = [
+        chart("share-in-time", "Share of the load on thin films", "", 1),
+        chart("gap-in-time", "Mean film", "µm", 2),
+        chart("peak-in-time", "Largest pressure", "GPa", 3),
+    ];
+    html! { div.charts { @for chart in &charts { (figure(chart)) } } }
+}
+
+/// Range of one panel of the player.
+struct Panel {
+    top: f64,
+    most: f64,
+    name: &'static str,
+    unit: &'static str,
+}
+
+impl Panel {
+    fn y(&self, value: f64) -> i64 {
+        let share = (value / self.most).clamp(0.0, 1.0);
+        // Tenths of a unit of the drawing keep the page small.
+        (10.0 * (self.top + PANEL * (1.0 - share))).round() as i64
+    }
+
+    fn frame(&self) -> Markup {
+        let (left, right) = (LEFT, WIDTH - RIGHT);
+        let ticks = (0..=4).map(|k| {
+            let value = self.most * f64::from(k) / 4.0;
+            (
+                self.top + PANEL * (1.0 - f64::from(k) / 4.0),
+                format!("{value:.3}"),
+            )
+        });
+        html! {
+            rect.box x=(left) y=(self.top) width=(right - left) height=(PANEL) {}
+            text x=(left) y=(self.top - 7.0) { (self.name) ", " (self.unit) }
+            @for (y, label) in ticks {
+                line.grid x1=(left) x2=(right) y1=(y) y2=(y) {}
+                text.tick x=(left - 6.0) y=(y + 4.0) text-anchor="end" { (label) }
+            }
+        }
+    }
+}
+
+/// Frames of the rough film; without scripts the first one is shown.
+fn player(contact: &LubricatedContact) -> Markup {
+    let (Some(mean), Some(first)) = (&contact.mean, contact.frames.first()) else {
+        return html! {};
+    };
+    let largest = |of: fn(&FilmFrame) -> &Vec<f64>| {
+        let values = contact.frames.iter().flat_map(of);
+        values.copied().fold(0.0, f64::max)
+    };
+    let panels = [
+        Panel {
+            top: TOP,
+            most: largest(|frame| &frame.pressure),
+            name: "pressure",
+            unit: "GPa",
+        },
+        Panel {
+            top: TOP + PANEL + GAP,
+            most: 4.0 * middle(mean),
+            name: "film",
+            unit: "µm",
+        },
+    ];
+    let (low, high) = (mean.x[0], mean.x[mean.x.len() - 1]);
+    let place = |x: f64| 10.0 * (LEFT + (WIDTH - LEFT - RIGHT) * (x - low) / (high - low));
+    let xs: Vec<i64> = mean.x.iter().map(|x| place(*x).round() as i64).collect();
+    let line = |ys: &[i64]| -> String {
+        let points = xs.iter().zip(ys).enumerate();
+        points
+            .map(|(k, (x, y))| format!("{}{x} {y}", if k == 0 { "M" } else { "L" }))
+            .collect()
+    };
+    let rows = |panel: &Panel, values: &[f64]| -> Vec<i64> {
+        values.iter().map(|v| panel.y(*v)).collect()
+    };
+    let frames: Vec<_> = contact
+        .frames
+        .iter()
+        .map(|frame| {
+            json!({
+                "t": format!("{:.2}", frame.travel),
+                "y": [rows(&panels[0], &frame.pressure), rows(&panels[1], &frame.film)],
+            })
+        })
+        .collect();
+    let data = json!({ "x": xs, "frames": frames })
+        .to_string()
+        .replace('<', "\\u003c");
+    let smooth = [&contact.smooth.pressure, &contact.smooth.film];
+    let smooth_x: Vec<i64> = contact
+        .smooth
+        .x
+        .iter()
+        .map(|x| place(*x).round() as i64)
+        .collect();
+    let dashed = |k: usize| -> String {
+        let mut path = String::new();
+        for (x, value) in smooth_x.iter().zip(smooth[k]) {
+            let is_inside = (10.0 * LEFT..=10.0 * (WIDTH - RIGHT)).contains(&(*x as f64));
+            if is_inside && *value <= panels[k].most {
+                let pen = if path.is_empty() { "M" } else { "L" };
+                path.push_str(&format!("{pen}{x} {}", panels[k].y(*value)));
+            }
+        }
+        path
+    };
+    let height = TOP + 2.0 * PANEL + GAP + 30.0;
+    let ends = [low, 0.5 * (low + high), high].map(|x| (place(x) / 10.0, format!("{x:.2}")));
+    html! {
+        p { "Surfaces move from left to right through the contact; dashed: smooth surfaces." }
+        div.player {
+            button type="button" data-player="play" { "Play" }
+            input type="range" min="0" max=(contact.frames.len() - 1) value="0" aria-label="Frame" data-player="frame" {}
+            output data-player="travel" { (format!("{:.2}", first.travel)) } " half-widths travelled"
+            svg.chart viewBox={ "0 0 " (WIDTH) " " (height) } role="img" aria-label="Pressure and film of one moment" {
+                @for panel in &panels { (panel.frame()) }
+                @for (x, label) in &ends { text.tick x=(x) y=(height - 12.0) text-anchor="middle" { (label) } }
+                g transform="scale(0.1)" {
+                    @for k in 0..2 {
+                        path."curve dashed c1" d=(dashed(k)) style="stroke-width:14" {}
+                        path."curve c0" data-player={ "curve" (k) } style="stroke-width:16"
+                            d=(line(&rows(&panels[k], [&first.pressure, &first.film][k]))) {}
+                    }
+                }
+            }
+        }
+        script type="application/json" id="frames" { (PreEscaped(data)) }
+        script { (PreEscaped(PLAYER)) }
+    }
+}
