@@ -235,6 +235,33 @@ fn traction_has_its_heat_where_the_oil_is_known() {
 }
 
 #[test]
+fn flanks_can_have_run_in() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    let options = [
+        "ehl",
+        "case.toml",
+        "--position",
+        "0.3",
+        "--cells",
+        "128",
+        "--half-widths",
+        "1",
+        "--start",
+        "0",
+        "--json",
+    ];
+    let fresh = bench.run(&options).well().json();
+    let worn = [&options[..], &["--set", "model.run_in=true"]].concat();
+    let worn = bench.run(&worn).well().json();
+    let left = |found: &Value| number(found, "attenuated_roughness_um");
+    assert!(left(&worn) < left(&fresh));
+    // No pressure passes that at which the flanks flow.
+    assert!(number(&fresh, "max_pressure_pa") <= 7.0e9 * (1.0 + 1e-9));
+}
+
+#[test]
 fn a_run_takes_shares_from_records_and_keeps_them() {
     let bench = Bench::new();
     bench.write_flanks();
