@@ -235,6 +235,33 @@ fn traction_has_its_heat_where_the_oil_is_known() {
 }
 
 #[test]
+fn flanks_can_have_run_in() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    let options = [
+        "ehl",
+        "case.toml",
+        "--position",
+        "0.3",
+        "--cells",
+        "128",
+        "--half-widths",
+        "1",
+        "--start",
+        "0",
+        "--json",
+    ];
+    let fresh = bench.run(&options).well().json();
+    let worn = [&options[..], &["--set", "model.run_in=true"]].concat();
+    let worn = bench.run(&worn).well().json();
+    let left = |found: &Value| number(found, "attenuated_roughness_um");
+    assert!(left(&worn) < left(&fresh));
+    // No pressure passes that at which the flanks flow.
+    assert!(number(&fresh, "max_pressure_pa") <= 7.0e9 * (1.0 + 1e-9));
+}
+
+#[test]
 fn a_run_takes_shares_from_records_and_keeps_them() {
     let bench = Bench::new();
     bench.write_flanks();
@@ -275,33 +302,36 @@ fn a_run_takes_shares_from_records_and_keeps_them() {
             "--set",
             "model.ehl.cells=100",
         ])
-        .refused(2, "E209", &["cells across the film", "multiple of 64"]);
+        .refused(2, "E209", &["model.ehl.cells", "multiple of 64"]);
 }
 
 #[test]
 fn a_full_film_off_its_formulas_is_told() {
     let bench = Bench::new();
-    bench.write_flanks();
-    bench.write("case.toml", E_DRIVE);
-    // Seven times the speed: the film carries everything and heats more than its formula knows.
-    let options = [
-        "run",
-        "case.toml",
-        "--no-output",
-        "--notes",
-        "--set",
-        "model.full_film=ehl",
-        "--set",
-        "model.positions=4",
-        "--set",
-        "model.offsets=1",
-        "--set",
-        "operation.speed=60000 1/min",
-        "--set",
-        "model.load_share=lambda-star",
-    ];
-    let text = bench.run(&options).well().out;
+    let fine = "{ rq = \"0.02 um\", rpk = \"0.02 um\", asperity_radius = \"50 um\" }";
+    let smooth = E_DRIVE
+        .replace("{ file = \"pinion.csv\" }", fine)
+        .replace("{ file = \"wheel.csv\", mirrored = true }", fine);
+    bench.write("case.toml", smooth);
+    let run = |film: &str| {
+        let film = format!("model.film={film}");
+        let options = [
+            "run",
+            "case.toml",
+            "--no-output",
+            "--notes",
+            "--set",
+            "model.full_film=ehl",
+            "--set",
+            &film,
+        ];
+        bench.run(&options).well().out
+    };
+    // Measured 19 % beside Ertel and Grubin, below 10 % beside Dowson and Toyoda.
+    let text = run("ertel-grubin");
     assert!(text.contains("W416 "), "{text}");
+    let text = run("dowson-toyoda");
+    assert!(!text.contains("W416 "), "{text}");
 }
 
 #[test]

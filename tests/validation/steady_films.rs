@@ -16,7 +16,7 @@ const CENTRAL: f64 = 0.15;
 /// Dowson and Higginson's minimum film.
 const MINIMUM: f64 = 0.15;
 /// The rolling force grows with the window of the inlet, which the formula does not know.
-const ROLLING: f64 = 0.25;
+const ROLLING: f64 = 0.35;
 
 fn rows(name: &str, case: &Case, station: &Station) -> [Comparison; 3] {
     let contact = LineContact {

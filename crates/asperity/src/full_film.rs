@@ -1,16 +1,8 @@
 //! A film that carries the whole load, from the elastohydrodynamic solution instead of formulas.
 
 use asperity_core::quantity::Length;
-use asperity_ehl::traction::{Heat, TractionLaw, traction};
-use asperity_ehl::{Oil, ShearLaw, SteadySettings, ViscosityLaw, steady};
-use asperity_ehl_regime::inlet_flow::CentralFilm;
-use asperity_tribo_friction::{PressureLaw, ShearLaw as FilmShearLaw};
 use serde::{Deserialize, Serialize};
 
-use crate::case::{Case, FullFilmName};
-use crate::error::PositionError;
-use crate::records::PathRecords;
-use crate::referee::smooth_contact;
 use crate::station::Station;
 
 /// Deviation from the formulas that a run warns about.
@@ -61,92 +53,9 @@ impl FullFilmRow {
 }
 
 impl FullFilm {
-    /// The full film of `station` by the choice of the case; none for formulas, and where records were asked
-    /// for and there are none. `law` is the friction of the film by the case's law, none for a published one.
-    pub(crate) fn at(
-        case: &Case,
-        station: &Station,
-        records: Option<&PathRecords>,
-        law: Option<f64>,
-    ) -> Result<Option<Self>, PositionError> {
-        match (case.model.full_film, records) {
-            (FullFilmName::Ehl, _) => Ok(Some(Self::smooth(case, station, law)?)),
-            (FullFilmName::EhlTransient, Some(records)) => {
-                Ok(Some(Self::recorded(station, records, law)?))
-            }
-            _ => Ok(None),
-        }
-    }
-
-    /// Steady film of smooth flanks with its traction: limiting shear stress, heat of film and surfaces.
-    ///
-    /// The inlet is isothermal; the thermal reduction of the case thins the film as it does that of the formula.
-    fn smooth(case: &Case, station: &Station, law: Option<f64>) -> Result<Self, PositionError> {
-        let (contact, oil) = smooth_contact(case, station);
-        let settings = SteadySettings {
-            cells: case.model.ehl.cells,
-            window: None,
-        };
-        let film = steady::solve(&contact, &oil, &settings)?.value;
-        let reduction = station.thermal_reduction;
-        let scale = film.scales.film_length(1.0).si() * reduction;
-        let coefficient = match law {
-            Some(_) => {
-                let law = traction_law(case)?;
-                // The film is solved with Roelands' law; its shear is that of the case's friction.
-                let sheared = Oil {
-                    viscosity_law: viscosity_law(case, oil.viscosity_law),
-                    ..oil
-                };
-                Some(traction(&contact, &sheared, &film, &law)?.coefficient)
-            }
-            None => None,
-        };
-        // The formula's central film is a flow of mass.
-        let flow = film.flux * scale / station.film.central.si();
-        let central = film.central_film.si() * reduction;
-        let p_0 = station.hertz.max_pressure.si();
-        Ok(Self::new(
-            station,
-            Fields {
-                x: film.x,
-                pressure: film.pressure.iter().map(|p| p * p_0).collect(),
-                film: film.film.iter().map(|h| h * scale).collect(),
-            },
-            [central, film.minimum_film.si() * reduction, flow],
-            (coefficient, law),
-        ))
-    }
-
-    /// Means over the records beside the position.
-    fn recorded(
-        station: &Station,
-        records: &PathRecords,
-        law: Option<f64>,
-    ) -> Result<Self, PositionError> {
-        let p_0 = station.hertz.max_pressure;
-        let (x, pressure, film) = records.profile(station.s);
-        let share = records.at(station.s, law);
-        let gap = Length::from_si(share.mean_gap.mean);
-        // The formula's film is a flow of mass: the gap is thinner by the density under pressure.
-        let gap_of_formula = CentralFilm::Gap.thickness(station.film.central, p_0)?;
-        let minimum = film
-            .iter()
-            .zip(&x)
-            .filter(|(_, x)| x.abs() < 1.0)
-            .map(|(film, _)| *film)
-            .fold(f64::INFINITY, f64::min);
-        let flow = gap / gap_of_formula;
-        let pressure = pressure.iter().map(|p| p * p_0.si()).collect();
-        Ok(Self::new(
-            station,
-            Fields { x, pressure, film },
-            [gap.si(), minimum, flow],
-            (share.film_coefficient, law),
-        ))
-    }
-
-    fn new(
+    /// The film of `station`: central gap, minimum film, and flow of mass over that of the formula; friction
+    /// coefficient by the solution and by the law.
+    pub(crate) fn new(
         station: &Station,
         fields: Fields,
         [central, minimum, flow]: [f64; 3],
@@ -210,45 +119,9 @@ impl FullFilm {
     }
 }
 
-struct Fields {
-    x: Vec<f64>,
-    pressure: Vec<f64>,
-    film: Vec<f64>,
-}
-
-/// Viscosity over pressure of the film friction of the case.
-fn viscosity_law(case: &Case, of_film: ViscosityLaw) -> ViscosityLaw {
-    match case.model.film_pressure_law {
-        PressureLaw::Barus => ViscosityLaw::Barus,
-        _ => of_film,
-    }
-}
-
-/// Shear law of the film friction with the limiting stress and the heat of the case.
-fn traction_law(case: &Case) -> Result<TractionLaw, PositionError> {
-    let rheology = case
-        .rheology
-        .as_ref()
-        .ok_or(asperity_core::lubricant::LubricantError::NoBaseOil)?;
-    let constants = rheology.constants();
-    let shear = match rheology.laws().0 {
-        FilmShearLaw::Newton => ShearLaw::Newtonian,
-        FilmShearLaw::Carreau => ShearLaw::Carreau {
-            modulus: constants.carreau.critical_stress,
-            exponent: constants.carreau.exponent,
-        },
-        _ => ShearLaw::Eyring {
-            stress: constants.eyring_stress,
-        },
-    };
-    Ok(TractionLaw {
-        shear,
-        limit: Some(constants.limiting_shear),
-        heat: Some(Heat {
-            bulk: case.temperature,
-            temperature_coefficient: case.oil.temperature_coefficient,
-            oil_conductivity: case.oil.thermal_conductivity,
-            material: case.materials[0],
-        }),
-    })
+/// Places over the half-width, pressures \[Pa\] and films \[m\] there.
+pub(crate) struct Fields {
+    pub x: Vec<f64>,
+    pub pressure: Vec<f64>,
+    pub film: Vec<f64>,
 }

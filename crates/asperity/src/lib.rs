@@ -46,6 +46,7 @@ pub mod fluid;
 mod formulation;
 mod friction;
 pub mod full_film;
+mod full_film_solution;
 pub mod gear_report;
 pub mod kept_fields;
 pub mod laws;

@@ -14,6 +14,7 @@ use crate::fields::fields;
 use crate::formulation::{self, Scene, Strategy};
 use crate::friction::{self, InFilm, Rubbing};
 use crate::full_film::FullFilm;
+use crate::full_film_solution::full_film_at;
 use crate::load_share::LoadShareSolution;
 use crate::local_roughness::Roughness;
 use crate::position::{ContactNumbers, Offset, Position, PrintedDeformation};
@@ -110,7 +111,7 @@ impl Run<'_> {
         let is_full = self.strategy().is_full_film(&decision);
         if is_full && position.full_film.is_none() {
             position.full_film =
-                FullFilm::at(case, &position.station, self.records, workspace.smooth)?;
+                full_film_at(case, &position.station, self.records, workspace.smooth)?;
         }
         let station = &position.station;
         let full_film = position.full_film.as_ref().filter(|_| is_full);

@@ -6,8 +6,8 @@
 //!
 //! Without files the flanks are waves of random phase. Keys, SI units: `z1`, `z2` (files with one height
 //! in metres a line, periodic) and their spacing `dx`; `amplitude` (factor on the heights), `um`, `srr`,
-//! `p0`, `r`, `eta0`, `alpha`, `z`, `tau0` (0: Newtonian), `n`, `start`, `length`, `courant`, `flow` and
-//! `compliance` (plastic ceiling), `limit`, `mub`, `tauf` (friction law), `hb` (contact film), `offset1`,
+//! `p0`, `r`, `eta0`, `alpha`, `z`, `tau0` (0: Newtonian), `n`, `start`, `length`, `courant`, `flow` (plastic
+//! ceiling), `limit`, `mub`, `tauf` (friction law), `hb` (contact film), `offset1`,
 //! `offset2` (in half-widths).
 
 use std::collections::HashMap;
@@ -112,7 +112,6 @@ fn main() -> Outcome<()> {
         surface_2: keys.surface("z2", 2)?.shifted(offset("offset2")?),
     };
     let flow = keys.number("flow", 0.0)?;
-    let compliance = keys.number("compliance", 10.0)?;
     let settings = RecordSettings {
         cells: keys.number("n", 512.0)? as usize,
         start: keys.number("start", 3.0)?,
@@ -121,7 +120,6 @@ fn main() -> Outcome<()> {
         contact_film: Length::from_si(keys.number("hb", 5e-9)?),
         ceiling: (flow > 0.0).then_some(PlasticCeiling {
             pressure: Pressure::from_si(flow),
-            compliance,
         }),
         friction: Some(FrictionLaw {
             viscosity: eta0,
@@ -148,7 +146,7 @@ fn main() -> Outcome<()> {
         );
     }
     println!(
-        "load on contact nodes {:.5}, above the flow pressure {:.5}",
+        "load on contact nodes {:.5}, at the flow pressure {:.5}",
         record.contact_share.mean, record.plastic_share.mean
     );
     println!(

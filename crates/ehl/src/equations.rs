@@ -116,10 +116,10 @@ pub const EQUATIONS: &[Equation] = &[
     ),
     Equation::new(
         "EHL-ceiling",
-        "Ceiling of the pressure as a local compliance",
-        "Hᵢ += c·max(0, Pᵢ − P_flow)",
+        "Ceiling of the pressure: nodes at it flow",
+        "Hᵢ += dᵢ, 0 ≤ dᵢ ⊥ P_flow − Pᵢ ≥ 0",
         "crates/ehl/src/newton.rs",
-        "the_ceiling_holds_the_pressure_within_a_tenth",
+        "the_ceiling_holds_the_pressure",
         &[],
     ),
     Equation::new(

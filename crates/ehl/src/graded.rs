@@ -20,6 +20,7 @@ use crate::steady::{SteadyFilm, Window, hertz_start, parabola, transfer};
 const LIMITS: Limits = Limits {
     tolerance: 1e-9,
     linear_tolerance: 0.0,
+    loosest: 0.0,
     largest_change: 0.3,
     iterations: 80,
     flips: 0,

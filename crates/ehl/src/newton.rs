@@ -20,11 +20,16 @@ const MOST_VOID: f64 = 1.0 - 1e-9;
 const PATIENCE: usize = 9;
 /// Film that such a node may lack when full, and oil that it may swallow in contact, over the boundary film.
 const SLACK: f64 = 1e-2;
+/// Iteration from which such a node may stay full with a film down to [`THINNEST`]: its oil is conserved, and only the
+/// boundary film, which stands for no measured length, is undercut.
+const LAST_CONTACT: usize = 12;
+/// Thinnest film of a node that stays full, over the boundary film.
+const THINNEST: f64 = 0.01;
 /// Oil that a node in contact may swallow before, over the boundary film.
 const RELEASE: f64 = 1e-3;
 /// Iteration from which nodes stay in contact: one that is too thin when full and swallows oil in contact
 /// has no consistent state.
-const LAST_RELEASE: usize = 16;
+const LAST_RELEASE: usize = 20;
 /// Most nodes without a consistent state in an accepted solution.
 const MOST_HELD: usize = 2;
 
@@ -48,26 +53,16 @@ pub(crate) struct Unknowns {
     pub(crate) state: Vec<NodeState>,
     /// Approach h₀ of the rigid bodies.
     pub(crate) rigid: f64,
+    /// Depth to which a node at the ceiling has flowed; none where it has not.
+    pub(crate) flow: Vec<Option<f64>>,
 }
 
-/// Ceiling of the pressure as a local compliance above it.
+/// Ceiling of the pressure: a node below it is elastic, one at it flows to the depth d that keeps it there.
 ///
-/// Hᵢ += c·max(0, Pᵢ − P_flow)                                              `[EHL-ceiling]`
+/// Hᵢ += dᵢ, 0 ≤ dᵢ ⊥ P_flow − Pᵢ ≥ 0                                       `[EHL-ceiling]`
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Ceiling {
     pub(crate) pressure: f64,
-    pub(crate) compliance: f64,
-}
-
-impl Ceiling {
-    /// Compliance at a pressure.
-    fn at(self, pressure: f64) -> f64 {
-        if pressure > self.pressure {
-            self.compliance
-        } else {
-            0.0
-        }
-    }
 }
 
 /// One nonlinear problem.
@@ -88,8 +83,10 @@ pub(crate) struct Problem<'a> {
 pub(crate) struct Limits {
     /// Largest change of the pressure in the last iteration.
     pub(crate) tolerance: f64,
-    /// Residual of the linear systems.
+    /// Residual of the linear systems near the solution.
     pub(crate) linear_tolerance: f64,
+    /// Residual of the linear systems far from it.
+    pub(crate) loosest: f64,
     /// Largest change of the pressure in one iteration.
     pub(crate) largest_change: f64,
     pub(crate) iterations: usize,
@@ -99,24 +96,19 @@ pub(crate) struct Limits {
     pub(crate) load: f64,
 }
 
-/// Loosest residual of a linear system far from the solution.
-const LOOSEST_LINEAR: f64 = 1e-3;
 /// Residual over the square of the last change: what is left is then that of Newton's method.
 const FORCING: f64 = 0.1;
 
 impl Limits {
     /// Residual of the next linear system, no finer than Newton's method is there.
     ///
-    /// tol = clamp(0.1·δ², linear tolerance, 10⁻³), δ the last change of the pressure.
+    /// clamp(0.1·δ², tightest, loosest), δ the last change of the pressure.
     fn forcing(&self, effort: &Effort) -> f64 {
         let wanted = match effort.iterations {
-            0 => LOOSEST_LINEAR,
+            0 => self.loosest,
             _ => FORCING * effort.change * effort.change,
         };
-        wanted.clamp(
-            self.linear_tolerance,
-            LOOSEST_LINEAR.max(self.linear_tolerance),
-        )
+        wanted.clamp(self.linear_tolerance, self.loosest)
     }
 }
 
@@ -156,7 +148,8 @@ pub(crate) struct Newton {
     right: Vec<f64>,
     step: Vec<f64>,
     change: Vec<f64>,
-    cavitated: Vec<bool>,
+    /// Nodes whose unknown is the void fraction or the depth of flow.
+    masked: Vec<bool>,
     local: Bands,
 }
 
@@ -170,7 +163,7 @@ impl Newton {
             right: vec![0.0; nodes + 1],
             step: vec![0.0; nodes + 1],
             change: vec![0.0; nodes],
-            cavitated: vec![false; nodes],
+            masked: vec![false; nodes],
             local: Bands::zero(nodes),
         }
     }
@@ -219,7 +212,7 @@ impl Newton {
             let linearised = Linearised {
                 film: &self.reynolds.slopes[1],
                 local: &self.local,
-                cavitated: &self.cavitated,
+                masked: &self.masked,
                 weights: &problem.grid.weights,
                 transient: problem.storage.is_some(),
             };
@@ -247,9 +240,9 @@ impl Newton {
         for (i, film) in self.film.iter_mut().enumerate() {
             *film = unknowns.rigid + problem.gap[i] + self.displacement[i];
         }
-        if let Some(ceiling) = problem.ceiling {
-            for (film, p) in self.film.iter_mut().zip(&unknowns.pressure) {
-                *film += ceiling.compliance * (p - ceiling.pressure).max(0.0);
+        if problem.ceiling.is_some() {
+            for (film, depth) in self.film.iter_mut().zip(&unknowns.flow) {
+                *film += depth.unwrap_or(0.0);
             }
         }
         let fields = Fields {
@@ -287,7 +280,8 @@ impl Newton {
         let nodes = self.film.len();
         let [pressure, film, void] = &mut self.reynolds.slopes;
         for i in 0..nodes {
-            self.cavitated[i] = unknowns.state[i] == NodeState::Cavitated;
+            let is_cavitated = unknowns.state[i] == NodeState::Cavitated;
+            self.masked[i] = is_cavitated || unknowns.flow[i].is_some();
             self.right[i] = -self.balance[i];
             if i == 0 || i + 1 == nodes {
                 pressure.set_row(i, 1.0);
@@ -305,30 +299,14 @@ impl Newton {
         for k in 0..4 {
             let (local, p) = (&mut self.local.diagonal[k], &pressure.diagonal[k]);
             local.copy_from_slice(p);
-            for (j, cavitated) in self.cavitated.iter().enumerate() {
+            for (j, masked) in self.masked.iter().enumerate() {
                 // Row i = j − k + 2 has this node on its diagonal k.
-                if *cavitated && j + 2 >= k && j + 2 - k < nodes {
-                    local[j + 2 - k] = void.diagonal[k][j + 2 - k];
-                }
-            }
-        }
-        if let Some(ceiling) = problem.ceiling {
-            self.add_ceiling(ceiling, &unknowns.pressure);
-        }
-    }
-
-    /// A node above the ceiling opens its film by its own pressure.
-    fn add_ceiling(&mut self, ceiling: Ceiling, pressure: &[f64]) {
-        let nodes = pressure.len();
-        for (j, p) in pressure.iter().enumerate() {
-            let compliance = ceiling.at(*p);
-            if compliance > 0.0 {
-                for k in 0..4 {
-                    if j + 2 >= k && j + 2 - k < nodes {
-                        let i = j + 2 - k;
-                        self.local.diagonal[k][i] +=
-                            compliance * self.reynolds.slopes[1].diagonal[k][i];
-                    }
+                if *masked && j + 2 >= k && j + 2 - k < nodes {
+                    let slopes = match unknowns.flow[j] {
+                        Some(_) => &*film,
+                        None => &*void,
+                    };
+                    local[j + 2 - k] = slopes.diagonal[k][j + 2 - k];
                 }
             }
         }
@@ -345,27 +323,27 @@ impl Newton {
     ) {
         let nodes = self.film.len();
         for i in 0..nodes {
-            self.change[i] = if self.cavitated[i] { 0.0 } else { self.step[i] };
+            self.change[i] = if self.masked[i] { 0.0 } else { self.step[i] };
         }
         effort.change = largest(&self.change);
         let factor = (limits.largest_change / effort.change).min(1.0);
         system.displacement(&self.change, &mut self.displacement);
         let approach = self.step[nodes];
         effort.flips = 0;
-        let lack = if effort.iterations < PATIENCE {
-            0.0
-        } else {
-            SLACK
-        };
-        let touching = problem.contact_film * (1.0 - lack);
+        let touching = problem.contact_film * least_film(effort.iterations);
         for i in 1..nodes - 1 {
-            let opened = problem.ceiling.map_or(0.0, |c| c.at(unknowns.pressure[i]));
-            let film =
-                self.film[i] + factor * (self.displacement[i] + approach + opened * self.change[i]);
+            let flowed = match unknowns.flow[i] {
+                Some(_) => self.step[i],
+                None => 0.0,
+            };
+            let film = self.film[i] + factor * (self.displacement[i] + approach + flowed);
             unknowns.pressure[i] += factor * self.change[i];
-            if self.cavitated[i] {
-                unknowns.void[i] += factor * self.step[i];
+            match &mut unknowns.flow[i] {
+                Some(depth) => *depth += factor * flowed,
+                None if self.masked[i] => unknowns.void[i] += factor * self.step[i],
+                None => {}
             }
+            effort.flips += usize::from(flow_changes(problem.ceiling, unknowns, i));
             let old = unknowns.state[i];
             let is_touching = film < touching;
             let new = next_state(old, unknowns.pressure[i], unknowns.void[i], is_touching);
@@ -391,6 +369,34 @@ impl Newton {
             balance: self.balance.clone(),
             effort,
         }
+    }
+}
+
+/// Puts node `i` at the ceiling or takes it off; whether that changed.
+fn flow_changes(ceiling: Option<Ceiling>, unknowns: &mut Unknowns, i: usize) -> bool {
+    let Some(ceiling) = ceiling else {
+        return false;
+    };
+    match unknowns.flow[i] {
+        None if unknowns.pressure[i] > ceiling.pressure => {
+            unknowns.pressure[i] = ceiling.pressure;
+            unknowns.flow[i] = Some(0.0);
+            true
+        }
+        Some(depth) if depth < 0.0 => {
+            unknowns.flow[i] = None;
+            true
+        }
+        _ => false,
+    }
+}
+
+/// Film below which a full node comes into contact, over the boundary film.
+fn least_film(iterations: usize) -> f64 {
+    match iterations {
+        0..PATIENCE => 1.0,
+        PATIENCE..LAST_CONTACT => 1.0 - SLACK,
+        _ => THINNEST,
     }
 }
 

@@ -1,8 +1,8 @@
 //! Steady film of smooth surfaces: cold start, grid sequence, results.
 //!
 //! An even grid is solved on coarser grids first, of a quarter of the cells or fewer, each from the one before. Where
-//! the sequence fails, the finest grid is tried from the Hertz pressure, then by continuation from a
-//! thicker film.
+//! the sequence fails, it is tried with tight linear systems, then the finest grid from the Hertz pressure, then
+//! continuation from a thicker film.
 
 use asperity_core::cite;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
@@ -29,6 +29,7 @@ pub(crate) const LIMITS: Limits = Limits {
     // What is left after a step of this size is its square, and the linear tolerance of it.
     tolerance: 3e-6,
     linear_tolerance: 1e-5,
+    loosest: 1e-3,
     largest_change: 0.3,
     iterations: 60,
     flips: 0,
@@ -294,12 +295,17 @@ pub(crate) fn solve_sequence(
     let film = scales.film_guess();
     let mut work = (0, 0);
     let mut level = Level::new(window, cells);
+    let tight = &Limits {
+        loosest: limits.linear_tolerance,
+        ..*limits
+    };
     let result = sequence(fluid, window, film, &mut level, limits, &mut work)
+        .or_else(|_| sequence(fluid, window, film, &mut level, tight, &mut work))
         .or_else(|_| {
             let start = hertz_start(&level.grid, &mut level.system, film);
-            level.solve(fluid, start, limits, &mut work)
+            level.solve(fluid, start, tight, &mut work)
         })
-        .or_else(|_| continuation(fluid, film, &mut level, limits, &mut work));
+        .or_else(|_| continuation(fluid, film, &mut level, tight, &mut work));
     match result {
         Ok(solution) => Ok(Found {
             grid: level.grid,
@@ -328,6 +334,10 @@ fn sequence(
     work: &mut (usize, usize),
 ) -> Result<Solution, Effort> {
     let cells = level.grid.spacing.len();
+    let coarse_limits = Limits {
+        loosest: COARSE_LIMITS.linear_tolerance.max(limits.loosest),
+        ..COARSE_LIMITS
+    };
     let mut known: Option<(Grid, Solution)> = None;
     for part in parts(cells, window, film) {
         let mut coarse = Level::new(window, cells / part);
@@ -335,7 +345,7 @@ fn sequence(
             None => hertz_start(&coarse.grid, &mut coarse.system, film),
             Some((grid, solution)) => transfer(grid, solution, &coarse.grid),
         };
-        let solution = coarse.solve(fluid, start, &COARSE_LIMITS, work)?;
+        let solution = coarse.solve(fluid, start, &coarse_limits, work)?;
         known = Some((coarse.grid, solution));
     }
     let start = match &known {
@@ -408,6 +418,7 @@ pub(crate) fn hertz_start(grid: &Grid, system: &mut impl ElasticSystem, film: f6
         }
     }
     Unknowns {
+        flow: vec![None; nodes],
         pressure,
         void,
         state,
@@ -428,6 +439,7 @@ pub(crate) fn transfer(grid: &Grid, solution: &Solution, onto: &Grid) -> Unknown
         void: vec![0.0; nodes],
         state: vec![NodeState::Full; nodes],
         rigid: known.rigid,
+        flow: vec![None; nodes],
     };
     for i in 1..nodes - 1 {
         if onto.x[i] > exit {

@@ -241,12 +241,16 @@ impl Stepper {
             let from = (i as f64 - shift).round().max(0.0) as usize;
             let state = known.state[from];
             start.state[i] = state;
+            start.flow[i] = known.flow[from];
             if state == NodeState::Cavitated {
                 start.pressure[i] = 0.0;
                 start.void[i] = known.void[from];
             } else {
                 let rough = carried(&known.pressure, i) + smooth[i] - carried(smooth, i);
-                start.pressure[i] = rough.max(0.0);
+                start.pressure[i] = match (start.flow[i], self.settings.ceiling) {
+                    (Some(_), Some(ceiling)) => ceiling.pressure,
+                    _ => rough.max(0.0),
+                };
                 start.void[i] = 0.0;
             }
         }

@@ -31,6 +31,7 @@ const STEP_LIMITS: Limits = Limits {
     // What is left after a step of this size is below 1e-6.
     tolerance: 5e-4,
     linear_tolerance: 1e-3,
+    loosest: 1e-3,
     largest_change: 1.0,
     iterations: 40,
     flips: 0,
@@ -41,6 +42,7 @@ const STEP_LIMITS: Limits = Limits {
 const START_LIMITS: Limits = Limits {
     tolerance: 1e-8,
     linear_tolerance: 1e-6,
+    loosest: 1e-3,
     ..steady::LIMITS
 };
 
@@ -62,8 +64,6 @@ pub struct RoughContact {
 pub struct PlasticCeiling {
     /// Flow pressure, about 2.8 times the yield strength.
     pub pressure: Pressure,
-    /// Local compliance above it, in cells; 10 holds the pressure within 5 % of the flow pressure.
-    pub compliance: f64,
 }
 
 /// Grid, length and outputs of a record.
@@ -189,7 +189,7 @@ pub struct Record {
     pub load_below: Vec<LoadBelow>,
     /// Share of the load on contact nodes; does not converge with the grid.
     pub contact_share: Estimate,
-    /// Share of the load above the flow pressure.
+    /// Share of the load at the flow pressure.
     pub plastic_share: Estimate,
     /// Mean film within the half-width \[m\].
     pub mean_film: Estimate,
@@ -296,7 +296,7 @@ pub fn record_watched(
     };
     let smooth_film = scales.film_length(found.grid.interpolate(&found.solution.film, 0.0));
     let surfaces = [contact.surface_1.clone(), contact.surface_2.clone()];
-    let step_settings = settings.steps(&scales, found.grid.spacing[0]);
+    let step_settings = settings.steps(&scales);
     let mut stepper = Stepper::new(found, scales, fluid, surfaces, step_settings);
     let start = settings.start.max(stepper.filled_after());
     let mut recorder = Recorder::new(settings, &scales, step_settings);
@@ -380,13 +380,6 @@ impl RecordSettings {
         )?;
         if let Some(ceiling) = &self.ceiling {
             DomainError::positive("flow pressure", ceiling.pressure)?;
-            DomainError::require(
-                (0.1..=1000.0).contains(&ceiling.compliance),
-                "compliance above the flow pressure",
-                ceiling.compliance,
-                "cells",
-                "must lie between 0.1 and 1000",
-            )?;
         }
         if let Some(law) = &self.friction {
             law.validate()?;
@@ -394,12 +387,11 @@ impl RecordSettings {
         Ok(())
     }
 
-    fn steps(&self, scales: &Scales, spacing: f64) -> StepSettings {
+    fn steps(&self, scales: &Scales) -> StepSettings {
         StepSettings {
             contact_film: scales.film_of(self.contact_film),
             ceiling: self.ceiling.map(|ceiling| Ceiling {
                 pressure: ceiling.pressure / scales.max_pressure,
-                compliance: ceiling.compliance * spacing,
             }),
             courant: self.courant,
             ramp: self.ramp,
@@ -515,7 +507,7 @@ impl<'a> Recorder<'a> {
             if film <= solid {
                 self.values[SOLID] += part;
             }
-            if *p > flow {
+            if *p >= flow {
                 self.values[PLASTIC] += part;
             }
             for (k, limit) in self.films.iter().enumerate() {

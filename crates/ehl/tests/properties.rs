@@ -86,8 +86,8 @@ fn forty_cold_starts_converge() {
     }
 }
 
-/// A random smooth problem at 128 cells: whether it converged.
-fn random_smooth(state: &mut u64) -> bool {
+/// A random smooth problem; what it is, where it was refused.
+fn random_smooth(state: &mut u64, cells: usize) -> Option<(ViscosityLaw, f64, f64)> {
     let mut between = |low: f64, high: f64| low * (high / low).powf(uniform(state));
     let (p_0, u_m, eta) = (
         between(0.2e9, 3e9),
@@ -109,16 +109,19 @@ fn random_smooth(state: &mut u64) -> bool {
         ..gear_oil()
     };
     let settings = SteadySettings {
-        cells: 128,
+        cells,
         window: None,
     };
     match steady::solve(&contact(p_0, u_m, 0.0), &oil, &settings) {
         Ok(solved) => {
             assert!(solved.evidence.load_error < 1e-9);
             assert!(solved.value.film.iter().all(|h| h.is_finite()));
-            true
+            None
         }
-        Err(EhlError::NotConverged { .. }) => false,
+        Err(EhlError::NotConverged { .. }) => {
+            let scales = contact(p_0, u_m, 0.0).scales(&oil).unwrap();
+            Some((viscosity_law, alpha * p_0, scales.moes_load))
+        }
         Err(other) => panic!("{other}"),
     }
 }
@@ -126,9 +129,10 @@ fn random_smooth(state: &mut u64) -> bool {
 #[test]
 fn random_smooth_problems_converge_or_are_refused() {
     let mut state = 7;
-    let converged = (0..100).filter(|_| random_smooth(&mut state)).count();
-    // Measured 94 to 97 in a hundred; what does not converge is refused with its evidence.
-    assert!(converged >= 90, "{converged} of 100");
+    let refused: Vec<_> = (0..100)
+        .filter_map(|_| random_smooth(&mut state, 512))
+        .collect();
+    assert!(refused.is_empty(), "{refused:?}");
 }
 
 /// `cargo test --release -p asperity-ehl --test properties -- --ignored`
@@ -136,9 +140,14 @@ fn random_smooth_problems_converge_or_are_refused() {
 #[ignore = "long: two thousand problems"]
 fn two_thousand_random_smooth_problems_converge_or_are_refused() {
     let mut state = 11;
-    let converged = (0..2000).filter(|_| random_smooth(&mut state)).count();
-    println!("{converged} of 2000 converged");
-    assert!(converged >= 1900, "{converged} of 2000");
+    let refused: Vec<_> = (0..2000)
+        .filter_map(|_| random_smooth(&mut state, 512))
+        .collect();
+    for (law, exponent, load) in &refused {
+        println!("{law:?} alpha p0 {exponent:.1} M {load:.0}");
+    }
+    // Measured 3; what does not converge is refused with its evidence.
+    assert!(refused.len() <= 5, "{} of 2000 refused", refused.len());
 }
 
 #[test]
@@ -302,14 +311,11 @@ fn shear_thinning_makes_the_thin_films() {
 }
 
 #[test]
-fn the_ceiling_holds_the_pressure_within_a_tenth() {
+fn the_ceiling_holds_the_pressure() {
     let contact = rough(0.2, 0.3e-6);
     let elastic = run(&contact, &settings(256, 1.0, 2.0)).value;
     let flow = elastic.max_pressure / 1.3;
-    let ceiling = PlasticCeiling {
-        pressure: flow,
-        compliance: 50.0,
-    };
+    let ceiling = PlasticCeiling { pressure: flow };
     let limited = run(
         &contact,
         &RecordSettings {
@@ -319,7 +325,7 @@ fn the_ceiling_holds_the_pressure_within_a_tenth() {
     )
     .value;
     assert!(
-        limited.max_pressure < flow * 1.1,
+        limited.max_pressure <= flow * (1.0 + 1e-12),
         "{}",
         limited.max_pressure
     );

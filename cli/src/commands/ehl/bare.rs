@@ -27,8 +27,6 @@ const EYRING_STRESS: Pressure = Pressure::from_si(5e6);
 const AMBIENT_LIMIT: Pressure = Pressure::from_si(2e6);
 /// Thickness of the boundary layer.
 const BOUNDARY_LAYER: Length = Length::from_si(10e-9);
-/// Compliance above the flow pressure, in cells.
-const COMPLIANCE: f64 = 10.0;
 /// Steel of the bodies, whose heat the thermal traction needs.
 const STEEL: Material = Material {
     young: Pressure::from_si(210e9),
@@ -127,10 +125,9 @@ pub fn read(args: &EhlArgs) -> Result<Bare, Failure> {
             boundary_friction: bare.boundary_friction,
             boundary_layer: BOUNDARY_LAYER,
         },
-        ceiling: bare.pressure_limit.map(|pressure| PlasticCeiling {
-            pressure,
-            compliance: COMPLIANCE,
-        }),
+        ceiling: bare
+            .pressure_limit
+            .map(|pressure| PlasticCeiling { pressure }),
         heat,
         attenuated_roughness,
     })

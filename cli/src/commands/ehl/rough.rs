@@ -195,7 +195,7 @@ impl Recorded {
             ));
         }
         text.push_str(&format!(
-            "  largest pressure {:.3} GPa in the mean, {:.3} GPa ever; {:.4} of the load above the flow pressure\n",
+            "  largest pressure {:.3} GPa in the mean, {:.3} GPa ever; {:.4} of the load at the flow pressure\n",
             record.mean_max_pressure.mean * 1e-9,
             record.max_pressure.si() * 1e-9,
             record.plastic_share.mean

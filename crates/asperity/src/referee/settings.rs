@@ -15,8 +15,9 @@ use asperity_tribo_friction::FilmRheology;
 use super::error::RefereeError;
 use crate::case::{Case, LoadedCase};
 use crate::error::PositionError;
+use crate::run_in::run_in;
 use crate::station::Station;
-use crate::stations::station_at;
+use crate::stations::{station_at, stations};
 use crate::surfaces::Texture;
 
 /// Attenuated roughness over the smooth film beyond which ridges that cannot leak make the contact no referee:
@@ -24,8 +25,6 @@ use crate::surfaces::Texture;
 pub const LARGEST_ROUGHNESS: f64 = 3.0;
 /// Roelands' exponent of the film; one that follows from α and η₀ moves the shares by some 2 %.
 const ROELANDS: f64 = 0.6;
-/// Compliance above the flow pressure in cells: holds the pressure within some 5 % of it.
-const COMPLIANCE: f64 = 10.0;
 /// Shortest wavelength kept; shorter ones move the load below 20 nm by 2 %.
 const SHORTEST_WAVE: Length = Length::from_si(8e-6);
 /// Cells that the shortest wave spans at least.
@@ -68,7 +67,8 @@ pub struct RefereeContact {
 }
 
 impl RefereeContact {
-    /// The contact of `loaded` at `path_fraction`, 0 at A and 1 at E.
+    /// The contact of `loaded` at `path_fraction`, 0 at A and 1 at E; of flanks that have run in, where the case asks
+    /// for them.
     ///
     /// # Errors
     /// When an equation refuses the place, a flank has no trace, a trace is too short for the filter, or the base
@@ -81,7 +81,13 @@ impl RefereeContact {
         let case = &loaded.case;
         let path = case.gears.path();
         let station = station_at(case, path.a + (path.e - path.a) * path_fraction)?;
-        Self::at(loaded, station, settings)
+        if !case.model.run_in {
+            return Self::at(loaded, station, settings);
+        }
+        let ran_in = run_in(case, &loaded.surfaces, &stations(case)?)?;
+        let mut worn = loaded.clone();
+        worn.surfaces = ran_in.surfaces;
+        Self::at(&worn, station, settings)
     }
 
     /// The contact of `loaded` at a mesh position.
@@ -117,7 +123,6 @@ impl RefereeContact {
         let [pinion, wheel] = case.flow_pressure.map(Pressure::si);
         record.ceiling = Some(PlasticCeiling {
             pressure: Pressure::from_si(pinion.min(wheel)),
-            compliance: COMPLIANCE,
         });
         let window = record.window.outlet - record.window.inlet;
         let cell = station.hertz.half_width * (window / record.cells.max(1) as f64);

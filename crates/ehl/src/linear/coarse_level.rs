@@ -95,14 +95,14 @@ impl CoarseLevel {
 
     /// Sets up and factors the Galerkin matrix.
     pub(crate) fn set_up(&mut self, system: &Linearised) {
-        self.mask(system.cavitated);
+        self.mask(system.masked);
         let count = self.count();
         self.factors.reset(count + 1);
         for a in 0..count {
             self.galerkin_row(system, a);
         }
         let load = self.factors.row_mut(count);
-        for (i, (w, cavitated)) in system.weights.iter().zip(system.cavitated).enumerate() {
+        for (i, (w, cavitated)) in system.weights.iter().zip(system.masked).enumerate() {
             if !cavitated {
                 let before = (i / self.ratio).min(count - 2);
                 let part = (i - before * self.ratio) as f64 / self.ratio as f64;

@@ -33,7 +33,7 @@ impl DenseSystem {
                 self.balance_row(system, i, &mut row);
             } else {
                 row[..n].copy_from_slice(system.weights);
-                mask(&mut row, system.cavitated);
+                mask(&mut row, system.masked);
             }
             let scale = 1.0 / row.iter().fold(f64::MIN_POSITIVE, |m, v| v.abs().max(m));
             for (j, value) in row.iter().enumerate() {
@@ -53,7 +53,7 @@ impl DenseSystem {
             }
             row[n] += value;
         }
-        mask(row, system.cavitated);
+        mask(row, system.masked);
         for (j, value) in system.local.row(i) {
             row[j] += value;
         }

@@ -81,7 +81,7 @@ impl FineLevel {
         self.free.copy_from_slice(residual);
         self.free[0] = 0.0;
         self.free[last] = 0.0;
-        for (value, cavitated) in self.free.iter_mut().zip(system.cavitated) {
+        for (value, cavitated) in self.free.iter_mut().zip(system.masked) {
             if *cavitated {
                 *value = 0.0;
             }
@@ -89,8 +89,7 @@ impl FineLevel {
         let (first_value, last_value) = (residual[0], residual[last]);
         self.kept.copy_from_slice(residual);
         inverse.product.apply(&self.free, residual);
-        for ((value, kept), cavitated) in residual.iter_mut().zip(&self.kept).zip(system.cavitated)
-        {
+        for ((value, kept), cavitated) in residual.iter_mut().zip(&self.kept).zip(system.masked) {
             if *cavitated {
                 *value = *kept;
             }
@@ -106,7 +105,7 @@ fn near_field_row(system: &Linearised, kernel: &[f64], i: usize, row: &mut [f64]
     let nodes = system.weights.len();
     let (low, high) = (i.saturating_sub(half), (i + half + 1).min(nodes));
     for (j, value) in system.film.row(i).filter(|(_, value)| *value != 0.0) {
-        for k in (low..high).filter(|&k| !system.cavitated[k]) {
+        for k in (low..high).filter(|&k| !system.masked[k]) {
             row[k + half - i] += value * kernel[j.abs_diff(k)];
         }
     }
@@ -123,7 +122,7 @@ fn inverse_row(system: &Linearised, inverse: &[f64], i: usize, half: usize, row:
         return;
     }
     for (j, value) in system.local.row(i) {
-        if system.cavitated[j] {
+        if system.masked[j] {
             row[j + half - i] += value;
         } else if value != 0.0 {
             let low = j.saturating_sub(INVERSE_FIELD);
@@ -133,7 +132,7 @@ fn inverse_row(system: &Linearised, inverse: &[f64], i: usize, half: usize, row:
         }
     }
     for (j, value) in system.film.row(i) {
-        if !system.cavitated[j] {
+        if !system.masked[j] {
             row[j + half - i] += value;
         }
     }

@@ -13,7 +13,9 @@ use crate::hat_kernel::hat_column;
 const CAP: usize = 80;
 /// Coarse cells on grids of at least `COARSE_CELLS`·`LEAST_RATIO` cells.
 const COARSE_CELLS: usize = 64;
-/// Fewest fine cells of a coarse cell.
+/// Fewest coarse cells.
+const LEAST_COARSE_CELLS: usize = 32;
+/// Fewest fine cells of a coarse cell on larger grids.
 const LEAST_RATIO: usize = 8;
 
 pub(crate) struct FourierSystem {
@@ -37,7 +39,9 @@ impl FourierSystem {
     /// System on `cells` even cells; a multiple of four.
     pub(crate) fn new(spacing: f64, cells: usize) -> Self {
         let kernel = hat_column(spacing, cells + 1);
-        let ratio = (cells / COARSE_CELLS).max(LEAST_RATIO);
+        let ratio = (cells / COARSE_CELLS)
+            .max(LEAST_RATIO)
+            .min(cells / LEAST_COARSE_CELLS);
         Self {
             levels: Levels {
                 // The end nodes carry no pressure, so the longest lag never counts.
@@ -66,7 +70,7 @@ impl Levels {
     /// J·x.
     fn multiply(&mut self, system: &Linearised, x: &[f64], output: &mut [f64]) {
         let nodes = self.pressure.len();
-        for ((p, value), cavitated) in self.pressure.iter_mut().zip(x).zip(system.cavitated) {
+        for ((p, value), cavitated) in self.pressure.iter_mut().zip(x).zip(system.masked) {
             *p = if *cavitated { 0.0 } else { *value };
         }
         self.product.apply(&self.pressure, &mut self.displacement);

@@ -11,8 +11,8 @@ pub(crate) struct Linearised<'a> {
     pub(crate) film: &'a Bands,
     /// Slopes over the unknown of each node.
     pub(crate) local: &'a Bands,
-    /// Nodes whose unknown is the void fraction.
-    pub(crate) cavitated: &'a [bool],
+    /// Nodes whose unknown is the void fraction or the depth of flow, so that their pressure stays.
+    pub(crate) masked: &'a [bool],
     /// Weights of the load.
     pub(crate) weights: &'a [f64],
     /// Whether storage of oil dominates the balances.

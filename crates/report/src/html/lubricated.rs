@@ -345,7 +345,7 @@ fn player(contact: &LubricatedContact) -> Markup {
                 @for (x, label) in &ends { text.tick x=(x) y=(height - 12.0) text-anchor="middle" { (label) } }
                 g transform="scale(0.1)" {
                     @for k in 0..2 {
-                        path."curve dashed c1" d=(dashed(k)) style="stroke-width:14" {}
+                        path."curve dashed c1" d=(dashed(k)) style="stroke-width:14;stroke-dasharray:70 45" {}
                         path."curve c0" data-player={ "curve" (k) } style="stroke-width:16"
                             d=(line(&rows(&panels[k], [&first.pressure, &first.film][k]))) {}
                     }

@@ -22,6 +22,48 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
             p { "One position was computed; it is shown as a dot between A and E." }
         }
         div.charts { @for drawing in &drawings { (figure(drawing)) } }
+        (records(result))
+    }
+}
+
+/// Table of the records of mixed lubrication that the load share rests on.
+fn records(result: &RunResult) -> Markup {
+    if result.records.is_empty() {
+        return html! {};
+    }
+    let with_error =
+        |value: f64, error: f64, digits: usize| format!("{value:.digits$} ± {error:.digits$}");
+    html! {
+        h3 { "Records of mixed lubrication" }
+        p { "Means over the travel with their standard errors; between them the path is interpolated." }
+        div.wide {
+            table {
+                thead {
+                    tr {
+                        th { "place, A to E" } th { "p₀ MPa" } th { "slide-to-roll" } th { "smooth film µm" }
+                        th { "load below 20 nm" } th { "below 50 nm" } th { "mean gap µm" } th { "friction, isothermal" }
+                        th { "largest p, mean MPa" } th { "travel" } th { "steps, cut" }
+                    }
+                }
+                tbody {
+                    @for row in &result.records {
+                        tr {
+                            td { (format!("{:.3}", row.path_fraction)) }
+                            td { (format!("{:.0}", row.hertz_pressure_mpa)) }
+                            td { (format!("{:.3}", row.slide_to_roll)) }
+                            td { (format!("{:.3}", row.smooth_film_um)) }
+                            td { (with_error(row.solid_share, row.solid_share_standard_error, 3)) }
+                            td { (format!("{:.3}", row.share_below_50_nm)) }
+                            td { (with_error(row.mean_gap_um, row.mean_gap_standard_error_um, 3)) }
+                            td { (with_error(row.friction, row.friction_standard_error, 4)) }
+                            td { (format!("{:.0}", row.mean_p_max_mpa)) }
+                            td { (format!("{:.0}", row.travel_half_widths)) }
+                            td { (row.steps) ", " (row.steps_cut) }
+                        }
+                    }
+                }
+            }
+        }
     }
 }
 
