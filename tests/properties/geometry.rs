@@ -1,10 +1,19 @@
 //! Width, size and overlap of a pair.
 
+use asperity::result::RunResult;
+use asperity_tests::CaseText;
 use proptest::prelude::*;
 
 use crate::cases::{config, drawn};
 
 const ROUNDING: f64 = 1e-12;
+
+/// The result of a case; none where its friction would melt the flanks, which a run refuses.
+fn sensible(case: &CaseText) -> Option<RunResult> {
+    asperity::run(&case.load(), &|_, _| ())
+        .ok()
+        .map(|outcome| outcome.result)
+}
 
 proptest! {
     #![proptest_config(config())]
@@ -33,7 +42,9 @@ proptest! {
         // The load of elastic teeth hangs on the overlap, and so on the width.
         let narrow = drawn.with_constant_friction(mu).with("model.load_distribution", "mean-length");
         let wide = narrow.clone().with("gears.face_width", format!("{} mm", factor * drawn.width_mm));
-        let (narrow, wide) = (narrow.run().result, wide.run().result);
+        let (Some(narrow), Some(wide)) = (sensible(&narrow), sensible(&wide)) else {
+            return Err(TestCaseError::reject("beyond physical sense"));
+        };
         let ratio = wide.summary.sliding_w / narrow.summary.sliding_w;
         prop_assert!((ratio - 1.0).abs() < ROUNDING, "{ratio}");
         // The pressure falls with the root of the width, and more of the oil is rolled.
@@ -57,8 +68,10 @@ proptest! {
             .with("gears.face_width", format!("{} mm", drawn.width_mm * scale))
             .with("operation.torque", format!("{} N m", drawn.torque * scale.powi(3)))
             .with("operation.speed", format!("{} 1/min", drawn.speed / scale));
-        let (small, large) = (small.run().result, large.run().result);
-        let share = |result: &asperity::result::RunResult| {
+        let (Some(small), Some(large)) = (sensible(&small), sensible(&large)) else {
+            return Err(TestCaseError::reject("beyond physical sense"));
+        };
+        let share = |result: &RunResult| {
             result.summary.sliding_w / result.summary.power_in_w
         };
         prop_assert!((share(&large) / share(&small) - 1.0).abs() < ROUNDING);
@@ -71,7 +84,10 @@ proptest! {
 
     #[test]
     fn constant_friction_loses_mu_times_the_loss_factor(drawn in drawn(), mu in 0.01..0.3f64) {
-        let summary = drawn.with_constant_friction(mu).run().result.summary;
+        let Some(result) = sensible(&drawn.with_constant_friction(mu)) else {
+            return Err(TestCaseError::reject("beyond physical sense"));
+        };
+        let summary = result.summary;
         let expected = mu * summary.loss_factor_local * summary.power_in_w;
         // Mixed or not: film and asperities rub alike.
         prop_assert!((summary.sliding_w / expected - 1.0).abs() < ROUNDING);

@@ -177,6 +177,36 @@ fn an_oil_without_a_family_is_refused_or_assumed() {
     assert!(listed.any(|used| used.key.ends_with("base_oil")));
 }
 
+#[test]
+fn every_assumed_constant_is_told_with_its_band_and_how_sure_it_is() {
+    let few = [("model.positions", "2"), ("model.offsets", "1")];
+    let of = |keys: &[(&str, &str)]| {
+        let result = asperity_tests::run(&with("e-drive", &[&few[..], keys].concat())).result;
+        result.film_constants
+    };
+    let told = of(&[]);
+    let names: Vec<&str> = told.iter().map(|constant| &*constant.name).collect();
+    for name in [
+        "limiting_shear",
+        "eyring_stress_pa",
+        "boundary_friction",
+        "boundary_layer_m",
+    ] {
+        let constant = told.iter().find(|constant| constant.name == name);
+        let constant = constant.unwrap_or_else(|| panic!("{name} is not in {names:?}"));
+        assert!(constant.low.unwrap() < constant.value && constant.value < constant.high.unwrap());
+        assert!(!constant.source.is_empty());
+    }
+    // What the case gives is no assumption.
+    let given = of(&[("model.boundary_friction", "0.1")]);
+    assert!(
+        given
+            .iter()
+            .all(|constant| constant.name != "boundary_friction")
+    );
+    assert!(of(&[("formulation", "paper")]).is_empty());
+}
+
 /// One key changed on the shipped drive, ground flanks.
 const CHANGES: [(&str, &str); 20] = [
     ("model.boundary_friction", "0.065"),

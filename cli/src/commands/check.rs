@@ -5,7 +5,7 @@ use asperity::case::planetary::{self, LoadedPlanetary};
 use asperity::case::{self, DefaultUsed, LoadedCase};
 use asperity::kept_fields::KeptFields;
 use asperity::message::Warning;
-use asperity_studies::estimate::{Estimate, estimate, estimate_of_set};
+use asperity_studies::estimate::{Estimate, estimate, estimate_of_set, measured, measured_of_set};
 use serde_json::{Value, json};
 
 use super::{keys, source};
@@ -71,14 +71,16 @@ fn failures(errors: &[Error]) -> Vec<Failure> {
 
 fn of_pair(loaded: LoadedCase) -> Result<Sound, Error> {
     Ok(Sound {
-        work: estimate(&loaded, &KeptFields::Highest)?,
+        work: measured(&loaded, &KeptFields::Highest)
+            .or_else(|_| estimate(&loaded, &KeptFields::Highest))?,
         warnings: loaded.warnings,
         defaults: loaded.case.defaults,
     })
 }
 
 fn of_set(set: LoadedPlanetary) -> Result<Sound, Error> {
-    let work = estimate_of_set(&set, &KeptFields::Highest)?;
+    let kept = KeptFields::Highest;
+    let work = measured_of_set(&set, &kept).or_else(|_| estimate_of_set(&set, &kept))?;
     let mut sound = Sound {
         warnings: Vec::new(),
         defaults: set.defaults,

@@ -10,7 +10,6 @@ use crate::load_share::LoadShareSolution;
 use crate::local_roughness::Roughness;
 use crate::records::RecordedShare;
 use crate::result::PositionFields;
-use crate::solved::mean;
 use crate::station::Station;
 
 /// A mesh position with everything that varies over the offsets.
@@ -34,7 +33,12 @@ impl Position {
     pub fn rough_pressure(&self) -> Option<f64> {
         let contacts = self.offsets.iter().filter_map(|offset| offset.contact);
         let pressures: Vec<f64> = contacts.map(|contact| contact.p_max * 1e-6).collect();
-        (!pressures.is_empty()).then(|| mean(pressures.into_iter()))
+        let sum = || {
+            pressures
+                .iter()
+                .fold(0.0, |sum: f64, pressure| sum + pressure)
+        };
+        (!pressures.is_empty()).then(|| sum() / pressures.len() as f64)
     }
 
     /// The same, or the Hertz pressure where the flanks don't touch: a report shows the position where it is

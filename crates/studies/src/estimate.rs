@@ -1,12 +1,15 @@
 //! Estimate of the work of a run, before it is done.
 //!
-//! The time follows from the points of all contacts and from what is computed at each; the times per point are
-//! those of a processor core of 2021, measured on the four shipped cases (docs/PERFORMANCE.md).
+//! A quick one follows from the points of all contacts and times per point, as measured on the four shipped cases
+//! (docs/PERFORMANCE.md). How long a contact takes depends on the flanks, too: from a third to three times as long. A
+//! measured one therefore solves a few contacts of the case and scales their time.
+
+use std::time::Instant;
 
 use asperity::case::planetary::LoadedPlanetary;
 use asperity::case::{Formulation, LoadedCase};
 use asperity::kept_fields::KeptFields;
-use asperity::pipeline::stations;
+use asperity::pipeline::{contacts, stations};
 use asperity::surfaces::Texture;
 use asperity::{Error, PositionError};
 
@@ -37,18 +40,24 @@ impl Estimate {
     }
 }
 
-/// Time of a point \[s\] where each contact is tabulated over its share of the load (`solved`).
-const SECONDS_TABULATED: f64 = 4e-6;
-/// The same where each contact is solved once.
-const SECONDS_ONCE: f64 = 1e-6;
+/// Time of a point \[s\] where each contact is tabulated over its share of the load (`solved`): 0.8 to 8e-6 seen.
+const SECONDS_TABULATED: f64 = 3e-6;
+/// The same where each contact is solved once: 0.2 to 0.7e-6 seen.
+const SECONDS_ONCE: f64 = 5e-7;
 /// The same where the surfaces are lowered step by step (the paper's reading), per step.
 const SECONDS_OF_A_STEP: f64 = 1.5e-7;
 /// Distance by which the surfaces are lowered altogether \[m\].
 const LOWERED: f64 = 6.4e-6;
-/// Time of the stress at a point of one depth below the surface \[s\].
-const SECONDS_OF_STRESS: f64 = 5e-8;
+/// Time of the stress at a point of one depth below the surface \[s\]: 6.3 to 7.4e-8 seen.
+const SECONDS_OF_STRESS: f64 = 7e-8;
 /// Time of reading and preparing the traces, of the load map and of writing the result \[s\].
-const SECONDS_AROUND: f64 = 0.05;
+const SECONDS_AROUND: f64 = 0.02;
+/// Positions of which a measured estimate solves the contact at one offset.
+const SAMPLED: usize = 3;
+/// Time that is spent on such a sample at least \[s\].
+const SAMPLE_SECONDS: f64 = 0.15;
+/// Points A to E, which are solved for display.
+const NAMED: usize = 5;
 /// Numbers held for a point of the surface, and for a point at a depth.
 const NUMBERS: [f64; 2] = [12.0, 4.0];
 /// Bytes of a number.
@@ -69,6 +78,60 @@ pub fn estimate(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, Erro
 pub fn estimate_of_set(loaded: &LoadedPlanetary, kept: &KeptFields) -> Result<Estimate, Error> {
     let [first, second] = &loaded.meshes;
     Ok(estimate(first, kept)?.and(estimate(second, kept)?))
+}
+
+/// Estimates the run of `loaded` from the time that a few of its contacts take now, on one thread.
+///
+/// # Errors
+/// As [`estimate`], and when one of these contacts has no solution.
+pub fn measured(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, Error> {
+    let quick = estimate(loaded, kept)?;
+    if quick.contacts == 0 {
+        return Ok(quick);
+    }
+    let model = &loaded.case.model;
+    let few = loaded.with(|input| {
+        input.model.positions = Some(model.positions.min(SAMPLED));
+        input.model.offsets = Some(1);
+    })?;
+    let Ok(alone) = rayon::ThreadPoolBuilder::new().num_threads(1).build() else {
+        return Ok(quick);
+    };
+    // The least of several times, where they are short: other programs make one longer, never shorter.
+    let (mut taken, mut spent, mut solved) = (f64::INFINITY, 0.0, 0);
+    while spent < SAMPLE_SECONDS {
+        let begin = Instant::now();
+        let outcome = alone.install(|| contacts(&few, &|_, _| {}))?;
+        solved = outcome.result.path.len();
+        let seconds = begin.elapsed().as_secs_f64();
+        taken = seconds.min(taken);
+        spent += seconds.max(1e-3);
+    }
+    // The points A to E cost a contact each where the load share needs one.
+    let is_corrected = loaded.case.formulation == Formulation::Corrected;
+    let named = match is_corrected && model.load_share.supply().is_some() {
+        true => NAMED,
+        false => 0,
+    };
+    let positions = quick.contacts / model.offsets.max(1);
+    let of_a_contact = taken / (solved + named).max(1) as f64;
+    let work = of_a_contact * ((positions + named) * model.offsets) as f64;
+    let stress =
+        SECONDS_OF_STRESS * quick.points / model.offsets.max(1) as f64 * model.depths as f64;
+    let threads = rayon::current_num_threads().min(positions.max(1)) as f64;
+    Ok(Estimate {
+        seconds: SECONDS_AROUND + (work + stress) / threads,
+        ..quick
+    })
+}
+
+/// Estimates the run of both meshes of a planetary set as [`measured`] does.
+///
+/// # Errors
+/// As [`measured`].
+pub fn measured_of_set(loaded: &LoadedPlanetary, kept: &KeptFields) -> Result<Estimate, Error> {
+    let [first, second] = &loaded.meshes;
+    Ok(measured(first, kept)?.and(measured(second, kept)?))
 }
 
 fn of_case(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, PositionError> {

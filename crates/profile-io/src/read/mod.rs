@@ -14,6 +14,7 @@
 //! Reading is linear in the length of the file. This is the only module of the crate that opens files.
 
 mod archive;
+mod conditions;
 mod decimal;
 mod delimited;
 mod dialect;
@@ -50,8 +51,9 @@ mod x3p;
 mod xml;
 
 use std::io::{Cursor, Read, Seek};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
+pub use conditions::conditions_of;
 pub use error::{CellRemedy, FirstLine, ReadError, SpacingHint};
 pub use format::Format;
 pub use grid::SpacingSource;
@@ -91,23 +93,6 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Reading, ReadError> {
     let mut stream = open(path, &name)?;
     let conditions = surfcom::conditions_beside(path);
     read_streams(&name, &mut *stream, conditions.as_deref(), options)
-}
-
-/// The name of the file of measuring conditions (Surfcom `.tx3`) that belongs to the profile `path`, where its
-/// format has one.
-///
-/// ```
-/// use asperity_profile_io::read::conditions_of;
-/// assert_eq!(conditions_of("flank.tx1".as_ref()), Some("flank.tx3".into()));
-/// assert_eq!(conditions_of("flank.csv".as_ref()), None);
-/// ```
-pub fn conditions_of(path: &Path) -> Option<PathBuf> {
-    let ending = match path.extension()?.to_str()? {
-        "tx1" | "tx2" => "tx3",
-        "TX1" | "TX2" => "TX3",
-        _ => return None,
-    };
-    Some(path.with_extension(ending))
 }
 
 /// A file as it is read again and again; what cannot be (a pipe) is held.

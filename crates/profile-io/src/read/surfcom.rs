@@ -12,6 +12,7 @@ use std::path::Path;
 use asperity_core::quantity::Length;
 
 use super::archive::damaged;
+use super::conditions::conditions_of;
 use super::error::{ReadError, SpacingHint};
 use super::format::{Format, extension};
 use super::grid::SpacingSource;
@@ -20,7 +21,7 @@ use super::metadata::{self, Metadata, PrintedParameter, number, short};
 use super::options::{LengthUnit, ReadOptions};
 use super::text::{Head, Start, Text};
 use super::trace::Trace;
-use super::{conditions_of, whole_file};
+use super::whole_file::whole_file;
 use crate::warning::Warning;
 
 const FORMAT: Format = Format::SurfcomText;

@@ -126,7 +126,7 @@ fn films(contact: &LubricatedContact) -> Markup {
     let [central, minimum] = contact.formula;
     let flat = vec![central; within.len()];
     // The gap is shown as far as a few central films.
-    let most = 4.0 * central.max(contact.mean.as_ref().map_or(0.0, |mean| middle(mean)));
+    let most = 4.0 * central.max(contact.mean.as_ref().map_or(0.0, middle));
     let shown = |film: &[f64]| -> Vec<f64> {
         film.iter()
             .map(|h| if *h <= most { *h } else { f64::NAN })

@@ -61,7 +61,7 @@ fn as_measured_and_run_in(result: &RunResult, run_in: &RunInFlanks) -> Markup {
             cells(&|s, _| percent(s.asperity_share)),
         ),
         (
-            "share of it on the boundary layer",
+            "share of the load on the boundary layer",
             cells(&|s, _| percent(s.boundary_share)),
         ),
         (

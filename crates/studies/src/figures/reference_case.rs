@@ -41,7 +41,7 @@ const FIGURES: &[(&str, &str, &str, &str)] = &[
     (
         "fig11a_subsurface",
         "von-mises",
-        "Fig. 11: von Mises stress below the surface",
+        "Fig. 11: von Mises stress below the surface; white: elastic limit",
         SUBSURFACE,
     ),
     (
