@@ -1,5 +1,7 @@
 //! The load share `ehl` and the full film `ehl`: records along the path, kept and interpolated.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
+
 use std::path::Path;
 
 use asperity::case::{LoadedCase, load_with};

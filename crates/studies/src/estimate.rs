@@ -2,7 +2,7 @@
 //!
 //! A quick one follows from the points of all contacts and times per point, as measured on the four shipped cases
 //! (docs/PERFORMANCE.md). How long a contact takes depends on the flanks, too: from a third to three times as long. A
-//! measured one therefore solves a few contacts of the case and scales their time.
+//! measured one therefore solves a few contacts of the case and scales their time; it was 0.5 to 1 times that of the run.
 
 use std::time::Instant;
 
@@ -53,9 +53,9 @@ const SECONDS_OF_STRESS: f64 = 7e-8;
 /// Time of reading and preparing the traces, of the load map and of writing the result \[s\].
 const SECONDS_AROUND: f64 = 0.02;
 /// Positions of which a measured estimate solves the contact at one offset.
-const SAMPLED: usize = 3;
-/// Time that is spent on such a sample at least \[s\].
-const SAMPLE_SECONDS: f64 = 0.15;
+const SAMPLED: usize = 6;
+/// Further offsets that are solved to tell the time of a contact from that of the rest.
+const MORE_OFFSETS: usize = 2;
 /// Points A to E, which are solved for display.
 const NAMED: usize = 5;
 /// Numbers held for a point of the surface, and for a point at a depth.
@@ -90,23 +90,25 @@ pub fn measured(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, Erro
         return Ok(quick);
     }
     let model = &loaded.case.model;
-    let few = loaded.with(|input| {
-        input.model.positions = Some(model.positions.min(SAMPLED));
-        input.model.offsets = Some(1);
-    })?;
     let Ok(alone) = rayon::ThreadPoolBuilder::new().num_threads(1).build() else {
         return Ok(quick);
     };
-    // The least of several times, where they are short: other programs make one longer, never shorter.
-    let (mut taken, mut spent, mut solved) = (f64::INFINITY, 0.0, 0);
-    while spent < SAMPLE_SECONDS {
+    let mut solved = 0;
+    let mut time = |offsets: usize| -> Result<f64, Error> {
+        let few = loaded.with(|input| {
+            input.model.positions = Some(model.positions.min(SAMPLED));
+            input.model.offsets = Some(offsets);
+        })?;
         let begin = Instant::now();
         let outcome = alone.install(|| contacts(&few, &|_, _| {}))?;
         solved = outcome.result.path.len();
-        let seconds = begin.elapsed().as_secs_f64();
-        taken = seconds.min(taken);
-        spent += seconds.max(1e-3);
-    }
+        Ok(begin.elapsed().as_secs_f64())
+    };
+    // Further offsets tell the time of their contacts; the rest is spent once at a position.
+    let one = time(1)?;
+    let more = time(1 + MORE_OFFSETS)?;
+    let of_an_offset = ((more - one) / MORE_OFFSETS as f64).max(0.0);
+    let once = (one - of_an_offset).max(0.0);
     // The points A to E cost a contact each where the load share needs one.
     let is_corrected = loaded.case.formulation == Formulation::Corrected;
     let named = match is_corrected && model.load_share.supply().is_some() {
@@ -114,8 +116,8 @@ pub fn measured(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, Erro
         false => 0,
     };
     let positions = quick.contacts / model.offsets.max(1);
-    let of_a_contact = taken / (solved + named).max(1) as f64;
-    let work = of_a_contact * ((positions + named) * model.offsets) as f64;
+    let scale = (positions + named) as f64 / (solved + named).max(1) as f64;
+    let work = scale * (once + of_an_offset * model.offsets as f64);
     let stress =
         SECONDS_OF_STRESS * quick.points / model.offsets.max(1) as f64 * model.depths as f64;
     let threads = rayon::current_num_threads().min(positions.max(1)) as f64;
