@@ -383,19 +383,25 @@ fn what_cannot_be_solved_is_refused_with_its_reason() {
     bench
         .run(&gear(&["--profile1", "one.csv", "--half-widths", "0.5"]))
         .refused(2, "E209", &["length of the record"]);
-    // Waves of 30 um on 64 cells: no time step is short enough.
-    bench.write("steep.csv", wave(30.0));
-    bench
-        .run(&gear(&[
-            "--profile1",
-            "steep.csv",
-            "--periodic",
-            "--cells",
-            "64",
-            "--half-widths",
-            "1",
-            "--start",
-            "0",
-        ]))
-        .refused(3, "E307", &["did not converge"]);
+    let steep = |amplitude: f64| {
+        bench.write("steep.csv", wave(amplitude));
+        let profile = ["--profile1", "steep.csv", "--periodic", "--cells", "64"];
+        let record = ["--half-widths", "1", "--start", "0"];
+        bench.run(&gear(&[&profile[..], &record].concat()))
+    };
+    // Waves of 30 um flow long before; those of 3 mm on 64 cells have no time step that is short enough.
+    steep(30.0).refused(4, "E308", &["beyond any steel", "--pressure-limit"]);
+    steep(3000.0).refused(3, "E307", &["did not converge"]);
+}
+
+#[test]
+fn a_record_too_short_for_a_standard_error_says_so() {
+    let bench = Bench::new();
+    bench.write("fine.csv", wave(0.1));
+    let short = gear(&["--profile1", "fine.csv", "--periodic", "--half-widths", "1"]);
+    let said = bench.run(&short).well().out;
+    assert!(said.contains("too short a record for an error"), "{said}");
+    assert!(!said.contains("NaN"), "{said}");
+    let json = bench.run(&[&short[..], &["--json"]].concat()).well().json();
+    assert!(json["solid_share_standard_error"].is_null());
 }

@@ -8,7 +8,7 @@ use asperity_report::html::{
 };
 
 use super::failed::of_contact;
-use super::rough::Recorded;
+use super::rough::{Recorded, with_error};
 use super::smooth::Smooth;
 use crate::failure::Failure;
 
@@ -125,15 +125,14 @@ impl Recorded {
         page.numbers = vec![
             number(
                 "load on solids",
-                format!("{:.4} ± {:.4}", share.mean, share.standard_error),
+                with_error(share.mean, share.standard_error),
             ),
             number(
                 "mean film",
-                format!(
-                    "{:.4} ± {:.4} µm",
+                with_error(
                     record.mean_film.mean * 1e6,
-                    record.mean_film.standard_error * 1e6
-                ),
+                    record.mean_film.standard_error * 1e6,
+                ) + " µm",
             ),
             number(
                 "smooth film",
@@ -146,10 +145,7 @@ impl Recorded {
             number("travel", format!("{:.1} half-widths", record.travel)),
         ];
         if let Some(friction) = &record.friction {
-            let text = format!(
-                "{:.5} ± {:.5}",
-                friction.graded.mean, friction.graded.standard_error
-            );
+            let text = with_error(friction.graded.mean, friction.graded.standard_error);
             page.numbers.push(number("friction", text));
         }
         page.mean = Some(curve(

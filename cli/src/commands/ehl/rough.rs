@@ -6,13 +6,16 @@ use std::time::Instant;
 use asperity::ehl::several_records::{mean_of, record_several};
 use asperity::ehl::{Estimate, NodeState, Record, RecordSettings, RoughContact, Solved, Window};
 use asperity::referee::{LARGEST_ROUGHNESS, ShareComparison};
-use asperity_core::quantity::Length;
+use asperity_core::quantity::{Length, Pressure};
 use serde_json::{Value, json};
 
 use super::failed::of_contact;
 use crate::args::{Common, EhlArgs};
 use crate::failure::Failure;
 use crate::output::{PATIENCE, progress};
+
+/// Pressure beyond physical sense, as for a mesh position.
+const HIGHEST_PRESSURE: Pressure = Pressure::from_si(20e9);
 
 /// A record with what it is of.
 pub struct Recorded {
@@ -53,8 +56,18 @@ pub fn solve(
     bar.finish_and_clear();
     let records = found.map_err(|error| of_contact(&title, &error))?;
     let none = || Failure::new("E501", format!("{title}: no record"));
+    let solved = mean_of(&records).ok_or_else(none)?;
+    let highest = solved.value.max_pressure;
+    if highest > HIGHEST_PRESSURE {
+        let message = format!(
+            "{title}: the pressure reaches {highest:.3}, above {HIGHEST_PRESSURE} and beyond any steel"
+        );
+        return Err(Failure::new("E308", message).advising(
+            "Pass a --pressure-limit where the surfaces flow, or look at the profiles.",
+        ));
+    }
     Ok(Recorded {
-        solved: mean_of(&records).ok_or_else(none)?,
+        solved,
         shares: records
             .iter()
             .map(|record| record.value.solid_share)
@@ -165,8 +178,8 @@ impl Recorded {
         let scales = &record.scales;
         let mut text = format!(
             "{}\n  half width {:.4}   p0 {:.4}   slide-to-roll {:.3}   M {:.1}, L {:.1}\n  \
-             smooth central film {:.4} um   mean film {:.4} +- {:.4} um, spread {:.4} um\n  \
-             solid share (below {:.0} nm) {:.4} +- {:.4} over {:.1} half-widths{}\n",
+             smooth central film {:.4} um   mean film {} um, spread {:.4} um\n  \
+             solid share (below {:.0} nm) {} over {:.1} half-widths{}\n",
             self.title,
             scales.half_width,
             scales.max_pressure,
@@ -174,12 +187,13 @@ impl Recorded {
             scales.moes_load,
             scales.moes_lubricant,
             record.smooth_film.si() * 1e6,
-            record.mean_film.mean * 1e6,
-            record.mean_film.standard_error * 1e6,
+            with_error(
+                record.mean_film.mean * 1e6,
+                record.mean_film.standard_error * 1e6
+            ),
             record.film_spread.si() * 1e6,
             nanometres(self.solid_film),
-            record.solid_share.mean,
-            record.solid_share.standard_error,
+            with_error(record.solid_share.mean, record.solid_share.standard_error),
             record.travel,
             match self.shares.len() {
                 1 => String::new(),
@@ -188,10 +202,9 @@ impl Recorded {
         );
         for below in &record.load_below {
             text.push_str(&format!(
-                "    load below {:>4.0} nm {:.4} +- {:.4}\n",
+                "    load below {:>4.0} nm {}\n",
                 nanometres(below.film),
-                below.share.mean,
-                below.share.standard_error
+                with_error(below.share.mean, below.share.standard_error)
             ));
         }
         text.push_str(&format!(
@@ -202,9 +215,8 @@ impl Recorded {
         ));
         if let Some(friction) = &record.friction {
             text.push_str(&format!(
-                "  friction {:.5} +- {:.5} (boundary below the solid film {:.5}, film alone {:.5})\n",
-                friction.graded.mean,
-                friction.graded.standard_error,
+                "  friction {} (boundary below the solid film {:.5}, film alone {:.5})\n",
+                with_error(friction.graded.mean, friction.graded.standard_error),
                 friction.stepped.mean,
                 friction.film.mean
             ));
@@ -247,6 +259,14 @@ impl Recorded {
             }
         }
         text
+    }
+}
+
+/// A mean with its standard error; a record of few batches has none.
+pub(super) fn with_error(mean: f64, standard_error: f64) -> String {
+    match standard_error.is_finite() {
+        true => format!("{mean:.4} +- {standard_error:.4}"),
+        false => format!("{mean:.4} (too short a record for an error)"),
     }
 }
 
