@@ -156,6 +156,8 @@ pub struct PositionFilm<'a> {
     hertz: HertzLine,
     film: LoadedFilm<'a>,
     outside: Vec<OutOfRange>,
+    /// μ of the window before, from which the next one's iteration starts.
+    before: Option<f64>,
 }
 
 /// State of the contact at the share found.
@@ -257,6 +259,7 @@ impl<'a> PositionFilm<'a> {
             hertz,
             film,
             outside,
+            before: None,
         })
     }
 
@@ -465,22 +468,27 @@ impl<'a> PositionFilm<'a> {
         phi: f64,
         spots: &[(&[Spot], f64)],
     ) -> Result<(SharedFriction, f64, Solved), LoadShareError> {
-        let ([film, slope], first) = self.parts_at(0.0, spots)?;
-        let cold = self.shared(phi, film, &first).parts()?.total();
-        // Slope of μ − G(T_s(μ)), of which the film's part is known.
-        let rise = self.film.surface_rise(1.0);
-        let steepness = 1.0 - rise * (1.0 - phi) * slope;
-        if rise == 0.0 || self.film.heat() == FilmHeat::Isothermal {
+        let unit_rise = self.film.surface_rise(1.0);
+        let is_cold = unit_rise == 0.0 || self.film.heat() == FilmHeat::Isothermal;
+        // Other windows at a position rub alike; the first starts from the friction of cold surfaces.
+        let begun = self.before.filter(|_| !is_cold);
+        let ([film, slope], first) = self.parts_at(unit_rise * begun.unwrap_or(0.0), spots)?;
+        let found = self.shared(phi, film, &first).parts()?.total();
+        if is_cold {
             let evidence = Solved {
-                value: cold,
+                value: found,
                 residual: 0.0,
                 iterations: 1,
             };
             return Ok((self.shared(phi, film, &first), first.film, evidence));
         }
+        // Slope of μ − G(T_s(μ)), of which the film's part is known.
+        let steepness = 1.0 - unit_rise * (1.0 - phi) * slope;
+        let from = begun.unwrap_or(0.0);
+        let start = from + (found - from) / steepness;
         let mut failed = None;
         let root = secant_root(
-            |mu| match self.total_at(phi, rise * mu, spots) {
+            |mu| match self.total_at(phi, unit_rise * mu, spots) {
                 Ok(total) => mu - total,
                 Err(error) => {
                     failed = Some(error);
@@ -488,8 +496,8 @@ impl<'a> PositionFilm<'a> {
                 }
             },
             // Warmer spots have thinner films and more boundary friction: μ may exceed its cold value.
-            [0.0, MOST_FRICTION.max(2.0 * cold)],
-            cold / steepness,
+            [0.0, MOST_FRICTION.max(2.0 * found)],
+            start,
             steepness,
             TOLERANCE,
         );
@@ -500,7 +508,8 @@ impl<'a> PositionFilm<'a> {
             quantity: "friction coefficient",
             source,
         })?;
-        let ([film, _], spot) = self.parts_at(rise * evidence.value, spots)?;
+        self.before = Some(evidence.value);
+        let ([film, _], spot) = self.parts_at(unit_rise * evidence.value, spots)?;
         Ok((self.shared(phi, film, &spot), spot.film, evidence))
     }
 
