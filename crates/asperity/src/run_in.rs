@@ -1,6 +1,6 @@
 //! Running-in of the two flanks of a case, so that film and friction can be had of run-in flanks.
 //!
-//! In a cycle every place of the pinion's trace passes under a contact [`COVERAGE`] times on the mean. Each pass
+//! In a cycle every place of the pinion's trace passes under a contact `COVERAGE` times on the mean. Each pass
 //! takes a mesh position and a place of either trace, and presses the windows together under the whole load, as
 //! where a mesh starts, stops or creeps and no film carries; what flows stays off both flanks, shared by the
 //! pressures they flow at. The places follow irrational steps, so that every pass has another pair of windows, as

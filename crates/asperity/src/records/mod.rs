@@ -1,6 +1,6 @@
 //! Records of transient mixed lubrication along the path of contact: the load share `ehl`.
 //!
-//! [`PathRecords`] solves the rough contact of a case at a few places of the path, each over a travel of some
+//! `PathRecords` solves the rough contact of a case at a few places of the path, each over a travel of some
 //! half-widths, and interpolates shares, films and friction between them. [`RecordStore`] keeps what was solved
 //! by its content, so that a second run solves nothing.
 
