@@ -1,5 +1,6 @@
 //! Pressure of the fluid at the gap of two rough flanks, for the paper's marching.
 
+use asperity_core::provenance::unnoted;
 use asperity_core::quantity::{Angle, Length};
 use asperity_ns_film::film_pressure::{Rupture, film_pressure};
 use asperity_ns_film::gap::GapShape;
@@ -43,17 +44,20 @@ pub fn film_at(case: &Case, station: &Station, thickness: Length) -> FilmConditi
 }
 
 fn across(case: &Case, station: &Station, gap: &[f64]) -> Result<Vec<f64>, PositionError> {
-    gap.iter()
-        .map(|&gap| {
-            if gap <= 0.0 {
-                return Ok(0.0);
-            }
-            let film = film_at(case, station, Length::from_si(gap));
-            Ok(pressure_difference_across(FluidModel::Paper, &film)?
-                .si()
-                .max(0.0))
-        })
-        .collect()
+    let pressure = |gap: f64| -> Result<f64, PositionError> {
+        if gap <= 0.0 {
+            return Ok(0.0);
+        }
+        let film = film_at(case, station, Length::from_si(gap));
+        Ok(pressure_difference_across(FluidModel::Paper, &film)?
+            .si()
+            .max(0.0))
+    };
+    // The equations are those of every open point: the first one notes them.
+    if let Some(&open) = gap.iter().find(|gap| **gap > 0.0) {
+        pressure(open)?;
+    }
+    unnoted(|| gap.iter().map(|&gap| pressure(gap)).collect())
 }
 
 fn along(
