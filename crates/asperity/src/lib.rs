@@ -56,7 +56,7 @@ pub mod load_share_law;
 pub mod local_roughness;
 mod losses;
 pub mod message;
-mod physical_sense;
+pub mod physical_sense;
 pub mod pipeline;
 pub mod planetary;
 mod position;

@@ -3,12 +3,14 @@
 //! The limits are own choices, some powers of ten beyond what was ever measured on gears, where the model says
 //! nothing any more whatever its laws return.
 
+use asperity_core::quantity::Pressure;
+
 use crate::error::PositionError;
 use crate::position::Position;
 use crate::station::Station;
 
-/// Hertz pressure \[Pa\]: hardened steel flows at 7 GPa.
-const PRESSURE: f64 = 20e9;
+/// Pressure that no steel bears: hardened steel flows at 7 GPa.
+pub const HIGHEST_PRESSURE: Pressure = Pressure::from_si(20e9);
 /// Speed of a flank \[m/s\]: turbine gears reach 200.
 const SPEED: f64 = 1000.0;
 /// Film \[m\]: gear films are below 10 um.
@@ -29,7 +31,7 @@ pub(crate) fn check_station(station: &Station) -> Result<(), PositionError> {
         "Hertz pressure",
         station.hertz.max_pressure.si(),
         "Pa",
-        PRESSURE,
+        HIGHEST_PRESSURE.si(),
     )?;
     below("speed of the flanks", speeds, "m/s", SPEED)?;
     below("central film", station.film.central.si(), "m", FILM)?;

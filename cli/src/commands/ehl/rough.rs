@@ -5,17 +5,15 @@ use std::time::Instant;
 
 use asperity::ehl::several_records::{mean_of, record_several};
 use asperity::ehl::{Estimate, NodeState, Record, RecordSettings, RoughContact, Solved, Window};
+use asperity::physical_sense::HIGHEST_PRESSURE;
 use asperity::referee::{LARGEST_ROUGHNESS, ShareComparison};
-use asperity_core::quantity::{Length, Pressure};
+use asperity_core::quantity::Length;
 use serde_json::{Value, json};
 
 use super::failed::of_contact;
 use crate::args::{Common, EhlArgs};
 use crate::failure::Failure;
 use crate::output::{PATIENCE, progress};
-
-/// Pressure beyond physical sense, as for a mesh position.
-const HIGHEST_PRESSURE: Pressure = Pressure::from_si(20e9);
 
 /// A record with what it is of.
 pub struct Recorded {

@@ -182,15 +182,17 @@ impl OilFamily {
     pub fn constants(self) -> Result<Vec<(&'static str, MarkedValue)>, FrictionError> {
         let data = self.data()?;
         let [factor, exponent] = BaseOil::from(self).gold_constants();
+        // No constants of Group III were found; they are judged between those of mineral oil and PAO.
+        let (mark, source) = match self {
+            Self::GroupIii => (Mark::Judged, "own"),
+            _ => (Mark::Memory, "gold_2001"),
+        };
         let gold = |value: f64| MarkedValue {
             value,
             low: None,
             high: None,
-            mark: match self {
-                Self::GroupIii => Mark::Judged,
-                _ => Mark::Memory,
-            },
-            source: "gold_2001".to_owned(),
+            mark,
+            source: source.to_owned(),
         };
         Ok(vec![
             ("limiting_shear", data.limiting_shear.clone()),
