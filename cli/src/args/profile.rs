@@ -241,10 +241,10 @@ pub struct PreparingArgs {
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Reading the file")]
 pub struct ReadingArgs {
-    /// Unit of the positions: um, mm, nm, m, inch, mil, uin
+    /// Unit of the positions: um, mm, nm, m, angstrom, inch, mil, uin
     #[arg(long)]
     pub x_unit: Option<LengthUnit>,
-    /// Unit of the heights: um, mm, nm, m, inch, mil, uin
+    /// Unit of the heights: um, mm, nm, m, angstrom, inch, mil, uin
     #[arg(long)]
     pub z_unit: Option<LengthUnit>,
     /// Spacing of the points, e.g. "0.5 um"

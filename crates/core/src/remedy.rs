@@ -223,7 +223,7 @@ impl std::fmt::Display for Remedy {
                 let told = match to {
                     Value::Any => format!("set {keys}"),
                     Value::This(value) | Value::OneOf(value) => format!("set {keys} to {value}"),
-                    Value::Like(value) => format!("set {keys}, as {value}"),
+                    Value::Like(value) => format!("set {keys}, e.g. {value}"),
                 };
                 match why.as_ref() {
                     "" => told,

@@ -22,7 +22,7 @@ pub enum CaseError {
         reason: std::io::Error,
     },
     /// A folder where a case file is due.
-    #[error("{file}: is a folder; name the case file in it, as {file}/case.toml")]
+    #[error("{file}: is a folder; name the case file in it, e.g. {file}/case.toml")]
     Folder {
         /// Name of the folder.
         file: String,

@@ -42,11 +42,11 @@ fn noun(expected: &str) -> &str {
         "i32" | "i64" => "a whole number",
         "u8" | "u32" | "usize" | "u64" => "a whole number, 0 or more",
         "f64" => "a number",
-        "an array of length 2" => "two values, as [first, second]",
+        "an array of length 2" => "two values, e.g. [first, second]",
         "a boolean" => "true or false",
         "path string" => "the name of a file in quotation marks",
         name if name.starts_with("struct ") || name.starts_with("internally tagged enum ") => {
-            "a table, as { key = value }"
+            "a table, e.g. { key = value }"
         }
         other => other,
     }
@@ -115,7 +115,7 @@ mod tests {
                 "gears.teeth",
                 "invalid length 1, expected an array of length 2"
             ),
-            "1 value does not fit, expected two values, as [first, second] \
+            "1 value does not fit, expected two values, e.g. [first, second] \
              (Numbers of teeth z, pinion then wheel; negative for a ring: `[24, -75]`)"
         );
         assert_eq!(

@@ -25,7 +25,7 @@ pub enum LoadShareError {
     Friction(#[from] FrictionError),
     /// A flow pressure that the film pressure alone reaches.
     #[error(
-        "flow pressure {flow_pressure} is below {least}, one and a half times the Hertz pressure: the film alone would make the flank flow"
+        "flow pressure {flow_pressure} is below {least}, one and a half times the Hertz pressure: the flank would yield under the film alone"
     )]
     FlowPressureTooLow {
         /// The flow pressure.

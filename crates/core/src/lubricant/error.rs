@@ -15,7 +15,7 @@ pub enum LubricantError {
     )]
     NoViscosity,
     /// No density.
-    #[error("the lubricant has no density: give its density, with the temperature it holds at")]
+    #[error("the lubricant has no density: give its density and the temperature of that density")]
     NoDensity,
     /// A viscosity at one temperature says nothing of its slope.
     #[error(
