@@ -70,9 +70,9 @@ pub struct Relief {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EndRelief {
-    /// Amount at the ends of the face.
+    /// Amount at the ends of the face width.
     pub amount: Length,
-    /// Length along the face.
+    /// Length along the face width.
     pub length: Length,
     /// How it grows.
     #[serde(default)]

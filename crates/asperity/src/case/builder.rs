@@ -125,7 +125,7 @@ impl OperationInput {
 }
 
 impl CaseBuilder {
-    /// A line that names the case in every output.
+    /// Title of the case, shown in every output.
     #[must_use]
     pub fn title(self, title: impl Into<String>) -> Self {
         let title = title.into();

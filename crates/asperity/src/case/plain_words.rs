@@ -108,7 +108,7 @@ mod tests {
                 "invalid type: string \"a\", expected usize"
             ),
             "string \"a\" does not fit, expected a whole number, 0 or more \
-             (Offsets along the traces at which the flanks meet; default 16 (`paper`: 1))"
+             (Number of offsets along the traces at which the flanks meet; default 16 (`paper`: 1))"
         );
         assert_eq!(
             said(
@@ -116,11 +116,11 @@ mod tests {
                 "invalid length 1, expected an array of length 2"
             ),
             "1 value does not fit, expected two values, e.g. [first, second] \
-             (Numbers of teeth z, pinion then wheel; negative for a ring: `[24, -75]`)"
+             (Numbers of teeth z, pinion then wheel; negative for a ring gear: `[24, -75]`)"
         );
         assert_eq!(
             said("gears.module_plane", "unknown variant `x`, expected `y`"),
-            "unknown choice `x`, expected `y` (The plane the module is measured in; default `normal`)"
+            "unknown choice `x`, expected `y` (Plane in which the module is measured; default `normal`)"
         );
         assert_eq!(said("gears.module", "some other thing"), "some other thing");
     }

@@ -196,7 +196,7 @@ impl fmt::Display for Axis {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Columns {
-    /// Column of x, when there is one.
+    /// Column of x, if there is one.
     pub x: Option<usize>,
     /// Column of the heights.
     pub z: usize,
