@@ -467,7 +467,7 @@ pub enum KernelArg {
     Spectral,
 }
 
-/// Which equations to print.
+/// Equations to print.
 #[derive(Debug, Args)]
 pub struct EquationsArgs {
     /// Tag of one equation, e.g. P7

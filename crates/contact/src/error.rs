@@ -46,7 +46,7 @@ pub enum ContactError {
     BadElement {
         /// The array.
         name: &'static str,
-        /// Where in the array.
+        /// Index in the array.
         index: usize,
         /// The value there.
         value: f64,

@@ -29,7 +29,7 @@ pub enum Setting {
     Encoding,
     /// Treatment of missing points.
     Gaps,
-    /// Which profile of a file that holds several.
+    /// Number of the profile in a file that holds several.
     Row,
     /// Meaning of the column of positions.
     Abscissa,
@@ -194,7 +194,7 @@ impl Remedy {
         &self.0
     }
 
-    /// Whether nothing is known that helps.
+    /// Whether the remedy is empty.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }

@@ -4,7 +4,7 @@ use asperity_contact::ContactError;
 use asperity_core::DomainError;
 use asperity_core::quantity::Pressure;
 
-/// Why a lubricated line contact has no answer.
+/// Errors of a lubricated line contact.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum EhlError {

@@ -23,7 +23,7 @@ impl std::fmt::Display for Gear {
     }
 }
 
-/// Why a gear pair does not exist, or a question about it has no answer.
+/// Errors of the geometry, load and kinematics of a gear pair.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GearError {

@@ -27,7 +27,7 @@ pub enum Warning {
         "no unit found for the {axis}; taken as {unit} because no other unit gives a possible trace"
     )]
     UnitAssumed {
-        /// Which column.
+        /// Column.
         axis: Axis,
         /// The unit taken.
         unit: LengthUnit,
@@ -65,7 +65,7 @@ pub enum Warning {
         "the {what} checksum {stated} is not that of the content, {found}: the file was changed, or its writer counts differently"
     )]
     ChecksumDiffers {
-        /// Which checksum.
+        /// Checksum that differs.
         what: Cow<'static, str>,
         /// As the file says.
         stated: String,

@@ -29,7 +29,7 @@ pub struct Plan {
     pub filter: RoughnessFilter,
     /// The involute that comes off first.
     pub involute: Option<Involute>,
-    /// How the result is evaluated.
+    /// Evaluation of the result.
     pub sections: Sections,
 }
 

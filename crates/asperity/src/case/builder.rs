@@ -132,7 +132,7 @@ impl CaseBuilder {
         self.change(|input| input.title = Some(title))
     }
 
-    /// Which reading of the model.
+    /// Reading of the model.
     #[must_use]
     pub fn formulation(self, formulation: Formulation) -> Self {
         self.change(|input| input.formulation = Some(formulation))

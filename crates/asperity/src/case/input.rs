@@ -53,7 +53,7 @@ pub struct CaseInput {
     pub model: ModelInput,
 }
 
-/// Which reading of the 2022 model is used.
+/// Reading of the 2022 model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Formulation {
@@ -400,7 +400,7 @@ pub enum PathPoint {
 }
 
 impl PathPoint {
-    /// Where the point lies on `path`, 0 at A and 1 at E.
+    /// Fraction of `path` at the point, 0 at A and 1 at E.
     pub fn fraction_of(self, path: &PathOfContact) -> f64 {
         let s = match self {
             Self::Fraction(fraction) => return fraction,

@@ -1,4 +1,4 @@
-//! Why a load share has no solution.
+//! Errors of a load share solution.
 
 use asperity_contact::ContactError;
 use asperity_core::DomainError;
@@ -7,7 +7,7 @@ use asperity_core::quantity::Pressure;
 use asperity_ehl_regime::RegimeError;
 use asperity_tribo_friction::FrictionError;
 
-/// Why a load share has no solution.
+/// Errors of a load share solution.
 #[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]
 pub enum LoadShareError {
@@ -48,7 +48,7 @@ pub enum LoadShareError {
     NoRoot {
         /// Name that was looked for.
         quantity: &'static str,
-        /// Where the search ended.
+        /// Error of the root search.
         source: RootError,
     },
 }

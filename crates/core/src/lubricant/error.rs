@@ -2,7 +2,7 @@
 
 use crate::error::DomainError;
 
-/// Why a lubricant has no state.
+/// Errors of the properties of a lubricant.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LubricantError {

@@ -28,7 +28,7 @@ pub struct Assumption {
     pub source: &'static str,
 }
 
-/// A lubricant ready to be asked for its state.
+/// A lubricant whose properties can be evaluated at a temperature.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Lubricant {
     viscosity: Viscosity,

@@ -1,4 +1,4 @@
-//! Why a file was not read: where, what was seen, what was expected, what to do.
+//! Errors in reading a file: where, what was seen, what was expected, what to do.
 
 use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
@@ -50,7 +50,7 @@ pub enum ReadError {
     NoUnit {
         /// Name of the file.
         file: String,
-        /// Which column.
+        /// Column.
         axis: Axis,
         /// Largest minus smallest value, in the unit of the file.
         span: f64,
@@ -84,7 +84,7 @@ pub enum ReadError {
         file: String,
         /// Line of the first.
         line: usize,
-        /// How the first reads.
+        /// Text of the first one.
         text: String,
         /// Number of missing points.
         missing: usize,
@@ -166,7 +166,7 @@ pub enum ReadError {
     UnknownUnit {
         /// Name of the file.
         file: String,
-        /// Which column.
+        /// Column.
         axis: Axis,
         /// The unit seen.
         unit: String,

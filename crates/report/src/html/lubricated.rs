@@ -38,7 +38,7 @@ pub struct FilmFrame {
     pub film: Vec<f64>,
 }
 
-/// Share of the load on films not above one.
+/// Share of the load carried below a film thickness.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SharePoint {
     /// The film \[nm\].
@@ -49,7 +49,7 @@ pub struct SharePoint {
     pub standard_error: Option<f64>,
 }
 
-/// What the page of a lubricated contact shows.
+/// Contents of the page of a lubricated contact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LubricatedContact {
     /// Title of the page.
