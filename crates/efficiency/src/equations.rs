@@ -146,7 +146,7 @@ pub const EQUATIONS: &[Equation] = &[
     },
     Equation {
         tag: "Hysteresis",
-        title: "Cycled energy that is lost",
+        title: "Cycled elastic energy lost to hysteresis",
         formula: "P_hyst = α_h P_el",
         file: "crates/efficiency/src/swept.rs",
         test: "swept_powers_of_three_gears",

@@ -221,7 +221,7 @@ impl LubricantInput {
         let temperature = self.density_temperature.unwrap_or_else(|| {
             let (temperature, source) = match self.viscosity {
                 Some(ViscosityLaw::Given { .. }) => (bulk, "the bulk temperature of the case"),
-                _ => (DATA_SHEET_TEMPERATURE, "the custom of data sheets"),
+                _ => (DATA_SHEET_TEMPERATURE, "usual on data sheets"),
             };
             assumptions.push(Assumption {
                 key: "density_temperature",
