@@ -52,7 +52,7 @@ pub const EQUATIONS: &[Equation] = &[
     ),
     Equation::new(
         "Roelands-free",
-        "Viscosity over pressure with slope and bend given apart",
+        "Viscosity against pressure with slope and curvature given separately",
         "ln(η/η₀) = (α·p_r/z)·((1 + p/p_r)^z − 1)",
         RHEOLOGY,
         "roelands_with_free_exponent_starts_with_alpha_and_tends_to_barus",
