@@ -33,11 +33,8 @@ pub fn main() -> ExitCode {
     match done {
         Ok(Ok(())) => ExitCode::SUCCESS,
         Ok(Err(failure)) => failure.report(cli.common.json),
-        Err(_) => Failure::new(
-            "E501",
-            "internal fault: the program stopped itself, see above",
-        )
-        .report(cli.common.json),
+        Err(_) => Failure::new("E501", "internal fault: the program stopped, see above")
+            .report(cli.common.json),
     }
 }
 

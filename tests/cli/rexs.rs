@@ -56,7 +56,8 @@ fn a_stage_runs_at_the_centre_distance_of_its_file() {
             "case.toml",
         ];
         arguments.extend(FLANKS);
-        let said = bench.run(&arguments).well();
+        let said = bench.run(&arguments);
+        assert_eq!(said.status, 0, "{said:?}");
         assert!(
             said.out.contains("next: asperity check case.toml"),
             "{}",
@@ -78,13 +79,13 @@ fn a_stage_runs_at_the_centre_distance_of_its_file() {
         let result = bench.run(&run).well().json();
         let found = result["gears"]["centre_distance"].as_str().unwrap();
         let found: f64 = found.trim_end_matches(" mm").parse().unwrap();
-        // The shifts of the first stage give 63.3634 mm.
-        let stated = distance.unwrap_or(63.363);
-        assert!((found - stated).abs() < 1e-3, "{found}");
+        // The shifts of the first stage give another distance than its file states, which is said.
+        let stated = distance.unwrap_or(63.3497);
+        assert!((found - stated).abs() < 1e-4, "{found}");
     }
     let mut arguments = vec!["case", "from-rexs", "planetary.rexs", "-o", "set.toml"];
     arguments.extend(FLANKS);
-    bench.run(&arguments).well();
+    assert_eq!(bench.run(&arguments).status, 0);
     let written = fs::read_to_string(bench.path("set.toml")).unwrap();
     assert!(
         written.contains("default: the file has no lubricant"),
@@ -98,7 +99,6 @@ fn without_flanks_the_case_says_what_is_missing() {
     let bench = bench();
     let case = bench
         .run(&["case", "from-rexs", "chain.rexs", "--stage", "2"])
-        .well()
         .out;
     assert!(case.contains("# pinion.file = \"pinion.csv\""), "{case}");
     bench.write("case.toml", &case);
