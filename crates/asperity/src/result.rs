@@ -178,7 +178,7 @@ pub struct PositionRow {
     pub s_mm: f64,
     /// 0 at A, 1 at E.
     pub path_fraction: f64,
-    /// Weight of the position in the cycle mean: the loaded contact line that it stands for \[m\].
+    /// Weight of the position in the cycle mean: the loaded contact line that it represents \[m\].
     pub weight_m: f64,
     /// Line load \[N/mm\].
     pub line_load_n_per_mm: f64,

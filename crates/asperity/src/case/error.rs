@@ -49,7 +49,7 @@ pub enum CaseError {
         /// Message of the parser.
         message: String,
     },
-    /// A key the case file does not know.
+    /// A key that does not exist in a case file.
     #[error("{place}: unknown key \"{key}\"{}", did_you_mean(nearest.as_deref()))]
     UnknownKey {
         /// Where.

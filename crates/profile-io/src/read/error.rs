@@ -424,7 +424,7 @@ pub enum SpacingHint {
     FirstLine(f64),
     /// Surfcom: nominal length and number of points; the length is wrong for an aborted trace.
     NominalLength {
-        /// As the header says.
+        /// As stated in the header.
         length: Length,
         /// Points.
         points: usize,

@@ -80,7 +80,7 @@ pub(super) fn choose(
 
 /// Refuses a table whose first row is damaged: it would pass for a header and be lost in silence.
 ///
-/// A row is told from a header by cells that all start as numbers do; a single number over several
+/// A row is distinguished from a header by cells that all start as numbers do; a single number over several
 /// columns is a count.
 pub(super) fn check_line_above(
     file: &str,

@@ -135,7 +135,7 @@ pub(super) fn read(
     })
 }
 
-/// Takes what a leaf of `main.xml` says.
+/// Takes the content of a leaf of `main.xml`.
 fn take(main: &mut Main, leaf: &Leaf<'_>, row: Option<usize>) -> bool {
     let text = leaf.text;
     let axis = match leaf.parent() {
