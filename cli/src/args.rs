@@ -1,6 +1,7 @@
 //! The command line.
 
 mod ehl;
+mod from_rexs;
 mod profile;
 mod set;
 mod values;
@@ -12,6 +13,7 @@ use asperity_core::quantity::{Length, LineLoad, Pressure};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 pub use ehl::{EhlArgs, ViscosityLawArg};
+pub use from_rexs::{CaseCommand, FromRexsArgs};
 pub use profile::{
     FormArg, PreparingArgs, ProfileCommand, ProfileConvertArgs, ProfileFilterArgs,
     ProfileGenerateArgs, ProfileInfoArgs, ProfilePart, ProfilePlotArgs, ReadingArgs, Wavelengths,
@@ -77,6 +79,9 @@ pub enum Command {
     Diff(DiffArgs),
     /// List the oils of the library, any of which a case can name in lubricant.oil
     Oils,
+    /// Make a case from the file of another program
+    #[command(subcommand)]
+    Case(CaseCommand),
     /// Compare finishes: several profile sets on one case, with paired differences
     #[command(after_help = "Examples:\n  asperity compare demo/case.toml \\\n    \
         --finish ground=demo/ground_pinion.csv,demo/ground_wheel.csv \\\n    \

@@ -11,7 +11,7 @@ mod words;
 use std::panic::AssertUnwindSafe;
 use std::process::ExitCode;
 
-use args::{Cli, Command, Common};
+use args::{CaseCommand, Cli, Command, Common};
 use clap::Parser;
 use failure::Failure;
 
@@ -76,6 +76,7 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
         Command::Check(args) => commands::check::check(args, common),
         Command::Diff(args) => commands::diff::diff(args, common),
         Command::Oils => commands::oils::oils(common),
+        Command::Case(CaseCommand::FromRexs(args)) => commands::from_rexs::from_rexs(args, common),
         Command::Demo { folder, paper } => commands::demo::demo(folder.as_deref(), *paper, common),
     }
 }

@@ -10,6 +10,7 @@ pub mod diff;
 pub mod ehl;
 pub mod figures;
 pub mod film;
+pub mod from_rexs;
 pub mod gear;
 pub mod oils;
 pub mod profile;

@@ -96,6 +96,8 @@ explanations! {
     "E122" "trace shorter than the contact window": "The prepared trace does not cover the window of the contact." => "Measure a longer trace, choose a shorter cut-off (the filter drops its ends), or reduce model.window.";
     "E130" "positions are roll lengths": "The positions are roll lengths or roll angles from a gear inspection machine, not distances along the flank." => "State the base radius of the gear, d_b/2, so that they can be converted." [BaseRadius, Abscissa];
     "E131" "heights that no flank has": "The root mean square slope of the trace is above 2, or a single step is steeper than 5: the unit is wrong, or a marker value stands for missing points." => "State the unit of the heights, or write NaN in place of the marker." [ZUnit, Gaps];
+    "E132" "the REXS file cannot be used": "The file is not REXS 1.0 to 2.0, is damaged, or lacks what a case needs; the message names the component and the attribute." => "Export the gearbox again, with the attribute named.";
+    "E133" "no such stage": "The stage or load case is not in the REXS file, or the stage does not consist of cylindrical gears." => "List the stages of the file first.";
     "E201" "the case file cannot be opened": "The system refused to open the case file." => "Check the path.";
     "E202" "the case file is not TOML": "The text breaks the rules of TOML (or of JSON, for a .json file), or is not text in UTF-8." => "Look at the line named: each line is key = value, text is in quotation marks, the encoding is UTF-8.";
     "E203" "unknown key": "The case file has a key that does not exist." => "Correct the spelling or remove the key.";
