@@ -103,8 +103,17 @@ mod tests {
     use super::*;
     use crate::input::GearPairInput;
 
-    /// fzg-c and e-drive, with the arcs at A, C, E of an independent computation.
-    const REFERENCE: [([u32; 2], &str, &str, [f64; 2], [[f64; 3]; 2]); 2] = [
+    /// Teeth, module, helix, profile shifts; arcs of both gears at A, C, E.
+    type Known = (
+        [u32; 2],
+        &'static str,
+        &'static str,
+        [f64; 2],
+        [[f64; 3]; 2],
+    );
+
+    /// fzg-c and e-drive, with the arcs of an independent computation.
+    const REFERENCE: [Known; 2] = [
         (
             [16, 24],
             "4.5 mm",

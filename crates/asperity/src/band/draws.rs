@@ -7,7 +7,7 @@ use crate::pipeline::{losses, losses_with};
 use crate::result::Losses;
 
 use super::hypercube::latin_hypercube;
-use super::parameters::{AXES, Ranged};
+use super::parameters::{AXES, OnAxis};
 
 /// Draws of the parameters of a case, and the losses at each.
 #[derive(Debug, Clone)]
@@ -34,7 +34,7 @@ impl Draws {
     pub(crate) fn of(
         loaded: &LoadedCase,
         tables: Option<&ContactTables>,
-        parameters: &[(usize, Ranged)],
+        parameters: &[OnAxis],
         count: usize,
     ) -> Result<Self, Error> {
         let count = if parameters.is_empty() { 0 } else { count };
@@ -58,7 +58,7 @@ impl Draws {
 
     /// Change of the loss over each parameter's range, by the plane through all draws (least squares); one per
     /// parameter.
-    pub(crate) fn effects(&self, parameters: &[(usize, Ranged)]) -> Vec<f64> {
+    pub(crate) fn effects(&self, parameters: &[OnAxis]) -> Vec<f64> {
         let n = parameters.len();
         if self.losses.len() <= n {
             return vec![0.0; n];

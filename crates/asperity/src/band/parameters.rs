@@ -153,10 +153,11 @@ fn eyring_range(loaded: &LoadedCase, value: f64) -> Result<[f64; 2], PositionErr
     })
 }
 
+/// An uncertain parameter and its axis.
+pub(crate) type OnAxis = (usize, Ranged);
+
 /// The uncertain parameters of a case by the axis of each, and names of those that the case states.
-pub(crate) fn parameters(
-    loaded: &LoadedCase,
-) -> Result<(Vec<(usize, Ranged)>, Vec<String>), PositionError> {
+pub(crate) fn parameters(loaded: &LoadedCase) -> Result<(Vec<OnAxis>, Vec<String>), PositionError> {
     let (mut drawn, mut held) = (Vec::new(), Vec::new());
     for (axis, kind) in AXES.into_iter().enumerate() {
         if !kind.acts(loaded) {
