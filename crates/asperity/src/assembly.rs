@@ -57,6 +57,7 @@ impl Solved<'_> {
             path: self.path()?,
             points: self.points(points)?,
             records,
+            band: None,
             running_in: running_in(case, &self.meshes),
             run_in: None,
             summary,

@@ -26,6 +26,7 @@
 
 mod assembly;
 mod attention;
+pub mod band;
 mod branch;
 pub mod case;
 mod chosen_laws;
@@ -54,6 +55,7 @@ pub mod load_report;
 pub mod load_share;
 pub mod load_share_law;
 pub mod local_roughness;
+pub mod loss_band;
 mod losses;
 pub mod message;
 pub mod physical_sense;

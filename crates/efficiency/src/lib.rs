@@ -30,6 +30,7 @@
 //! ```
 
 pub mod breakdown;
+pub mod bulk_temperature;
 pub mod deformation;
 pub mod equations;
 pub mod error;
