@@ -65,7 +65,7 @@ pub enum LubricantError {
     Library {
         /// The file.
         file: &'static str,
-        /// Why.
+        /// Cause.
         reason: String,
     },
 }

@@ -399,7 +399,7 @@ impl CellRemedy {
     }
 }
 
-/// How an unreadable file starts.
+/// First line of an unreadable file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FirstLine(pub Option<String>);
 

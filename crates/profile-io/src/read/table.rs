@@ -1,4 +1,4 @@
-//! Which columns of a sniffed table are read, and what is wrong with a cell or row that does not read.
+//! Choice of the columns of a detected table, and errors of cells and rows.
 
 use super::dialect::{Cell, Sniffed, Stated, sniff};
 use super::error::{CellRemedy, ReadError};
@@ -27,7 +27,7 @@ impl Chosen {
     }
 }
 
-/// Which columns hold x, height and validity: as stated, as labelled, else the first two of two.
+/// Columns of x, height and validity: as stated, as labelled, else the first two of two.
 pub(super) fn choose(
     file: &str,
     count: usize,
