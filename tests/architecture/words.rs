@@ -53,6 +53,8 @@ fn options(text: &str) -> impl Iterator<Item = &str> {
 const OF_THE_COMMAND: [&str; 2] = [
     // A page of the documents, which tells how the command takes a case.
     "crates/asperity/src/case/page.rs",
+    // The heading of the page docs/EQUATIONS.md.
+    "crates/asperity/src/equations.rs",
     // The first screen of the command `run`.
     "crates/report/src/summary.rs",
 ];

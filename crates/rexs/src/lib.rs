@@ -16,10 +16,12 @@ mod read;
 mod set_text;
 mod stages;
 mod units;
+mod writer;
 mod xml;
 
-pub use case_text::{CaseText, Flanks, case_text};
+pub use case_text::{Flanks, case_text};
 pub use error::RexsError;
 pub use model::{Attribute, Component, LoadCase, Model, Relation};
 pub use operating_points::{OperatingPoint, operating_points};
 pub use stages::{Stage, StageKind, stages};
+pub use writer::CaseText;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::error::RexsError;
-use crate::units::{Unit, converted};
+use crate::units::{Unit, Wrong, converted};
 
 /// An attribute of a component, as written.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -77,12 +77,20 @@ impl Component {
         attribute: &'static str,
         unit: Unit,
     ) -> Result<Option<f64>, RexsError> {
-        match self.attributes.get(attribute) {
-            Some(found) if !found.text.is_empty() => {
-                converted(self, attribute, found, unit).map(Some)
-            }
-            _ => Ok(None),
-        }
+        let found = self.attributes.get(attribute);
+        let Some(found) = found.filter(|found| !found.text.is_empty()) else {
+            return Ok(None);
+        };
+        let value = converted(&found.text, &found.unit, unit);
+        value.map(Some).map_err(|wrong| match wrong {
+            Wrong::Number => self.refused(attribute, "which is no finite number"),
+            Wrong::Unit(expected) => RexsError::Unit {
+                component: self.called(),
+                attribute: attribute.to_owned(),
+                unit: found.unit.clone(),
+                expected,
+            },
+        })
     }
 
     /// An attribute that a case needs, in its unit.

@@ -1,10 +1,10 @@
 //! The gears of a planetary set, as commented TOML.
 
-use crate::case_text::{Text, quantities, source};
 use crate::error::RexsError;
 use crate::model::Component;
 use crate::stages::teeth;
 use crate::units::Unit;
+use crate::writer::{Text, quantities, source};
 
 /// Writes the table `[planetary]` of sun, planet and ring.
 pub fn gears(

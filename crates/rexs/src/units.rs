@@ -1,8 +1,5 @@
 //! Units of REXS, and those of a case.
 
-use crate::error::RexsError;
-use crate::model::{Attribute, Component};
-
 /// Unit of a number in a case, with the spellings that REXS files have for it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unit {
@@ -72,31 +69,23 @@ impl Unit {
     }
 }
 
-/// The value of an attribute in the unit of the case.
-pub fn converted(
-    component: &Component,
-    name: &str,
-    attribute: &Attribute,
-    unit: Unit,
-) -> Result<f64, RexsError> {
-    let written: String = attribute.unit.split_whitespace().collect();
+/// What is wrong with a number.
+pub enum Wrong {
+    /// It is in another unit than the one given here.
+    Unit(&'static str),
+    /// It is no finite number.
+    Number,
+}
+
+/// The number in `text` in the unit of the case.
+pub fn converted(text: &str, written: &str, unit: Unit) -> Result<f64, Wrong> {
+    let written: String = written.split_whitespace().collect();
     let spelling = unit.spellings().iter().find(|(text, _)| *text == written);
     let Some((_, factor)) = spelling else {
-        return Err(RexsError::Unit {
-            component: component.called(),
-            attribute: name.to_owned(),
-            unit: attribute.unit.clone(),
-            expected: unit.usual(),
-        });
+        return Err(Wrong::Unit(unit.usual()));
     };
-    let number: Option<f64> = attribute.text.trim().parse().ok();
-    match number {
-        Some(value) if value.is_finite() => Ok(value * factor),
-        _ => Err(RexsError::Value {
-            component: component.called(),
-            attribute: name.to_owned(),
-            text: attribute.text.clone(),
-            expected: "which is no finite number",
-        }),
+    match text.trim().parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value * factor),
+        _ => Err(Wrong::Number),
     }
 }
