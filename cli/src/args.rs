@@ -1,6 +1,7 @@
 //! The command line.
 
 mod ehl;
+mod map;
 mod profile;
 mod set;
 mod values;
@@ -12,6 +13,9 @@ use asperity_core::quantity::{Length, LineLoad, Pressure};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 pub use ehl::{EhlArgs, ViscosityLawArg};
+pub use map::{
+    CycleArgs, ExportArg, MapArgs, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs,
+};
 pub use profile::{
     FormArg, PreparingArgs, ProfileCommand, ProfileConvertArgs, ProfileFilterArgs,
     ProfileGenerateArgs, ProfileInfoArgs, ProfilePart, ProfilePlotArgs, ReadingArgs, Wavelengths,
@@ -84,6 +88,25 @@ pub enum Command {
         The first finish is what the others are compared with. One file serves both flanks, mirrored\n\
         for the wheel; two files, separated by a comma, are pinion and wheel.")]
     Compare(CompareArgs),
+    /// Losses over torque, speed and temperature, in both directions of the power
+    #[command(after_help = "Examples:\n  asperity map demo/case.toml\n  \
+        asperity map demo/case.toml --torque -150..150:13 --speed 500..16000:8 --temperature 60,90\n  \
+        asperity map demo/case.toml \\\n    \
+        --finish ground=demo/ground_pinion.csv,demo/ground_wheel.csv \\\n    \
+        --finish superfinished=demo/superfinished_pinion.csv,demo/superfinished_wheel.csv \\\n    \
+        --export vecto,modelica,fmu\n\n\
+        The losses are those of the mesh alone: no bearings, seals or churning. Every point is that of\n\
+        asperity run at this torque, speed and temperature.")]
+    Map(MapArgs),
+    /// Energy lost over a driving cycle, from a map
+    #[command(
+        after_help = "Examples:\n  asperity cycle results/case-map demo/urban.csv\n  \
+        asperity cycle results/case-map trace.csv --set vehicle.mass=\"1600 kg\" --temperature 90"
+    )]
+    Cycle(CycleArgs),
+    /// Run many cases: crossed axes and samples of the inputs, in shards
+    #[command(subcommand)]
+    Sweep(SweepCommand),
     /// Make the figures of the 2022 paper, each with its table
     #[command(after_help = "Example:\n  asperity figures -o docs/figures")]
     Figures(FiguresArgs),

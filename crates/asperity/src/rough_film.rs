@@ -38,15 +38,16 @@ impl<'a> RoughFilm<'a> {
         surfaces: &Surfaces,
         station: &Station,
     ) -> Result<Option<Self>, PositionError> {
-        let Some(supply) = laws.load_share.supply() else {
+        let Some(supply) = laws
+            .load_share
+            .supply()
+            .filter(|_| is_asked_for(case, laws, surfaces))
+        else {
             return Ok(None);
         };
         let (Some(rheology), Some([first, second])) = (&case.rheology, surfaces.spectra()) else {
             return Ok(None);
         };
-        if case.formulation == Formulation::Paper {
-            return Ok(None);
-        }
         let model = &case.model;
         let settings = LoadShareSettings {
             boundary_friction: model.boundary_friction,
@@ -82,7 +83,10 @@ impl<'a> RoughFilm<'a> {
         kept: &KeptContact,
     ) -> Result<Checked<LoadShareSolution>, PositionError> {
         let rms = self.traces.window_rms(kept.starts, kept.points)?;
-        Ok(self.film.share(&kept.table, rms)?)
+        let differs = "load share";
+        let table = kept.table.as_ref();
+        let table = table.ok_or(PositionError::OtherTables { differs })?;
+        Ok(self.film.share(table, rms)?)
     }
 
     /// Load share and friction at one offset; the contact is solved unless the window stays apart.
@@ -101,6 +105,14 @@ impl<'a> RoughFilm<'a> {
             None => Ok(self.film.share(&ContactTable::build(&mut contact)?, rms)?),
         }
     }
+}
+
+/// Whether the load share of the case looks at the rough contact.
+pub(crate) fn is_asked_for(case: &Case, laws: &ChosenLaws, surfaces: &Surfaces) -> bool {
+    laws.load_share.supply().is_some()
+        && case.rheology.is_some()
+        && surfaces.are_measured()
+        && case.formulation != Formulation::Paper
 }
 
 /// The contact of a window of heights `composite` that carries the whole load without a film.

@@ -148,7 +148,7 @@ impl Run<'_> {
     }
 
     /// The contact made before, where all that the law of the load share looks at is in it: a law of a user's own
-    /// may look at the heights.
+    /// may look at the heights, and contacts that are solved need them.
     fn kept(
         &self,
         station: &Station,
@@ -156,8 +156,9 @@ impl Run<'_> {
         is_solved: bool,
     ) -> Result<Option<&KeptContact>, PositionError> {
         let named = self.case.laws.load_share.is_none();
+        let heights = self.solves_contacts() || self.strategy().needs_traces();
         match self.tables {
-            Some(tables) if is_solved && named => tables.at(station, offset),
+            Some(tables) if named && (is_solved || !heights) => tables.at(station, offset),
             _ => Ok(None),
         }
     }
