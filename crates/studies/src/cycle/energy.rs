@@ -126,8 +126,7 @@ fn share_of_time(cycle: &Cycle, is_meant: &dyn Fn(&CyclePoint) -> bool) -> f64 {
         let moving = cycle.points.iter().filter(|point| point.speed_rpm != 0.0);
         moving
             .filter(|point| is_meant(point))
-            .map(|point| point.weight_s)
-            .sum::<f64>()
+            .fold(0.0, |sum, point| sum + point.weight_s)
     };
     let all = time(&|_| true);
     if all > 0.0 { time(is_meant) / all } else { 0.0 }

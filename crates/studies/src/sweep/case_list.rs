@@ -1,6 +1,6 @@
 //! The cases of a study by their numbers.
 
-use asperity::case::{CaseInput, LoadedCase};
+use asperity::case::{CaseInput, DefaultUsed, LoadedCase};
 use sha2::{Digest, Sha256};
 use toml::Value;
 
@@ -366,7 +366,7 @@ pub(super) fn resolved(
 ) -> Result<(LoadedCase, String), SweepError> {
     let mut input = base.case.input.clone();
     for (key, value) in &place.settings {
-        set(&mut input, key, value)?;
+        set(&mut input, &base.case.defaults, key, value)?;
     }
     let case = base.with(|now| *now = input)?;
     let mut sum = Sha256::new();
@@ -375,8 +375,14 @@ pub(super) fn resolved(
     Ok((case, id))
 }
 
-/// Sets a key of the case; a number at its end is the place in a list, `gears.profile_shift.0`.
-fn set(input: &mut CaseInput, key: &str, value: &str) -> Result<(), SweepError> {
+/// Sets a key of the case; a number at its end is the place in a list, `gears.profile_shift.0`, which the case gives
+/// or has by default.
+fn set(
+    input: &mut CaseInput,
+    defaults: &[DefaultUsed],
+    key: &str,
+    value: &str,
+) -> Result<(), SweepError> {
     let of_list = key
         .rsplit_once('.')
         .and_then(|(list, index)| Some((list, index.parse::<usize>().ok()?)));
@@ -388,10 +394,17 @@ fn set(input: &mut CaseInput, key: &str, value: &str) -> Result<(), SweepError> 
     let found = list
         .split('.')
         .try_fold(&root, |table, part| table.get(part));
-    let mut values = match found {
-        Some(Value::Array(values)) => values.clone(),
-        _ => return Err(SweepError::key(key, "is no list that the case gives")),
+    let by_default = || {
+        let default = defaults.iter().find(|default| default.key == list)?;
+        let values: Vec<f64> = serde_json::from_str(&default.value).ok()?;
+        Some(values.into_iter().map(Value::Float).collect())
     };
+    let given = match found {
+        Some(Value::Array(values)) => Some(values.clone()),
+        _ => by_default(),
+    };
+    let none = || SweepError::key(key, "is no list of the case");
+    let mut values = given.ok_or_else(none)?;
     let Some(entry) = values.get_mut(index) else {
         return Err(SweepError::key(key, "is beyond the end of the list"));
     };
