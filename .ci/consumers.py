@@ -97,13 +97,12 @@ if have("fmpy"):
         failed.append("fmu description")
     signal = np.array([(float(t), a, b * np.pi / 30) for t, (a, b) in enumerate(zip(torque, speed))],
                       dtype=[("time", float), ("tau", float), ("omega", float)])
-    for kind in ("CoSimulation", "ModelExchange"):
-        found = fmpy.simulate_fmu(fmu, fmi_type=kind, start_time=0, stop_time=99, input=signal, output=["loss_torque", "outside"],
-                                  output_interval=1, step_size=1)
-        at = np.interp(np.arange(100), found["time"], found["loss_torque"])
-        # Events of the importer stand beside the samples; whole seconds are ours.
-        last = np.array([found["loss_torque"][np.isclose(found["time"], t)][-1] for t in range(100)])
-        check(f"fmu, fmpy {kind}", min(np.abs(last - exact).max(), np.abs(at - exact).max()), 1e-9)
+    # A step of co-simulation ends with the outputs of the inputs that it began with.
+    for kind, later in (("CoSimulation", 1), ("ModelExchange", 0)):
+        found = fmpy.simulate_fmu(fmu, fmi_type=kind, start_time=0, stop_time=99 + later, input=signal,
+                                  output=["loss_torque", "outside"], output_interval=1, step_size=1)
+        last = np.array([found["loss_torque"][np.isclose(found["time"], t + later)][-1] for t in range(100)])
+        check(f"fmu, fmpy {kind}", np.abs(last - exact).max(), 1e-9)
 
 # CO2MPAS: its own function where it is here, else the equation it has
 fit = json.load(open(out / f"{name}_co2mpas.json"))

@@ -51,7 +51,7 @@ impl KeptLoad {
             gears: case.gears.clone(),
             micro_geometry: case.micro_geometry.clone(),
             materials: case.materials,
-            settings: case.load_settings.clone(),
+            settings: case.load_settings,
             torque: case.torque,
         }
     }

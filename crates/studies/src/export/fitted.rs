@@ -16,33 +16,36 @@ pub struct GearBoxFit {
     pub gbp10: f64,
     /// Part of the input torque that is not lost.
     pub gbp01: f64,
-    /// Root mean square of what the fit leaves \[N m\].
+    /// Root mean square of what the fit leaves, over the area of the map \[N m\].
     #[serde(skip)]
     pub residual_rms_nm: f64,
-    /// Largest of it \[N m\].
+    /// Largest of it at a node \[N m\].
     #[serde(skip)]
     pub residual_max_nm: f64,
-    /// Mean loss torque \[N m\].
+    /// Mean loss torque over the same \[N m\].
     #[serde(skip)]
     pub mean_loss_nm: f64,
 }
 
-/// Least squares of T_in − L = gbp01 T_in − gbp00 − gbp10 n over the nodes at which the input drives and turns.
+/// Least squares of T_in − L = gbp01 T_in − gbp00 − gbp10 n over the nodes at which the input drives and turns, each
+/// with the area of the map that it stands for.
 ///
 /// ```text
-/// min Σ (T_in − L − gbp01 T_in + gbp00 + gbp10 n)²
+/// min Σ A (T_in − L − gbp01 T_in + gbp00 + gbp10 n)²
 /// ```
 #[must_use]
 pub fn gear_box_fit(field: &Field) -> GearBoxFit {
     let (total, across) = (field.total_nm(), field.speed_rpm.len());
-    let nodes: Vec<[f64; 3]> = total
+    let (widths, heights) = (widths(&field.torque_nm), widths(&field.speed_rpm));
+    let nodes: Vec<[f64; 4]> = total
         .iter()
         .enumerate()
         .map(|(index, loss)| {
-            let torque = field.torque_nm[index / across];
-            [torque, field.speed_rpm[index % across], *loss]
+            let (i, j) = (index / across, index % across);
+            let area = widths[i] * heights[j];
+            [field.torque_nm[i], field.speed_rpm[j], *loss, area]
         })
-        .filter(|[torque, speed, _]| *torque > 0.0 && *speed > 0.0)
+        .filter(|[torque, speed, ..]| *torque > 0.0 && *speed > 0.0)
         .collect();
     // Scaled to columns of order one, with the loss itself on the left: L = (1 − gbp01) T + gbp00 + gbp10 n.
     let most = |k: usize| {
@@ -51,33 +54,45 @@ pub fn gear_box_fit(field: &Field) -> GearBoxFit {
             .map(|node| node[k])
             .fold(f64::MIN_POSITIVE, f64::max)
     };
-    let scales = [most(0), 1.0, most(1)];
+    let (scales, whole) = (
+        [most(0), most(1)],
+        nodes.iter().map(|node| node[3]).sum::<f64>(),
+    );
     let mut normal = [[0.0; 4]; 3];
-    for [torque, speed, loss] in &nodes {
-        let row = [torque / scales[0], 1.0, speed / scales[2], *loss];
+    for [torque, speed, loss, area] in &nodes {
+        let row = [torque / scales[0], 1.0, speed / scales[1], *loss];
         for i in 0..3 {
             for (j, value) in row.iter().enumerate() {
-                normal[i][j] += row[i] * value;
+                normal[i][j] += area / whole * row[i] * value;
             }
         }
     }
     let [slope, constant, over_speed] = solved(normal);
-    let (slope, over_speed) = (slope / scales[0], over_speed / scales[2]);
+    let (slope, over_speed) = (slope / scales[0], over_speed / scales[1]);
     let left =
-        |[torque, speed, loss]: &[f64; 3]| loss - slope * torque - constant - over_speed * speed;
-    let count = nodes.len().max(1) as f64;
-    let square: f64 = nodes.iter().map(|node| left(node).powi(2)).sum();
+        |[torque, speed, loss, _]: &[f64; 4]| loss - slope * torque - constant - over_speed * speed;
+    let mean = |of: &dyn Fn(&[f64; 4]) -> f64| {
+        let parts = nodes.iter().map(|node| node[3] * of(node));
+        parts.sum::<f64>() / whole
+    };
     GearBoxFit {
         gbp00: constant,
         gbp10: over_speed,
         gbp01: 1.0 - slope,
-        residual_rms_nm: (square / count).sqrt(),
+        residual_rms_nm: mean(&|node| left(node).powi(2)).sqrt(),
         residual_max_nm: nodes
             .iter()
             .map(|node| left(node).abs())
             .fold(0.0, f64::max),
-        mean_loss_nm: nodes.iter().map(|node| node[2]).sum::<f64>() / count,
+        mean_loss_nm: mean(&|node| node[2]),
     }
+}
+
+/// Half the way to both neighbours of each node.
+fn widths(nodes: &[f64]) -> Vec<f64> {
+    let last = nodes.len().saturating_sub(1);
+    let width = |k: usize| 0.5 * (nodes[(k + 1).min(last)] - nodes[k.saturating_sub(1)]);
+    (0..nodes.len()).map(width).collect()
 }
 
 /// Gaussian elimination with the largest pivot; an unknown without a pivot is zero.
