@@ -11,7 +11,7 @@ mod words;
 use std::panic::AssertUnwindSafe;
 use std::process::ExitCode;
 
-use args::{Cli, Command, Common};
+use args::{CaseCommand, Cli, Command, Common};
 use clap::Parser;
 use failure::Failure;
 
@@ -33,11 +33,8 @@ pub fn main() -> ExitCode {
     match done {
         Ok(Ok(())) => ExitCode::SUCCESS,
         Ok(Err(failure)) => failure.report(cli.common.json),
-        Err(_) => Failure::new(
-            "E501",
-            "internal fault: the program stopped itself, see above",
-        )
-        .report(cli.common.json),
+        Err(_) => Failure::new("E501", "internal fault: the program stopped, see above")
+            .report(cli.common.json),
     }
 }
 
@@ -82,6 +79,7 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
         Command::Check(args) => commands::check::check(args, common),
         Command::Diff(args) => commands::diff::diff(args, common),
         Command::Oils => commands::oils::oils(common),
+        Command::Case(CaseCommand::FromRexs(args)) => commands::from_rexs::from_rexs(args, common),
         Command::Demo { folder, paper } => commands::demo::demo(folder.as_deref(), *paper, common),
     }
 }

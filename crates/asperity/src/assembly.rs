@@ -85,7 +85,7 @@ impl Solved<'_> {
         })
     }
 
-    /// What is told of flanks that have run in.
+    /// Report on flanks that have run in.
     pub(crate) fn run_in_flanks(&self, ran_in: RanIn) -> Result<RunInFlanks, PositionError> {
         let [measured, run_in] = ran_in.heights;
         Ok(RunInFlanks {

@@ -1,10 +1,9 @@
 //! Pressure of the fluid at the gap of two rough flanks, for the paper's marching.
 
-use asperity_core::provenance::unnoted;
 use asperity_core::quantity::{Angle, Length};
 use asperity_ns_film::film_pressure::{Rupture, film_pressure};
 use asperity_ns_film::gap::GapShape;
-use asperity_ns_film::{FilmConditions, FluidModel, pressure_difference_across};
+use asperity_ns_film::{FilmConditions, FluidModel};
 
 use crate::case::Case;
 use crate::error::PositionError;
@@ -44,20 +43,20 @@ pub fn film_at(case: &Case, station: &Station, thickness: Length) -> FilmConditi
 }
 
 fn across(case: &Case, station: &Station, gap: &[f64]) -> Result<Vec<f64>, PositionError> {
-    let pressure = |gap: f64| -> Result<f64, PositionError> {
-        if gap <= 0.0 {
-            return Ok(0.0);
-        }
-        let film = film_at(case, station, Length::from_si(gap));
-        Ok(pressure_difference_across(FluidModel::Paper, &film)?
-            .si()
-            .max(0.0))
+    let Some(&open) = gap.iter().find(|gap| **gap > 0.0) else {
+        return Ok(vec![0.0; gap.len()]);
     };
-    // The equations are those of every open point: the first one notes them.
-    if let Some(&open) = gap.iter().find(|gap| **gap > 0.0) {
-        pressure(open)?;
-    }
-    unnoted(|| gap.iter().map(|&gap| pressure(gap)).collect())
+    let film = film_at(case, station, Length::from_si(open));
+    let section = film.paper_film().at_any_gap()?;
+    gap.iter()
+        .map(|&gap| {
+            if gap <= 0.0 {
+                return Ok(0.0);
+            }
+            let difference = section.pressure_difference(Length::from_si(gap))?;
+            Ok(difference.si().max(0.0))
+        })
+        .collect()
 }
 
 fn along(

@@ -29,7 +29,7 @@ pub struct RunResult {
     pub program: String,
     /// The case's title.
     pub title: String,
-    /// Which reading of the model.
+    /// Reading of the model.
     pub formulation: Formulation,
     /// Efficiency and losses.
     pub summary: Summary,
@@ -135,7 +135,7 @@ pub struct Summary {
 pub struct PublishedLawRow {
     /// Name as in the case file.
     pub law: String,
-    /// Whether the friction of asperities is in its coefficient.
+    /// Whether its coefficient includes asperity friction.
     pub includes_asperities: bool,
     /// Whether it was made without the rolling loss, which is then that of this result.
     pub excludes_rolling: bool,
@@ -164,7 +164,7 @@ pub enum PublishedOutcome {
         /// Mesh efficiency.
         efficiency: f64,
     },
-    /// Why the law cannot be used here.
+    /// Reason why the law cannot be used here.
     Refused(String),
 }
 
@@ -324,7 +324,7 @@ pub struct RunningIn {
     pub energy_per_engagement_j: f64,
     /// The same as a power at the first pass \[W\]; it decays to nothing.
     pub first_pass_w: f64,
-    /// Whether it was counted among the losses.
+    /// Whether it is included in the losses.
     pub included: bool,
 }
 
@@ -404,7 +404,7 @@ pub struct PositionFields {
     pub shear: Vec<f64>,
     /// Stress below the surface, where it was computed.
     pub subsurface: Option<SubsurfaceFields>,
-    /// How the solution was approached.
+    /// History of the approach to the solution.
     pub history: Vec<HistoryRow>,
 }
 

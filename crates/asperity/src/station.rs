@@ -6,7 +6,7 @@ use asperity_core::quantity::{Length, LineLoad};
 use asperity_ehl_regime::{FilmConditions, FilmThickness};
 use asperity_gear::Kinematics;
 
-/// A place on the path of contact that stands for a part of the mesh.
+/// A place on the path of contact that represents a part of the mesh.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Place {
     /// Coordinate along the line of action from T₁.

@@ -194,12 +194,12 @@ pub struct FlankReport {
     pub file: Option<String>,
     /// SHA-256 of the file.
     pub sha256: Option<String>,
-    /// How the file was read.
+    /// Details of the reading of the file.
     pub reading: Option<Reading>,
     /// The trace as it was measured, in its own direction.
     #[serde(skip)]
     pub trace: Option<Profile>,
-    /// Whether the trace was run from its other end.
+    /// Whether the trace was read from its other end.
     pub mirrored: bool,
     /// Record of the preparation of the trace.
     pub preparation: Option<PreparationRecord>,

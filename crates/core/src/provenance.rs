@@ -135,26 +135,6 @@ impl Site {
     }
 }
 
-/// Runs `work` without noting its equations: the further points of a loop whose first point has noted them.
-///
-/// ```
-/// use asperity_core::{cite, provenance::{Provenance, unnoted}};
-///
-/// let used = Provenance::new();
-/// used.collect(|| unnoted(|| cite!("Newton-2")));
-/// assert!(used.tags().is_empty());
-/// ```
-pub fn unnoted<T>(work: impl FnOnce() -> T) -> T {
-    struct Restored(bool);
-    impl Drop for Restored {
-        fn drop(&mut self) {
-            COLLECTING.set(self.0);
-        }
-    }
-    let _restored = Restored(COLLECTING.replace(false));
-    work()
-}
-
 /// Set of the equations that ran inside [`Provenance::collect`]; clones share the set, so that one
 /// goes into every task of a parallel computation.
 #[derive(Debug, Clone, Default)]

@@ -23,7 +23,7 @@ use crate::error::EfficiencyError;
 /// Friction at one position of the mesh cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PositionLoss {
-    /// Weight in the mean over the mesh cycle: the length of contact line it stands for.
+    /// Weight in the mean over the mesh cycle: the length of contact line it represents.
     pub weight: Length,
     /// Magnitude of the friction force F_s per metre of contact line.
     pub sliding_force: LineLoad,

@@ -32,7 +32,7 @@ pub const HYSTERESIS_BAND: [f64; 2] = [0.004, 0.03];
 /// A place of a mesh cycle, as the deformation sees it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SweptPosition {
-    /// Mean length of contact line that the place stands for.
+    /// Mean length of contact line that the place represents.
     pub weight: Length,
     /// Load per length of contact line f.
     pub load: LineLoad,

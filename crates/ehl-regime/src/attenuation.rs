@@ -18,8 +18,9 @@ use std::sync::Arc;
 
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, cite};
-use realfft::num_complex::Complex;
-use realfft::{ComplexToReal, RealFftPlanner};
+use realfft::RealFftPlanner;
+use rustfft::num_complex::Complex;
+use rustfft::{Fft, FftPlanner};
 
 use crate::dimensionless::FilmGroups;
 use crate::error::RegimeError;
@@ -109,7 +110,8 @@ fn ratio(nabla: f64) -> f64 {
 #[derive(Clone)]
 pub struct TraceSpectrum {
     spectrum: Vec<Complex<f64>>,
-    inverse: Arc<dyn ComplexToReal<f64>>,
+    /// Complex, as one such transform gives the heights of two traces.
+    inverse: Arc<dyn Fft<f64>>,
     points: usize,
     spacing: f64,
 }
@@ -144,7 +146,7 @@ impl TraceSpectrum {
         debug_assert!(done.is_ok(), "buffers are made by the plan");
         Ok(Self {
             spectrum,
-            inverse: planner.plan_fft_inverse(points),
+            inverse: FftPlanner::new().plan_fft_inverse(points),
             points,
             spacing: dx,
         })
@@ -170,29 +172,62 @@ impl TraceSpectrum {
     /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
     /// ```
     pub fn attenuated(&self, nabla_per_length: f64) -> Result<Vec<f64>, RegimeError> {
+        let [heights, _] = Self::transformed(self, None, nabla_per_length)?;
+        Ok(heights)
+    }
+
+    /// Heights \[m\] of two traces in the contact, as [`TraceSpectrum::attenuated`] gives each.
+    ///
+    /// Traces of as many points cost one transform together.
+    ///
+    /// # Errors
+    /// When `nabla_per_length` is negative or not finite.
+    pub fn attenuated_pair(
+        [first, second]: [&Self; 2],
+        nabla_per_length: f64,
+    ) -> Result<[Vec<f64>; 2], RegimeError> {
+        if first.points == second.points && first.spacing == second.spacing {
+            Self::transformed(first, Some(second), nabla_per_length)
+        } else {
+            let [one, other] = [first, second].map(|trace| trace.attenuated(nabla_per_length));
+            Ok([one?, other?])
+        }
+    }
+
+    /// Heights of one trace, or of two of as many points in the real and the imaginary part of one signal.
+    fn transformed(
+        first: &Self,
+        second: Option<&Self>,
+        nabla_per_length: f64,
+    ) -> Result<[Vec<f64>; 2], RegimeError> {
         cite!("Attenuated-trace");
         cite!("Venner");
         let rule = "must be finite and not negative";
         let fits = nabla_per_length.is_finite() && nabla_per_length >= 0.0;
         DomainError::require(fits, "nabla per length", nabla_per_length, "1/m", rule)?;
-        let length = self.points as f64 * self.spacing;
-        let mut scaled = self.spectrum.clone();
-        for (k, value) in scaled.iter_mut().enumerate() {
-            *value *= match k {
-                0 => 0.0,
-                _ => ratio(nabla_per_length * length / k as f64) / self.points as f64,
+        let points = first.points;
+        let length = points as f64 * first.spacing;
+        let mut signal = vec![Complex::default(); points];
+        for (k, &value) in first.spectrum.iter().enumerate().skip(1) {
+            let scale = ratio(nabla_per_length * length / k as f64) / points as f64;
+            let one = value * scale;
+            let other = second.map_or_else(Complex::default, |trace| trace.spectrum[k] * scale);
+            // Of an even number of points the last coefficient is its own mirror: real.
+            let (one, other) = if 2 * k == points {
+                (one.re.into(), other.re.into())
+            } else {
+                (one, other)
             };
+            let turned = |value: Complex<f64>| Complex::new(-value.im, value.re);
+            signal[points - k] = one.conj() + turned(other.conj());
+            signal[k] = one + turned(other);
         }
-        // Of an even number of points the last coefficient is real.
-        if self.points.is_multiple_of(2)
-            && let Some(last) = scaled.last_mut()
-        {
-            last.im = 0.0;
-        }
-        let mut heights = self.inverse.make_output_vec();
-        let done = self.inverse.process(&mut scaled, &mut heights);
-        debug_assert!(done.is_ok(), "buffers are made by the plan");
-        Ok(heights)
+        first.inverse.process(&mut signal);
+        let imaginary = |_: &Self| signal.iter().map(|value| value.im).collect();
+        Ok([
+            signal.iter().map(|value| value.re).collect(),
+            second.map_or_else(Vec::new, imaginary),
+        ])
     }
 
     /// Number of points of the trace.

@@ -84,6 +84,12 @@ fn a_wave_keeps_its_amplitude_ratio() {
                 .zip(&same)
                 .all(|(z, s)| (z - 2e-6 - s).abs() < 1e-19)
         );
+        let other: Vec<f64> = wave.iter().rev().map(|z| z * z * 1e6).collect();
+        let other = TraceSpectrum::new(&other, um(0.5)).unwrap();
+        let both = TraceSpectrum::attenuated_pair([&spectrum, &other], per_length).unwrap();
+        let each = [flat, other.attenuated(per_length).unwrap()];
+        let pairs = both.iter().flatten().zip(each.iter().flatten());
+        assert!(pairs.into_iter().all(|(z, s)| (z - s).abs() < 1e-19));
     }
     assert!(TraceSpectrum::new(&[0.0, f64::NAN], um(1.0)).is_err());
     assert!(TraceSpectrum::new(&[0.0], um(1.0)).is_err());

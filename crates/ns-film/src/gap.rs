@@ -104,10 +104,13 @@ impl GapShape {
 pub fn paper_gap(least: Length, angle: Angle, r1: Length, r2: Length) -> Result<Length, FilmError> {
     asperity_core::cite!("P29");
     let (h0, theta, r1, r2) = domain(least, angle, r1, r2)?;
+    Ok(Length::from_si(h0 + paper_rise(theta, r1, r2)))
+}
+
+/// Rise \[m\] of [`paper_gap`] over the line of centres, of numbers that were checked.
+pub(crate) fn paper_rise(theta: f64, r1: f64, r2: f64) -> f64 {
     // 1 − cos θ = 2·sin²(θ/2) keeps its digits at small angles.
-    Ok(Length::from_si(
-        h0 + 2.0 * (0.5 * theta).sin().powi(2) * (r1 + r2),
-    ))
+    2.0 * (0.5 * theta).sin().powi(2) * (r1 + r2)
 }
 
 /// h(θ) = L·cos θ − √(r₁² − (L·sin θ)²) − r₂,  L = r₁ + r₂ + h₀                    [Gap-3]

@@ -38,8 +38,8 @@ use asperity_core::quantity::{Angle, Density, DynamicViscosity, Length, Pressure
 use serde::Serialize;
 
 use crate::FilmError;
-use crate::gap::paper_gap;
-use crate::velocity_profile::VelocityProfile;
+use crate::gap::{paper_gap, paper_rise};
+use crate::velocity_profile::{VelocityProfile, parabola};
 
 /// A section of the paper's film.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -164,17 +164,67 @@ pub fn base_radius(
     Ok(Length::from_si(0.5 * m * z * alpha.cos()))
 }
 
-/// u_θ and its derivatives over θ, and the constants of the section.
+/// u_θ and its derivatives over θ at a gap.
 struct Kernel {
     u: f64,
     f: f64,
     f1: f64,
     f2: f64,
+    h: f64,
+}
+
+/// A section of the paper's film at any gap h₀, with all else checked once; by
+/// [`PaperFilm::at_any_gap`].
+#[derive(Debug, Clone, Copy)]
+pub struct PaperSection {
+    /// w₁·r₁, u∞ and w₂·r₂.
+    speeds: [f64; 3],
+    /// h − h₀.
+    rise: f64,
+    /// (r₁ + r₂)·sin θ and (r₁ + r₂)·cos θ, the first two derivatives of h.
+    turn: [f64; 2],
     d: f64,
     r2: f64,
-    h: f64,
     rho: f64,
     mu: f64,
+}
+
+impl PaperSection {
+    /// [`PaperFilm::pressure_difference`] where the gap and the thickness of the parabola are `gap`.
+    ///
+    /// # Errors
+    /// When the gap is not positive.
+    #[inline]
+    pub fn pressure_difference(&self, gap: Length) -> Result<Pressure, FilmError> {
+        let h0 = DomainError::positive("film thickness", gap)?;
+        Ok(self.difference(&self.kernel(parabola(self.speeds, h0), h0 + self.rise)))
+    }
+
+    #[inline]
+    fn kernel(&self, [a, b, c]: [f64; 3], h: f64) -> Kernel {
+        let [sine, cosine] = self.turn;
+        let slope = 2.0 * a * h + b;
+        Kernel {
+            u: (a * h + b) * h + c,
+            f: slope * sine,
+            f1: 2.0 * a * sine * sine + slope * cosine,
+            f2: 6.0 * a * sine * cosine - slope * sine,
+            h,
+        }
+    }
+
+    #[inline]
+    fn difference(&self, k: &Kernel) -> Pressure {
+        let (r, h, d) = (self.r2, k.h, self.d);
+        let outer = r + h;
+        let i1 = (h / r).ln_1p();
+        let i2 = h / (r * outer);
+        let i3 = h * (2.0 * r + h) / (2.0 * r * r * outer * outer);
+        let inertia =
+            k.u * k.u * i1 + k.u * k.f1 * (i1 + d * i2) + k.f * k.f * (d * i2 + d * d * i3);
+        let friction = k.f * i2 + k.f2 * (i2 + d * i3);
+        Pressure::from_si(self.rho * inertia - self.mu * friction)
+    }
 }
 
 impl PaperFilm {
@@ -206,9 +256,9 @@ impl PaperFilm {
     /// ```
     pub fn radial_velocity(&self, radius: Length) -> Result<Speed, FilmError> {
         asperity_core::cite!("P31");
-        let k = self.kernel()?;
+        let (section, k) = self.kernel()?;
         let r = DomainError::positive("radius", radius)?;
-        Ok(Speed::from_si(-k.f * (r + k.d) / r))
+        Ok(Speed::from_si(-k.f * (r + section.d) / r))
     }
 
     /// dP/dr = ρ·(u²/r + u·f'·(1/r + D/r²) + f²·(D/r² + D²/r³)) − μ·(f/r² + f''·(1/r² + D/r³))   `[Paper-2]`
@@ -232,14 +282,13 @@ impl PaperFilm {
     /// ```
     pub fn pressure_gradient(&self, radius: Length) -> Result<f64, FilmError> {
         asperity_core::cite!("Paper-2");
-        let k = self.kernel()?;
-        let r = DomainError::positive("radius", radius)?;
+        let (section, k) = self.kernel()?;
+        let (r, d) = (DomainError::positive("radius", radius)?, section.d);
         let (r2, r3) = (r * r, r * r * r);
-        let inertia = k.u * k.u / r
-            + k.u * k.f1 * (1.0 / r + k.d / r2)
-            + k.f * k.f * (k.d / r2 + k.d * k.d / r3);
-        let friction = k.f / r2 + k.f2 * (1.0 / r2 + k.d / r3);
-        Ok(k.rho * inertia - k.mu * friction)
+        let inertia =
+            k.u * k.u / r + k.u * k.f1 * (1.0 / r + d / r2) + k.f * k.f * (d / r2 + d * d / r3);
+        let friction = k.f / r2 + k.f2 * (1.0 / r2 + d / r3);
+        Ok(section.rho * inertia - section.mu * friction)
     }
 
     /// P(r₂ + h) − P(r₂) = ρ·(u²·I₁ + u·f'·(I₁ + D·I₂) + f²·(D·I₂ + D²·I₃)) − μ·(f·I₂ + f''·(I₂ + D·I₃))   [Paper-1]
@@ -264,33 +313,57 @@ impl PaperFilm {
     /// ```
     pub fn pressure_difference(&self) -> Result<Pressure, FilmError> {
         asperity_core::cite!("Paper-1");
-        let k = self.kernel()?;
-        let (r, h, d) = (k.r2, k.h, k.d);
-        let outer = r + h;
-        let i1 = (h / r).ln_1p();
-        let i2 = h / (r * outer);
-        let i3 = h * (2.0 * r + h) / (2.0 * r * r * outer * outer);
-        let inertia =
-            k.u * k.u * i1 + k.u * k.f1 * (i1 + d * i2) + k.f * k.f * (d * i2 + d * d * i3);
-        let friction = k.f * i2 + k.f2 * (i2 + d * i3);
-        Ok(Pressure::from_si(k.rho * inertia - k.mu * friction))
+        let (section, kernel) = self.kernel()?;
+        Ok(section.difference(&kernel))
     }
 
-    fn kernel(&self) -> Result<Kernel, FilmError> {
-        let [a, b, c] = self.profile.coefficients()?;
+    /// The section with all but the gap h₀ and the thickness H of the parabola, which are the same from now on.
+    ///
+    /// # Errors
+    /// As for [`pressure_difference`](Self::pressure_difference).
+    ///
+    /// ```
+    /// # use asperity_ns_film::{paper::PaperFilm, velocity_profile::VelocityProfile};
+    /// # let u = "4.5679 m/s".parse()?;
+    /// # let film = PaperFilm {
+    /// #     profile: VelocityProfile { wall_1: u, middle: u, wall_2: u, thickness: "100 nm".parse()? },
+    /// #     radius_1: "14.54 mm".parse()?, radius_2: "34.896 mm".parse()?, least_gap: "100 nm".parse()?, angle: "0 deg".parse()?,
+    /// #     base_radius: "35 mm".parse()?, density: "998 kg/m3".parse()?, viscosity: "97.5 mPa s".parse()?,
+    /// # };
+    /// let section = film.at_any_gap()?;
+    /// assert_eq!(section.pressure_difference(film.least_gap)?, film.pressure_difference()?);
+    /// assert!(section.pressure_difference("0 nm".parse()?).is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn at_any_gap(&self) -> Result<PaperSection, FilmError> {
+        // Notes the equations, too.
+        self.pressure_difference()?;
+        self.section()
+    }
+
+    fn kernel(&self) -> Result<(PaperSection, Kernel), FilmError> {
+        let coefficients = self.profile.coefficients()?;
         let h = self.gap()?.si();
-        let s = self.radius_1.si() + self.radius_2.si();
-        let (sine, cosine) = self.angle.si().sin_cos();
-        let slope = 2.0 * a * h + b;
-        let turn = s * sine;
-        Ok(Kernel {
-            u: (a * h + b) * h + c,
-            f: slope * turn,
-            f1: 2.0 * a * turn * turn + slope * s * cosine,
-            f2: 6.0 * a * s * turn * cosine - slope * turn,
+        let section = self.section()?;
+        let kernel = section.kernel(coefficients, h);
+        Ok((section, kernel))
+    }
+
+    fn section(&self) -> Result<PaperSection, FilmError> {
+        let theta = DomainError::finite("angle", self.angle)?;
+        let r1 = DomainError::positive("radius 1", self.radius_1)?;
+        let r2 = DomainError::positive("radius 2", self.radius_2)?;
+        let (sine, cosine) = theta.sin_cos();
+        Ok(PaperSection {
+            speeds: [
+                DomainError::finite("speed of wall 1", self.profile.wall_1)?,
+                DomainError::finite("speed in the middle", self.profile.middle)?,
+                DomainError::finite("speed of wall 2", self.profile.wall_2)?,
+            ],
+            rise: paper_rise(theta, r1, r2),
+            turn: [(r1 + r2) * sine, (r1 + r2) * cosine],
             d: -DomainError::positive("base radius", self.base_radius)?,
-            r2: self.radius_2.si(),
-            h,
+            r2,
             rho: DomainError::positive("density", self.density)?,
             mu: DomainError::positive("viscosity", self.viscosity)?,
         })

@@ -117,11 +117,7 @@ impl VelocityProfile {
         let um = DomainError::finite("speed in the middle", self.middle)?;
         let u2 = DomainError::finite("speed of wall 2", self.wall_2)?;
         let h = DomainError::positive("film thickness", self.thickness)?;
-        Ok([
-            4.0 / (h * h) * (0.5 * (u1 + u2) - um),
-            (4.0 * um - u1 - 3.0 * u2) / h,
-            u2,
-        ])
+        Ok(parabola([u1, um, u2], h))
     }
 
     fn inside(&self, height: Length) -> Result<f64, DomainError> {
@@ -134,4 +130,14 @@ impl VelocityProfile {
             "must lie between the walls",
         )
     }
+}
+
+/// [`VelocityProfile::coefficients`] of speeds and a thickness that were checked.
+#[inline]
+pub(crate) fn parabola([u1, um, u2]: [f64; 3], h: f64) -> [f64; 3] {
+    [
+        4.0 / (h * h) * (0.5 * (u1 + u2) - um),
+        (4.0 * um - u1 - 3.0 * u2) / h,
+        u2,
+    ]
 }

@@ -169,7 +169,7 @@ fn write_fields(
     for fields in kept() {
         if let Some(row) = shown_position(&outcome.result, Some(fields.position))? {
             let place = folder.join(folder_of(fields.position));
-            make_folder(&place)?;
+            make_subfolder(&place)?;
             write_position(&ContactTables::new(fields, row), &place)?;
         }
     }
@@ -217,6 +217,14 @@ pub fn write_bytes(file: &Path, bytes: &[u8]) -> Result<(), ReportError> {
 /// When the system refuses.
 pub fn make_folder(folder: &Path) -> Result<(), ReportError> {
     fs::create_dir_all(folder).map_err(ReportError::io(folder))
+}
+
+/// Makes `folder` in one that is being made. Where a signal has removed that one it stays removed.
+///
+/// # Errors
+/// When the system refuses.
+pub(crate) fn make_subfolder(folder: &Path) -> Result<(), ReportError> {
+    fs::create_dir(folder).map_err(ReportError::io(folder))
 }
 
 /// Reads a result by its folder or by its `result.json`; gives its folder, too.

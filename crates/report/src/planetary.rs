@@ -7,7 +7,7 @@ use asperity_storage::{check_folder, replace_folder};
 use maud::html;
 
 use crate::error::ReportError;
-use crate::folder::{Fields, check_fields, fill, make_folder, write_json, write_text};
+use crate::folder::{Fields, check_fields, fill, make_subfolder, write_json, write_text};
 use crate::html::page;
 use crate::tables;
 
@@ -44,7 +44,7 @@ pub fn write_planetary(
         tables::write(&folder.join("meshes.csv"), &result.meshes)?;
         for (mesh, name) in outcome.meshes.iter().zip(MESHES) {
             let place = folder.join(name);
-            make_folder(&place)?;
+            make_subfolder(&place)?;
             fill(mesh, &place, fields)?;
         }
         write_text(&folder.join("report.html"), &summary_page(result))

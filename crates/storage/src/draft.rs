@@ -9,10 +9,11 @@ use std::io;
 use std::mem;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread;
 use std::time::Duration;
 
 use crate::recovery;
-use crate::system::parent_of;
+use crate::system::{look, parent_of};
 
 /// Start of the names of drafts; six letters or digits follow.
 const PREFIX: &str = ".asperity-";
@@ -21,6 +22,9 @@ const LETTERS: usize = 6;
 const LOCK: &str = "lock";
 /// A draft without its lock is being made, or was killed before it was.
 const WITHOUT_LOCK: Duration = Duration::from_secs(5);
+/// Times that a process which is about to end tries to remove a draft, and the time between two.
+const REMOVALS: usize = 100;
+const BETWEEN_REMOVALS: Duration = Duration::from_millis(2);
 
 /// Drafts of this process. Whoever holds it gives drafts their names or removes them.
 static DRAFTS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
@@ -47,15 +51,15 @@ impl Draft {
             .rand_bytes(LETTERS)
             .tempdir_in(parent)?
             .keep();
-        drafts.push(folder.clone());
-        drop(drafts);
         match locked(&folder) {
-            Ok(lock) => Ok(Self {
-                folder,
-                _lock: lock,
-            }),
+            Ok(lock) => {
+                drafts.push(folder.clone());
+                Ok(Self {
+                    folder,
+                    _lock: lock,
+                })
+            }
             Err(error) => {
-                forget(&folder);
                 let _ = fs::remove_dir_all(&folder);
                 Err(error)
             }
@@ -96,16 +100,19 @@ pub(crate) fn drafts() -> MutexGuard<'static, Vec<PathBuf>> {
     DRAFTS.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-fn forget(folder: &Path) {
-    drafts().retain(|known| known != folder);
-}
-
 /// Removes the drafts of this process, which is about to end: nothing gets its name after this.
 pub fn abandon() {
     let drafts = drafts();
     for folder in drafts.iter() {
         recovery::restore(folder);
-        recovery::remove(folder);
+        // A thread that still writes there can put a file back in the middle of it.
+        for _ in 0..REMOVALS {
+            recovery::remove(folder);
+            if matches!(look(folder), Ok(None)) {
+                break;
+            }
+            thread::sleep(BETWEEN_REMOVALS);
+        }
     }
     // Held for good: a thread that still writes must not make what nobody removes.
     mem::forget(drafts);

@@ -92,11 +92,11 @@ impl Default for XuCoefficients {
     }
 }
 
-/// A coefficient file: one's own calibration of the same form.
+/// A coefficient file: a user's own calibration of the same form.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct XuCalibration {
-    /// Where the numbers come from.
+    /// Source of the numbers.
     pub source: String,
     /// The oil they were fitted to.
     pub oil: String,

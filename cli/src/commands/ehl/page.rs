@@ -12,7 +12,7 @@ use super::rough::{Recorded, with_error};
 use super::smooth::Smooth;
 use crate::failure::Failure;
 
-/// What every page of a contact has.
+/// Parts common to every page of a contact.
 struct About<'a> {
     title: &'a str,
     scales: &'a Scales,

@@ -58,10 +58,10 @@ pub fn solve(
     let highest = solved.value.max_pressure;
     if highest > HIGHEST_PRESSURE {
         let message = format!(
-            "{title}: the pressure reaches {highest:.3}, above {HIGHEST_PRESSURE} and beyond any steel"
+            "{title}: the pressure reaches {highest:.3}, above {HIGHEST_PRESSURE}, which no steel bears"
         );
         return Err(Failure::new("E308", message).advising(
-            "Pass a --pressure-limit where the surfaces flow, or look at the profiles.",
+            "Pass a --pressure-limit at which the surfaces yield, or check the profiles.",
         ));
     }
     Ok(Recorded {
@@ -85,7 +85,7 @@ impl Recorded {
         Some(self.attenuated_roughness? / smooth)
     }
 
-    /// Codes and words of what is doubtful.
+    /// Warnings with their codes.
     pub fn warnings(&self) -> Vec<(&'static str, String)> {
         let mut warnings = Vec::new();
         if let Some(ratio) = self
@@ -95,8 +95,8 @@ impl Recorded {
             warnings.push((
                 "W415",
                 format!(
-                    "the roughness left in the contact is {ratio:.2} smooth films (above {LARGEST_ROUGHNESS}): ridges \
-                     that cannot leak make this no referee, measurement decides"
+                    "the roughness left in the contact is {ratio:.2} smooth films (above {LARGEST_ROUGHNESS}): the \
+                     modelled ridges cannot leak, so rely on measurements rather than on this solution"
                 ),
             ));
         }

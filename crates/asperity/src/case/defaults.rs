@@ -12,7 +12,7 @@ pub struct DefaultUsed {
     pub key: Cow<'static, str>,
     /// The value, as it would be written.
     pub value: String,
-    /// Where the value comes from, when it is an estimate.
+    /// Source of the value, if it is an estimate.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub source: Option<Cow<'static, str>>,
 }

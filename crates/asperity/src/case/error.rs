@@ -22,7 +22,7 @@ pub enum CaseError {
         reason: std::io::Error,
     },
     /// A folder where a case file is due.
-    #[error("{file}: is a folder; name the case file in it, as {file}/case.toml")]
+    #[error("{file}: is a folder; name the case file in it, e.g. {file}/case.toml")]
     Folder {
         /// Name of the folder.
         file: String,
@@ -140,7 +140,7 @@ pub enum CaseError {
     OpenNamed {
         /// Name of the file.
         file: String,
-        /// Where it is named.
+        /// Place at which it is named.
         place: Place,
         /// The key that names it.
         key: &'static str,
@@ -150,7 +150,7 @@ pub enum CaseError {
     /// A profile that cannot be read.
     #[error("{source} (named at {place})")]
     Profile {
-        /// Where it is named.
+        /// Place at which it is named.
         place: Place,
         /// The reason.
         source: Box<ReadError>,
@@ -233,7 +233,7 @@ impl CaseError {
         }
     }
 
-    /// Where in the case file, when the error is about a place in it.
+    /// Place in the case file, if the error is about one.
     pub fn place(&self) -> Option<&Place> {
         match self {
             Self::Encoding { place }

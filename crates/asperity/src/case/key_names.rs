@@ -1,4 +1,4 @@
-//! Which key of the case file an equation means by the name of its input.
+//! Key of the case file for the name of an equation's input.
 
 /// A row: the table of the case file, the name in the equation, the key.
 type Row = (&'static str, &'static str, &'static str);

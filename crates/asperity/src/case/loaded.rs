@@ -29,7 +29,7 @@ pub struct LoadedCase {
     pub case: Case,
     /// The flanks.
     pub surfaces: Surfaces,
-    /// How each flank was read and prepared.
+    /// Reading and preparation of each flank.
     pub flanks: [FlankReport; 2],
     /// Warnings about the files.
     pub warnings: Vec<Warning>,

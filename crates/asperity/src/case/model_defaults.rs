@@ -13,7 +13,7 @@ use super::law_names::{FilmFrictionLaw, LoadShareName};
 /// Defaults of a formulation where the case says nothing.
 #[derive(Debug, Clone)]
 pub(super) struct ModelDefaults {
-    /// One position stands for the whole mesh.
+    /// One position represents the whole mesh.
     pub one_position: bool,
     pub offsets: usize,
     pub load_distribution: LoadLaw,

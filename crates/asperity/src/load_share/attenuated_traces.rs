@@ -19,12 +19,8 @@ impl AttenuatedTraces {
     /// # Errors
     /// When the scale is negative or not finite.
     pub fn new(traces: [&TraceSpectrum; 2], nabla_per_length: f64) -> Result<Self, LoadShareError> {
-        let [first, second] = traces;
         Ok(Self {
-            heights: [
-                first.attenuated(nabla_per_length)?,
-                second.attenuated(nabla_per_length)?,
-            ],
+            heights: TraceSpectrum::attenuated_pair(traces, nabla_per_length)?,
         })
     }
 

@@ -239,7 +239,7 @@ pub fn formula_film(contact: &LineContact, oil: &Oil) -> Result<[Length; 2], Ref
     Ok([gap, film.minimum])
 }
 
-/// What film formulas see of a contact.
+/// Inputs of the film formulas for a contact.
 fn conditions(contact: &LineContact, oil: &Oil) -> FilmConditions {
     FilmConditions {
         entrainment: (contact.speed_1 + contact.speed_2) * 0.5,

@@ -138,7 +138,7 @@ impl Levels {
     }
 }
 
-/// What is known of a pressure on the whole grid.
+/// Properties of a pressure on the whole grid.
 struct Certified {
     /// Range of the deformation about the contact in m.
     deformation: f64,

@@ -2,7 +2,7 @@
 
 use crate::error::DomainError;
 
-/// Why a lubricant has no state.
+/// Errors of the properties of a lubricant.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LubricantError {
@@ -15,7 +15,7 @@ pub enum LubricantError {
     )]
     NoViscosity,
     /// No density.
-    #[error("the lubricant has no density: give its density, with the temperature it holds at")]
+    #[error("the lubricant has no density: give its density and the temperature of that density")]
     NoDensity,
     /// A viscosity at one temperature says nothing of its slope.
     #[error(

@@ -28,7 +28,7 @@ pub struct Assumption {
     pub source: &'static str,
 }
 
-/// A lubricant ready to be asked for its state.
+/// A lubricant whose properties can be evaluated at a temperature.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Lubricant {
     viscosity: Viscosity,
@@ -221,7 +221,7 @@ impl LubricantInput {
         let temperature = self.density_temperature.unwrap_or_else(|| {
             let (temperature, source) = match self.viscosity {
                 Some(ViscosityLaw::Given { .. }) => (bulk, "the bulk temperature of the case"),
-                _ => (DATA_SHEET_TEMPERATURE, "the custom of data sheets"),
+                _ => (DATA_SHEET_TEMPERATURE, "usual on data sheets"),
             };
             assumptions.push(Assumption {
                 key: "density_temperature",

@@ -28,18 +28,18 @@ const FACE_STRIPS: usize = 16;
 /// Phases at which the mean load of a helical pair at one place is taken.
 const DISPLAY_PHASES: u32 = 16;
 
-/// A cell of the path, with the one contact that stands for it.
+/// A cell of the path, with the one contact that represents it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LoadCell {
     /// First profile coordinate.
     pub from: f64,
     /// Last profile coordinate.
     pub to: f64,
-    /// Place ξ̄ that stands for the cell.
+    /// Representative place ξ̄ of the cell.
     pub xi: f64,
     /// The same as a distance from T₁.
     pub s: Length,
-    /// Load f̄ that stands for the cell, the weighted geometric mean.
+    /// Representative load f̄ of the cell, the weighted geometric mean.
     pub load: LineLoad,
     /// Weighted standard deviation of ln f; e to this power is the factor to either side.
     pub log_deviation: f64,

@@ -24,7 +24,7 @@ pub struct ReadOptions {
     pub z_unit: Option<LengthUnit>,
     /// Spacing of the points; an x column is then not needed.
     pub dx: Option<Length>,
-    /// Which columns hold x and the heights.
+    /// Columns of x and of the heights.
     pub columns: Option<Columns>,
     /// The decimal sign.
     pub decimal: Option<DecimalSign>,
@@ -34,7 +34,7 @@ pub struct ReadOptions {
     pub encoding: Option<Encoding>,
     /// Treatment of missing points.
     pub gaps: Gaps,
-    /// Which profile of a file that holds several, counted from 1.
+    /// Number of the profile in a file that holds several, counted from 1.
     pub row: Option<usize>,
     /// Meaning of the x column.
     pub abscissa: Option<Abscissa>,
@@ -196,7 +196,7 @@ impl fmt::Display for Axis {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Columns {
-    /// Column of x, when there is one.
+    /// Column of x, if there is one.
     pub x: Option<usize>,
     /// Column of the heights.
     pub z: usize,

@@ -22,7 +22,7 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
         .flatten()
         .collect();
     if drawings.is_empty() {
-        return html! { p { "The flanks are given by roughness values: there are no traces to show." } };
+        return html! { p { "The flanks are given by roughness values alone: there are no traces to show." } };
     }
     html! {
         (parameters(result))

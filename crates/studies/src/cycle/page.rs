@@ -81,7 +81,7 @@ fn by_torque(found: &CycleResult) -> Option<Drawing> {
         (a.min(v), b.max(v))
     });
     let width = (high - low) / BINS as f64;
-    if !(width > 0.0) {
+    if width.is_nan() || width <= 0.0 {
         return None;
     }
     let mut bins = vec![0.0; BINS];

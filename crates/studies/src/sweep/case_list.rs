@@ -295,25 +295,27 @@ fn drawn(given: &SampleInput) -> Result<Sample, SweepError> {
 
 fn varied(key: &str, distribution: &Distribution) -> Result<Varied, SweepError> {
     let named = format!("sample.vary.{key}");
-    let (values, law): (&[Value], fn(&[f64]) -> Option<Law>) = match distribution {
-        Distribution::Uniform(values) => (values, |v| {
-            (v[0] < v[1]).then_some(Law::Uniform([v[0], v[1]]))
-        }),
-        Distribution::LogUniform(values) => (values, |v| {
-            (0.0 < v[0] && v[0] < v[1]).then_some(Law::LogUniform([v[0], v[1]]))
-        }),
-        Distribution::Normal(values) => (values, |v| {
-            (v[1] > 0.0).then_some(Law::Normal([v[0], v[1]]))
-        }),
-        Distribution::Triangular(values) => (values, |v| {
-            let rises = v[0] <= v[1] && v[1] <= v[2] && v[0] < v[2];
-            rises.then_some(Law::Triangular([v[0], v[1], v[2]]))
-        }),
+    let values: &[Value] = match distribution {
+        Distribution::Uniform(values)
+        | Distribution::LogUniform(values)
+        | Distribution::Normal(values) => values,
+        Distribution::Triangular(values) => values,
     };
     let (numbers, unit) = Amount::list(&named, values)?;
+    let law = match (distribution, numbers.as_slice()) {
+        (Distribution::Uniform(_), &[a, b]) if a < b => Some(Law::Uniform([a, b])),
+        (Distribution::LogUniform(_), &[a, b]) if 0.0 < a && a < b => Some(Law::LogUniform([a, b])),
+        (Distribution::Normal(_), &[mean, deviation]) if deviation > 0.0 => {
+            Some(Law::Normal([mean, deviation]))
+        }
+        (Distribution::Triangular(_), &[a, m, b]) if a <= m && m <= b && a < b => {
+            Some(Law::Triangular([a, m, b]))
+        }
+        _ => None,
+    };
     let rule =
         "the numbers must rise, those of log-uniform and the deviation of normal be positive";
-    let law = law(&numbers).ok_or_else(|| SweepError::key(&named, rule))?;
+    let law = law.ok_or_else(|| SweepError::key(&named, rule))?;
     Ok(Varied {
         key: key.to_owned(),
         unit,

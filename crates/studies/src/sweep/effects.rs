@@ -124,7 +124,7 @@ fn estimates(a: &[f64], b: &[f64], mixed: &[Vec<f64>], at: &[usize]) -> Option<V
     let n = at.len() as f64;
     let both = at.iter().flat_map(|k| [a[*k], b[*k]]);
     let (mean, variance) = mean_and_square(both);
-    if !(variance > 0.0) {
+    if variance.is_nan() || variance <= 0.0 {
         return None;
     }
     let of = |block: &Vec<f64>| {
