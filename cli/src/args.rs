@@ -222,6 +222,9 @@ pub struct RunArgs {
     /// Also print the published friction laws, each applied on its own in place of the model
     #[arg(long)]
     pub laws: bool,
+    /// Leave the band of the loss out, which costs 24 evaluations of the laws by the contacts of the run
+    #[arg(long)]
+    pub no_band: bool,
     /// Do not write a result folder
     #[arg(long, conflicts_with = "output")]
     pub no_output: bool,

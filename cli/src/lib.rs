@@ -18,7 +18,7 @@ use failure::Failure;
 /// Exit status of a process that was interrupted.
 const INTERRUPTED: i32 = 130;
 
-/// Runs the command line of this process; the status tells how it ended.
+/// Runs the command line of this process and returns its exit status.
 pub fn main() -> ExitCode {
     let cli = Cli::parse();
     // Ctrl-C and SIGTERM leave nothing behind. Without the handler the next start would clear up.

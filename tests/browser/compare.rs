@@ -51,14 +51,11 @@ fn ground_and_superfinished() -> Comparison {
 #[test]
 fn a_finish_does_not_differ_from_itself_and_superfinishing_pays() {
     let found = ground_and_superfinished();
-    let of = |index: usize| found.finishes[index].difference_w.unwrap();
-    assert_eq!((of(2).mean, of(2).half_width), (0.0, Some(0.0)));
-    assert!(
-        of(1).half_width.is_some_and(|half| of(1).mean + half < 0.0),
-        "{:?}",
-        of(1)
-    );
-    assert!(found.finishes[0].difference_w.is_none());
+    let of = |index: usize| found.finishes[index].difference.unwrap();
+    let same = of(2);
+    assert_eq!((same.nominal_w, same.quantiles_w), (0.0, [0.0; 2]));
+    assert!(of(1).quantiles_w[1] < 0.0, "{:?}", of(1));
+    assert!(found.finishes[0].difference.is_none());
     // Far smoother flanks lose far less: the closest parameters order the windows as the losses do.
     let size = |index: usize| found.correlations[index].with_loss.abs();
     assert!(

@@ -400,7 +400,10 @@ fn a_record_too_short_for_a_standard_error_says_so() {
     bench.write("fine.csv", wave(0.1));
     let short = gear(&["--profile1", "fine.csv", "--periodic", "--half-widths", "1"]);
     let said = bench.run(&short).well().out;
-    assert!(said.contains("too short a record for an error"), "{said}");
+    assert!(
+        said.contains("record too short for a standard error"),
+        "{said}"
+    );
     assert!(!said.contains("NaN"), "{said}");
     let json = bench.run(&[&short[..], &["--json"]].concat()).well().json();
     assert!(json["solid_share_standard_error"].is_null());

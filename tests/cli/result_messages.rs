@@ -313,12 +313,15 @@ fn what_calls_for_attention_in_a_result_is_said_with_it() {
         "Set model.position",
     ];
     warns(&plain, &["--formulation", "paper"], "W412", &says);
-    let many = bench_with("offsets", "offsets = 16");
+    let wide = bench_with("offsets", "offsets = 16\nwindow = 11.6");
     warns(
-        &many,
+        &wide,
         &[],
         "W407",
-        &["16 offsets on a trace that holds", "they overlap"],
+        &[
+            "along the shorter trace, less than the",
+            "this is one window",
+        ],
     );
     let deep = bench_with("depths", "depths = 12");
     warns(

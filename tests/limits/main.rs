@@ -2,9 +2,11 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
+mod band;
 mod constant_friction;
 mod equations_used;
 mod friction_laws;
 mod positions;
 mod regime;
+mod sampling;
 mod traces;

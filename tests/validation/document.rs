@@ -6,7 +6,7 @@
 use std::path::Path;
 
 use crate::{
-    fluid_film, full_film_losses, gear_tool, load_share, measured, paper_formulation,
+    band, fluid_film, full_film_losses, gear_tool, load_share, measured, paper_formulation,
     petry_johnson, rough_contact, spot_values, steady_films, table_2,
 };
 
@@ -37,6 +37,7 @@ fn tables() -> Vec<(&'static str, String)> {
     tables.push(("load-share-reference", measured::reference_table()));
     tables.push(("load-share-laws", measured::share_table()));
     tables.push(("cold-oil", measured::cold_table()));
+    tables.push(("band", band::table()));
     tables.push(("one-key", load_share::one_key_changed()));
     tables.push(("one-key-main", load_share::main_keys_changed()));
     tables.push(("film", fluid_film::over_thickness()));

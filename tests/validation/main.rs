@@ -6,6 +6,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
+mod band;
 mod comparison;
 mod document;
 mod fluid_film;

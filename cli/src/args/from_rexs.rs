@@ -1,4 +1,4 @@
-//! Options of `asperity case`.
+//! Arguments of `asperity case`.
 
 use std::path::PathBuf;
 
@@ -7,11 +7,11 @@ use clap::{Args, Subcommand};
 /// `asperity case`
 #[derive(Debug, Subcommand)]
 pub enum CaseCommand {
-    /// List the stages of a REXS gearbox file, or make the case of one
+    /// List the stages of a REXS gearbox file, or write the case of one
     #[command(after_help = "Examples:\n  asperity case from-rexs gearbox.rexs\n  \
         asperity case from-rexs gearbox.rexs --stage 2 --pinion pinion.csv --wheel wheel.csv -o case.toml\n\n\
         REXS 1.0 to 2.0 as .rexs, .rexsj or zip. Stages count from 1 in the order of the file; a planetary set\n\
-        counts once. Every number of the case says which attribute it came from.")]
+        counts as one. A comment beside every number in the case names the attribute it came from.")]
     FromRexs(FromRexsArgs),
 }
 
@@ -20,10 +20,10 @@ pub enum CaseCommand {
 pub struct FromRexsArgs {
     /// The REXS file
     pub file: PathBuf,
-    /// Stage of which a case is made [default with -o: 1]
+    /// Number of the stage to write a case for [default with -o: 1]
     #[arg(long, value_name = "N")]
     pub stage: Option<usize>,
-    /// Load case of the operating point, from 1 in the order of the file
+    /// Number of the load case to take the operating point from, in the order of the file
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub load_case: usize,
     /// Trace of the pinion's flank, or of the sun's

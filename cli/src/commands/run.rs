@@ -7,7 +7,7 @@ use asperity::case::planetary::LoadedPlanetary;
 use asperity::pipeline::Progress;
 use asperity::planetary::{PlanetaryResult, run_planetary_keeping};
 use asperity::result::RunResult;
-use asperity::{Error, pipeline};
+use asperity::{Error, band, pipeline};
 use asperity_report::{self as report, Fields, ReportError};
 
 use super::bibtex::bibtex;
@@ -31,8 +31,9 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
         // Told before the work, not after it.
         report::check_place(folder).map_err(|error| not_written(&error))?;
     }
-    let outcome = watched(common, begin, |shown| {
-        pipeline::run_keeping(&loaded, &fields.kept(), shown)
+    let outcome = watched(common, begin, |shown| match args.no_band {
+        true => pipeline::run_keeping(&loaded, &fields.kept(), shown),
+        false => band::run_with_band(&loaded, &fields.kept(), shown),
     });
     let outcome = outcome.map_err(|error| failed(&error, args, folder.as_deref()))?;
     if let Some(folder) = &folder {

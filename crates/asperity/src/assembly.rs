@@ -59,6 +59,7 @@ impl Solved<'_> {
             path: self.path()?,
             points: self.points(points)?,
             records,
+            band: None,
             running_in: running_in(case, &self.meshes),
             run_in: None,
             summary,
@@ -236,7 +237,7 @@ fn forces(position: &Position) -> impl Iterator<Item = [f64; 3]> {
     offsets.map(|offset| offset.rubbing.parts(offset.friction.mu))
 }
 
-/// Share of the load on the boundary layer: all that the asperities carry, where the law does not tell.
+/// Share of the load on the boundary layer: all that the asperities carry, if the law does not distinguish.
 fn boundary_share(offset: &Offset) -> f64 {
     (1.0 - offset.film_share) * offset.boundary_part
 }

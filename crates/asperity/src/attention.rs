@@ -5,9 +5,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use asperity_contact::plasticity::{FIRST_YIELD, first_yield_pressure};
 use asperity_contact::{ContactWarning, SUSPECT_GAP};
 use asperity_core::OutOfRange;
+use asperity_core::quantity::Length;
 use asperity_efficiency::equivalent_friction;
 use asperity_gear::StiffnessSource;
 
+use crate::band::sampling::{free_way, least_way};
 use crate::case::LoadedCase;
 use crate::encounter::is_substituted;
 use crate::error::PositionError;
@@ -19,7 +21,7 @@ use crate::message::Warning;
 use crate::position::Position;
 use crate::referee::LARGEST_ROUGHNESS;
 use crate::result::{RecordRow, Regime, Summary};
-use crate::surfaces::Texture;
+use crate::solved::mean;
 
 /// Warnings about the positions and the summary.
 pub(crate) fn warnings(
@@ -424,7 +426,7 @@ fn roughness(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warnin
             ),
         ));
     }
-    overlap(loaded, positions, found);
+    short_traces(loaded, positions, found);
 }
 
 /// Text of W408: the law that replaces one that needs the rough contact, and the film ratio used.
@@ -447,31 +449,41 @@ fn values_alone(loaded: &LoadedCase, lambda_star_known: bool) -> String {
     )
 }
 
-fn overlap(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warning>) {
-    let count = positions
-        .first()
-        .map_or(0, |position| position.offsets.len());
-    let widest = positions
-        .iter()
-        .map(|position| position.station.hertz.half_width.si())
-        .fold(0.0, f64::max);
-    let window = 2.0 * widest * loaded.case.model.window;
-    let shortest = loaded
-        .surfaces
-        .textures()
-        .iter()
-        .filter_map(|texture| match texture {
-            Texture::Trace(profile) => Some(profile.length().si()),
-            Texture::Values { .. } => None,
-        })
-        .fold(f64::INFINITY, f64::min);
-    let room = (shortest / window).floor();
-    if count > 1 && (count as f64) > room {
+/// W407: traces too short for an interval of the sampling.
+fn short_traces(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warning>) {
+    let offsets = positions.iter().map(|position| position.offsets.len());
+    if offsets.max() <= Some(1) {
+        return;
+    }
+    let half_width = loss_weighted_half_width(positions);
+    let Some(way) = free_way(&loaded.surfaces, loaded.case.model.window, half_width) else {
+        return;
+    };
+    let needed = least_way(half_width);
+    if way < needed {
         found.push(Warning::new(
             "W407",
             format!(
-                "{count} offsets on a trace that holds {room:.0} contact windows side by side: they overlap, so the spread is a lower bound"
+                "the window of the contact can move {:.0} um along the shorter trace, less than the {:.0} um that an interval needs: this is one window, and its sampling error is not known",
+                1e6 * way.si(),
+                1e6 * needed.si(),
             ),
         ));
     }
+}
+
+/// Half width of the contact, weighted with the sliding loss.
+fn loss_weighted_half_width(positions: &[Position]) -> Length {
+    let weights = positions.iter().map(|position| {
+        let station = &position.station;
+        let sliding = station.motion.sliding.si().abs() * station.sliding_factor;
+        let forces = position.offsets.iter().map(|offset| offset.friction_force);
+        station.weight * sliding * mean(forces)
+    });
+    let (mut sum, mut total) = (0.0, 0.0);
+    for (position, weight) in positions.iter().zip(weights) {
+        sum += weight * position.station.hertz.half_width.si();
+        total += weight;
+    }
+    Length::from_si(sum / total)
 }

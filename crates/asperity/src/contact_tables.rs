@@ -1,12 +1,14 @@
 //! Rough contacts of a whole mesh, kept for other oils, speeds and temperatures.
 
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 use asperity_core::material::Material;
-use asperity_core::quantity::Torque;
+use asperity_core::quantity::{Length, Torque};
 use asperity_gear::{GearPair, LoadLaw, LoadMap, LoadMapSettings, MicroGeometry};
 
 use crate::case::Case;
+use crate::encounter::Encounter;
 use crate::error::PositionError;
 use crate::load_share::ContactTable;
 use crate::local_roughness::Roughness;
@@ -70,12 +72,49 @@ impl KeptLoad {
 /// The contact of one window with what else does not hang on oil, speed and temperature.
 #[derive(Debug, Clone)]
 pub(crate) struct KeptContact {
-    /// None where the load share does not look at the rough contact.
-    pub table: Option<ContactTable>,
+    /// Made at first need: windows that stay apart need none.
+    table: OnceLock<ContactTable>,
+    /// Mean gap at which the flanks first touch, where a film asked for it.
+    pub first_touch: Option<Length>,
     pub roughness: Roughness,
     /// First points of the window on both traces, and its points.
     pub starts: [usize; 2],
     pub points: usize,
+}
+
+/// What a film found of a contact: the gap of first touch, and the table where the flanks touch.
+#[derive(Debug, Clone)]
+pub(crate) struct FoundContact {
+    pub first_touch: Length,
+    pub table: Option<ContactTable>,
+}
+
+impl KeptContact {
+    /// The contact of a window; `found` none where no film looked at it.
+    pub(crate) fn new(met: &Encounter, roughness: Roughness, found: Option<FoundContact>) -> Self {
+        let first_touch = found.as_ref().map(|found| found.first_touch);
+        let table = OnceLock::new();
+        if let Some(made) = found.and_then(|found| found.table) {
+            table.get_or_init(|| made);
+        }
+        Self {
+            table,
+            first_touch,
+            roughness,
+            starts: met.starts,
+            points: met.x.len(),
+        }
+    }
+
+    /// The table, where it was made.
+    pub(crate) fn table(&self) -> Option<&ContactTable> {
+        self.table.get()
+    }
+
+    /// Keeps the table for the next oil.
+    pub(crate) fn keep(&self, made: ContactTable) -> &ContactTable {
+        self.table.get_or_init(|| made)
+    }
 }
 
 impl ContactTables {

@@ -15,6 +15,7 @@ pub fn all() -> Vec<&'static Equation> {
         .chain(asperity_ns_film::equations::EQUATIONS)
         .chain(asperity_efficiency::equations::EQUATIONS)
         .chain(crate::load_share::equations::EQUATIONS)
+        .chain(crate::band::equations::EQUATIONS)
         .chain(crate::records::equations::EQUATIONS)
         .collect();
     equations

@@ -177,7 +177,7 @@ pub enum Error {
     /// The case cannot be run, and its text is at hand to show the place.
     #[error("{error}")]
     CaseText {
-        /// Why.
+        /// Cause.
         error: Box<CaseError>,
         /// The text of the case.
         text: Box<Source>,
@@ -189,7 +189,7 @@ pub enum Error {
         number: usize,
         /// Number of positions.
         count: usize,
-        /// Why.
+        /// Cause.
         source: Box<PositionError>,
     },
     /// The sums over the path failed.

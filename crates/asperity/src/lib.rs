@@ -18,7 +18,7 @@
 //! .build()?;
 //! let summary = asperity::run(&case, &|_, _| ())?.result.summary;
 //! assert!((0.95..1.0).contains(&summary.efficiency));
-//! // A change reads nothing anew that it does not concern.
+//! // A change rereads only the files that it affects.
 //! let cooler = case.with_key("operation.temperature", "70 °C")?;
 //! assert!(asperity::run(&cooler, &|_, _| ())?.result.summary.loss_w != summary.loss_w);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -26,6 +26,7 @@
 
 mod assembly;
 mod attention;
+pub mod band;
 mod branch;
 pub mod case;
 mod chosen_laws;
@@ -54,6 +55,7 @@ pub mod load_report;
 pub mod load_share;
 pub mod load_share_law;
 pub mod local_roughness;
+pub mod loss_band;
 mod losses;
 pub mod message;
 pub mod physical_sense;

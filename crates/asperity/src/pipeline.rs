@@ -48,7 +48,7 @@ pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 /// # Errors
 /// When a position has no solution; the first one along the path is named.
 pub fn run(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, Error> {
-    outcome(loaded, Detail::Fields, &KeptFields::All, progress)
+    Ok(outcome(loaded, (Detail::Fields, false), &KeptFields::All, progress)?.0)
 }
 
 /// The same, holding the fields of some positions alone: a megabyte each with the stress below the surface.
@@ -74,7 +74,17 @@ pub fn run_keeping(
     kept: &KeptFields,
     progress: Progress<'_>,
 ) -> Result<Outcome, Error> {
-    outcome(loaded, Detail::Fields, kept, progress)
+    Ok(outcome(loaded, (Detail::Fields, false), kept, progress)?.0)
+}
+
+/// The same with the contacts of the run for [`losses_with`]; none where the losses hang on contacts that are
+/// not kept.
+pub(crate) fn run_keeping_contacts(
+    loaded: &LoadedCase,
+    kept: &KeptFields,
+    progress: Progress<'_>,
+) -> Result<(Outcome, Option<ContactTables>), Error> {
+    outcome(loaded, (Detail::Fields, true), kept, progress)
 }
 
 /// Runs a case with the rough contacts at every offset, without fields and stress below the surface.
@@ -82,7 +92,13 @@ pub fn run_keeping(
 /// # Errors
 /// As [`run`].
 pub fn contacts(loaded: &LoadedCase, progress: Progress<'_>) -> Result<Outcome, Error> {
-    outcome(loaded, Detail::Contacts, &KeptFields::All, progress)
+    Ok(outcome(
+        loaded,
+        (Detail::Contacts, false),
+        &KeptFields::All,
+        progress,
+    )?
+    .0)
 }
 
 /// Losses alone, equal to those of [`run`] to the last digit. The rough contacts are solved where the losses
@@ -144,12 +160,7 @@ pub fn contact_tables(loaded: &LoadedCase) -> Result<ContactTables, Error> {
                 let window = case.model.window;
                 if let (Some(met), roughness) = meeting(surfaces, &station, window, k, count)? {
                     let table = is_solved.then(|| rough_film::table(case, &station, &met));
-                    tables.push(KeptContact {
-                        table: table.transpose()?,
-                        roughness,
-                        starts: met.starts,
-                        points: met.x.len(),
-                    });
+                    tables.push(KeptContact::new(&met, roughness, table.transpose()?));
                 }
             }
             Ok((station, tables))
@@ -183,17 +194,25 @@ fn losses_of(
 
 fn outcome(
     loaded: &LoadedCase,
-    detail: Detail,
+    (detail, keeps): (Detail, bool),
     kept: &KeptFields,
     progress: Progress<'_>,
-) -> Result<Outcome, Error> {
+) -> Result<(Outcome, Option<ContactTables>), Error> {
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
     let mesh = Mesh::of(loaded, &laws, None, progress, &used)?;
-    let run = mesh.run(loaded, &laws, (detail, None));
+    let run = Run {
+        keeps,
+        ..mesh.run(loaded, &laws, (detail, None))
+    };
     let keeper = Keeper::new(kept);
     let mut positions = mesh.positions(&run, &keeper, progress, &used)?;
     keeper.give_back(&mut positions);
+    let tables = keeps.then(|| {
+        let rows = positions.iter_mut();
+        let rows = rows.map(|p| (p.station.clone(), std::mem::take(&mut p.kept)));
+        ContactTables::new(&loaded.case, &loaded.surfaces, mesh.map.clone(), rows)
+    });
     let sums = || {
         let points = mesh.points(loaded, &laws)?;
         mesh.sums(loaded, positions)?.outcome(&points)
@@ -202,7 +221,7 @@ fn outcome(
     let result = &mut outcome.result;
     result.run_in = run_in_flanks(loaded, &laws, &mesh, &used)?;
     (result.equations, result.references) = provenance::used(&tags(loaded, &used));
-    Ok(outcome)
+    Ok((outcome, tables))
 }
 
 /// Tags of the equations that preparation and run used.
@@ -288,6 +307,7 @@ impl Mesh {
             surfaces: &loaded.surfaces,
             detail,
             tables,
+            keeps: false,
             records: self.records.as_ref(),
         }
     }

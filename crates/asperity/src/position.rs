@@ -4,6 +4,7 @@ use asperity_contact::ContactWarning;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::Regime;
 
+use crate::contact_tables::KeptContact;
 use crate::friction::{InFilm, Rubbing};
 use crate::full_film::FullFilm;
 use crate::load_share::LoadShareSolution;
@@ -25,6 +26,8 @@ pub(crate) struct Position {
     pub von_mises: Option<(Pressure, Length)>,
     /// Doubts about the rough contacts that were solved.
     pub doubts: Vec<ContactWarning>,
+    /// Contacts of the offsets, where they are kept.
+    pub kept: Vec<KeptContact>,
 }
 
 impl Position {

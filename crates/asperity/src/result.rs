@@ -13,6 +13,7 @@ pub use crate::film_constants::FilmConstant;
 use crate::flank_record::FlankRecord;
 pub use crate::full_film::FullFilmRow;
 use crate::load_report::LoadReport;
+pub use crate::loss_band::LossBand;
 use crate::message::Warning;
 pub use crate::run_in::{FlankHeights, RunInCycle};
 
@@ -45,6 +46,9 @@ pub struct RunResult {
     /// Records of mixed lubrication that load share or full film rest on; none with other laws.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub records: Vec<RecordRow>,
+    /// Band of the loss; absent where the run was made without, or the model has none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub band: Option<LossBand>,
     /// Plastic work of the first engagement.
     pub running_in: RunningIn,
     /// The mesh with flanks that have run in, where the case asks for it; all else is of the flanks as measured.
@@ -178,7 +182,7 @@ pub struct PositionRow {
     pub s_mm: f64,
     /// 0 at A, 1 at E.
     pub path_fraction: f64,
-    /// Weight of the position in the cycle mean: the loaded contact line that it stands for \[m\].
+    /// Weight of the position in the cycle mean: the loaded contact line that it represents \[m\].
     pub weight_m: f64,
     /// Line load \[N/mm\].
     pub line_load_n_per_mm: f64,

@@ -8,7 +8,7 @@ use asperity_ehl_regime::inlet_flow::Lay;
 
 use crate::case::{Case, Formulation};
 use crate::chosen_laws::ChosenLaws;
-use crate::contact_tables::KeptContact;
+use crate::contact_tables::{FoundContact, KeptContact};
 use crate::encounter::Encounter;
 use crate::error::PositionError;
 use crate::load_share::{
@@ -77,32 +77,50 @@ impl<'a> RoughFilm<'a> {
         }))
     }
 
-    /// Load share and friction of a contact made before.
+    /// Load share and friction of a contact kept before; of a window that stayed apart then and touches now,
+    /// `meet` gives the heights.
     pub(crate) fn share_of_kept(
         &mut self,
         kept: &KeptContact,
+        meet: impl FnOnce() -> Result<Encounter, PositionError>,
     ) -> Result<Checked<LoadShareSolution>, PositionError> {
         let rms = self.traces.window_rms(kept.starts, kept.points)?;
-        let differs = "load share";
-        let table = kept.table.as_ref();
-        let table = table.ok_or(PositionError::OtherTables { differs })?;
+        if let Some(table) = kept.table() {
+            return Ok(self.film.share(table, rms)?);
+        }
+        let apart = match kept.first_touch {
+            Some(first_touch) => self.film.share_apart(first_touch, rms)?,
+            None => None,
+        };
+        if let Some(solution) = apart {
+            return Ok(solution);
+        }
+        let met = meet()?;
+        let (composite, spacing) = (met.composite(), met.spacing);
+        let mut contact = rough_contact(self.case, &self.contact, &composite, spacing)?;
+        let table = kept.keep(ContactTable::build(&mut contact)?);
         Ok(self.film.share(table, rms)?)
     }
 
-    /// Load share and friction at one offset; the contact is solved unless the window stays apart.
+    /// Load share and friction at one offset, with the contact found; it is solved unless the window stays
+    /// apart.
     pub(crate) fn share(
         &mut self,
         encounter: &Encounter,
-    ) -> Result<Checked<LoadShareSolution>, PositionError> {
+    ) -> Result<(Checked<LoadShareSolution>, FoundContact), PositionError> {
         let rms = self
             .traces
             .window_rms(encounter.starts, encounter.x.len())?;
         let (composite, spacing) = (encounter.composite(), encounter.spacing);
         let mut contact = rough_contact(self.case, &self.contact, &composite, spacing)?;
-        let apart = self.film.share_apart(contact.first_touch_gap(), rms)?;
-        match apart {
-            Some(solution) => Ok(solution),
-            None => Ok(self.film.share(&ContactTable::build(&mut contact)?, rms)?),
+        let first_touch = contact.first_touch_gap();
+        let found = |table| FoundContact { first_touch, table };
+        match self.film.share_apart(first_touch, rms)? {
+            Some(solution) => Ok((solution, found(None))),
+            None => {
+                let table = ContactTable::build(&mut contact)?;
+                Ok((self.film.share(&table, rms)?, found(Some(table))))
+            }
         }
     }
 }
@@ -137,15 +155,18 @@ fn line_contact(case: &Case, station: &Station) -> LineContact {
     }
 }
 
-/// The table of one window.
+/// The contact of one window at every share.
 pub(crate) fn table(
     case: &Case,
     station: &Station,
     encounter: &Encounter,
-) -> Result<ContactTable, PositionError> {
+) -> Result<FoundContact, PositionError> {
     let (composite, spacing) = (encounter.composite(), encounter.spacing);
     let mut contact = rough_contact(case, &line_contact(case, station), &composite, spacing)?;
-    Ok(ContactTable::build(&mut contact)?)
+    Ok(FoundContact {
+        first_touch: contact.first_touch_gap(),
+        table: Some(ContactTable::build(&mut contact)?),
+    })
 }
 
 fn rough_contact(

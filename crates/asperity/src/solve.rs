@@ -31,6 +31,8 @@ pub(crate) struct Run<'a> {
     pub detail: Detail,
     /// Contact tables made before.
     pub tables: Option<&'a ContactTables>,
+    /// Whether the contacts are kept for other constants of oil and boundary.
+    pub keeps: bool,
     /// Records of mixed lubrication along the path.
     pub records: Option<&'a PathRecords>,
 }
@@ -58,6 +60,7 @@ impl Run<'_> {
             full_film: None,
             von_mises: None,
             doubts: Vec::new(),
+            kept: Vec::new(),
             station,
         };
         let mut workspace = Workspace {
@@ -96,14 +99,28 @@ impl Run<'_> {
         if encounter.is_none() && self.strategy().needs_traces() {
             return Err(PositionError::NoProfile);
         }
+        let mut found = None;
         let solved = match (&mut workspace.film, kept, &encounter) {
-            (Some(film), Some(kept), _) => Some(film.share_of_kept(kept)?),
+            (Some(film), Some(kept), _) => {
+                let meet = || {
+                    let (met, _) = meeting(self.surfaces, station, window, k, count)?;
+                    met.ok_or(PositionError::NoProfile)
+                };
+                Some(film.share_of_kept(kept, meet)?)
+            }
             (Some(film), None, Some(met)) => {
                 let shared = film.share(met);
-                Some(shared.map_err(|error| error.keeping(&met.x, &met.gap))?)
+                let (shared, contact) = shared.map_err(|error| error.keeping(&met.x, &met.gap))?;
+                found = Some(contact);
+                Some(shared)
             }
             _ => None,
         };
+        if let Some(met) = encounter.as_ref().filter(|_| self.keeps) {
+            let contact = KeptContact::new(met, roughness, found);
+            position.kept.push(contact);
+        }
+        let station = &position.station;
         let solution = solved.as_ref().map(|solved| &solved.value);
         let met = encounter.as_ref();
         let recorded = workspace.recorded.as_ref();
@@ -147,8 +164,8 @@ impl Run<'_> {
         Ok(offset)
     }
 
-    /// The contact made before, where all that the law of the load share looks at is in it: a law of a user's own
-    /// may look at the heights, and contacts that are solved need them.
+    /// The contact made before, where all that is looked at is in it: a load share of a user's own may look at
+    /// the heights, and so do losses that need the contact itself.
     fn kept(
         &self,
         station: &Station,

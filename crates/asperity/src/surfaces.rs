@@ -1,4 +1,4 @@
-//! The two flanks as the pipeline sees them, and as the result reports them.
+//! The two flanks as used by the pipeline and as reported in the result.
 
 use std::sync::{Arc, OnceLock};
 
@@ -119,7 +119,7 @@ impl Surfaces {
             .all(|texture| matches!(texture, Texture::Trace(_)))
     }
 
-    /// Offsets that are computed when `wanted` are asked for: one where a flank was not measured.
+    /// Number of offsets computed when `wanted` are requested: one where a flank was not measured.
     pub(crate) fn offsets(&self, wanted: usize) -> usize {
         if self.are_measured() { wanted } else { 1 }
     }

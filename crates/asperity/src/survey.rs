@@ -74,7 +74,7 @@ fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
             let (met, roughness) =
                 meeting(&loaded.surfaces, &station, case.model.window, k, count)?;
             let solved = match (&mut film, &met) {
-                (Some(film), Some(met)) => Some(film.share(met)?.value),
+                (Some(film), Some(met)) => Some(film.share(met)?.0.value),
                 _ => None,
             };
             let solved = solved.as_ref();

@@ -14,7 +14,7 @@ pub struct Reference {
     pub text: &'static str,
 }
 
-/// One equation of the model: its tag in the sources, what it says, and what proves it.
+/// One equation of the model: its tag in the sources, its formula and its test.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Equation {
     /// Tag as it stands in the doc comment between brackets: `P7`, `Hertz-1`.

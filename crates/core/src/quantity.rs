@@ -244,6 +244,8 @@ quantities! {
     Temperature, "temperature", "K": [spelt("°C", &["C"], Celsius, true), read("K", Decimal(0))];
     /// A thermal conductivity \[W/(m K)\].
     ThermalConductivity, "thermal conductivity", "W/(m K)": [spelt("W/(m K)", &["W/m/K"], Decimal(0), true)];
+    /// A thermal conductance \[W/K\].
+    ThermalConductance, "thermal conductance", "W/K": [shown("W/K", Decimal(0)), read("kW/K", Decimal(3))];
     /// A specific heat capacity \[J/(kg K)\].
     SpecificHeat, "specific heat capacity", "J/(kg K)": [spelt("J/(kg K)", &["J/kg/K"], Decimal(0), true), spelt("kJ/(kg K)", &["kJ/kg/K"], Decimal(3), false)];
     /// A relative change per kelvin \[1/K\].

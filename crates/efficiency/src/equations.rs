@@ -1,4 +1,4 @@
-//! The equations of this crate: where each lives, what it says, what proves it.
+//! The equations of this crate: the file, the formula and the test of each.
 
 use asperity_core::citation::RODRIGUEZ_2022;
 use asperity_core::{Equation, Reference};
@@ -7,6 +7,12 @@ use asperity_core::{Equation, Reference};
 pub const GOKSEM_1978: Reference = Reference {
     key: "goksem_hargreaves_1978",
     text: "P. G. Goksem and R. A. Hargreaves, The effect of viscous shear heating on both film thickness and rolling traction in an EHL line contact, Journal of Lubrication Technology 100 (1978) 346-358",
+};
+
+/// Bulk temperature after Oster.
+pub const ISO_TR_15144_1: Reference = Reference {
+    key: "iso_tr_15144_1_2014",
+    text: "ISO/TR 15144-1:2014, Calculation of micropitting load capacity of cylindrical spur and helical gears - Part 1: Introduction and basic principles (from memory, text not reached)",
 };
 
 /// Plastic work and shakedown.
@@ -168,6 +174,33 @@ pub const EQUATIONS: &[Equation] = &[
         formula: "E_A = D/(2a)",
         file: "crates/efficiency/src/swept.rs",
         test: "swept_powers_of_three_gears",
+        references: &[],
+        misprint: None,
+    },
+    Equation {
+        tag: "Bulk-iso",
+        title: "Rise of the bulk temperature over the oil",
+        formula: "ϑ_M − ϑ_oil = 7400 (P/(a b))^0.72 X_S/1.2, P in kW, a and b in mm",
+        file: "crates/efficiency/src/bulk_temperature.rs",
+        test: "rises_are_those_of_an_independent_computation",
+        references: &[ISO_TR_15144_1],
+        misprint: None,
+    },
+    Equation {
+        tag: "Bulk-network",
+        title: "Temperatures of two gears with conductances to the oil and between them",
+        formula: "(G₁ + G₁₂) Δϑ₁ − G₁₂ Δϑ₂ = β P, (G₂ + G₁₂) Δϑ₂ − G₁₂ Δϑ₁ = (1 − β) P",
+        file: "crates/efficiency/src/bulk_temperature.rs",
+        test: "two_gears_in_oil_have_their_temperatures",
+        references: &[],
+        misprint: None,
+    },
+    Equation {
+        tag: "Bulk-fixed-point",
+        title: "Bulk temperature that its own loss keeps up",
+        formula: "ϑ ← (ϑ + g(ϑ))/2 until |g(ϑ) − ϑ| < 0.01 K",
+        file: "crates/efficiency/src/bulk_temperature.rs",
+        test: "the_fixed_point_of_a_loss_that_falls_with_temperature_is_met",
         references: &[],
         misprint: None,
     },

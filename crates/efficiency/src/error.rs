@@ -1,7 +1,7 @@
 //! Errors of losses and efficiencies.
 
 use asperity_core::DomainError;
-use asperity_core::quantity::{LineEnergy, Power};
+use asperity_core::quantity::{LineEnergy, Power, Temperature};
 
 /// Errors of losses and efficiency.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -38,5 +38,17 @@ pub enum EfficiencyError {
         name: &'static str,
         /// Its value.
         energy: LineEnergy,
+    },
+    /// A bulk temperature that does not settle.
+    #[error(
+        "the bulk temperature did not settle in {steps} steps (last {temperature}, still moving by {residual:.2} K)"
+    )]
+    BulkNotSettled {
+        /// Last temperature.
+        temperature: Temperature,
+        /// Change that the next step would make \[K\].
+        residual: f64,
+        /// Steps taken.
+        steps: usize,
     },
 }

@@ -1,6 +1,6 @@
 //! Power losses of a gear mesh, their breakdown, and its efficiency.
 //!
-//! The crate knows no gears: it takes forces per metre of contact line and speeds at weighted
+//! The crate needs no gear geometry: it takes forces per metre of contact line and speeds at weighted
 //! places of a mesh cycle, and makes powers, energies per engagement and an efficiency of them.
 //!
 //! ```
@@ -30,6 +30,7 @@
 //! ```
 
 pub mod breakdown;
+pub mod bulk_temperature;
 pub mod deformation;
 pub mod equations;
 pub mod error;

@@ -1,4 +1,4 @@
-//! The equations of this crate: where each lives, what it says, what proves it.
+//! The equations of this crate: the file, the formula and the test of each.
 
 use asperity_core::{Equation, Reference};
 
@@ -453,5 +453,21 @@ pub const EQUATIONS: &[Equation] = &[
         "crates/gear/src/planetary.rs",
         "the_loss_of_a_planetary_set_is_that_of_its_meshes",
         &[NIEMANN_WINTER],
+    ),
+    Equation::new(
+        "Flank-arc",
+        "Arc of the involute to a point of the flank",
+        "ρ = √(r² − r_b²) = r_b ξ, l = ρ²/(2 r_b)",
+        "crates/gear/src/flank_coordinate.rs",
+        "arcs_at_the_ends_and_the_pitch_point_are_those_of_the_reference",
+        &[ISO_21771],
+    ),
+    Equation::new(
+        "Flank-meeting",
+        "Places of both flanks that meet",
+        "l₁(s) + x meets l₂(s) − x; l₂(s) + x on a ring",
+        "crates/gear/src/flank_coordinate.rs",
+        "the_tip_of_one_gear_meets_the_root_of_the_other",
+        &[ISO_21771],
     ),
 ];

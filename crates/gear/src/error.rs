@@ -158,7 +158,7 @@ pub enum GearError {
         /// The value found.
         value: f64,
     },
-    /// Modified flanks with a law that does not know of deflections.
+    /// Modified flanks with a law without deflections.
     #[error(
         "the load distribution \"{law}\" has no deflections and cannot take modified flanks; use \"elastic\" or \"iso-stiffness\""
     )]

@@ -96,7 +96,7 @@ impl GearPair {
         Ok(positions)
     }
 
-    /// One place that stands for the whole path, as when a mesh is judged at a single point.
+    /// One place that represents the whole path, for a mesh evaluated at a single point.
     ///
     /// # Errors
     /// When s is not on the path A to E.

@@ -77,7 +77,7 @@ pub enum Warning {
         "the header says {nominal:.4} but {traced:.4} were traced: the trace was aborted; the spacing follows from what was traced"
     )]
     TraceAborted {
-        /// As the header says.
+        /// As stated in the header.
         nominal: Length,
         /// Evaluation length.
         traced: Length,

@@ -3,8 +3,9 @@
 use std::fmt::Write as _;
 
 use crate::wrap::{COLUMNS, wrapped};
+use asperity::loss_band::{LossBand, SamplingPart, Trust, rounded};
 use asperity::message::Warning;
-use asperity::result::{PositionRow, PublishedOutcome, RunResult};
+use asperity::result::{PositionRow, PublishedOutcome, RunResult, Summary};
 
 /// Under the text of a message, behind its code.
 const INDENT: &str = "     ";
@@ -45,7 +46,7 @@ pub fn brief(result: &RunResult) -> String {
 const LARGE_LOAD_ERROR: f64 = 0.011;
 /// Warnings that a first screen shows.
 const SHOWN_NOTES: usize = 2;
-/// Codes of warnings that put the efficiency in doubt and tell what to do, the weightiest first.
+/// Codes of warnings that put the efficiency in doubt and name a remedy, the most important first.
 const MATTERS: &[&str] = &[
     "W402", "W412", "W415", "W405", "W201", "W124", "W128", "W112", "W118", "W111", "W125", "W117",
     "W113", "W408", "W404", "W410",
@@ -59,6 +60,9 @@ fn numbers(result: &RunResult) -> String {
     let mut text = String::new();
     // Writing into a string cannot fail.
     let _ = write_losses(&mut text, result);
+    if let Some(band) = &result.band {
+        text.push_str(&band_text(band));
+    }
     let _ = write_regime(&mut text, result);
     let _ = write_run_in(&mut text, result);
     text
@@ -67,16 +71,16 @@ fn numbers(result: &RunResult) -> String {
 fn write_losses(text: &mut String, result: &RunResult) -> std::fmt::Result {
     let s = &result.summary;
     writeln!(text, "{}", result.title)?;
-    writeln!(
-        text,
-        "efficiency (mesh only)  {:.4} %{}   loss {}   power in {}",
-        100.0 * s.efficiency,
-        s.efficiency_deviation
-            .map(|d| format!(" ±{}", percent(d)))
-            .unwrap_or_default(),
-        watts(s.loss_w),
-        watts(s.power_in_w),
-    )?;
+    match &result.band {
+        Some(band) => writeln!(text, "{}", headline(s, band))?,
+        None => writeln!(
+            text,
+            "efficiency (mesh only)  {:.4} %   loss {}   power in {}",
+            100.0 * s.efficiency,
+            watts(s.loss_w),
+            watts(s.power_in_w),
+        )?,
+    }
     let mut parts = vec![
         format!("sliding {}", watts(s.sliding_w)),
         format!("rolling {}", watts(s.rolling_w)),
@@ -154,7 +158,7 @@ fn write_regime(text: &mut String, result: &RunResult) -> std::fmt::Result {
             result.records.len()
         )?;
     }
-    if s.offsets > 1 {
+    if s.offsets > 1 && result.band.is_none() {
         writeln!(text, "spread  over {} profile offsets", s.offsets)?;
     }
     if result.running_in.energy_per_engagement_j > 0.0 {
@@ -202,6 +206,74 @@ fn write_run_in(text: &mut String, result: &RunResult) -> std::fmt::Result {
     )
 }
 
+/// Efficiency and loss with as many digits as their band leaves.
+fn headline(s: &Summary, band: &LossBand) -> String {
+    let percent = |share: f64| {
+        let half = 0.5 * (band.efficiency_quantiles[1] - band.efficiency_quantiles[0]);
+        rounded(100.0 * share, 100.0 * half)
+    };
+    let loss = |power: f64| rounded(power, band.half_width_w());
+    let [low, high] = band.efficiency_quantiles.map(percent);
+    let [least, most] = band.quantiles_w.map(loss);
+    format!(
+        "efficiency (mesh only)  {} % ({low}..{high})   loss {} W ({least}..{most})\n  power in {}",
+        percent(s.efficiency),
+        loss(s.loss_w),
+        watts(s.power_in_w),
+    )
+}
+
+/// What the band is made of, and what other laws give.
+fn band_text(band: &LossBand) -> String {
+    const INDENT: &str = "  ";
+    let whole = |power: f64| rounded(power, band.half_width_w());
+    let [low, high] = band.parameter_quantiles_w.map(whole);
+    let sampling = match &band.sampling {
+        SamplingPart::Windows(found) => format!(
+            "sampling of the flanks ±{} W (95 %, {:.0} of {} windows independent)",
+            rounded(found.half_width_w, found.half_width_w),
+            found.effective_windows,
+            found.offsets,
+        ),
+        SamplingPart::None(why) => format!("sampling of the flanks: {why}"),
+        _ => String::new(),
+    };
+    let mut text = wrapped(
+        &format!("band, 5 to 95 %  parameters {low}..{high} W; {sampling}"),
+        INDENT,
+    );
+    text.push('\n');
+    let mut parameters: Vec<_> = band.parameters.iter().collect();
+    parameters.sort_by(|a, b| b.effect_w.abs().total_cmp(&a.effect_w.abs()));
+    let effects = parameters.iter().map(|parameter| {
+        let effect = rounded(parameter.effect_w, parameter.effect_w.abs());
+        let sign = if parameter.effect_w > 0.0 { "+" } else { "" };
+        format!("{} {sign}{effect} W", parameter.name)
+    });
+    let effects: Vec<String> = effects.collect();
+    if !effects.is_empty() {
+        let line = format!("  from low to high end: {}", effects.join(", "));
+        text.push_str(&wrapped(&line, INDENT));
+        text.push('\n');
+    }
+    let others = band.alternatives.iter().map(|other| match other.loss_w {
+        Some(loss) => format!("{} {} W", other.name, whole(loss)),
+        None => format!("{}: no solution", other.name),
+    });
+    let others: Vec<String> = others.collect();
+    if !others.is_empty() {
+        let line = format!("beside the band  {}", others.join(", "));
+        text.push_str(&wrapped(&line, INDENT));
+        text.push('\n');
+    }
+    if band.trust != Trust::SolvedContact {
+        let line = format!("trust  {}", band.trust.text());
+        text.push_str(&wrapped(&line, INDENT));
+        text.push('\n');
+    }
+    text
+}
+
 /// The published laws, each applied whole, as a table of their own.
 pub fn published_laws(result: &RunResult) -> String {
     let mut text = String::from(
@@ -246,15 +318,5 @@ fn watts(power: f64) -> String {
         "0 W".to_owned()
     } else {
         format!("{power:.1e} W")
-    }
-}
-
-/// A share as percent with two digits that mean something.
-fn percent(share: f64) -> String {
-    let value = 100.0 * share;
-    if value >= 0.001 {
-        format!("{value:.3} %")
-    } else {
-        format!("{value:.0e} %")
     }
 }

@@ -30,7 +30,7 @@ pub struct Flanks {
 pub struct CaseText {
     /// The case.
     pub toml: String,
-    /// What the file contradicts or leaves out.
+    /// Notes on contradictions in the file and on what it leaves out.
     pub notes: Vec<String>,
 }
 
@@ -132,7 +132,7 @@ fn pair(
     Ok(())
 }
 
-/// Where numbers of several components come from.
+/// Sources of numbers of several components.
 pub fn source(components: &[&Component], attribute: &str) -> String {
     let ids: Vec<&str> = components.iter().map(|of| of.id.as_str()).collect();
     format!("{} {}: {attribute}", components[0].kind, ids.join(", "))
@@ -189,7 +189,7 @@ impl<'a> Text<'a> {
         self.toml.push('\n');
     }
 
-    /// A line of the case and where it comes from.
+    /// A line of the case with its source.
     pub fn say(&mut self, text: &str, from: &str) {
         self.line(&format!("{text}  # {from}"));
     }

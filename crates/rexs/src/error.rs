@@ -1,4 +1,4 @@
-//! What can be wrong with a REXS file.
+//! Errors of REXS files.
 
 /// Refusal of a REXS file, or of a stage in it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -21,7 +21,7 @@ pub enum RexsError {
     Malformed {
         /// Line, or path of the key.
         place: String,
-        /// What is wrong there.
+        /// Fault found there.
         what: String,
     },
     /// A version that is not known.
@@ -40,7 +40,7 @@ pub enum RexsError {
         relation: String,
         /// Its type.
         kind: String,
-        /// What is wrong with it.
+        /// Fault of the relation.
         what: String,
     },
     /// An attribute that a case needs is missing.
@@ -60,7 +60,7 @@ pub enum RexsError {
         attribute: String,
         /// Its text.
         text: String,
-        /// What was expected.
+        /// Expected value.
         expected: &'static str,
     },
     /// An attribute has a unit that is not its own.
@@ -80,7 +80,7 @@ pub enum RexsError {
     Contradiction {
         /// Number of the stage.
         stage: usize,
-        /// What contradicts what.
+        /// Contradiction found.
         what: String,
     },
     /// There is no such stage.

@@ -4,8 +4,8 @@
 //! relations between them. This crate reads versions 1.0 to 2.0 as XML, JSON or zip, lists the stages, and writes
 //! a case for one of them.
 //!
-//! Names of components, attributes and units: the public REXS model, schema 2.0.0, and what files of three
-//! programs hold. A flank is called `flank_geometry` in 1.0 and 1.1, `cylindrical_gear_flank` from 1.2 on.
+//! Names of components, attributes and units: the public REXS model, schema 2.0.0, and files of three
+//! programs. A flank is called `flank_geometry` in 1.0 and 1.1, `cylindrical_gear_flank` from 1.2 on.
 
 mod case_text;
 mod error;

@@ -12,11 +12,11 @@ pub struct Stage {
     pub number: usize,
     /// Name that its program gave it.
     pub name: String,
-    /// What it is made of.
+    /// Its components.
     pub kind: StageKind,
 }
 
-/// What a stage is made of, by the numbers of the components.
+/// Kind of a stage, with the numbers of its components.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum StageKind {

@@ -6,7 +6,7 @@ use quick_xml::events::{BytesStart, Event};
 use crate::error::RexsError;
 use crate::model::{Attribute, Component, LoadCase, Model, Relation};
 
-/// What is open while a file is read.
+/// Elements that are open while a file is read.
 #[derive(Default)]
 struct Open {
     component: Option<Component>,

@@ -89,7 +89,7 @@ impl Smooth {
             number("central film", micrometres(film.central_film.si())),
             number("minimum film", micrometres(film.minimum_film.si())),
             number(
-                "rolling force a surface",
+                "rolling force per surface",
                 format!("{:.2} N/m", film.rolling_force.si()),
             ),
         ];

@@ -103,7 +103,7 @@ impl Recorded {
         warnings
     }
 
-    /// The record for programs.
+    /// The record as JSON.
     pub fn json(&self, comparison: Option<&ShareComparison>) -> Value {
         let (record, evidence) = (&self.solved.value, &self.solved.evidence);
         let scales = &record.scales;
@@ -170,7 +170,7 @@ impl Recorded {
         })
     }
 
-    /// The record for reading.
+    /// The record as text.
     pub fn text(&self) -> String {
         let (record, evidence) = (&self.solved.value, &self.solved.evidence);
         let scales = &record.scales;
@@ -206,7 +206,7 @@ impl Recorded {
             ));
         }
         text.push_str(&format!(
-            "  largest pressure {:.3} GPa in the mean, {:.3} GPa ever; {:.4} of the load at the flow pressure\n",
+            "  largest pressure {:.3} GPa on average, {:.3} GPa at most; {:.4} of the load at the flow pressure\n",
             record.mean_max_pressure.mean * 1e-9,
             record.max_pressure.si() * 1e-9,
             record.plastic_share.mean
@@ -220,7 +220,7 @@ impl Recorded {
             ));
         }
         text.push_str(&format!(
-            "  {} steps, {} cut, {} with a held node; {:.1} Newton a step, {:.1} GMRES a Newton; load error {:.1e}\n",
+            "  {} steps, {} cut, {} with a held node; {:.1} Newton per step, {:.1} GMRES per Newton; load error {:.1e}\n",
             evidence.steps,
             evidence.steps_cut,
             evidence.loose_steps,
@@ -264,7 +264,7 @@ impl Recorded {
 pub(super) fn with_error(mean: f64, standard_error: f64) -> String {
     match standard_error.is_finite() {
         true => format!("{mean:.4} +- {standard_error:.4}"),
-        false => format!("{mean:.4} (too short a record for an error)"),
+        false => format!("{mean:.4} (record too short for a standard error)"),
     }
 }
 

@@ -178,7 +178,7 @@ fn number(value: f64) -> String {
     }
 }
 
-/// The end of a long name, which tells files apart.
+/// The end of a long name, which distinguishes files.
 fn shortened(name: &str) -> String {
     const MOST: usize = 24;
     let base = name.rsplit(['/', '\\']).next().unwrap_or(name);

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use asperity_core::lubricant::Assumption;
 use serde::{Deserialize, Serialize};
 
-/// A default that was used, as the case file would have said it.
+/// A default that was used, as it would be written in the case file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DefaultUsed {
     /// Key of the case file: `gears.helix`.

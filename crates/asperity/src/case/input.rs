@@ -96,7 +96,7 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for OneOrTwo<T> {
     }
 }
 
-/// By hand, so that what is wrong with a single value is told in the words of its type.
+/// Implemented by hand, so that an error in a single value is described in the words of its type.
 struct OneOrTwoVisitor<T>(std::marker::PhantomData<T>);
 
 impl<'de, T: Deserialize<'de>> Visitor<'de> for OneOrTwoVisitor<T> {

@@ -84,7 +84,7 @@ const ROWS: &[Row] = &[
     ),
 ];
 
-/// The key of `table` that `name` stands for; the table itself when there is none.
+/// The key of `table` that `name` means; the table itself if there is none.
 pub(super) fn key_of(table: &'static str, name: &str) -> &'static str {
     ROWS.iter()
         .find(|row| row.0 == table && row.1 == name)

@@ -149,7 +149,7 @@ pub fn from_text(name: &str, text: &str, resolver: Resolver<'_>) -> Result<Loade
 }
 
 impl LoadedCase {
-    /// The same case changed by `change`, checked anew; traces are read again only where the change concerns
+    /// The same case changed by `change`, rechecked; traces are read again only where the change concerns
     /// them.
     ///
     /// The change applies to [`Case::input`]; what was set past it, in the public fields, is not kept.

@@ -217,7 +217,7 @@ pub struct EhlChoices {
 }
 
 impl EhlChoices {
-    /// The choices; defaults are noted where a solution is asked for.
+    /// The choices; defaults are recorded where a solution is requested.
     fn of(
         given: Option<&EhlInput>,
         share: LoadShareName,

@@ -10,7 +10,7 @@ use asperity_tribo_friction::boundary::BOUNDARY_FRICTION;
 use super::input::Formulation;
 use super::law_names::{FilmFrictionLaw, LoadShareName};
 
-/// Defaults of a formulation where the case says nothing.
+/// Defaults of a formulation for keys left out of the case.
 #[derive(Debug, Clone)]
 pub(super) struct ModelDefaults {
     /// One position represents the whole mesh.

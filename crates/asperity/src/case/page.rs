@@ -125,7 +125,7 @@ fn section(
     }
 }
 
-/// The keys below `node`, tables opened; a flank of the wheel is told by that of the pinion.
+/// The keys below `node`, tables opened; the wheel's flank is described by that of the pinion.
 fn collect(schema: &Value, path: &str, node: &Value, keys: &mut Vec<Key>) {
     for (name, inner) in properties(schema, node) {
         let path = format!("{path}.{name}");

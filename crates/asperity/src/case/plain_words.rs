@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use super::known_keys::property;
 
-/// `message` of a parser about the value of `key`; the schema tells what is expected there.
+/// `message` of a parser about the value of `key`; the schema gives what is expected there.
 pub(super) fn plain(schema: &Value, key: Option<&str>, message: &str) -> String {
     if let Some(missing) = between(message, "missing field `", "`") {
         let path = key.map_or(missing.to_owned(), |table| format!("{table}.{missing}"));

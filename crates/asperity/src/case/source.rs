@@ -345,7 +345,7 @@ pub(super) fn key_of(path: &serde_path_to_error::Path) -> Option<String> {
     (!key.is_empty()).then_some(key)
 }
 
-/// The message of the JSON parser without the place at its end, which is told in front.
+/// The message of the JSON parser without the place at its end, which is stated in front.
 fn without_place(message: &str) -> String {
     match message.rfind(" at line ") {
         Some(end) => message[..end].to_owned(),

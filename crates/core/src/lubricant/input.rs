@@ -46,7 +46,7 @@ pub struct LubricantInput {
     /// Name of an oil in the library; the other keys override its values.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub oil: Option<String>,
-    /// How the viscosity is known.
+    /// Viscosity law and its values.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub viscosity: Option<ViscosityLaw>,
     /// Temperature coefficient −(dη/dT)/η of a viscosity given at one temperature.

@@ -17,7 +17,7 @@ use crate::quantity::{
 /// The temperature that data sheets state the density at, 15 °C.
 const DATA_SHEET_TEMPERATURE: Temperature = Temperature::from_si(288.15);
 
-/// Something a lubricant needed that the case file did not say.
+/// Property of the lubricant that was not given in the case file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Assumption {
     /// Key of the case file.
@@ -90,7 +90,7 @@ impl LubricantInput {
     ///     pressure_viscosity: Some("2e-8 m2/N".parse()?),
     ///     ..LubricantInput::default()
     /// };
-    /// // A viscosity at one temperature says nothing of its slope.
+    /// // A viscosity at one temperature does not give its slope.
     /// assert_eq!(input.resolve("60 °C".parse()?), Err(LubricantError::NoTemperatureCoefficient));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

@@ -1,15 +1,17 @@
-//! The little numerics that is not physics: transforms, convolution, roots, sums.
+//! The little numerics that is not physics: transforms, convolution, roots, sums, Student's t.
 
 mod convolution;
 mod fft_length;
 mod increasing_root;
 mod root;
+mod student_t;
 mod sums;
 
 pub use convolution::SymmetricToeplitz;
 pub use fft_length::good_fft_length;
 pub use increasing_root::{Solved, newton_root, secant_root};
 pub use root::{Root, RootError, find_root};
+pub use student_t::{student_t_below, student_t_quantile, student_t_within};
 pub use sums::{extremes, sum};
 
 /// ∫ y dx by the trapezoidal rule over points `x`, `y` of equal number (fewer than two give 0).

@@ -3,7 +3,7 @@
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | K | number of cells | - |
-//! | ξ̄, f̄ | place and load that stand for a cell | -, N/m |
+//! | ξ̄, f̄ | representative place and load of a cell | -, N/m |
 //! | dP | f V_s dl, the weight | W |
 //!
 //! A coefficient of friction times the share of f |V_s| of a cell is its sliding power, exactly when
@@ -83,7 +83,8 @@ impl LoadMap {
     /// ξ̄ = ∫ ξ dP/∫ dP, ln f̄ = ∫ ln f dP/∫ dP over each of K cells, dP = f |V_s| dl   [Cell-1]
     ///
     /// The cells span the loaded part of the path; none straddles the pitch point nor, on spur pairs and
-    /// those of little overlap, a change of the number of pairs in contact. Cells that carry no power are left out.
+    /// those of little overlap, a change of the number of pairs in contact. Cells that carry no power are
+    /// left out.
     ///
     /// # Errors
     /// When `count` is less than the number of segments of the path, or absurdly large.

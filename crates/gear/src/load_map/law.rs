@@ -1,4 +1,4 @@
-//! Laws of load distribution, and the numbers that a load map takes besides the pair.
+//! Laws of load distribution, and the further inputs of a load map.
 
 use asperity_core::DomainError;
 use schemars::JsonSchema;

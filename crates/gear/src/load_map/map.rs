@@ -215,7 +215,7 @@ impl LoadMap {
         Ok(())
     }
 
-    /// Calls `take` with every point of the lines of contact at a phase; δ where the law knows it.
+    /// Calls `take` with every point of the lines of contact at a phase; δ where the law gives it.
     pub(super) fn solve(
         &self,
         phase: &Phase,

@@ -399,7 +399,7 @@ impl CellRemedy {
     }
 }
 
-/// How an unreadable file starts.
+/// First line of an unreadable file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FirstLine(pub Option<String>);
 
@@ -424,7 +424,7 @@ pub enum SpacingHint {
     FirstLine(f64),
     /// Surfcom: nominal length and number of points; the length is wrong for an aborted trace.
     NominalLength {
-        /// As the header says.
+        /// As stated in the header.
         length: Length,
         /// Points.
         points: usize,

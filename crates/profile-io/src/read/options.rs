@@ -157,7 +157,7 @@ pub enum Uneven {
     /// refuse the rest.
     #[default]
     Refuse,
-    /// Resample by straight lines to an even grid of as many points, and say so.
+    /// Resample linearly to an even grid of as many points, and report it.
     Resample,
 }
 
@@ -251,7 +251,7 @@ pub enum Separator {
 
 choice!(Separator, "semicolon, tab, comma, blank, none": Semicolon "semicolon", Tab "tab", Comma "comma", Blank "blank", None "none");
 
-/// How the bytes of a text file stand for characters.
+/// Character encoding of a text file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
@@ -279,7 +279,7 @@ pub enum Gaps {
     /// Refuse the file.
     #[default]
     Refuse,
-    /// Fill inner gaps linearly, cut outer ones off, and say so.
+    /// Fill inner gaps linearly, cut off outer ones, and report it.
     Interpolate,
 }
 

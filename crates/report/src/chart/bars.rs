@@ -12,8 +12,8 @@ pub struct Bar {
     pub name: String,
     /// Its length; none when there is no value.
     pub value: Option<f64>,
-    /// Half the length of its whisker.
-    pub spread: Option<f64>,
+    /// Ends of its whisker.
+    pub spread: Option<[f64; 2]>,
     /// The value as text.
     pub text: String,
 }
@@ -43,10 +43,10 @@ impl BarChart {
         let top = if dress == Dress::Alone { 36.0 } else { 10.0 };
         let bottom = top + PITCH * self.bars.len() as f64 + 4.0;
         let height = bottom + 46.0;
-        let ends = self
-            .bars
-            .iter()
-            .filter_map(|bar| bar.value.map(|v| v + bar.spread.unwrap_or(0.0)));
+        let ends = self.bars.iter().filter_map(|bar| {
+            bar.value
+                .map(|value| bar.spread.map_or(value, |[_, high]| value.max(high)))
+        });
         let range = self.axis.clone().from_zero().range(ends);
         let place = |value: f64| LEFT + range.share(value) * (RIGHT - LEFT);
         let mut canvas = Canvas::default();
@@ -67,10 +67,10 @@ impl BarChart {
             if let Some(value) = bar.value {
                 end = place(value);
                 canvas.rect("bar", [LEFT, y], [(end - LEFT).max(0.0), THICK]);
-                if let Some(spread) = bar.spread {
-                    let ends = [place((value - spread).max(0.0)), place(value + spread)];
+                if let Some([low, high]) = bar.spread {
+                    let ends = [place(low.max(0.0)), place(high)];
                     whisker(&mut canvas, ends, [y + 4.0, y + THICK - 4.0]);
-                    end = ends[1];
+                    end = end.max(ends[1]);
                 }
             }
             canvas.label("name", [end + 7.0, middle + 4.0], Anchor::Start, &bar.text);

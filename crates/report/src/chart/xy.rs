@@ -55,7 +55,7 @@ impl Series {
 /// A named place on the horizontal axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mark {
-    /// Where.
+    /// Position on the axis.
     pub at: f64,
     /// Its name.
     pub label: String,
@@ -64,7 +64,7 @@ pub struct Mark {
 /// A named value on the vertical axis, dashed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Level {
-    /// Where.
+    /// Position on the axis.
     pub at: f64,
     /// Its name.
     pub label: String,

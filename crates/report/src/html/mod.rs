@@ -3,6 +3,7 @@
 //! The page is drawn from the result and the tables beside it and from nothing else, so it cannot say
 //! another number than they do. Every chart is complete without scripts.
 
+mod band;
 mod contact;
 mod flanks;
 mod inputs;

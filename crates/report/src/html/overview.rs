@@ -1,5 +1,6 @@
 //! Summary: the numbers that matter, the warnings, the losses, the friction laws, the regime.
 
+use asperity::loss_band::rounded;
 use asperity::result::{FlankHeights, PublishedOutcome, RunInFlanks, RunResult, Summary};
 use maud::{Markup, html};
 
@@ -21,6 +22,7 @@ pub(super) fn section(result: &RunResult) -> Markup {
                 }
             }
         }
+        @if let Some(band) = &result.band { (super::band::section(band)) }
         @if let Some(run_in) = &result.run_in { (as_measured_and_run_in(result, run_in)) }
         @if !result.warnings.is_empty() {
             h3 { "Warnings" }
@@ -94,22 +96,43 @@ type Tile = (&'static str, String, &'static str);
 /// Headline of a design review: efficiency and loss.
 fn headline(result: &RunResult) -> Vec<Tile> {
     let s = &result.summary;
-    let band = match s.efficiency_deviation {
-        Some(deviation) => format!(" ±{:.3}", 100.0 * deviation),
-        None => String::new(),
+    let mixed = (
+        "mixed lubrication, of the path",
+        format!("{:.1} %", 100.0 * s.mixed_share),
+        "summary.mixed_share",
+    );
+    let Some(band) = &result.band else {
+        return vec![
+            (
+                "efficiency (mesh only)",
+                format!("{:.4} %", 100.0 * s.efficiency),
+                "summary.efficiency",
+            ),
+            ("loss", format!("{:.1} W", s.loss_w), "summary.loss_w"),
+            mixed,
+        ];
     };
+    let [least, most] = band.quantiles_w;
+    let loss = |power: f64| rounded(power, band.half_width_w());
+    let [low, high] = band.efficiency_quantiles;
+    let share = |share: f64| rounded(100.0 * share, 50.0 * (high - low));
     vec![
         (
-            "efficiency (mesh only), ± over the offsets",
-            format!("{:.4} %{band}", 100.0 * s.efficiency),
+            "efficiency (mesh only), in brackets 5 to 95 %",
+            format!(
+                "{} % ({}..{})",
+                share(s.efficiency),
+                share(low),
+                share(high)
+            ),
             "summary.efficiency",
         ),
-        ("loss", format!("{:.1} W", s.loss_w), "summary.loss_w"),
         (
-            "mixed lubrication, of the path",
-            format!("{:.1} %", 100.0 * s.mixed_share),
-            "summary.mixed_share",
+            "loss, in brackets 5 to 95 %",
+            format!("{} W ({}..{})", loss(s.loss_w), loss(least), loss(most)),
+            "summary.loss_w",
         ),
+        mixed,
     ]
 }
 

@@ -85,7 +85,7 @@ fn points(result: &RunResult) -> Vec<Mark> {
     points.to_vec()
 }
 
-/// How a value is taken from a row; none where it is not known.
+/// Function that takes a value from a row; none where it is not known.
 type Value = fn(&PositionRow) -> Option<f64>;
 
 /// A chart along the path.

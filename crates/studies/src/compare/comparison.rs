@@ -3,17 +3,16 @@
 use std::path::Path;
 
 use asperity::Error;
+use asperity::band::{self, DrawnLosses, PairedDifference};
 use asperity::case::LoadedCase;
 use asperity::kept_fields::KeptFields;
-use asperity::pipeline::{self, Progress};
+use asperity::loss_band::LossBand;
+use asperity::pipeline::Progress;
 use asperity::result::{OffsetRow, Outcome};
 use serde::Serialize;
 
-use super::statistics::{Interval, paired_interval, rank_correlation};
+use super::statistics::rank_correlation;
 use super::windows::{self, Value, WindowRoughness};
-
-/// Confidence of every interval.
-pub const CONFIDENCE: f64 = 0.95;
 
 /// A finish to compare: its name and the case with its traces.
 #[derive(Debug, Clone)]
@@ -51,10 +50,16 @@ pub struct FinishResult {
     pub files: Vec<[String; 2]>,
     /// Mean efficiency.
     pub efficiency: f64,
-    /// Mean loss \[W\] with its interval.
-    pub loss_w: Interval,
-    /// Loss less that of the first finish \[W\], offset by offset; none for the first.
-    pub difference_w: Option<Interval>,
+    /// Power into the mesh \[W\].
+    pub power_in_w: f64,
+    /// Mean loss with every parameter at its default \[W\].
+    pub loss_w: f64,
+    /// 5 % and 95 % quantiles of the loss \[W\].
+    pub quantiles_w: [f64; 2],
+    /// The band with its parts; none where the model has none, and the quantiles are of the sampling alone.
+    pub band: Option<LossBand>,
+    /// Loss minus that of the first finish by the same draws; none for the first.
+    pub difference: Option<PairedDifference>,
     /// Share of the path in mixed lubrication.
     pub mixed_share: f64,
     /// Codes and texts of the warnings.
@@ -62,6 +67,9 @@ pub struct FinishResult {
     /// Losses at each offset.
     #[serde(skip)]
     pub offsets: Vec<OffsetRow>,
+    /// Losses at each offset of each draw.
+    #[serde(skip)]
+    pub(crate) drawn: DrawnLosses,
     /// Roughness under the contact at each offset.
     #[serde(skip)]
     pub(crate) roughness: Vec<WindowRoughness>,
@@ -86,10 +94,11 @@ pub fn compare(finishes: &[Finish], progress: Progress<'_>) -> Result<Comparison
     let mut results: Vec<FinishResult> = Vec::with_capacity(finishes.len());
     let (mut title, mut power_in_w) = (String::new(), 0.0);
     for finish in finishes {
-        let outcome = pipeline::run_keeping(&finish.case, &KeptFields::Highest, &|_, _| {})?;
+        let kept = KeptFields::Highest;
+        let (outcome, drawn) = band::run_and_draw(&finish.case, &kept, &|_, _| {})?;
         title.clone_from(&outcome.result.title);
         power_in_w = outcome.result.summary.power_in_w;
-        results.push(finish_result(finish, outcome, results.first())?);
+        results.push(finish_result(finish, outcome, drawn, results.first())?);
         progress(results.len(), finishes.len());
     }
     let pooled = |finish: &FinishResult| finish.roughness.len().min(finish.offsets.len());
@@ -106,16 +115,12 @@ pub fn compare(finishes: &[Finish], progress: Progress<'_>) -> Result<Comparison
 fn finish_result(
     finish: &Finish,
     outcome: Outcome,
+    drawn: DrawnLosses,
     first: Option<&FinishResult>,
 ) -> Result<FinishResult, Error> {
     let roughness =
         windows::roughness(&finish.case).map_err(|error| Error::Whole(Box::new(error)))?;
-    let losses: Vec<f64> = outcome.offsets.iter().map(|row| row.loss_w).collect();
-    let difference_w = first.map(|first| {
-        let pairs = first.offsets.iter().zip(&losses);
-        let differences: Vec<f64> = pairs.map(|(base, loss)| loss - base.loss_w).collect();
-        paired_interval(&differences, CONFIDENCE)
-    });
+    let difference = first.map(|first| band::difference(&first.drawn, &drawn));
     let result = outcome.result;
     // The folder of a trace is nobody's business; its sum tells which file it was.
     let named = result.flanks.iter().filter_map(|flank| {
@@ -126,16 +131,20 @@ fn finish_result(
         name: finish.name.clone(),
         files: named.collect(),
         efficiency: result.summary.efficiency,
-        loss_w: paired_interval(&losses, CONFIDENCE),
-        difference_w,
+        power_in_w: result.summary.power_in_w,
+        loss_w: result.summary.loss_w,
+        quantiles_w: drawn.quantiles(),
+        band: result.band,
+        difference,
         mixed_share: result.summary.mixed_share,
         warnings: result.warnings.iter().map(ToString::to_string).collect(),
         offsets: outcome.offsets,
+        drawn,
         roughness,
     })
 }
 
-/// Fewest pairs that a correlation is told from.
+/// Fewest pairs for which a correlation is given.
 const FEWEST_PAIRS: usize = 5;
 
 fn correlations(finishes: &[FinishResult]) -> Vec<Correlation> {

@@ -1,10 +1,12 @@
 //! The page of a comparison.
 
+use asperity::loss_band::{LossBand, SamplingPart};
 use asperity_report::chart::{Axis, Bar, BarChart, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
 use maud::{Markup, html};
 
-use super::comparison::{CONFIDENCE, Comparison};
+use super::comparison::Comparison;
+use super::summary::{cells, efficiency, note};
 use super::windows::PARAMETERS;
 
 pub(super) fn render(comparison: &Comparison) -> String {
@@ -27,40 +29,83 @@ pub(super) fn render(comparison: &Comparison) -> String {
 }
 
 fn losses(comparison: &Comparison) -> Markup {
-    let offsets = comparison
-        .finishes
-        .first()
-        .map_or(0, |finish| finish.offsets.len());
     html! {
         div.scroll { table {
             thead { tr {
-                th { "finish" } th.number { "efficiency" } th.number { "loss" } th.number { "minus the first" } th.number { "mixed" }
+                th { "finish" } th.number { "efficiency" } th.number { "loss [W]" }
+                th.number { "minus the first [W]" } th.number { "change [%]" } th.number { "mixed" }
             } }
             tbody { @for finish in &comparison.finishes {
+                @let [loss, difference, change] = cells(finish);
                 tr {
                     th scope="row" { (finish.name) }
-                    td.number { (format!("{:.4} %", 100.0 * finish.efficiency)) }
-                    td.number { (format!("{:.1}{} W", finish.loss_w.mean, finish.loss_w.spread())) }
-                    td.number { @match &finish.difference_w {
-                        None => "reference",
-                        Some(interval) => (format!("{:+.1}{} W", interval.mean, interval.spread())),
-                    } }
+                    td.number { (efficiency(finish)) " %" }
+                    td.number { (loss) }
+                    td.number { (difference) }
+                    td.number { (change) }
                     td.number { (format!("{:.0} %", 100.0 * finish.mixed_share)) }
                 }
             } }
         } }
-        p { "± is a " (format!("{:.0}", 100.0 * CONFIDENCE)) " % interval of Student's t over " (offsets)
-            " offsets; differences are taken offset by offset (paired). Windows that overlap on a short trace make it a lower bound." }
+        p { "Nominal values, " (note(comparison)) ". Parts that the finishes have in common, as the friction of the oil, cancel in the \
+            differences; the sampling errors of different flanks add." }
+        (made_of(comparison))
         div.charts { (figure(&bars(comparison))) @if let Some(chart) = differences(comparison) { (figure(&chart)) } }
+    }
+}
+
+/// What moves each loss, and what other laws give.
+fn made_of(comparison: &Comparison) -> Markup {
+    let banded: Vec<_> = comparison
+        .finishes
+        .iter()
+        .filter_map(|finish| Some((finish, finish.band.as_ref()?)))
+        .collect();
+    let Some((_, first)) = banded.first() else {
+        return html! {};
+    };
+    let effect = |band: &LossBand, name: &str| {
+        let found = band.parameters.iter().find(|p| p.name == name);
+        found.map_or("-".to_owned(), |p| format!("{:+.0} W", p.effect_w))
+    };
+    let other = |band: &LossBand, name: &str| {
+        let found = band.alternatives.iter().find(|row| row.name == name);
+        let loss = found.and_then(|row| row.loss_w);
+        loss.map_or("-".to_owned(), |loss| format!("{loss:.0} W"))
+    };
+    html! {
+        h3 { "What the bands are made of" }
+        div.scroll { table {
+            thead { tr { th { "from the low to the high end of" } @for (finish, _) in &banded { th.number { (finish.name) } } } }
+            tbody {
+                @for parameter in &first.parameters {
+                    tr { th scope="row" { (parameter.name) } @for (_, band) in &banded { td.number { (effect(band, &parameter.name)) } } }
+                }
+                tr { th scope="row" { "sampling of the flanks, ± 95 %" } @for (_, band) in &banded { td.number {
+                    @match &band.sampling {
+                        SamplingPart::Windows(found) => (format!("{:.1} W", found.half_width_w)),
+                        SamplingPart::None(why) => (why),
+                        _ => "-",
+                    }
+                } } }
+            }
+        } }
+        h3 { "Other laws, beside the bands and never in them" }
+        div.scroll { table {
+            thead { tr { th { "taken instead" } @for (finish, _) in &banded { th.number { (finish.name) } } } }
+            tbody { @for row in &first.alternatives {
+                tr { th scope="row" { (row.name) } @for (_, band) in &banded { td.number { (other(band, &row.name)) } } }
+            } }
+        } }
     }
 }
 
 fn bars(comparison: &Comparison) -> Drawing {
     let bars = comparison.finishes.iter().map(|finish| Bar {
         name: finish.name.clone(),
-        value: Some(finish.loss_w.mean),
-        spread: finish.loss_w.half_width,
-        text: format!("{:.0} W", finish.loss_w.mean),
+        value: Some(finish.loss_w),
+        spread: Some(finish.quantiles_w),
+        text: format!("{} W", cells(finish)[0]),
     });
     Drawing::Bars(BarChart {
         id: "losses".to_owned(),

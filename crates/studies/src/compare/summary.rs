@@ -2,7 +2,9 @@
 
 use asperity_report::wrapped;
 
-use super::comparison::{CONFIDENCE, Comparison};
+use asperity::loss_band::rounded;
+
+use super::comparison::{Comparison, FinishResult};
 
 /// The comparison for the terminal.
 pub fn summary(comparison: &Comparison) -> String {
@@ -15,29 +17,18 @@ pub fn summary(comparison: &Comparison) -> String {
         .unwrap_or(0)
         .max(8);
     text.push_str(&format!(
-        "{:width$}  {:>10}  {:>20}  {:>24}\n",
-        "finish", "efficiency", "loss W", "difference W"
+        "{:width$}  {:>10}  {:>18}  {:>20}  {:>22}\n",
+        "finish", "efficiency", "loss W", "minus the first W", "change %"
     ));
     for finish in &comparison.finishes {
-        let difference = match &finish.difference_w {
-            None => "reference".to_owned(),
-            Some(interval) => format!("{:+.1}{}", interval.mean, interval.spread()),
-        };
+        let [loss, difference, change] = cells(finish);
         text.push_str(&format!(
-            "{:width$}  {:>8.4} %  {:>20}  {difference:>24}\n",
+            "{:width$}  {:>8} %  {loss:>18}  {difference:>20}  {change:>22}\n",
             finish.name,
-            100.0 * finish.efficiency,
-            format!("{:.1}{}", finish.loss_w.mean, finish.loss_w.spread()),
+            efficiency(finish),
         ));
     }
-    let offsets = comparison
-        .finishes
-        .first()
-        .map_or(0, |finish| finish.offsets.len());
-    text.push_str(&format!(
-        "± is a {:.0} % interval of Student's t over {offsets} offsets, differences offset by offset\n",
-        100.0 * CONFIDENCE
-    ));
+    text.push_str(&format!("{}\n", wrapped(&note(comparison), "  ")));
     let best: Vec<String> = comparison
         .correlations
         .iter()
@@ -53,6 +44,58 @@ pub fn summary(comparison: &Comparison) -> String {
     }
     text.push_str(&warnings(comparison));
     text
+}
+
+/// Efficiency in percent, with the digits that its band leaves.
+pub(super) fn efficiency(finish: &FinishResult) -> String {
+    let [low, high] = finish.quantiles_w;
+    let half = 50.0 * (high - low) / finish.power_in_w;
+    rounded(100.0 * finish.efficiency, half)
+}
+
+/// Loss, difference and change of a finish, each with its quantiles.
+pub(super) fn cells(finish: &FinishResult) -> [String; 3] {
+    let banded = |value: f64, [low, high]: [f64; 2], sign: bool| {
+        let half = 0.5 * (high - low);
+        let text = |value: f64| match (sign, half == 0.0 && value == 0.0) {
+            (_, true) => "0".to_owned(),
+            (true, _) if value > 0.0 => format!("+{}", rounded(value, half)),
+            _ => rounded(value, half),
+        };
+        format!("{} ({}..{})", text(value), text(low), text(high))
+    };
+    let loss = banded(finish.loss_w, finish.quantiles_w, false);
+    match &finish.difference {
+        None => [loss, "reference".to_owned(), "reference".to_owned()],
+        Some(found) => [
+            loss,
+            banded(found.nominal_w, found.quantiles_w, true),
+            banded(
+                100.0 * found.nominal_share,
+                found.share_quantiles.map(|share| 100.0 * share),
+                true,
+            ),
+        ],
+    }
+}
+
+/// What the bands are of.
+pub(super) fn note(comparison: &Comparison) -> String {
+    let bands = comparison.finishes.iter().filter_map(|f| f.band.as_ref());
+    let mut names: Vec<&str> = Vec::new();
+    for parameter in bands.clone().flat_map(|band| &band.parameters) {
+        if !names.contains(&parameter.name.as_str()) {
+            names.push(&parameter.name);
+        }
+    }
+    let draws = bands.map(|band| band.draws).max().unwrap_or(0);
+    if names.is_empty() {
+        return "in brackets 5 to 95 % by the sampling of the flanks".to_owned();
+    }
+    format!(
+        "in brackets 5 to 95 % over {draws} draws of {}, the same for every finish, and the sampling of the flanks",
+        names.join(", ")
+    )
 }
 
 /// Every warning once, with the finishes it is about unless it is about all.

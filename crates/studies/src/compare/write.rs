@@ -46,9 +46,14 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
         finish: Cow<'a, str>,
         efficiency_percent: f64,
         loss_w: f64,
-        loss_half_width_w: Option<f64>,
+        loss_low_w: f64,
+        loss_high_w: f64,
         difference_w: Option<f64>,
-        difference_half_width_w: Option<f64>,
+        difference_low_w: Option<f64>,
+        difference_high_w: Option<f64>,
+        change_percent: Option<f64>,
+        change_low_percent: Option<f64>,
+        change_high_percent: Option<f64>,
         mixed_share_percent: f64,
     }
     write_table(
@@ -56,10 +61,19 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
         comparison.finishes.iter().map(|finish| Row {
             finish: cell(&finish.name),
             efficiency_percent: 100.0 * finish.efficiency,
-            loss_w: finish.loss_w.mean,
-            loss_half_width_w: finish.loss_w.half_width,
-            difference_w: finish.difference_w.map(|interval| interval.mean),
-            difference_half_width_w: finish.difference_w.and_then(|interval| interval.half_width),
+            loss_w: finish.loss_w,
+            loss_low_w: finish.quantiles_w[0],
+            loss_high_w: finish.quantiles_w[1],
+            difference_w: finish.difference.map(|found| found.nominal_w),
+            difference_low_w: finish.difference.map(|found| found.quantiles_w[0]),
+            difference_high_w: finish.difference.map(|found| found.quantiles_w[1]),
+            change_percent: finish.difference.map(|found| 100.0 * found.nominal_share),
+            change_low_percent: finish
+                .difference
+                .map(|found| 100.0 * found.share_quantiles[0]),
+            change_high_percent: finish
+                .difference
+                .map(|found| 100.0 * found.share_quantiles[1]),
             mixed_share_percent: 100.0 * finish.mixed_share,
         }),
     )

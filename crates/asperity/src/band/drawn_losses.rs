@@ -1,0 +1,120 @@
+//! Losses of one case at every offset of every draw.
+
+use asperity_core::quantity::Length;
+
+use crate::case::LoadedCase;
+use crate::result::{Losses, OffsetRow, PositionRow};
+use crate::surfaces::Surfaces;
+
+use super::mixture::{Drawn, five_to_ninety_five};
+use super::sampling::{effective_windows, free_way, window_sampling};
+
+/// Losses of a case, nominal and drawn, at each offset \[W\].
+#[derive(Debug, Clone, PartialEq)]
+pub struct DrawnLosses {
+    nominal: Vec<f64>,
+    draws: Vec<Vec<f64>>,
+    effective: Option<f64>,
+    surfaces: Surfaces,
+}
+
+impl DrawnLosses {
+    pub(super) fn new(
+        loaded: &LoadedCase,
+        nominal: &[OffsetRow],
+        path: &[PositionRow],
+        draws: &[Losses],
+    ) -> Self {
+        let at_offsets = |rows: &[OffsetRow]| rows.iter().map(|row| row.loss_w).collect();
+        Self {
+            nominal: at_offsets(nominal),
+            draws: draws
+                .iter()
+                .map(|found| at_offsets(&found.offsets))
+                .collect(),
+            effective: independent(loaded, nominal.len(), path),
+            surfaces: loaded.surfaces.clone(),
+        }
+    }
+
+    /// Losses at each offset with every parameter at its default.
+    #[must_use]
+    pub fn nominal(&self) -> &[f64] {
+        &self.nominal
+    }
+
+    /// Losses at each offset, draw by draw; the nominal ones where nothing was drawn.
+    #[must_use]
+    pub fn draws(&self) -> &[Vec<f64>] {
+        match self.draws.is_empty() {
+            true => std::slice::from_ref(&self.nominal),
+            false => &self.draws,
+        }
+    }
+
+    /// Windows that count as independent; none where there is no sampling error to tell.
+    #[must_use]
+    pub fn effective_windows(&self) -> Option<f64> {
+        self.effective
+    }
+
+    /// Whether a flank of this and another case is the same.
+    #[must_use]
+    pub fn shares_a_flank(&self, other: &Self) -> bool {
+        let pairs = self
+            .surfaces
+            .textures()
+            .iter()
+            .zip(other.surfaces.textures());
+        let mut equal = pairs.map(|(first, second)| first == second);
+        equal.any(|is_equal| is_equal)
+    }
+
+    /// 5 % and 95 % quantiles of the loss, sampling of the flanks included \[W\].
+    #[must_use]
+    pub fn quantiles(&self) -> [f64; 2] {
+        five_to_ninety_five(&self.with_sampling())
+    }
+
+    /// The mean loss of every draw without sampling error.
+    pub(super) fn exact(&self) -> Vec<Drawn> {
+        let means = self.draws().iter().map(|losses| mean(losses));
+        means.map(Drawn::exact).collect()
+    }
+
+    /// The mean loss of every draw with its sampling error.
+    pub(super) fn with_sampling(&self) -> Vec<Drawn> {
+        let draws = self.draws().iter();
+        draws.map(|losses| self.drawn(losses)).collect()
+    }
+
+    /// The mean of `losses`, one at each offset, with its sampling error.
+    pub(super) fn drawn(&self, losses: &[f64]) -> Drawn {
+        let value = mean(losses);
+        let effective = self.effective.unwrap_or(0.0);
+        match window_sampling(losses, effective) {
+            None => Drawn::exact(value),
+            Some(found) => Drawn {
+                value,
+                standard_error: found.standard_error_w,
+                freedom: effective - 1.0,
+            },
+        }
+    }
+}
+
+pub(super) fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+/// Independent windows of the shorter trace under the half width that the loss weights.
+fn independent(loaded: &LoadedCase, offsets: usize, path: &[PositionRow]) -> Option<f64> {
+    let weight = |row: &PositionRow| row.weight_m * row.sliding_w_per_m;
+    let total: f64 = path.iter().map(weight).sum();
+    let weighted = path
+        .iter()
+        .map(|row| weight(row) * row.half_width_um * 1e-6);
+    let half_width = Length::from_si(weighted.sum::<f64>() / total);
+    let free = free_way(&loaded.surfaces, loaded.case.model.window, half_width)?;
+    effective_windows(offsets, free, half_width)
+}

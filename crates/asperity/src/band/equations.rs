@@ -1,0 +1,45 @@
+//! The equations of the band, for `docs/EQUATIONS.md`.
+
+use asperity_core::{Equation, Reference};
+
+/// Latin hypercube sampling.
+const MCKAY_1979: Reference = Reference {
+    key: "mckay_1979",
+    text: "M. D. McKay, R. J. Beckman, W. J. Conover, A comparison of three methods for selecting values of input variables in the analysis of output from a computer code, Technometrics 21 (1979) 239-245",
+};
+
+/// Every equation of this folder.
+pub const EQUATIONS: &[Equation] = &[
+    Equation::new(
+        "Effective-windows",
+        "Windows of a trace that count as independent",
+        "n_e = min(K, L_f/(b_e (1 − b_e/(3 L_f)))), b_e = 1.6 a",
+        "crates/asperity/src/band/sampling.rs",
+        "printed_intervals_cover_the_mean_of_the_flank",
+        &[],
+    ),
+    Equation::new(
+        "Sampling-error",
+        "Interval of a mean over windows that overlap",
+        "s² = s_K²/(1 − 1/n_e) where n_e < K; ± t(0.95, n_e − 1) s/√n_e",
+        "crates/asperity/src/band/sampling.rs",
+        "printed_intervals_cover_the_mean_of_the_flank",
+        &[],
+    ),
+    Equation::new(
+        "Latin-hypercube",
+        "Draws of uncertain parameters",
+        "u_jk = (π_k(j) + r_jk)/N",
+        "crates/asperity/src/band/hypercube.rs",
+        "every_stratum_of_every_axis_is_drawn_once",
+        &[MCKAY_1979],
+    ),
+    Equation::new(
+        "Paired-difference",
+        "Difference of two finishes by the same draws",
+        "δ_j = P_other(θ_j) − P_first(θ_j), SE_j² = SE_other² + SE_first²",
+        "crates/asperity/src/band/difference.rs",
+        "finishes_differ_less_than_each_is_uncertain",
+        &[],
+    ),
+];

@@ -1,0 +1,202 @@
+//! One band for a loss: sampling of the flanks, parameters that nobody knows well, and other laws beside it.
+//!
+//! A run with its band costs no further contact: the contacts of the run are kept, and a draw of boundary and oil
+//! constants costs film laws only. The same draws serve every case, so that two finishes differ by their flanks and
+//! not by the luck of the draw.
+//!
+//! ```
+//! use asperity::{band, case, kept_fields::KeptFields};
+//! let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+//! let case = case::load_with(file, &|input| {
+//!     (input.model.positions, input.model.offsets) = (Some(4), Some(4));
+//! })?;
+//! let result = band::run_with_band(&case, &KeptFields::Highest, &|_, _| {})?.result;
+//! let band = result.band.ok_or("the default model has a band")?;
+//! assert!(band.quantiles_w[0] < band.nominal_w && band.nominal_w < band.quantiles_w[1]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod alternatives;
+mod difference;
+mod drawn_losses;
+mod draws;
+pub(crate) mod equations;
+mod hypercube;
+mod mixture;
+mod parameters;
+pub(crate) mod sampling;
+
+use std::collections::BTreeSet;
+
+use asperity_core::provenance::Provenance;
+
+use crate::case::{Formulation, FullFilmName, LoadShareName, LoadedCase};
+use crate::contact_tables::ContactTables;
+use crate::error::Error;
+use crate::kept_fields::KeptFields;
+use crate::loss_band::{AlternativeRow, BandParameter, LossBand, SamplingPart, Trust};
+use crate::pipeline::{Progress, run_keeping_contacts};
+use crate::provenance;
+use crate::result::{Losses, Outcome, PositionRow, RunResult};
+
+pub use difference::{PairedDifference, difference};
+pub use drawn_losses::DrawnLosses;
+pub use mixture::{Drawn, five_to_ninety_five, quantile};
+pub use sampling::{CONFIDENCE, effective_windows, window_sampling};
+
+use draws::{Draws, evaluated};
+use parameters::parameters;
+
+/// Draws of the parameters.
+pub const DRAWS: usize = 24;
+
+/// Whether a case has a band: the paper's formulation takes everything as printed, and records of mixed
+/// lubrication take minutes a draw.
+#[must_use]
+pub fn has_band(loaded: &LoadedCase) -> bool {
+    let model = &loaded.case.model;
+    loaded.case.formulation == Formulation::Corrected
+        && model.load_share != LoadShareName::Ehl
+        && model.full_film == FullFilmName::Formulas
+}
+
+/// Runs a case whole with the band of its loss; all else is as [`run_keeping`](crate::pipeline::run_keeping)
+/// gives it.
+///
+/// # Errors
+/// As [`run`](crate::run).
+pub fn run_with_band(
+    loaded: &LoadedCase,
+    kept: &KeptFields,
+    progress: Progress<'_>,
+) -> Result<Outcome, Error> {
+    Ok(run_and_draw(loaded, kept, progress)?.0)
+}
+
+/// The same with the losses of every draw, which [`difference`] compares; the nominal ones alone of a case without
+/// a band.
+///
+/// # Errors
+/// As [`run`](crate::run).
+pub fn run_and_draw(
+    loaded: &LoadedCase,
+    kept: &KeptFields,
+    progress: Progress<'_>,
+) -> Result<(Outcome, DrawnLosses), Error> {
+    let (mut outcome, tables) = run_keeping_contacts(loaded, kept, progress)?;
+    if !has_band(loaded) {
+        let rows = &outcome.result.path;
+        let drawn = DrawnLosses::new(loaded, &outcome.offsets, rows, &[]);
+        return Ok((outcome, drawn));
+    }
+    let used = Provenance::new();
+    let found = used.collect(|| band(loaded, &outcome, tables.as_ref()));
+    let (band, drawn) = found?;
+    outcome.result.band = Some(band);
+    note(&mut outcome.result, &used.tags());
+    Ok((outcome, drawn))
+}
+
+/// Adds the equations of the band to those of the run.
+fn note(result: &mut RunResult, tags: &BTreeSet<&'static str>) {
+    let before = result.equations.iter().map(|found| found.tag.as_ref());
+    let known = crate::equations::all().into_iter().map(|known| known.tag);
+    let before: BTreeSet<&str> = before.collect();
+    let all: BTreeSet<&'static str> = known
+        .filter(|tag| before.contains(tag) || tags.contains(tag))
+        .collect();
+    (result.equations, result.references) = provenance::used(&all);
+}
+
+fn band(
+    loaded: &LoadedCase,
+    outcome: &Outcome,
+    tables: Option<&ContactTables>,
+) -> Result<(LossBand, DrawnLosses), Error> {
+    let (ranged, held) = parameters(loaded).map_err(|error| Error::Whole(Box::new(error)))?;
+    let draws = Draws::of(loaded, tables, &ranged, DRAWS)?;
+    let effects = draws.effects(&ranged);
+    let alternatives = alternatives::alternatives(loaded).into_iter();
+    let alternatives = alternatives.map(|(name, other)| AlternativeRow {
+        name: name.to_owned(),
+        // An alternative without solution here is no error of the case.
+        loss_w: evaluated(&other, tables)
+            .ok()
+            .map(|found| found.summary.loss_w),
+    });
+    let rows = &outcome.result.path;
+    let drawn = DrawnLosses::new(loaded, &outcome.offsets, rows, &draws.losses);
+    let summary = &outcome.result.summary;
+    let quantiles_w = drawn.quantiles();
+    let [low, high] = quantiles_w.map(|loss| 1.0 - loss / summary.power_in_w);
+    let parameters = ranged.iter().zip(&effects);
+    let band = LossBand {
+        nominal_w: summary.loss_w,
+        quantiles_w,
+        efficiency_quantiles: [high, low],
+        parameter_quantiles_w: five_to_ninety_five(&drawn.exact()),
+        parameters: parameters
+            .map(|((_, ranged), effect)| BandParameter {
+                name: ranged.kind.name().to_owned(),
+                value: ranged.value,
+                low: ranged.low,
+                high: ranged.high,
+                unit: ranged.kind.unit().to_owned(),
+                is_logarithmic: ranged.kind.is_logarithmic(),
+                effect_w: *effect,
+            })
+            .collect(),
+        held,
+        draws: draws.losses.len(),
+        draws_w: draws
+            .losses
+            .iter()
+            .map(|found| found.summary.loss_w)
+            .collect(),
+        sampling: drawn.sampling(loaded),
+        alternatives: alternatives.collect(),
+        trust: trust(loaded),
+        path_sliding_w_per_m: along_path(rows, &draws.losses),
+    };
+    Ok((band, drawn))
+}
+
+fn trust(loaded: &LoadedCase) -> Trust {
+    let law = loaded.case.load_share();
+    match (loaded.surfaces.are_measured(), law.supply()) {
+        (false, _) => Trust::RoughnessValues,
+        (true, Some(_)) => Trust::SolvedContact,
+        (true, None) => Trust::ShareFormula,
+    }
+}
+
+/// Quantiles of the sliding loss of every position over the draws.
+fn along_path(nominal: &[PositionRow], draws: &[Losses]) -> Vec<[f64; 2]> {
+    let at = |k: usize| {
+        let drawn = draws.iter().filter_map(|found| found.path.get(k));
+        let values: Vec<Drawn> = drawn.map(|row| Drawn::exact(row.sliding_w_per_m)).collect();
+        match values.is_empty() {
+            true => [nominal[k].sliding_w_per_m; 2],
+            false => five_to_ninety_five(&values),
+        }
+    };
+    (0..nominal.len()).map(at).collect()
+}
+
+impl DrawnLosses {
+    /// What the sampling of the flanks adds, or why there is no interval.
+    fn sampling(&self, loaded: &LoadedCase) -> SamplingPart {
+        let nominal = self.nominal();
+        match window_sampling(nominal, self.effective_windows().unwrap_or(0.0)) {
+            Some(found) => SamplingPart::Windows(found),
+            None if !loaded.surfaces.are_measured() => {
+                SamplingPart::None("no traces, no sampling error".to_owned())
+            }
+            None if nominal.len() < 2 => SamplingPart::None("one window, no interval".to_owned()),
+            None => SamplingPart::None(
+                "the traces leave the window less than three averaging widths: one window, no interval"
+                    .to_owned(),
+            ),
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! The band of a loss as plain data: what is uncertain, by how much, and what other laws would give.
+
+use serde::{Deserialize, Serialize};
+
+/// The loss with its band.
+///
+/// The nominal loss is that of the defaults. Draws of the parameters are not centred on the defaults, so the band is
+/// told by quantiles and not as ±.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct LossBand {
+    /// All losses with every parameter at its default \[W\].
+    pub nominal_w: f64,
+    /// 5 % and 95 % quantiles of the loss, parameters and sampling of the flanks together \[W\].
+    pub quantiles_w: [f64; 2],
+    /// The same of the mesh efficiency, the lower first.
+    pub efficiency_quantiles: [f64; 2],
+    /// 5 % and 95 % quantiles by the parameters alone \[W\].
+    pub parameter_quantiles_w: [f64; 2],
+    /// Parameters that were drawn.
+    pub parameters: Vec<BandParameter>,
+    /// Parameters that were not drawn because the case states them.
+    pub held: Vec<String>,
+    /// Draws of the parameters; 0 where none is uncertain.
+    pub draws: usize,
+    /// The loss of each draw \[W\], the same draws for every case.
+    pub draws_w: Vec<f64>,
+    /// What the flanks sampled add.
+    pub sampling: SamplingPart,
+    /// The loss by other laws, each by its name; none is in the band.
+    pub alternatives: Vec<AlternativeRow>,
+    /// How much the answer is to be trusted.
+    pub trust: Trust,
+    /// 5 % and 95 % quantiles of the sliding loss per metre of contact line by the parameters, at each position
+    /// \[W/m\].
+    pub path_sliding_w_per_m: Vec<[f64; 2]>,
+}
+
+/// A parameter of the band.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct BandParameter {
+    /// Its name.
+    pub name: String,
+    /// The default.
+    pub value: f64,
+    /// Lower end of its range.
+    pub low: f64,
+    /// Upper end of its range.
+    pub high: f64,
+    /// Unit of these; "-" for a number.
+    pub unit: String,
+    /// Whether the logarithm is drawn evenly.
+    pub is_logarithmic: bool,
+    /// Change of the loss from the lower to the upper end, by the plane through all draws \[W\].
+    pub effect_w: f64,
+}
+
+/// What it adds that a trace is a sample of its flank.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum SamplingPart {
+    /// Windows of traces whose place on the flank is not known.
+    Windows(WindowSampling),
+    /// There is no interval; why.
+    None(String),
+}
+
+/// Sampling error of a mean over windows that overlap.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct WindowSampling {
+    /// Windows that were computed.
+    pub offsets: usize,
+    /// Windows that count as independent, n_e.
+    pub effective_windows: f64,
+    /// Standard error of the mean loss \[W\].
+    pub standard_error_w: f64,
+    /// Half the width of the 95 % interval of the mean loss \[W\].
+    pub half_width_w: f64,
+}
+
+/// The loss by another law or reading of the model.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct AlternativeRow {
+    /// What is taken instead.
+    pub name: String,
+    /// All losses \[W\]; none where it has no solution here.
+    pub loss_w: Option<f64>,
+}
+
+/// How much the answer is to be trusted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Trust {
+    /// Both flanks were measured and their contact was solved.
+    SolvedContact,
+    /// A formula shares the load between film and asperities.
+    ShareFormula,
+    /// A flank is known by roughness values alone: the lowest trust.
+    RoughnessValues,
+}
+
+impl LossBand {
+    /// Half the width of the band \[W\], which tells the digits of the loss that mean something.
+    #[must_use]
+    pub fn half_width_w(&self) -> f64 {
+        0.5 * (self.quantiles_w[1] - self.quantiles_w[0])
+    }
+}
+
+impl Trust {
+    /// The level in words.
+    #[must_use]
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::SolvedContact => "both traces measured, their contact solved",
+            Self::ShareFormula => "lower: a formula shares the load between film and asperities",
+            Self::RoughnessValues => {
+                "low: a flank is known by roughness values alone, no contact was solved"
+            }
+        }
+    }
+}
+
+/// `value` with the digits that an uncertainty of `half_width` leaves: two of the uncertainty.
+///
+/// ```
+/// use asperity::loss_band::rounded;
+/// assert_eq!(rounded(612.34, 95.0), "612");
+/// assert_eq!(rounded(612.34, 950.0), "610");
+/// assert_eq!(rounded(99.55231, 0.0701), "99.552");
+/// assert_eq!(rounded(612.34, 0.0), "612.3400");
+/// ```
+#[must_use]
+pub fn rounded(value: f64, half_width: f64) -> String {
+    /// Decimals where nothing limits them.
+    const MOST: i32 = 4;
+    if !(half_width.is_finite() && half_width > 0.0) {
+        return format!("{value:.4}");
+    }
+    let decimals = (1 - half_width.log10().floor() as i32).min(MOST);
+    if decimals >= 0 {
+        return format!("{value:.*}", decimals as usize);
+    }
+    let step = 10f64.powi(-decimals);
+    format!("{:.0}", (value / step).round() * step)
+}

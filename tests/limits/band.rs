@@ -1,0 +1,164 @@
+//! The band of a loss: what it must be in plain cases.
+
+use std::path::Path;
+
+use asperity::band::{difference, run_and_draw, run_with_band};
+use asperity::case::{LoadedCase, load_with};
+use asperity::kept_fields::KeptFields;
+use asperity::loss_band::{LossBand, SamplingPart, Trust};
+use asperity::pipeline::run_keeping;
+
+const KEPT: KeptFields = KeptFields::Highest;
+
+fn case(name: &str) -> LoadedCase {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../fixtures/cases")
+        .join(name);
+    load_with(&file, &|input| {
+        (input.model.positions, input.model.offsets) = (Some(6), Some(8));
+    })
+    .unwrap()
+}
+
+fn band(case: &LoadedCase) -> LossBand {
+    let outcome = run_with_band(case, &KEPT, &|_, _| {}).unwrap();
+    outcome.result.band.unwrap()
+}
+
+#[test]
+fn a_run_with_its_band_has_the_result_of_the_run() {
+    let case = case("e-drive.toml");
+    let plain = run_keeping(&case, &KEPT, &|_, _| {}).unwrap();
+    let banded = run_with_band(&case, &KEPT, &|_, _| {}).unwrap();
+    assert_eq!(plain.result.summary, banded.result.summary);
+    assert_eq!(plain.result.path, banded.result.path);
+    assert_eq!(plain.offsets, banded.offsets);
+    let band = banded.result.band.unwrap();
+    assert_eq!(band.nominal_w, plain.result.summary.loss_w);
+    let tags: Vec<&str> = banded.result.equations.iter().map(|e| &*e.tag).collect();
+    for tag in ["Latin-hypercube", "Effective-windows", "Sampling-error"] {
+        assert!(tags.contains(&tag), "{tag}");
+    }
+    assert!(
+        plain
+            .result
+            .equations
+            .iter()
+            .all(|e| tags.contains(&&*e.tag))
+    );
+}
+
+#[test]
+fn kept_contacts_give_the_losses_of_fresh_ones() {
+    let case = case("e-drive.toml");
+    let band = band(&case);
+    // An alternative is evaluated by the contacts of the run; alone it solves its own.
+    let other = case.with_key("model.boundary_layer", "20 nm").unwrap();
+    let alone = run_keeping(&other, &KEPT, &|_, _| {}).unwrap();
+    let row = band
+        .alternatives
+        .iter()
+        .find(|row| row.name.contains("boundary layer"));
+    assert_eq!(row.unwrap().loss_w, Some(alone.result.summary.loss_w));
+}
+
+#[test]
+fn identical_finishes_differ_by_exactly_nothing() {
+    let case = case("e-drive.toml");
+    let [first, other] = [0, 1].map(|_| run_and_draw(&case, &KEPT, &|_, _| {}).unwrap().1);
+    let found = difference(&first, &other);
+    assert_eq!(found.nominal_w, 0.0);
+    assert_eq!(found.quantiles_w, [0.0, 0.0]);
+    assert_eq!(found.parameter_quantiles_w, [0.0, 0.0]);
+    assert_eq!(found.share_quantiles, [0.0, 0.0]);
+    assert_eq!(found.sampling_half_width_w, Some(0.0));
+}
+
+#[test]
+fn finishes_differ_less_than_each_is_uncertain() {
+    let [ground, polished] = ["e-drive.toml", "e-drive-superfinished.toml"]
+        .map(|name| run_and_draw(&case(name), &KEPT, &|_, _| {}).unwrap().1);
+    let found = difference(&ground, &polished);
+    assert!(
+        found.nominal_w < 0.0 && found.quantiles_w[1] < 0.0,
+        "{found:?}"
+    );
+    let width = |[low, high]: [f64; 2]| high - low;
+    // The draws are the same, so what both finishes share cancels.
+    let unpaired = width(ground.quantiles()).hypot(width(polished.quantiles()));
+    assert!(width(found.quantiles_w) < unpaired, "{found:?} {unpaired}");
+    // Of the other finish seen from this one all turns round, but for the last digits of the quantiles.
+    let back = difference(&polished, &ground);
+    assert_eq!(back.nominal_w, -found.nominal_w);
+    assert!((back.quantiles_w[0] + found.quantiles_w[1]).abs() < 1e-6);
+}
+
+#[test]
+fn what_the_case_states_is_not_drawn() {
+    let all = band(&case("e-drive.toml"));
+    let names = |band: &LossBand| -> Vec<String> {
+        band.parameters.iter().map(|p| p.name.clone()).collect()
+    };
+    let every = [
+        "boundary friction",
+        "boundary layer",
+        "lay",
+        "limiting shear",
+        "Eyring stress",
+    ];
+    assert_eq!(names(&all), every);
+    let stated = case("e-drive.toml")
+        .with_key("model.boundary_friction", "0.08")
+        .unwrap();
+    let stated = band(&stated);
+    assert_eq!(names(&stated), every[1..]);
+    assert_eq!(stated.held, ["boundary friction"]);
+    // The same draws of the others, so the band is narrower and the loss the same.
+    assert_eq!(stated.nominal_w, all.nominal_w);
+    assert!(stated.half_width_w() < all.half_width_w());
+}
+
+#[test]
+fn every_parameter_that_rubs_more_loses_more() {
+    for parameter in band(&case("e-drive.toml")).parameters {
+        assert!(parameter.effect_w > 0.0, "{parameter:?}");
+        let range = parameter.low..=parameter.high;
+        assert!(range.contains(&parameter.value), "{parameter:?}");
+    }
+    // Where hardly anything touches, only the film counts.
+    for parameter in band(&case("e-drive-superfinished.toml")).parameters {
+        let of_film = ["limiting shear", "Eyring stress"].contains(&parameter.name.as_str());
+        assert!(of_film || parameter.effect_w.abs() < 10.0, "{parameter:?}");
+    }
+}
+
+#[test]
+fn flanks_known_by_their_ra_get_an_answer_of_low_trust() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases/e-drive.toml");
+    let case = load_with(&file, &|input| {
+        input.surface.pinion = asperity::case::FlankInput {
+            ra: Some("0.3 um".parse().unwrap()),
+            ..Default::default()
+        };
+        input.surface.wheel = None;
+        input.model.positions = Some(6);
+    })
+    .unwrap();
+    let band = band(&case);
+    assert_eq!(band.trust, Trust::RoughnessValues);
+    assert!(matches!(band.sampling, SamplingPart::None(_)));
+    assert!(band.half_width_w() > 0.0);
+    let text = asperity_report::summary(&run_with_band(&case, &KEPT, &|_, _| {}).unwrap().result);
+    assert!(text.contains("trust  low"), "{text}");
+}
+
+#[test]
+fn the_paper_has_no_band() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases/e-drive.toml");
+    let case = load_with(&file, &|input| {
+        input.formulation = Some(asperity::case::Formulation::Paper);
+    })
+    .unwrap();
+    let outcome = run_with_band(&case, &KEPT, &|_, _| {}).unwrap();
+    assert!(outcome.result.band.is_none());
+}

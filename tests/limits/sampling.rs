@@ -1,0 +1,207 @@
+//! The interval that is printed for the sampling of a flank covers the mean of the flank as often as it says.
+//!
+//! Random traces with the spectra of the ground flanks of the e-drive case meet at the program's offsets; the loss
+//! of two windows rises with the roughness under the pressure of Hertz. The mean over a long flank is the truth.
+
+use std::f64::consts::TAU;
+use std::path::Path;
+
+use asperity::band::{effective_windows, window_sampling};
+use asperity::case::load;
+use asperity::surfaces::Texture;
+use asperity_core::quantity::Length;
+use rand_chacha::ChaCha8Rng;
+use rand_core::{Rng, SeedableRng};
+use rayon::prelude::*;
+use realfft::RealFftPlanner;
+use realfft::num_complex::Complex;
+
+/// Half width of the contact \[m\].
+const HALF_WIDTH: f64 = 80e-6;
+/// The window in half-widths to each side.
+const WINDOW: f64 = 3.0;
+
+/// Amplitudes over even frequencies of a trace of `points` points.
+struct Spectrum {
+    amplitudes: Vec<f64>,
+    points: usize,
+}
+
+impl Spectrum {
+    fn of(heights: &[f64]) -> Self {
+        let points = heights.len() & !1;
+        let mean = heights[..points].iter().sum::<f64>() / points as f64;
+        let mut input: Vec<f64> = heights[..points].iter().map(|z| z - mean).collect();
+        let forward = RealFftPlanner::new().plan_fft_forward(points);
+        let mut output = forward.make_output_vec();
+        forward.process(&mut input, &mut output).unwrap();
+        Self {
+            amplitudes: output.iter().map(|value| value.norm()).collect(),
+            points,
+        }
+    }
+
+    /// A random trace of `points` points: phases at random, powers exponential about the spectrum.
+    fn trace(&self, points: usize, random: &mut Random) -> Vec<f64> {
+        let repeats = points.div_ceil(self.points);
+        let length = repeats * self.points;
+        let inverse = RealFftPlanner::new().plan_fft_inverse(length);
+        let mut bins = inverse.make_input_vec();
+        let last = self.amplitudes.len() - 1;
+        let count = bins.len();
+        for (bin, value) in bins.iter_mut().enumerate().skip(1).take(count - 2) {
+            let place = bin as f64 / repeats as f64;
+            let k = (place as usize).min(last - 1);
+            let t = place - k as f64;
+            let amplitude = (1.0 - t) * self.amplitudes[k] + t * self.amplitudes[k + 1];
+            let power = -(1.0 - random.uniform()).ln();
+            let size = amplitude * (repeats as f64 * power).sqrt();
+            *value = Complex::from_polar(size, TAU * random.uniform());
+        }
+        let mut heights = inverse.make_output_vec();
+        inverse.process(&mut bins, &mut heights).unwrap();
+        heights.truncate(points);
+        heights.iter_mut().for_each(|z| *z /= length as f64);
+        heights
+    }
+}
+
+struct Random(ChaCha8Rng);
+
+impl Random {
+    fn uniform(&mut self) -> f64 {
+        (self.0.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}
+
+/// Two flanks and the window of their contact.
+struct Flanks {
+    spectra: [Spectrum; 2],
+    spacing: f64,
+    weights: Vec<f64>,
+}
+
+impl Flanks {
+    fn of_the_example() -> Self {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases/e-drive.toml");
+        let loaded = load(&file, None).unwrap();
+        let mut spacing = 0.0;
+        let spectra = loaded.surfaces.textures().each_ref().map(|texture| {
+            let Texture::Trace(profile) = texture else {
+                panic!("the example is measured")
+            };
+            spacing = profile.spacing().si();
+            Spectrum::of(profile.heights())
+        });
+        let reach = (WINDOW * HALF_WIDTH / spacing).ceil() as i64;
+        let pressure = (-reach..=reach).map(|i| {
+            let x = i as f64 * spacing / HALF_WIDTH;
+            (1.0 - x * x).max(0.0).sqrt()
+        });
+        let weights: Vec<f64> = pressure.collect();
+        let sum: f64 = weights.iter().sum();
+        Self {
+            spectra,
+            spacing,
+            weights: weights.iter().map(|weight| weight / sum).collect(),
+        }
+    }
+
+    /// Losses of `offsets` pairs of windows on two new traces, at the offsets of the program.
+    fn losses(&self, traces: &[Vec<f64>; 2], offsets: usize) -> Vec<f64> {
+        let free = traces[0].len() - self.weights.len();
+        let place = |fraction: f64| (fraction * free as f64).round() as usize;
+        let at = |k: usize| {
+            let along = (k as f64 + 0.5) / offsets as f64;
+            let across = (0.5 + k as f64 * 0.618_033_988_749_894_9).fract();
+            self.loss(traces, [place(along), place(across)])
+        };
+        (0..offsets).map(at).collect()
+    }
+
+    /// A loss that rises with rms and peaks of the sum of both flanks under the pressure of Hertz.
+    fn loss(&self, traces: &[Vec<f64>; 2], starts: [usize; 2]) -> f64 {
+        let heights = self.weights.iter().enumerate().map(|(i, weight)| {
+            let z = traces[0][starts[0] + i] + traces[1][starts[1] + i];
+            (*weight, z)
+        });
+        let (mut square, mut under) = (0.0, Vec::with_capacity(self.weights.len()));
+        for (weight, z) in heights.filter(|(weight, _)| *weight > 0.0) {
+            square += weight * z * z;
+            under.push(z);
+        }
+        let rank = (0.98 * under.len() as f64) as usize;
+        let (_, peak, _) = under.select_nth_unstable_by(rank, f64::total_cmp);
+        let rough = 0.5 * square.sqrt() / 0.44e-6 + 0.5 * *peak / 0.9e-6;
+        450.0 + 170.0 * rough.min(1.5)
+    }
+
+    fn traces(&self, points: usize, seed: u64) -> [Vec<f64>; 2] {
+        let mut random = Random(ChaCha8Rng::seed_from_u64(seed));
+        self.spectra
+            .each_ref()
+            .map(|spectrum| spectrum.trace(points, &mut random))
+    }
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+#[test]
+fn printed_intervals_cover_the_mean_of_the_flank() {
+    const REPEATS: u64 = 200;
+    const LONG: usize = 40_000;
+    let flanks = Flanks::of_the_example();
+    let long: Vec<f64> = (0..32_u64)
+        .into_par_iter()
+        .map(|seed| mean(&flanks.losses(&flanks.traces(LONG, 1_000 + seed), 64)))
+        .collect();
+    let truth = mean(&long);
+    for millimetres in [1.10, 2.75] {
+        let points = (millimetres * 1e-3 / flanks.spacing).round() as usize;
+        let way = Length::from_si((points - flanks.weights.len()) as f64 * flanks.spacing);
+        for offsets in [16, 32, 128] {
+            let effective = effective_windows(offsets, way, Length::from_si(HALF_WIDTH)).unwrap();
+            assert!(effective <= offsets as f64);
+            let covered: Vec<[bool; 2]> = (0..REPEATS)
+                .into_par_iter()
+                .map(|seed| {
+                    let losses = flanks.losses(&flanks.traces(points, seed), offsets);
+                    let off = (mean(&losses) - truth).abs();
+                    // The naive interval takes every window for independent.
+                    [effective, offsets as f64].map(|windows| {
+                        off <= window_sampling(&losses, windows).unwrap().half_width_w
+                    })
+                })
+                .collect();
+            let share =
+                |of: usize| covered.iter().filter(|hits| hits[of]).count() as f64 / REPEATS as f64;
+            let (ours, naive) = (share(0), share(1));
+            println!(
+                "{millimetres} mm, {offsets} offsets: n_e {effective:.1}, covers {ours:.3}, naive {naive:.3}"
+            );
+            let said = format!("{millimetres} mm, {offsets} offsets: {ours} against {naive}");
+            assert!((0.86..=1.0).contains(&ours), "{said}");
+            assert!(ours >= naive, "{said}");
+        }
+    }
+}
+
+#[test]
+fn the_interval_does_not_shrink_with_windows_beyond_the_independent_ones() {
+    const TRACES: u64 = 20;
+    let flanks = Flanks::of_the_example();
+    let way = Length::from_si((5_500 - flanks.weights.len()) as f64 * flanks.spacing);
+    let half_width = |offsets: usize| {
+        let effective = effective_windows(offsets, way, Length::from_si(HALF_WIDTH)).unwrap();
+        let widths = (0..TRACES).map(|seed| {
+            let losses = flanks.losses(&flanks.traces(5_500, seed), offsets);
+            window_sampling(&losses, effective).unwrap().half_width_w
+        });
+        widths.sum::<f64>() / TRACES as f64
+    };
+    let (few, many) = (half_width(32), half_width(512));
+    // The variance from window to window is known better from more; the number that divides it stays.
+    assert!((many / few - 1.0).abs() < 0.1, "{few} {many}");
+}

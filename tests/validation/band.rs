@@ -1,0 +1,122 @@
+//! The band of the shipped drive beside the reference computation.
+
+use std::fmt::Write as _;
+use std::sync::OnceLock;
+
+use asperity::band::{DrawnLosses, difference, run_and_draw};
+use asperity::kept_fields::KeptFields;
+use asperity::loss_band::{LossBand, SamplingPart};
+use asperity::result::Summary;
+
+use crate::load_share::{few, shipped};
+
+/// Summary, band and draws of a case.
+type Banded = (Summary, LossBand, DrawnLosses);
+
+fn banded(name: &str) -> Banded {
+    let (outcome, drawn) = run_and_draw(&shipped(name), &KeptFields::Highest, &|_, _| ()).unwrap();
+    (outcome.result.summary, outcome.result.band.unwrap(), drawn)
+}
+
+/// Ground and superfinished.
+fn both() -> &'static [Banded; 2] {
+    static BOTH: OnceLock<[Banded; 2]> = OnceLock::new();
+    BOTH.get_or_init(|| ["e-drive", "e-drive-superfinished"].map(banded))
+}
+
+/// The table of docs/VALIDATION.md.
+pub fn table() -> String {
+    let mut text = String::from(
+        "| e-drive | ground | superfinished | reference computation, ground and superfinished |\n|---|---|---|---|\n",
+    );
+    let [ground, fine] = both();
+    let mut row = |name: &str, values: [String; 2], reference: &str| {
+        let _ = writeln!(
+            text,
+            "| {name} | {} | {} | {reference} |",
+            values[0], values[1]
+        );
+    };
+    let names = ["e-drive", "e-drive-superfinished"];
+    let whole = |power: f64| format!("{power:.0}");
+    let mean_length = [("model.load_distribution", "mean-length")];
+    row(
+        "sliding W, 4 offsets, mean length of the contact lines",
+        names.map(|name| whole(few(name, &mean_length).sliding_w)),
+        "569, 397 (mixed-EHL solver 501 to 604, 400)",
+    );
+    row(
+        "sliding W, 4 offsets, elastic teeth",
+        names.map(|name| whole(few(name, &[]).sliding_w)),
+        "-",
+    );
+    row(
+        "sliding W, 16 offsets, elastic teeth",
+        [ground, fine].map(|found| whole(found.0.sliding_w)),
+        "550 ± 8 with 8 to 64 offsets, first form",
+    );
+    row(
+        "loss W, nominal",
+        [ground, fine].map(|found| whole(found.1.nominal_w)),
+        "610, 434",
+    );
+    let range = |[low, high]: [f64; 2]| format!("{low:.0} to {high:.0}");
+    row(
+        "loss W, 5 to 95 %",
+        [ground, fine].map(|found| range(found.1.quantiles_w)),
+        "sliding 511 to 723, 337 to 460, first form",
+    );
+    row(
+        "of it by the parameters",
+        [ground, fine].map(|found| range(found.1.parameter_quantiles_w)),
+        "-",
+    );
+    row(
+        "± by the sampling of the flanks (95 %)",
+        [ground, fine].map(|found| match &found.1.sampling {
+            SamplingPart::Windows(found) => format!("{:.1}", found.half_width_w),
+            other => format!("{other:?}"),
+        }),
+        "-",
+    );
+    let change = difference(&ground.2, &fine.2);
+    let percent = |share: f64| format!("{:.0}", 100.0 * share);
+    let [low, high] = change.share_quantiles;
+    row(
+        "change of the loss %, 5 to 95 %",
+        [
+            "-".to_owned(),
+            format!(
+                "{} ({} to {})",
+                percent(change.nominal_share),
+                percent(low),
+                percent(high)
+            ),
+        ],
+        "sliding -34 (-50 to -22), first form; measured pairs -15 to -35",
+    );
+    let _ = writeln!(
+        text,
+        "\nTest: `the_band_of_the_shipped_drive_holds_the_reference_computation`."
+    );
+    text
+}
+
+#[test]
+fn the_band_of_the_shipped_drive_holds_the_reference_computation() {
+    let [ground, fine] = both();
+    // The reference's sliding losses with the rolling loss of this program.
+    for (found, sliding) in [(ground, 569.0), (fine, 397.0)] {
+        let [low, high] = found.1.quantiles_w;
+        let reference = sliding + found.0.rolling_w;
+        assert!(
+            (low..high).contains(&reference),
+            "{reference}: {low} {high}"
+        );
+    }
+    let change = difference(&ground.2, &fine.2);
+    assert!(change.quantiles_w[1] < 0.0, "{change:?}");
+    // Measured pairs: 15 to 35 % lower.
+    let [low, high] = change.share_quantiles;
+    assert!(low > -0.40 && high < -0.10, "{low} {high}");
+}
