@@ -1,11 +1,13 @@
 //! The command line.
 
 mod ehl;
+mod finish;
 mod from_rexs;
 mod map;
 mod profile;
 mod set;
 mod values;
+mod work;
 
 use std::path::PathBuf;
 
@@ -14,6 +16,7 @@ use asperity_core::quantity::{Length, LineLoad, Pressure};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 pub use ehl::{EhlArgs, ViscosityLawArg};
+pub use finish::FinishArg;
 pub use from_rexs::{CaseCommand, FromRexsArgs};
 pub use map::{
     CycleArgs, ExportArg, MapArgs, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs,
@@ -24,6 +27,7 @@ pub use profile::{
 };
 pub use set::SetArgs;
 pub use values::name_of;
+pub use work::WorkArgs;
 
 /// Mesh efficiency of a gear pair from the measured roughness of its tooth flanks.
 #[derive(Debug, Parser)]
@@ -237,17 +241,6 @@ pub struct RunArgs {
     pub work: WorkArgs,
 }
 
-/// Limits of estimated time and memory, above which nothing is started.
-#[derive(Debug, Clone, Copy, Args)]
-pub struct WorkArgs {
-    /// Refuse to start if the estimated time is longer
-    #[arg(long, value_name = "HOURS", default_value_t = 2.0)]
-    pub max_hours: f64,
-    /// Refuse to start if the estimated memory is larger
-    #[arg(long, value_name = "GB", default_value_t = 8.0)]
-    pub max_gb: f64,
-}
-
 /// A result and what to show of it.
 #[derive(Debug, Args)]
 pub struct ReportArgs {
@@ -282,42 +275,6 @@ pub struct CompareArgs {
     /// Limits of time and memory.
     #[command(flatten)]
     pub work: WorkArgs,
-}
-
-/// A finish with its name and trace files.
-#[derive(Debug, Clone)]
-pub struct FinishArg {
-    /// Its name.
-    pub name: String,
-    /// Trace of the pinion.
-    pub pinion: PathBuf,
-    /// Trace of the wheel, where it has its own.
-    pub wheel: Option<PathBuf>,
-}
-
-impl std::str::FromStr for FinishArg {
-    type Err = &'static str;
-
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
-        const FORM: &str = "must be a name and one or two files, e.g. ground=pinion.csv,wheel.csv";
-        let (name, files) = text.split_once('=').ok_or(FORM)?;
-        let (pinion, wheel) = match files.split_once(',') {
-            None => (files, None),
-            Some((pinion, wheel)) => (pinion, Some(wheel)),
-        };
-        if [Some(name), Some(pinion), wheel]
-            .into_iter()
-            .flatten()
-            .any(str::is_empty)
-        {
-            return Err(FORM);
-        }
-        Ok(Self {
-            name: name.to_owned(),
-            pinion: pinion.into(),
-            wheel: wheel.map(PathBuf::from),
-        })
-    }
 }
 
 /// Shell whose completions are printed.

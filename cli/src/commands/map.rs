@@ -1,13 +1,13 @@
 //! `asperity map`: losses over torque, speed and temperature.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::case::{self, CaseInput, LoadedCase};
 use asperity::kept_fields::KeptFields;
 use asperity_studies::compare::Finish;
 use asperity_studies::cycle::Cycle;
-use asperity_studies::export::{self, AddedLoss, ExportFile, With};
+use asperity_studies::export::{self, AddedLoss, With};
 use asperity_studies::map::{self, Axes, AxisError, Map};
 
 use super::cycle::read_cycle;
@@ -63,7 +63,11 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
 }
 
 /// The files of every format that was asked for.
-fn exports(args: &MapArgs, map: &Map, cycle: Option<&Cycle>) -> Result<Vec<ExportFile>, Failure> {
+fn exports(
+    args: &MapArgs,
+    map: &Map,
+    cycle: Option<&Cycle>,
+) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
     let added = args.add_loss.as_deref().map(added_loss).transpose()?;
     let with = With {
         added: added.as_ref(),
@@ -75,7 +79,7 @@ fn exports(args: &MapArgs, map: &Map, cycle: Option<&Cycle>) -> Result<Vec<Expor
             Failure::new("E205", format!("--export {}: {error}", name_of_value(*format)))
                 .advising("The map itself can be made without --export; its axes decide what a format can hold.")
         })?;
-        files.extend(found);
+        files.extend(found.into_iter().map(|file| (file.name, file.bytes)));
     }
     Ok(files)
 }

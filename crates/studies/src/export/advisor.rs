@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::ExportError;
+use super::error::ExportError;
 use super::field::Field;
 use crate::map::Surface;
 

@@ -1,7 +1,7 @@
 //! What is exported of a finish at one temperature.
 
-use super::ExportError;
 use super::added::AddedLoss;
+use super::error::ExportError;
 use crate::map::{Map, Surface};
 
 /// Loss torque over torque and speed of the input shaft, of the mesh and added.

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde_json::json;
 
-use super::ExportError;
+use super::error::ExportError;
 use super::field::Field;
 use crate::cycle::Cycle;
 

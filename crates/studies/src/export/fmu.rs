@@ -9,7 +9,7 @@ use sha2::{Digest, Sha256};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
-use super::ExportError;
+use super::error::ExportError;
 use super::field::Field;
 
 const MODEL: &str = "AsperityLoss";

@@ -2,6 +2,7 @@
 //! Modelica read them.
 
 use super::field::Field;
+use super::names::degrees;
 
 /// A MAT-file of level 4 in the making.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -99,7 +100,7 @@ pub(super) fn bytes(fields: &[Field]) -> Vec<u8> {
     for field in fields {
         let suffix = match fields.len() {
             1 => String::new(),
-            _ => format!("_{}", super::degrees(field.temperature_c)),
+            _ => format!("_{}", degrees(field.temperature_c)),
         };
         let named = |name: &str| format!("{name}{suffix}");
         let (total, omega) = (field.total_nm(), field.omega());

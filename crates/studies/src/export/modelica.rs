@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::ExportError;
+use super::error::ExportError;
 use super::field::Field;
 
 /// Table `lossTorque` over torque \[N m\] and speed \[rad/s\]; where loss was added, the mesh and what was added as

@@ -6,7 +6,7 @@ use std::path::Path;
 use asperity_report::tables::text;
 use serde::Serialize;
 
-use super::ExportError;
+use super::error::ExportError;
 use super::field::Field;
 use crate::map::FinishMap;
 

@@ -76,6 +76,16 @@ impl SweepError {
     }
 }
 
+impl SweepError {
+    /// Code of the error of a single case, for its row.
+    pub(super) fn code_of_case(&self) -> String {
+        match self {
+            Self::Case(error) => error.code().to_owned(),
+            _ => "E204".to_owned(),
+        }
+    }
+}
+
 impl From<asperity::Error> for SweepError {
     fn from(error: asperity::Error) -> Self {
         Self::Case(Box::new(error))

@@ -8,47 +8,13 @@ use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 use super::case_list::CaseList;
-use super::effects::{Effect, Indices, effects, sobol_indices};
+use super::effects::{Indices, effects, sobol_indices};
 use super::error::SweepError;
+use super::merged::{EffectRow, Merged};
 use super::page;
 use super::parts::{Rows, header, outputs, read, text_of};
 use super::study::Study;
 use crate::map::ranges;
-
-/// A study put together.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Merged {
-    /// Name of the study.
-    pub name: String,
-    /// Hash of the study.
-    pub study: String,
-    /// Title of the case.
-    pub title: String,
-    /// Cases.
-    pub cases: usize,
-    /// Cases without a result.
-    pub failed: usize,
-    /// SHA-256 of the table.
-    pub sha256: String,
-    /// Effects of the sampled inputs on each result, each result being the mean over the axes.
-    pub effects: Vec<EffectRow>,
-    /// The table.
-    #[serde(skip)]
-    pub table: Vec<u8>,
-}
-
-/// Effect of an input on a result.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct EffectRow {
-    /// Column of the result.
-    pub output: String,
-    /// Key of the input.
-    pub input: String,
-    /// Main effect.
-    pub effect: Option<Effect>,
-    /// Sobol's indices, where the sample is made for them.
-    pub indices: Option<Indices>,
-}
 
 /// Kind of the folder in messages.
 const KIND: &str = "sweep";

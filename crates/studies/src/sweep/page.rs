@@ -4,7 +4,7 @@ use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
 use asperity_report::html::{figure, page};
 use maud::{Markup, html};
 
-use super::merge::{EffectRow, Merged};
+use super::merged::{EffectRow, Merged};
 
 pub(super) fn render(merged: &Merged) -> String {
     let mut outputs: Vec<&str> = merged
@@ -59,7 +59,7 @@ fn tornado(merged: &Merged, output: &str) -> Option<Drawing> {
                 .unwrap_or(&row.input)
                 .to_owned(),
             value: Some(difference.abs()),
-            spread: Some(*half),
+            spread: Some([difference.abs() - half, difference.abs() + half]),
             text: format!("{difference:+.3e}"),
         })
         .collect();

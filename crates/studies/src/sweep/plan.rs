@@ -54,7 +54,7 @@ pub fn plan(study: &Study) -> Result<Plan, SweepError> {
         .into_par_iter()
         .map(|number| {
             let refused = resolved(&study.case, &list.place(number)).err()?;
-            Some((code_of(&refused), refused.to_string()))
+            Some((refused.code_of_case(), refused.to_string()))
         })
         .collect();
     let mut refused: BTreeMap<String, Refused> = BTreeMap::new();
@@ -86,12 +86,4 @@ pub fn plan(study: &Study) -> Result<Plan, SweepError> {
         seconds: each(begin.elapsed().as_secs_f64()),
         bytes: each(bytes as f64),
     })
-}
-
-/// Code of the error of a case.
-pub(super) fn code_of(error: &SweepError) -> String {
-    match error {
-        SweepError::Case(error) => error.code().to_owned(),
-        _ => "E204".to_owned(),
-    }
 }

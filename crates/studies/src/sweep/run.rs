@@ -14,7 +14,6 @@ use rayon::prelude::*;
 use super::case_list::{CaseList, key_of_tables, resolved};
 use super::error::SweepError;
 use super::parts::{Rows, close, make_place, outputs, read};
-use super::plan::code_of;
 use super::study::{Detail, Study};
 
 /// One of several shards of a study.
@@ -101,7 +100,7 @@ pub(super) fn row_of(
     let place = list.place(number);
     let names = outputs(study);
     let (id, found) = match resolved(&study.case, &place) {
-        Err(error) => (String::new(), Err(code_of(&error))),
+        Err(error) => (String::new(), Err(error.code_of_case())),
         Ok((case, id)) => {
             let summary = summary(study, &case, kept);
             (id, summary.map_err(|error| error.code().to_owned()))
