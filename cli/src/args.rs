@@ -1,10 +1,13 @@
 //! The command line.
 
 mod ehl;
+mod finish;
 mod from_rexs;
+mod map;
 mod profile;
 mod set;
 mod values;
+mod work;
 
 use std::path::PathBuf;
 
@@ -13,13 +16,18 @@ use asperity_core::quantity::{Length, LineLoad, Pressure};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 pub use ehl::{EhlArgs, ViscosityLawArg};
+pub use finish::FinishArg;
 pub use from_rexs::{CaseCommand, FromRexsArgs};
+pub use map::{
+    CycleArgs, ExportArg, MapArgs, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs,
+};
 pub use profile::{
     FormArg, PreparingArgs, ProfileCommand, ProfileConvertArgs, ProfileFilterArgs,
     ProfileGenerateArgs, ProfileInfoArgs, ProfilePart, ProfilePlotArgs, ReadingArgs, Wavelengths,
 };
 pub use set::SetArgs;
 pub use values::name_of;
+pub use work::WorkArgs;
 
 /// Mesh efficiency of a gear pair from the measured roughness of its tooth flanks.
 #[derive(Debug, Parser)]
@@ -89,6 +97,25 @@ pub enum Command {
         The first finish is the reference for the others. A single file serves both flanks, mirrored\n\
         for the wheel; two files, separated by a comma, are pinion and wheel.")]
     Compare(CompareArgs),
+    /// Losses over torque, speed and temperature, in both directions of the power
+    #[command(after_help = "Examples:\n  asperity map demo/case.toml\n  \
+        asperity map demo/case.toml --torque -150..150:13 --speed 500..16000:8 --temperature 60,90\n  \
+        asperity map demo/case.toml \\\n    \
+        --finish ground=demo/ground_pinion.csv,demo/ground_wheel.csv \\\n    \
+        --finish superfinished=demo/superfinished_pinion.csv,demo/superfinished_wheel.csv \\\n    \
+        --export vecto,modelica,fmu\n\n\
+        The losses are those of the mesh alone: no bearings, seals or churning. Every point is that of\n\
+        asperity run at this torque, speed and temperature.")]
+    Map(MapArgs),
+    /// Energy lost over a driving cycle, from a map
+    #[command(
+        after_help = "Examples:\n  asperity cycle results/case-map demo/urban.csv\n  \
+        asperity cycle results/case-map trace.csv --set vehicle.mass=\"1600 kg\" --temperature 90"
+    )]
+    Cycle(CycleArgs),
+    /// Run many cases: crossed axes and samples of the inputs, in shards
+    #[command(subcommand)]
+    Sweep(SweepCommand),
     /// Draw the figures of the 2022 paper, each with its table of values
     #[command(after_help = "Example:\n  asperity figures -o docs/figures")]
     Figures(FiguresArgs),
@@ -214,17 +241,6 @@ pub struct RunArgs {
     pub work: WorkArgs,
 }
 
-/// Limits of estimated time and memory, above which nothing is started.
-#[derive(Debug, Clone, Copy, Args)]
-pub struct WorkArgs {
-    /// Refuse to start if the estimated time is longer
-    #[arg(long, value_name = "HOURS", default_value_t = 2.0)]
-    pub max_hours: f64,
-    /// Refuse to start if the estimated memory is larger
-    #[arg(long, value_name = "GB", default_value_t = 8.0)]
-    pub max_gb: f64,
-}
-
 /// A result and what to show of it.
 #[derive(Debug, Args)]
 pub struct ReportArgs {
@@ -259,42 +275,6 @@ pub struct CompareArgs {
     /// Limits of time and memory.
     #[command(flatten)]
     pub work: WorkArgs,
-}
-
-/// A finish with its name and trace files.
-#[derive(Debug, Clone)]
-pub struct FinishArg {
-    /// Its name.
-    pub name: String,
-    /// Trace of the pinion.
-    pub pinion: PathBuf,
-    /// Trace of the wheel, where it has its own.
-    pub wheel: Option<PathBuf>,
-}
-
-impl std::str::FromStr for FinishArg {
-    type Err = &'static str;
-
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
-        const FORM: &str = "must be a name and one or two files, e.g. ground=pinion.csv,wheel.csv";
-        let (name, files) = text.split_once('=').ok_or(FORM)?;
-        let (pinion, wheel) = match files.split_once(',') {
-            None => (files, None),
-            Some((pinion, wheel)) => (pinion, Some(wheel)),
-        };
-        if [Some(name), Some(pinion), wheel]
-            .into_iter()
-            .flatten()
-            .any(str::is_empty)
-        {
-            return Err(FORM);
-        }
-        Ok(Self {
-            name: name.to_owned(),
-            pinion: pinion.into(),
-            wheel: wheel.map(PathBuf::from),
-        })
-    }
 }
 
 /// Shell whose completions are printed.

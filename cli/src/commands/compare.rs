@@ -1,12 +1,13 @@
 //! `asperity compare`: several finishes on one case.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
-use asperity::case::{self, CaseInput, FlankInput, LoadedCase, Source};
+use asperity::case::{self, CaseInput, LoadedCase, Source};
 use asperity::kept_fields::KeptFields;
 use asperity_studies::compare::{self, Finish};
 
+use super::finish::{Traces, check_names};
 use super::work::check_work;
 use super::{keys, pair_only, source, stem};
 use crate::args::{Common, CompareArgs, FinishArg};
@@ -19,14 +20,7 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
         let message = "--finish: one finish cannot be compared; give at least two";
         return Err(Failure::new("E205", message));
     }
-    for (index, finish) in args.finishes.iter().enumerate() {
-        let before = &args.finishes[..index];
-        if before.iter().any(|other| other.name == finish.name) {
-            let name = &finish.name;
-            let message = format!("--finish {name}: two finishes have this name; rename one");
-            return Err(Failure::new("E205", message));
-        }
-    }
+    check_names(&args.finishes)?;
     if args.offsets < 2 {
         let offsets = args.offsets;
         let message = format!("--offsets {offsets}: must be at least 2, as one has no spread");
@@ -84,40 +78,9 @@ fn load(
     (text, folder): (&Source, &Path),
     finish: &FinishArg,
 ) -> Result<LoadedCase, Failure> {
-    let name = &finish.name;
-    let whole = |file: &PathBuf| {
-        // Told here: the case does not name this file.
-        if !file.is_file() {
-            let message = format!(
-                "{}: there is no such file (named by --finish {name})",
-                file.display()
-            );
-            return Err(Failure::new("E103", message));
-        }
-        std::path::absolute(file)
-            .map_err(|error| Failure::new("E103", format!("{}: {error}", file.display())))
-    };
-    let pinion = whole(&finish.pinion)?;
-    let wheel = finish.wheel.as_ref().map(whole).transpose()?;
+    let (name, traces) = (&finish.name, Traces::of(finish)?);
     let change = |input: &mut CaseInput| {
-        let surface = &mut input.surface;
-        // How the files of the case are read holds for those of the finish; values of a flank without a file
-        // do not.
-        let on_file = |given: &FlankInput, file: &Path| FlankInput {
-            file: Some(file.to_owned()),
-            rq: None,
-            ra: None,
-            rz: None,
-            rpk: None,
-            asperity_radius: None,
-            ..given.clone()
-        };
-        let of_wheel = surface.wheel.clone().unwrap_or_else(|| FlankInput {
-            mirrored: Some(!surface.pinion.mirrored.unwrap_or(false)),
-            ..surface.pinion.clone()
-        });
-        surface.pinion = on_file(&surface.pinion, &pinion);
-        surface.wheel = wheel.as_deref().map(|file| on_file(&of_wheel, file));
+        traces.put_into(input);
         input.model.offsets = Some(args.offsets);
     };
     case::load_set(text.clone(), folder, &keys(&args.set), &change)

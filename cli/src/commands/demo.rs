@@ -40,7 +40,7 @@ pub fn demo(folder: Option<&Path>, paper: bool, common: &Common) -> Result<(), F
             " --formulation paper",
         ),
         false => (
-            "case.toml, two pairs of flanks (synthetic) and a README",
+            "case.toml, two pairs of flanks and two cycles (synthetic), a README",
             "",
         ),
     };

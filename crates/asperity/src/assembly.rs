@@ -22,8 +22,10 @@ use crate::{attention, formulation, rolling};
 impl Solved<'_> {
     /// Losses alone.
     pub(crate) fn losses(self) -> Result<Losses, PositionError> {
+        let summary = self.summary()?;
         Ok(Losses {
-            summary: self.summary()?,
+            outside: attention::outside(self.loaded, &self.positions, &summary)?,
+            summary,
             path: self.path()?,
             offsets: offset_rows(&self.meshes),
             run_in: None,
@@ -388,7 +390,7 @@ pub(crate) fn median(mut values: Vec<f64>) -> Option<f64> {
 }
 
 /// Sample standard deviation; none for fewer than two values.
-fn deviation(values: &[f64]) -> Option<f64> {
+pub(crate) fn deviation(values: &[f64]) -> Option<f64> {
     let n = values.len();
     if n < 2 {
         return None;

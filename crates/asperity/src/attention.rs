@@ -1,6 +1,6 @@
 //! Warnings raised from a finished result.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use asperity_contact::plasticity::{FIRST_YIELD, first_yield_pressure};
 use asperity_contact::{ContactWarning, SUSPECT_GAP};
@@ -56,6 +56,41 @@ pub(crate) fn warnings(
     roughness(loaded, positions, &mut found);
     full_film(positions, &mut found);
     Ok(found)
+}
+
+/// What left its range, each once: W401, W402, W403 and W405 with correlation and input.
+pub(crate) fn outside(
+    loaded: &LoadedCase,
+    positions: &[Position],
+    summary: &Summary,
+) -> Result<Vec<String>, PositionError> {
+    let named = |note: &OutOfRange| format!("{} {}: {}", code(note), note.correlation, note.name);
+    let mut found: BTreeSet<String> = loaded.case.oil_notes.iter().map(named).collect();
+    for position in positions {
+        found.extend(position.station.outside.iter().map(named));
+        let offsets = position.offsets.iter();
+        found.extend(offsets.flat_map(|offset| offset.friction.outside.iter().map(named)));
+    }
+    let equivalent = equivalent_friction(summary.efficiency, summary.loss_factor_local)?;
+    if !equivalent.outside.is_empty() {
+        found.insert("W402 equivalent friction".to_owned());
+    }
+    let materials = &loaded.case.materials;
+    let bearable = first_yield_pressure(&materials[0], &materials[1])?;
+    let passes = |position: &Position| position.station.hertz.max_pressure > bearable;
+    if positions.iter().any(passes) {
+        found.insert("W405 yield below the surface: Hertz pressure".to_owned());
+    }
+    Ok(found.into_iter().collect())
+}
+
+/// Code of an input that left its range: held at its end, or not.
+fn code(note: &OutOfRange) -> &'static str {
+    if note.correlation.contains("held") {
+        "W403"
+    } else {
+        "W401"
+    }
 }
 
 /// W421 to W425: load over the teeth, and its cells.
@@ -126,7 +161,7 @@ fn ranges(positions: &[Position], found: &mut Vec<Warning>) {
         positions: usize,
     }
     let mut seen: BTreeMap<(&str, &str), Seen<'_>> = BTreeMap::new();
-    let mut add = |note, is_new: &mut std::collections::BTreeSet<(&str, &str)>| {
+    let mut add = |note, is_new: &mut BTreeSet<(&str, &str)>| {
         let note: &OutOfRange = note;
         let key = (note.correlation, note.name);
         let entry = seen.entry(key).or_insert(Seen {
@@ -142,7 +177,7 @@ fn ranges(positions: &[Position], found: &mut Vec<Warning>) {
         }
     };
     for position in positions {
-        let mut here = std::collections::BTreeSet::new();
+        let mut here = BTreeSet::new();
         let offsets = position
             .offsets
             .iter()
@@ -153,11 +188,6 @@ fn ranges(positions: &[Position], found: &mut Vec<Warning>) {
     }
     for entry in seen.values() {
         let note = entry.note;
-        let code = if note.correlation.contains("held") {
-            "W403"
-        } else {
-            "W401"
-        };
         let value = if entry.least == entry.most {
             short(entry.least)
         } else {
@@ -169,7 +199,7 @@ fn ranges(positions: &[Position], found: &mut Vec<Warning>) {
             format!(" {}", note.unit)
         };
         found.push(Warning::new(
-            code,
+            code(note),
             format!(
                 "{}: {} {value}{unit} is outside {} .. {}{unit} at {} of {} positions",
                 note.correlation,

@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
-use asperity_core::quantity::Length;
+use asperity_core::material::Material;
+use asperity_core::quantity::{Length, Torque};
+use asperity_gear::{GearPair, LoadLaw, LoadMap, LoadMapSettings, MicroGeometry};
 
 use crate::case::Case;
 use crate::encounter::Encounter;
@@ -17,11 +19,54 @@ use crate::surfaces::{Surfaces, Texture};
 /// [`pipeline::contact_tables`](crate::pipeline::contact_tables).
 ///
 /// They know gears, torque, flanks and steel, but neither oil nor temperature nor speed: of those another
-/// costs film laws only, by [`pipeline::losses_with`](crate::pipeline::losses_with).
+/// costs film laws only, by [`pipeline::losses_with`](crate::pipeline::losses_with). Where the load share
+/// does not look at the rough contact they hold the roughness of the windows alone.
 #[derive(Debug, Clone)]
 pub struct ContactTables {
     fingerprint: Vec<u64>,
+    load: KeptLoad,
     rows: BTreeMap<[u64; 2], Vec<KeptContact>>,
+}
+
+/// The load over the teeth and all that it follows from.
+#[derive(Debug, Clone)]
+struct KeptLoad {
+    map: LoadMap,
+    /// None of a law of a user's own.
+    law: Option<LoadLaw>,
+    gears: GearPair,
+    micro_geometry: MicroGeometry,
+    materials: [Material; 2],
+    settings: LoadMapSettings,
+    torque: Torque,
+}
+
+impl KeptLoad {
+    fn new(case: &Case, map: LoadMap) -> Self {
+        Self {
+            map,
+            law: case
+                .laws
+                .load_distribution
+                .is_none()
+                .then(|| case.model.load_distribution.clone()),
+            gears: case.gears.clone(),
+            micro_geometry: case.micro_geometry.clone(),
+            materials: case.materials,
+            settings: case.load_settings,
+            torque: case.torque,
+        }
+    }
+
+    fn is_of(&self, case: &Case) -> bool {
+        case.laws.load_distribution.is_none()
+            && self.law.as_ref() == Some(&case.model.load_distribution)
+            && self.torque == case.torque
+            && self.gears == case.gears
+            && self.micro_geometry == case.micro_geometry
+            && self.materials == case.materials
+            && self.settings == case.load_settings
+    }
 }
 
 /// The contact of one window with what else does not hang on oil, speed and temperature.
@@ -76,10 +121,12 @@ impl ContactTables {
     pub(crate) fn new(
         case: &Case,
         surfaces: &Surfaces,
+        map: LoadMap,
         rows: impl Iterator<Item = (Station, Vec<KeptContact>)>,
     ) -> Self {
         Self {
             fingerprint: fingerprint(case, surfaces),
+            load: KeptLoad::new(case, map),
             rows: rows
                 .map(|(station, tables)| (key(&station), tables))
                 .collect(),
@@ -111,13 +158,18 @@ impl ContactTables {
         Ok(row.get(offset))
     }
 
-    /// Number of contact tables.
+    /// The load over the teeth of `case`, where it is that of the tables.
+    pub(crate) fn load_map(&self, case: &Case) -> Option<&LoadMap> {
+        self.load.is_of(case).then_some(&self.load.map)
+    }
+
+    /// Number of windows kept.
     #[must_use]
     pub fn len(&self) -> usize {
         self.rows.values().map(Vec::len).sum()
     }
 
-    /// Whether there is none: the flanks are not measured, or the load share asks for none.
+    /// Whether there is none: the flanks are not measured.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()

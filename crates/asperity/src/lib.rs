@@ -67,6 +67,7 @@ mod provenance;
 pub mod records;
 pub mod referee;
 pub mod result;
+pub mod reversed;
 mod rolling;
 mod rough_film;
 pub mod run_in;

@@ -35,7 +35,7 @@ use crate::run_in;
 use crate::solve::Run;
 use crate::solved::Solved;
 use crate::station::Station;
-use crate::stations::{named_points, stations_with};
+use crate::stations::{named_points, stations_under, stations_with};
 
 pub use crate::stations::{station_at, stations};
 
@@ -141,15 +141,17 @@ pub fn losses_with(
     losses_of(loaded, Some(tables), progress)
 }
 
-/// The rough contacts of a case at every position and offset, without oil, speed or temperature.
+/// The rough contacts of a case at every position and offset, without oil, speed or temperature; their roughness
+/// alone where the load share does not look at them.
 ///
 /// # Errors
 /// When a contact has no solution.
 pub fn contact_tables(loaded: &LoadedCase) -> Result<ContactTables, Error> {
     let (case, surfaces) = (&loaded.case, &loaded.surfaces);
     let laws = ChosenLaws::of(case);
-    let (_, stations) = stations_with(case, &laws).map_err(Box::new)?;
+    let (map, stations) = stations_with(case, &laws).map_err(Box::new)?;
     let count = surfaces.offsets(case.model.offsets);
+    let is_solved = rough_film::is_asked_for(case, &laws, surfaces);
     let solved: Vec<Result<_, PositionError>> = stations
         .into_par_iter()
         .map(|station| {
@@ -157,8 +159,8 @@ pub fn contact_tables(loaded: &LoadedCase) -> Result<ContactTables, Error> {
             for k in 0..count {
                 let window = case.model.window;
                 if let (Some(met), roughness) = meeting(surfaces, &station, window, k, count)? {
-                    let found = rough_film::table(case, &station, &met)?;
-                    tables.push(KeptContact::new(&met, roughness, Some(found)));
+                    let table = is_solved.then(|| rough_film::table(case, &station, &met));
+                    tables.push(KeptContact::new(&met, roughness, table.transpose()?));
                 }
             }
             Ok((station, tables))
@@ -168,7 +170,7 @@ pub fn contact_tables(loaded: &LoadedCase) -> Result<ContactTables, Error> {
         .into_iter()
         .collect::<Result<_, PositionError>>()
         .map_err(Box::new)?;
-    Ok(ContactTables::new(case, surfaces, rows.into_iter()))
+    Ok(ContactTables::new(case, surfaces, map, rows.into_iter()))
 }
 
 fn losses_of(
@@ -178,7 +180,8 @@ fn losses_of(
 ) -> Result<Losses, Error> {
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
-    let mesh = Mesh::of(loaded, &laws, progress, &used)?;
+    let kept = tables.and_then(|tables| tables.load_map(&loaded.case));
+    let mesh = Mesh::of(loaded, &laws, kept, progress, &used)?;
     let run = mesh.run(loaded, &laws, (Detail::Losses, tables));
     let keeper = Keeper::new(&KeptFields::All);
     let positions = mesh.positions(&run, &keeper, progress, &used)?;
@@ -197,7 +200,7 @@ fn outcome(
 ) -> Result<(Outcome, Option<ContactTables>), Error> {
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
-    let mesh = Mesh::of(loaded, &laws, progress, &used)?;
+    let mesh = Mesh::of(loaded, &laws, None, progress, &used)?;
     let run = Run {
         keeps,
         ..mesh.run(loaded, &laws, (detail, None))
@@ -208,7 +211,7 @@ fn outcome(
     let tables = keeps.then(|| {
         let rows = positions.iter_mut();
         let rows = rows.map(|p| (p.station.clone(), std::mem::take(&mut p.kept)));
-        ContactTables::new(&loaded.case, &loaded.surfaces, rows)
+        ContactTables::new(&loaded.case, &loaded.surfaces, mesh.map.clone(), rows)
     });
     let sums = || {
         let points = mesh.points(loaded, &laws)?;
@@ -272,11 +275,15 @@ impl Mesh {
     fn of(
         loaded: &LoadedCase,
         laws: &ChosenLaws,
+        kept: Option<&LoadMap>,
         progress: Progress<'_>,
         used: &Provenance,
     ) -> Result<Self, Error> {
         let found = || -> Result<Self, PositionError> {
-            let (map, stations) = stations_with(&loaded.case, laws)?;
+            let (map, stations) = match kept {
+                Some(map) => (map.clone(), stations_under(&loaded.case, laws, map)?),
+                None => stations_with(&loaded.case, laws)?,
+            };
             let (records, record_count) = records::of_case(loaded, laws, &stations, progress)?;
             Ok(Self {
                 map,

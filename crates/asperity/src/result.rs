@@ -473,6 +473,8 @@ pub struct Losses {
     /// Losses with flanks that have run in, where the case asks for them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub run_in: Option<RunInFlanks>,
+    /// What left the range of its correlation or of lubricated steel, each once: code, correlation, input.
+    pub outside: Vec<String>,
     /// Equations used.
     pub equations: Vec<EquationUse>,
 }

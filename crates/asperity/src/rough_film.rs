@@ -38,15 +38,16 @@ impl<'a> RoughFilm<'a> {
         surfaces: &Surfaces,
         station: &Station,
     ) -> Result<Option<Self>, PositionError> {
-        let Some(supply) = laws.load_share.supply() else {
+        let Some(supply) = laws
+            .load_share
+            .supply()
+            .filter(|_| is_asked_for(case, laws, surfaces))
+        else {
             return Ok(None);
         };
         let (Some(rheology), Some([first, second])) = (&case.rheology, surfaces.spectra()) else {
             return Ok(None);
         };
-        if case.formulation == Formulation::Paper {
-            return Ok(None);
-        }
         let model = &case.model;
         let settings = LoadShareSettings {
             boundary_friction: model.boundary_friction,
@@ -122,6 +123,14 @@ impl<'a> RoughFilm<'a> {
             }
         }
     }
+}
+
+/// Whether the load share of the case looks at the rough contact.
+pub(crate) fn is_asked_for(case: &Case, laws: &ChosenLaws, surfaces: &Surfaces) -> bool {
+    laws.load_share.supply().is_some()
+        && case.rheology.is_some()
+        && surfaces.are_measured()
+        && case.formulation != Formulation::Paper
 }
 
 /// The contact of a window of heights `composite` that carries the whole load without a film.

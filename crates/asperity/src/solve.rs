@@ -173,10 +173,9 @@ impl Run<'_> {
         is_solved: bool,
     ) -> Result<Option<&KeptContact>, PositionError> {
         let named = self.case.laws.load_share.is_none();
+        let heights = self.solves_contacts() || self.strategy().needs_traces();
         match self.tables {
-            Some(tables) if named && (is_solved || !self.solves_contacts()) => {
-                tables.at(station, offset)
-            }
+            Some(tables) if named && (is_solved || !heights) => tables.at(station, offset),
             _ => Ok(None),
         }
     }

@@ -25,12 +25,21 @@ pub(crate) fn stations_with(
     laws: &ChosenLaws,
 ) -> Result<(LoadMap, Vec<Station>), PositionError> {
     let map = case.load_map()?;
-    let places = formulation::of(case.formulation).places(case, &map)?;
-    let numbered = places.iter().enumerate();
-    let stations = numbered
-        .map(|(index, place)| station(case, laws, index + 1, place))
-        .collect::<Result<_, _>>()?;
+    let stations = stations_under(case, laws, &map)?;
     Ok((map, stations))
+}
+
+/// The mesh positions under the load of `map`.
+pub(crate) fn stations_under(
+    case: &Case,
+    laws: &ChosenLaws,
+    map: &LoadMap,
+) -> Result<Vec<Station>, PositionError> {
+    let places = formulation::of(case.formulation).places(case, map)?;
+    let numbered = places.iter().enumerate();
+    numbered
+        .map(|(index, place)| station(case, laws, index + 1, place))
+        .collect()
 }
 
 /// The place `s` of the path of contact on its own, under the mean load over the face: number 1, without

@@ -1,6 +1,6 @@
 //! The two flanks as used by the pipeline and as reported in the result.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
@@ -52,7 +52,7 @@ impl PartialEq for Surfaces {
 pub struct Surfaces {
     textures: [Texture; 2],
     /// Spectra of both traces, made at first need.
-    spectra: OnceLock<Option<[TraceSpectrum; 2]>>,
+    spectra: Arc<OnceLock<Option<[TraceSpectrum; 2]>>>,
     noise_cutoff: Option<Length>,
     /// Rz of the traces as roughness parameters; where it is not known, windows have the range of their heights.
     rz: [Option<Length>; 2],
@@ -66,7 +66,7 @@ impl Surfaces {
     pub fn new(textures: [Texture; 2], noise_cutoff: Option<Length>, same_trace: bool) -> Self {
         Self {
             textures,
-            spectra: OnceLock::new(),
+            spectra: Arc::new(OnceLock::new()),
             noise_cutoff,
             rz: [None; 2],
             same_trace,

@@ -204,6 +204,10 @@ quantities! {
     AngularSpeed, "rotational speed", "rad/s": [
         spelt("1/min", &["rpm", "min-1", "r/min", "rev/min", "U/min"], Factor(PI / 30.0), true), read("rad/s", Decimal(0)), read("1/s", Factor(2.0 * PI)),
     ];
+    /// A mass \[kg\].
+    Mass, "mass", "kg": [shown("kg", Decimal(0)), read("t", Decimal(3)), read("g", Decimal(-3))];
+    /// An area \[m²\].
+    Area, "area", "m2": [shown("m2", Decimal(0)), read("cm2", Decimal(-4)), read("mm2", Decimal(-6))];
     /// A force \[N\].
     Force, "force", "N": [shown("kN", Decimal(3)), shown("N", Decimal(0))];
     /// A force per length of contact line \[N/m\].

@@ -200,7 +200,15 @@ pub fn write_json<T: Serialize>(file: &Path, value: &T) -> Result<(), ReportErro
 /// # Errors
 /// When the system refuses.
 pub fn write_text(file: &Path, text: &str) -> Result<(), ReportError> {
-    fs::write(file, text).map_err(ReportError::io(file))
+    write_bytes(file, text.as_bytes())
+}
+
+/// Writes `bytes` into a folder that is being made.
+///
+/// # Errors
+/// When the system refuses.
+pub fn write_bytes(file: &Path, bytes: &[u8]) -> Result<(), ReportError> {
+    fs::write(file, bytes).map_err(ReportError::io(file))
 }
 
 /// Makes `folder` and those it is in.

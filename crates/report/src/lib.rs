@@ -23,7 +23,7 @@ mod wrap;
 
 pub use error::{ReportError, TableFault};
 pub use folder::{
-    Fields, check_place, make_folder, read_result, redraw, write_folder, write_json,
+    Fields, check_place, make_folder, read_result, redraw, write_bytes, write_folder, write_json,
     write_load_points, write_text, write_unsolved,
 };
 pub use page_tables::PageTables;

@@ -71,6 +71,8 @@ impl CaseInput {
             lubricant,
             surface: SurfaceInput::new(pinion),
             model: ModelInput::default(),
+            map: None,
+            vehicle: None,
         }
     }
 }
@@ -85,6 +87,7 @@ impl SurfaceInput {
             cutoff: None,
             noise_cutoff: None,
             ends: None,
+            coast: None,
         }
     }
 }

@@ -250,9 +250,10 @@ fn missing_key(table: Option<&str>, message: &str) -> Option<String> {
 
 /// The part of a case that is put right as a whole: a table whose keys hang together, or a single key.
 fn part_of(key: &str) -> &str {
-    const WHOLE: [&str; 8] = [
+    const WHOLE: [&str; 9] = [
         "gears",
         "lubricant",
+        "surface.coast",
         "surface.pinion",
         "surface.wheel",
         // Of a planetary set.

@@ -14,6 +14,8 @@ use super::source::Source;
 
 pub(super) const FILE_OF_PINION: &str = "surface.pinion.file";
 pub(super) const FILE_OF_WHEEL: &str = "surface.wheel.file";
+pub(super) const FILE_OF_COAST_PINION: &str = "surface.coast.pinion.file";
+pub(super) const FILE_OF_COAST_WHEEL: &str = "surface.coast.wheel.file";
 pub(super) const XU_COEFFICIENTS: &str = "model.xu_coefficients";
 
 /// Bytes of the largest file that a case may name.
@@ -52,9 +54,19 @@ impl Files {
         resolver: &dyn Fn(&str) -> io::Result<Vec<u8>>,
     ) -> Result<Self, CaseError> {
         let wheel = input.surface.wheel.as_ref();
+        let coast = input.surface.coast.as_ref();
+        let coast_wheel = coast.and_then(|coast| coast.wheel.as_ref());
         let named = [
             (FILE_OF_PINION, input.surface.pinion.file.as_ref()),
             (FILE_OF_WHEEL, wheel.and_then(|wheel| wheel.file.as_ref())),
+            (
+                FILE_OF_COAST_PINION,
+                coast.and_then(|coast| coast.pinion.file.as_ref()),
+            ),
+            (
+                FILE_OF_COAST_WHEEL,
+                coast_wheel.and_then(|wheel| wheel.file.as_ref()),
+            ),
             (XU_COEFFICIENTS, input.model.xu_coefficients.as_ref()),
         ];
         let mut files = Self::default();

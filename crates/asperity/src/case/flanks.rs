@@ -20,8 +20,10 @@ use sha2::{Digest, Sha256};
 use super::defaults::DefaultUsed;
 use super::domain::domain;
 use super::error::CaseError;
-use super::files::{Content, FILE_OF_PINION, FILE_OF_WHEEL, Files};
-use super::input::FlankInput;
+use super::files::{
+    Content, FILE_OF_COAST_PINION, FILE_OF_COAST_WHEEL, FILE_OF_PINION, FILE_OF_WHEEL, Files,
+};
+use super::input::{FlankInput, Side};
 use super::key_names::key_of;
 use super::resolve::Case;
 use super::source::Source;
@@ -74,18 +76,19 @@ fn both(case: &Case, source: &Source, files: &Files) -> Result<Flanks, CaseError
         files,
     };
     let mut warnings = Vec::new();
-    let pinion_input = &case.input.surface.pinion;
+    let (pinion_input, own_wheel, side) = case.input.surface.loaded(case.torque);
     // Flanks face each other: without a trace of its own the wheel is the pinion's, mirrored.
-    let wheel_input = case.input.surface.wheel.clone().unwrap_or(FlankInput {
+    let wheel_input = own_wheel.cloned().unwrap_or(FlankInput {
         mirrored: Some(!pinion_input.mirrored.unwrap_or(false)),
         ..pinion_input.clone()
     });
-    let pinion = flank(pinion_input, "surface.pinion", given, &mut warnings)?;
-    let wheel = flank(&wheel_input, "surface.wheel", given, &mut warnings)?;
+    let [of_pinion, of_wheel] = keys_of(side, own_wheel.is_some());
+    let pinion = flank(pinion_input, of_pinion, given, &mut warnings)?;
+    let wheel = flank(&wheel_input, of_wheel, given, &mut warnings)?;
     // Rows of one surface are traces of their own.
     let same_trace = pinion.raw.is_some() && pinion.raw == wheel.raw;
     let mut assumed = pinion.assumed;
-    if case.input.surface.wheel.is_some() {
+    if own_wheel.is_some() {
         let told = |default: &DefaultUsed| !assumed.contains(default);
         let more: Vec<DefaultUsed> = wheel.assumed.into_iter().filter(told).collect();
         assumed.extend(more);
@@ -123,9 +126,44 @@ fn both(case: &Case, source: &Source, files: &Files) -> Result<Flanks, CaseError
     })
 }
 
+/// Table and file of a flank in the case file.
+#[derive(Clone, Copy)]
+struct Keys {
+    table: &'static str,
+    file: &'static str,
+}
+
+/// The keys of pinion and wheel; the wheel may run on the trace of the pinion.
+fn keys_of(side: Side, wheel_has_its_own: bool) -> [Keys; 2] {
+    let (tables, [pinion, wheel]) = match side {
+        Side::Drive => (
+            ["surface.pinion", "surface.wheel"],
+            [FILE_OF_PINION, FILE_OF_WHEEL],
+        ),
+        Side::Coast => (
+            ["surface.coast.pinion", "surface.coast.wheel"],
+            [FILE_OF_COAST_PINION, FILE_OF_COAST_WHEEL],
+        ),
+    };
+    let wheel = if wheel_has_its_own { wheel } else { pinion };
+    [
+        Keys {
+            table: tables[0],
+            file: pinion,
+        },
+        Keys {
+            table: tables[1],
+            file: wheel,
+        },
+    ]
+}
+
 fn flank(
     input: &FlankInput,
-    key: &'static str,
+    Keys {
+        table: key,
+        file: named,
+    }: Keys,
     given: Given<'_>,
     warnings: &mut Vec<Warning>,
 ) -> Result<Flank, CaseError> {
@@ -143,14 +181,7 @@ fn flank(
             rule: "give file, the trace of the flank, or rq (ra or rz) when there is none",
         }),
         (None, Some(_)) => values(input, key, source),
-        (Some(file), _) => {
-            // The wheel may run on the trace of the pinion.
-            let named = match given.case.input.surface.wheel {
-                Some(_) if key == "surface.wheel" => FILE_OF_WHEEL,
-                _ => FILE_OF_PINION,
-            };
-            trace(input, file, named, given, warnings)
-        }
+        (Some(file), _) => trace(input, file, named, given, warnings),
     }
 }
 

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 use asperity_core::lubricant::LubricantInput;
 use asperity_core::quantity::{
-    Angle, AngularSpeed, Density, Length, Pressure, Ratio, SpecificHeat, Temperature,
+    Angle, AngularSpeed, Area, Density, Length, Mass, Pressure, Ratio, SpecificHeat, Temperature,
     ThermalConductivity, Torque,
 };
 use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay};
@@ -51,6 +51,12 @@ pub struct CaseInput {
     /// Choices of the model.
     #[serde(default)]
     pub model: ModelInput,
+    /// Reach of the default axes of `asperity map`; a run leaves it aside.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub map: Option<MapInput>,
+    /// The vehicle of a cycle given by its speed, for `asperity cycle`; a run leaves it aside.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub vehicle: Option<VehicleInput>,
 }
 
 /// Reading of the 2022 model.
@@ -209,6 +215,49 @@ pub struct OperationInput {
     pub temperature: Temperature,
 }
 
+/// Reach of the default axes of a map.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MapInput {
+    /// Largest torque at the pinion; default that of the operation.
+    pub torque_max: Option<Torque>,
+    /// Largest speed of the pinion; default that of the operation.
+    pub speed_max: Option<AngularSpeed>,
+}
+
+/// A vehicle whose speed over time makes torque and speed of the pinion.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct VehicleInput {
+    /// Mass with its load.
+    pub mass: Mass,
+    /// Rolling radius of the wheels.
+    pub wheel_radius: Length,
+    /// Turns of the pinion for one turn of the wheels.
+    pub ratio: f64,
+    /// Drag coefficient times frontal area, c_d A.
+    pub drag_area: Area,
+    /// Coefficient of the rolling resistance of the tyres.
+    pub rolling_resistance: f64,
+    /// Mass with that of everything that turns, over the mass; default 1.04.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub inertia_factor: Option<f64>,
+    /// Grade of the road where the cycle does not tell, rise over distance; default 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub grade: Option<Ratio>,
+}
+
+/// The other flanks of the teeth, which carry the load when the torque is negative.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CoastInput {
+    /// Trace of the pinion's coast flank.
+    pub pinion: FlankInput,
+    /// Trace of the wheel's coast flank; default: the pinion's coast flank, mirrored.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wheel: Option<FlankInput>,
+}
+
 /// The two flanks and how their traces are prepared.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -227,6 +276,28 @@ pub struct SurfaceInput {
     pub noise_cutoff: Option<Length>,
     /// Treatment of the ends of a trace in filtering; default `cut`.
     pub ends: Option<Ends>,
+    /// The coast flanks, where they are not as the others: they take the place of both at a negative torque.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub coast: Option<CoastInput>,
+}
+
+impl SurfaceInput {
+    /// The flanks that carry the load at `torque`, pinion and wheel, and the table that they stand in.
+    pub(super) fn loaded(&self, torque: Torque) -> (&FlankInput, Option<&FlankInput>, Side) {
+        match &self.coast {
+            Some(coast) if torque.si() < 0.0 => (&coast.pinion, coast.wheel.as_ref(), Side::Coast),
+            _ => (&self.pinion, self.wheel.as_ref(), Side::Drive),
+        }
+    }
+}
+
+/// Side of the teeth that carries the load.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Side {
+    /// That of `surface.pinion` and `surface.wheel`.
+    Drive,
+    /// That of `surface.coast`.
+    Coast,
 }
 
 /// One flank: a file with its trace, or roughness values alone.

@@ -15,7 +15,7 @@ use super::input::{CaseInput, Formulation, schema};
 use super::known_keys::first_unknown;
 use super::plain_words::plain;
 use super::plausibility::{of_files, unusual};
-use super::resolve::{Case, resolve};
+use super::resolve::{Case, resolve_checked};
 use super::source::Source;
 use crate::error::Error;
 use crate::message::Warning;
@@ -262,7 +262,9 @@ pub(super) fn complete(
     before: Option<&LoadedCase>,
 ) -> Result<LoadedCase, CaseError> {
     let provenance = Provenance::new();
-    let mut case = provenance.collect(|| resolve(input, source))?;
+    // The load over the teeth was checked where nothing but speed and temperature differ.
+    let is_checked = before.is_some_and(|before| loads_alike(&before.case.input, &input));
+    let mut case = provenance.collect(|| resolve_checked(input, source, is_checked))?;
     if let Some(file) = &case.input.model.xu_coefficients {
         let calibration = xu_calibration(file, source, &files)?;
         case.model.friction_settings.xu.coefficients = calibration.coefficients;
@@ -277,7 +279,7 @@ pub(super) fn complete(
         assumed,
         provenance: of_flanks,
     } = match before {
-        Some(before) if before.case.input.surface == case.input.surface => Flanks {
+        Some(before) if same_flanks(&before.case, &case) => Flanks {
             surfaces: before.surfaces.clone(),
             reports: before.flanks.clone(),
             warnings: of_files(&before.warnings),
@@ -312,6 +314,21 @@ pub(super) fn complete(
         name: source.name().into(),
         files,
     })
+}
+
+/// Whether gears, steel, torque and the model are the same in both cases.
+fn loads_alike(before: &CaseInput, input: &CaseInput) -> bool {
+    before.gears == input.gears
+        && before.material == input.material
+        && before.model == input.model
+        && before.formulation == input.formulation
+        && before.operation.torque == input.operation.torque
+}
+
+/// Whether the same flanks carry the load in both cases, prepared alike.
+fn same_flanks(before: &Case, case: &Case) -> bool {
+    let (old, new) = (&before.input.surface, &case.input.surface);
+    old == new && old.loaded(before.torque).2 == new.loaded(case.torque).2
 }
 
 /// The cache folder of the user by the rules of the system.

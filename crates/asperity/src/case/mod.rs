@@ -46,8 +46,9 @@ pub use defaults::DefaultUsed;
 pub use error::CaseError;
 pub use gear_input::{EndReliefInput, GearFlankInput, ReliefInput};
 pub use input::{
-    BodyInput, CaseInput, EhlInput, FlankInput, Formulation, GearsInput, MaterialInput, ModelInput,
-    NamedPoint, OneOrTwo, OperationInput, PathPoint, SurfaceInput, schema,
+    BodyInput, CaseInput, CoastInput, EhlInput, FlankInput, Formulation, GearsInput, MapInput,
+    MaterialInput, ModelInput, NamedPoint, OneOrTwo, OperationInput, PathPoint, SurfaceInput,
+    VehicleInput, schema,
 };
 pub use law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
 pub use loaded::{LoadedCase, Resolver, from_text, load, load_set, load_with, open_source};

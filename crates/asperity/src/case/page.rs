@@ -129,7 +129,10 @@ fn section(
 fn collect(schema: &Value, path: &str, node: &Value, keys: &mut Vec<Key>) {
     for (name, inner) in properties(schema, node) {
         let path = format!("{path}.{name}");
-        let is_twin = matches!(path.as_str(), "surface.wheel" | "material.wheel");
+        let is_twin = matches!(
+            path.as_str(),
+            "surface.wheel" | "surface.coast.pinion" | "surface.coast.wheel" | "material.wheel"
+        );
         if is_table(schema, inner) && !is_twin {
             collect(schema, &path, inner, keys);
         } else if is_twin {

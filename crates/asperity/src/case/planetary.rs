@@ -529,7 +529,10 @@ fn mesh_case(input: &PlanetaryCaseInput, mesh: &Mesh) -> CaseInput {
             cutoff: surface.cutoff,
             noise_cutoff: surface.noise_cutoff,
             ends: surface.ends,
+            coast: None,
         },
         model: input.model.clone(),
+        map: None,
+        vehicle: None,
     }
 }

@@ -76,6 +76,15 @@ pub struct Case {
 /// # Errors
 /// When a number is outside its domain, the gears cannot mesh, or the oil cannot be.
 pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
+    resolve_checked(input, source, false)
+}
+
+/// The same, where the load over the teeth may have been checked before.
+pub(super) fn resolve_checked(
+    input: CaseInput,
+    source: &Source,
+    load_is_checked: bool,
+) -> Result<Case, CaseError> {
     refuse_impossible(&input, source)?;
     let mut defaults = Defaults::default();
     let formulation = defaults.take("formulation", input.formulation, Formulation::default());
@@ -109,7 +118,9 @@ pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
         materials: &materials,
         settings: &load_settings,
     };
-    check_load(&mesh, &model, formulation, source)?;
+    if !load_is_checked {
+        check_load(&mesh, &model, formulation, source)?;
+    }
     let mut oil_state = oil.value;
     let rheology = match model.film_friction.shear_law().is_some() || model.shears_its_film() {
         false => None,

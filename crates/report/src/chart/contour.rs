@@ -33,6 +33,13 @@ pub struct Contour {
     pub rows: Vec<f64>,
     /// Values row by row.
     pub values: Vec<f64>,
+    /// Lower edges of the bands, rising; round numbers from zero where none are given. The first band holds
+    /// everything below the second, and what has no value.
+    pub levels: Option<Vec<f64>>,
+    /// Whether each value is marked as doubtful: cells at such a node are hatched. Empty where none is.
+    pub hatched: Vec<bool>,
+    /// Places to be dotted, in the units of the axes.
+    pub dots: Vec<[f64; 2]>,
     /// A value whose line is drawn over the bands.
     pub isoline: Option<f64>,
     /// Height of the box in units of the drawing.
@@ -61,6 +68,9 @@ impl Contour {
 
     /// Lower edges of the bands, at round numbers from zero.
     fn levels(&self) -> Vec<f64> {
+        if let Some(levels) = self.levels.as_ref().filter(|levels| !levels.is_empty()) {
+            return levels.clone();
+        }
         let highest = self
             .values
             .iter()
@@ -108,6 +118,12 @@ impl Contour {
         }
         if let Some(level) = self.isoline {
             canvas.path("isoline", &self.line_at(level, &frame));
+        }
+        if self.hatched.iter().any(|is_hatched| *is_hatched) {
+            canvas.path("hatch", &self.hatching(&frame));
+        }
+        if !self.dots.is_empty() {
+            canvas.path("dots", &self.dotted(&frame));
         }
         canvas.raw("</g></g>");
         self.draw_scale(&mut canvas, &frame, &levels);
@@ -169,6 +185,52 @@ impl Contour {
         d
     }
 
+    /// Strokes over the cells at doubtful nodes, on one grid of lines for all cells.
+    fn hatching(&self, frame: &Frame) -> String {
+        /// Distance of the strokes in units of the drawing.
+        const APART: f64 = 9.0;
+        let (nx, ny) = (self.columns.len(), self.rows.len());
+        let is_hatched = |i: usize, j: usize| self.hatched.get(j * nx + i) == Some(&true);
+        let mut d = String::new();
+        for j in 0..ny.saturating_sub(1) {
+            for i in 0..nx.saturating_sub(1) {
+                let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
+                if !corners.iter().any(|&(i, j)| is_hatched(i, j)) {
+                    continue;
+                }
+                let [x1, x2] = [frame.px(self.columns[i]), frame.px(self.columns[i + 1])];
+                let [a, b] = [frame.py(self.rows[j]), frame.py(self.rows[j + 1])];
+                let (y1, y2) = (a.min(b), a.max(b));
+                // Lines x + y = k·APART.
+                let mut k = ((x1 + y1) / APART).ceil();
+                while k * APART < x2 + y2 {
+                    let sum = k * APART;
+                    let (from, to) = (x1.max(sum - y2), x2.min(sum - y1));
+                    if to > from {
+                        let _ = write!(d, "M{from:.1} {:.1}L{to:.1} {:.1}", sum - from, sum - to);
+                    }
+                    k += 1.0;
+                }
+            }
+        }
+        d
+    }
+
+    /// A small circle at every dot.
+    fn dotted(&self, frame: &Frame) -> String {
+        const RADIUS: f64 = 1.3;
+        let mut d = String::new();
+        for [x, y] in &self.dots {
+            let (x, y) = (frame.px(*x) - RADIUS, frame.py(*y));
+            let twice = 2.0 * RADIUS;
+            let _ = write!(
+                d,
+                "M{x:.1} {y:.1}a{RADIUS} {RADIUS} 0 1 0 {twice} 0a{RADIUS} {RADIUS} 0 1 0 -{twice} 0"
+            );
+        }
+        d
+    }
+
     /// The line where the field is `level`, cell by cell.
     fn line_at(&self, level: f64, frame: &Frame) -> String {
         let (nx, ny) = (self.columns.len(), self.rows.len());
@@ -209,10 +271,16 @@ impl Contour {
         data["value"] = json!(self.value);
         data["columns"] = json!(self.columns);
         data["rows"] = json!(self.rows);
-        // Whole units are what one can read off a band.
-        data["values"] = json!(self.values.iter().map(|v| v.round()).collect::<Vec<_>>());
+        // Five digits are more than one can read off a band.
+        data["values"] = json!(self.values.iter().map(|v| digits(*v)).collect::<Vec<_>>());
         data
     }
+}
+
+/// Five digits; none where there is no value.
+fn digits(value: f64) -> Option<f64> {
+    let text = format!("{value:.4e}");
+    text.parse().ok().filter(|value: &f64| value.is_finite())
 }
 
 fn block(d: &mut String, [x1, x2]: [f64; 2], [y1, y2]: [f64; 2]) {

@@ -264,7 +264,7 @@
         const i = near(this.data.columns, x), j = near(this.data.rows, y);
         const found = this.data.values[j * this.data.columns.length + i];
         this.point(this.data.columns[i], [this.data.rows[j]]);
-        this.read.textContent = `x ${digits(this.data.columns[i])} ${this.data.x.unit}, depth ${digits(this.data.rows[j])} ${this.data.y.unit}: ${digits(found)} (${this.data.value})`;
+        this.read.textContent = `${this.data.x.label} ${digits(this.data.columns[i])} ${this.data.x.unit}, ${this.data.y.label} ${digits(this.data.rows[j])} ${this.data.y.unit}: ${digits(found)} (${this.data.value})`;
         return;
       }
       const found = [];

@@ -196,6 +196,9 @@ fn von_mises(
     let limit_mpa = limit.si() * 1e-6;
     let passes = values.iter().any(|stress| *stress > limit_mpa);
     Some(Drawing::Contour(Contour {
+        levels: None,
+        hatched: Vec::new(),
+        dots: Vec::new(),
         id: "von-mises".to_owned(),
         title: match passes {
             true => format!(

@@ -69,6 +69,9 @@ pub(super) fn map(tables: &PageTables, axis: Axis) -> Option<Drawing> {
         values = values.repeat(2);
     }
     Some(Drawing::Contour(Contour {
+        levels: None,
+        hatched: Vec::new(),
+        dots: Vec::new(),
         isoline: None,
         id: "load-map".to_owned(),
         title: "Load over the flank, from A to E and across the face".to_owned(),

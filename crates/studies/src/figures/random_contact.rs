@@ -202,6 +202,9 @@ fn below(x: &[f64], solution: &ContactSolution, folder: &Path) -> Result<Contour
         .collect();
     write(&folder.join(TABLE), cells.iter())?;
     Ok(Contour {
+        levels: None,
+        hatched: Vec::new(),
+        dots: Vec::new(),
         isoline: None,
         id: "fig06d".to_owned(),
         title: "Fig. 6: stress below the surface".to_owned(),

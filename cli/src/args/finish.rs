@@ -1,0 +1,39 @@
+//! A finish on the command line.
+
+use std::path::PathBuf;
+
+/// A finish with its name and trace files.
+#[derive(Debug, Clone)]
+pub struct FinishArg {
+    /// Its name.
+    pub name: String,
+    /// Trace of the pinion.
+    pub pinion: PathBuf,
+    /// Trace of the wheel, where it has its own.
+    pub wheel: Option<PathBuf>,
+}
+
+impl std::str::FromStr for FinishArg {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        const FORM: &str = "must be a name and one or two files, e.g. ground=pinion.csv,wheel.csv";
+        let (name, files) = text.split_once('=').ok_or(FORM)?;
+        let (pinion, wheel) = match files.split_once(',') {
+            None => (files, None),
+            Some((pinion, wheel)) => (pinion, Some(wheel)),
+        };
+        if [Some(name), Some(pinion), wheel]
+            .into_iter()
+            .flatten()
+            .any(str::is_empty)
+        {
+            return Err(FORM);
+        }
+        Ok(Self {
+            name: name.to_owned(),
+            pinion: pinion.into(),
+            wheel: wheel.map(PathBuf::from),
+        })
+    }
+}

@@ -1,0 +1,156 @@
+//! Options of `asperity map`, `cycle` and `sweep`.
+
+use std::path::PathBuf;
+
+use asperity_studies::export::Format;
+use clap::{Args, Subcommand, ValueEnum};
+
+use super::{FinishArg, SetArgs, WorkArgs};
+
+/// A case and the axes of its map.
+#[derive(Debug, Args)]
+pub struct MapArgs {
+    /// Case file, TOML (or JSON with the same keys); - reads standard input
+    pub case: PathBuf,
+    /// Keys set past the case.
+    #[command(flatten)]
+    pub set: SetArgs,
+    /// Torques at the pinion in N m: a..b:n, a..b:n:log or a list [default: 0 and 12 from 1 % of the largest,
+    /// both signs]; 0 is added between both signs
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    pub torque: Option<String>,
+    /// Speeds of the pinion in 1/min: a..b:n, a..b:n:log or a list [default: 0, 1 and 16 closer at low speed]; 0
+    /// is added
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    pub speed: Option<String>,
+    /// Temperatures of the flanks in °C: a..b:n or a list [default: that of the case]
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    pub temperature: Option<String>,
+    /// A finish and its traces; give several to see their difference [default: the flanks of the case]
+    #[arg(long = "finish", value_name = "NAME=PINION.csv[,WHEEL.csv]")]
+    pub finishes: Vec<FinishArg>,
+    /// Cycle whose points are drawn over the map, as asperity cycle takes it
+    #[arg(long, value_name = "TRACE.csv")]
+    pub cycle: Option<PathBuf>,
+    /// Also write the map for these programs, into the folder of the map
+    #[arg(long, value_enum, value_name = "FORMAT", value_delimiter = ',')]
+    pub export: Vec<ExportArg>,
+    /// Table with the loss torque of bearings, seals and churning, added to the exports as a part of its own:
+    /// columns torque_nm, speed_rpm, loss_torque_nm (and temperature_c)
+    #[arg(long, value_name = "TABLE.csv", requires = "export")]
+    pub add_loss: Option<PathBuf>,
+    /// Folder of the map [default: results/<name of the case>-map]
+    #[arg(long, short)]
+    pub output: Option<PathBuf>,
+    /// Limits of the work.
+    #[command(flatten)]
+    pub work: WorkArgs,
+}
+
+/// Programs that a map is written for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ExportArg {
+    /// Long table with the parts of the loss
+    Csv,
+    /// VECTO transmission loss map, .vtlm
+    Vecto,
+    /// Modelica CombiTable2Ds, .txt
+    Modelica,
+    /// MATLAB, Octave, scipy, Modelica: MAT-file level 4
+    Matlab,
+    /// FMI 2.0 model exchange and co-simulation, sources and, where cc is, the library of this machine
+    Fmu,
+    /// CO2MPAS gear box efficiency parameters, fitted
+    Co2mpas,
+    /// fastsim transmission efficiency, one number
+    Fastsim,
+    /// ADVISOR transmission map, output side, .m
+    Advisor,
+}
+
+impl ExportArg {
+    /// The format of the library.
+    pub fn format(self) -> Format {
+        match self {
+            Self::Csv => Format::Csv,
+            Self::Vecto => Format::Vecto,
+            Self::Modelica => Format::Modelica,
+            Self::Matlab => Format::Matlab,
+            Self::Fmu => Format::Fmu,
+            Self::Co2mpas => Format::Co2mpas,
+            Self::Fastsim => Format::Fastsim,
+            Self::Advisor => Format::Advisor,
+        }
+    }
+}
+
+/// A map and a cycle.
+#[derive(Debug, Args)]
+pub struct CycleArgs {
+    /// Folder of a map
+    pub map: PathBuf,
+    /// Cycle: CSV with time_s and torque_nm, speed_rpm at the pinion, or speed_km_h (and grade_percent) with
+    /// [vehicle] in the case of the map
+    pub trace: PathBuf,
+    /// Keys set past the case of the map, as vehicle.mass="1600 kg"
+    #[command(flatten)]
+    pub set: SetArgs,
+    /// Temperature of the flanks in °C, one of the map [default: its first]
+    #[arg(long, value_name = "°C", allow_hyphen_values = true)]
+    pub temperature: Option<f64>,
+    /// Folder of the result [default: results/<name of the map>-<name of the cycle>]
+    #[arg(long, short)]
+    pub output: Option<PathBuf>,
+    /// Do not write a folder
+    #[arg(long, conflicts_with = "output")]
+    pub no_output: bool,
+}
+
+/// Runs of many cases.
+#[derive(Debug, Subcommand)]
+pub enum SweepCommand {
+    /// Run a study, or a shard of it; finished parts are kept and never run again
+    #[command(after_help = "Examples:\n  asperity sweep run study.toml\n  \
+        asperity sweep run study.toml --plan\n  \
+        asperity sweep run study.toml --shard 3/64 --parts /scratch/parts")]
+    Run(SweepRunArgs),
+    /// What of a study is done, what is missing, what failed; exit status 3 while cases are missing
+    Status(SweepArgs),
+    /// Put the parts of a study together: table, sum, effects of the inputs, page
+    Merge(SweepMergeArgs),
+}
+
+/// A study and where its parts are.
+#[derive(Debug, Args)]
+pub struct SweepArgs {
+    /// Study file, TOML
+    pub study: PathBuf,
+    /// Folder of the parts [default: parts beside the study]
+    #[arg(long)]
+    pub parts: Option<PathBuf>,
+}
+
+/// A study to run.
+#[derive(Debug, Args)]
+pub struct SweepRunArgs {
+    /// The study.
+    #[command(flatten)]
+    pub sweep: SweepArgs,
+    /// The K-th of N shards: cases K-1, K-1+N, ...
+    #[arg(long, value_name = "K/N", default_value = "1/1")]
+    pub shard: String,
+    /// Check every case and tell count, errors, time and bytes; run nothing
+    #[arg(long)]
+    pub plan: bool,
+}
+
+/// Parts to put together.
+#[derive(Debug, Args)]
+pub struct SweepMergeArgs {
+    /// The study.
+    #[command(flatten)]
+    pub sweep: SweepArgs,
+    /// Folder of the result [default: results/<name of the study>-sweep]
+    #[arg(long, short)]
+    pub output: Option<PathBuf>,
+}

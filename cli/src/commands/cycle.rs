@@ -1,0 +1,94 @@
+//! `asperity cycle`: energy lost over a cycle, from a map.
+
+use std::path::{Path, PathBuf};
+
+use asperity::case::VehicleInput;
+use asperity_studies::cycle::{self, Cycle};
+use asperity_studies::map::{self, Map, MapError};
+
+use super::keys;
+use crate::args::{Common, CycleArgs};
+use crate::failure::Failure;
+use crate::output::{print_json, print_text};
+
+/// `asperity cycle`
+pub fn cycle(args: &CycleArgs, common: &Common) -> Result<(), Failure> {
+    let mut map = read_map(&args.map)?;
+    for (key, value) in keys(&args.set) {
+        let set = map.input.set(&key, &value);
+        set.map_err(|error| Failure::of(&error))?;
+    }
+    let temperature = temperature(args, &map)?;
+    let trace = read_cycle(&args.trace, map.input.vehicle.as_ref())?;
+    let name = stem(&args.trace);
+    let found = cycle::evaluate(&map, temperature, &trace, &name).ok_or_else(|| {
+        let map = args.map.display();
+        Failure::new("E402", format!("{map}: points of the map have no result"))
+            .advising("Make the map anew with axes that the case can be run on.")
+    })?;
+    let folder = args
+        .output
+        .clone()
+        .unwrap_or_else(|| Path::new("results").join(format!("{}-{name}", stem(&args.map))));
+    if !args.no_output {
+        let write = cycle::check_place(&folder).and_then(|()| cycle::write(&found, &map, &folder));
+        write.map_err(|error| Failure::new("E401", error.to_string()))?;
+    }
+    if common.json {
+        return print_json(&found);
+    }
+    let mut text = cycle::summary(&found);
+    if !args.no_output {
+        text.push_str(&format!("wrote {}\n", folder.display()));
+    }
+    print_text(common, &text)
+}
+
+/// The map in a folder.
+pub fn read_map(folder: &Path) -> Result<Map, Failure> {
+    map::read(folder).map_err(|error| {
+        let advice = "Name the folder that asperity map wrote, as results/case-map.";
+        match error {
+            MapError::Open { path, source } => {
+                Failure::new("E402", format!("{}: not a map: {source}", path.display()))
+            }
+            error => Failure::new("E402", error.to_string()),
+        }
+        .advising(advice)
+    })
+}
+
+/// The cycle in a file.
+pub fn read_cycle(file: &PathBuf, vehicle: Option<&VehicleInput>) -> Result<Cycle, Failure> {
+    let name = file.display();
+    let text = std::fs::read_to_string(file)
+        .map_err(|error| Failure::new("E103", format!("{name}: {error}")))?;
+    cycle::cycle(&text, vehicle).map_err(|error| {
+        Failure::new("E101", format!("{name}: {error}")).advising(
+            "A cycle is a table with time_s and torque_nm, speed_rpm at the pinion, or speed_km_h with [vehicle] in the case.",
+        )
+    })
+}
+
+fn temperature(args: &CycleArgs, map: &Map) -> Result<usize, Failure> {
+    let nodes = &map.axes.temperature_c;
+    let Some(wanted) = args.temperature else {
+        return Ok(0);
+    };
+    let at = nodes.iter().position(|node| *node == wanted);
+    at.ok_or_else(|| {
+        let known: Vec<String> = nodes.iter().map(f64::to_string).collect();
+        let known = known.join(", ");
+        Failure::new(
+            "E209",
+            format!("--temperature {wanted}: the map has {known} °C"),
+        )
+    })
+}
+
+fn stem(path: &Path) -> String {
+    path.file_stem()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned()
+}

@@ -1,0 +1,72 @@
+//! A case on the traces of a finish.
+
+use std::path::{Path, PathBuf};
+
+use asperity::case::{CaseInput, FlankInput};
+
+use crate::args::FinishArg;
+use crate::failure::Failure;
+
+/// Refuses two finishes of one name.
+pub fn check_names(finishes: &[FinishArg]) -> Result<(), Failure> {
+    for (index, finish) in finishes.iter().enumerate() {
+        let before = &finishes[..index];
+        if before.iter().any(|other| other.name == finish.name) {
+            let name = &finish.name;
+            let message = format!("--finish {name}: two finishes have this name; rename one");
+            return Err(Failure::new("E205", message));
+        }
+    }
+    Ok(())
+}
+
+/// Traces of a finish by their whole paths.
+pub struct Traces {
+    pinion: PathBuf,
+    wheel: Option<PathBuf>,
+}
+
+impl Traces {
+    /// The traces that `finish` names.
+    pub fn of(finish: &FinishArg) -> Result<Self, Failure> {
+        let name = &finish.name;
+        let whole = |file: &PathBuf| {
+            // Told here: the case does not name this file.
+            if !file.is_file() {
+                let message = format!(
+                    "{}: there is no such file (named by --finish {name})",
+                    file.display()
+                );
+                return Err(Failure::new("E103", message));
+            }
+            std::path::absolute(file)
+                .map_err(|error| Failure::new("E103", format!("{}: {error}", file.display())))
+        };
+        Ok(Self {
+            pinion: whole(&finish.pinion)?,
+            wheel: finish.wheel.as_ref().map(whole).transpose()?,
+        })
+    }
+
+    /// Puts the traces in place of those of the case; a single one serves both flanks, mirrored for the wheel.
+    pub fn put_into(&self, input: &mut CaseInput) {
+        let surface = &mut input.surface;
+        // How the files of the case are read holds for those of the finish; values of a flank without a file
+        // do not.
+        let on_file = |given: &FlankInput, file: &Path| FlankInput {
+            file: Some(file.to_owned()),
+            rq: None,
+            ra: None,
+            rz: None,
+            rpk: None,
+            asperity_radius: None,
+            ..given.clone()
+        };
+        let of_wheel = surface.wheel.clone().unwrap_or_else(|| FlankInput {
+            mirrored: Some(!surface.pinion.mirrored.unwrap_or(false)),
+            ..surface.pinion.clone()
+        });
+        surface.pinion = on_file(&surface.pinion, &self.pinion);
+        surface.wheel = self.wheel.as_deref().map(|file| on_file(&of_wheel, file));
+    }
+}

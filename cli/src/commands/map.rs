@@ -1,0 +1,164 @@
+//! `asperity map`: losses over torque, speed and temperature.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use asperity::case::{self, CaseInput, LoadedCase};
+use asperity::kept_fields::KeptFields;
+use asperity_studies::compare::Finish;
+use asperity_studies::cycle::Cycle;
+use asperity_studies::export::{self, AddedLoss, With};
+use asperity_studies::map::{self, Axes, AxisError, Map};
+
+use super::cycle::read_cycle;
+use super::finish::{Traces, check_names};
+use super::work::check_work;
+use super::{keys, pair_only, source, stem};
+use crate::args::{Common, ExportArg, MapArgs};
+use crate::failure::Failure;
+use crate::output::{PATIENCE, print_json, print_text, progress};
+
+/// `asperity map`
+pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
+    let begin = Instant::now();
+    check_names(&args.finishes)?;
+    let finishes = finishes(args)?;
+    let Some(first) = finishes.first() else {
+        return Err(Failure::new("E501", "a map without a finish"));
+    };
+    let axes = axes(args, &first.case)?;
+    let cycle = match &args.cycle {
+        Some(file) => Some(read_cycle(file, first.case.case.input.vehicle.as_ref())?),
+        None => None,
+    };
+    if args.export.contains(&ExportArg::Fastsim) && cycle.is_none() {
+        let message = "--export fastsim takes one number, weighted by a cycle; pass --cycle";
+        return Err(Failure::new("E205", message));
+    }
+    let visited: Vec<[f64; 2]> = cycle
+        .iter()
+        .flat_map(|cycle| &cycle.points)
+        .map(|point| [point.torque_nm, point.speed_rpm.abs()])
+        .collect();
+    let folder = args.output.clone().unwrap_or_else(|| {
+        let stem = stem(&args.case).to_string_lossy();
+        Path::new("results").join(format!("{stem}-map"))
+    });
+    // Told before the work, not after it.
+    map::check_place(&folder).map_err(|error| Failure::new("E401", error.to_string()))?;
+    let torques = axes.torque_nm.len().div_ceil(2) * finishes.len();
+    check_work(&args.work, &first.case, &KeptFields::Highest, torques)?;
+    let found =
+        watched(&finishes, &axes, common).map_err(|error| Failure::about(&args.case, &error))?;
+    let exports = exports(args, &found, cycle.as_ref())?;
+    map::write(&found, &visited, &exports, &folder)
+        .map_err(|error| Failure::new("E401", error.to_string()))?;
+    if common.json {
+        return print_json(&found);
+    }
+    let mut text = map::summary(&found);
+    let seconds = begin.elapsed().as_secs_f64();
+    text.push_str(&format!("wrote {} in {seconds:.1} s\n", folder.display()));
+    print_text(common, &text)
+}
+
+/// The files of every format that was asked for.
+fn exports(
+    args: &MapArgs,
+    map: &Map,
+    cycle: Option<&Cycle>,
+) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+    let added = args.add_loss.as_deref().map(added_loss).transpose()?;
+    let with = With {
+        added: added.as_ref(),
+        cycle,
+    };
+    let mut files = Vec::new();
+    for format in &args.export {
+        let found = export::export(map, format.format(), with).map_err(|error| {
+            Failure::new("E205", format!("--export {}: {error}", name_of_value(*format)))
+                .advising("The map itself can be made without --export; its axes decide what a format can hold.")
+        })?;
+        files.extend(found.into_iter().map(|file| (file.name, file.bytes)));
+    }
+    Ok(files)
+}
+
+fn added_loss(file: &Path) -> Result<AddedLoss, Failure> {
+    let name = file.display();
+    let text = std::fs::read_to_string(file)
+        .map_err(|error| Failure::new("E103", format!("{name}: {error}")))?;
+    let short = file.file_name().unwrap_or_default().to_string_lossy();
+    AddedLoss::read(&short, &text).map_err(|error| {
+        Failure::new("E101", format!("--add-loss {error}")).advising(
+            "The table has the columns speed_rpm, loss_torque_nm and, where the loss depends on them, torque_nm and temperature_c, as a grid.",
+        )
+    })
+}
+
+/// The name of a format as it is typed.
+fn name_of_value(format: ExportArg) -> String {
+    let value = clap::ValueEnum::to_possible_value(&format);
+    value.map_or_else(String::new, |value| value.get_name().to_owned())
+}
+
+/// The work with its rate and the time that is left, once it takes a while.
+fn watched(finishes: &[Finish], axes: &Axes, common: &Common) -> Result<Map, asperity::Error> {
+    let begin = Instant::now();
+    let bar = progress(common.quiet);
+    bar.set_message("points");
+    let found = map::map(finishes, axes, &|done, total| {
+        if begin.elapsed() >= PATIENCE {
+            bar.set_length(total as u64);
+            bar.set_position(done as u64);
+        }
+    });
+    bar.finish_and_clear();
+    found
+}
+
+/// The case on the traces of each finish, or on its own.
+fn finishes(args: &MapArgs) -> Result<Vec<Finish>, Failure> {
+    let (text, folder) = source(&args.case)?;
+    pair_only(&text)?;
+    let keys = keys(&args.set);
+    let load =
+        |change: &dyn Fn(&mut CaseInput)| case::load_set(text.clone(), folder, &keys, change);
+    if args.finishes.is_empty() {
+        let case = load(&|_| {}).map_err(|error| Failure::of(&error))?;
+        let name = stem(&args.case).to_string_lossy().into_owned();
+        return Ok(vec![Finish { name, case }]);
+    }
+    let mut finishes = Vec::with_capacity(args.finishes.len());
+    for finish in &args.finishes {
+        let (name, traces) = (&finish.name, Traces::of(finish)?);
+        let case = load(&|input| traces.put_into(input))
+            .map_err(|error| Failure::of(&error).adding(&format!(" (--finish {name})")))?;
+        finishes.push(Finish {
+            name: name.clone(),
+            case,
+        });
+    }
+    Ok(finishes)
+}
+
+fn axes(args: &MapArgs, loaded: &LoadedCase) -> Result<Axes, Failure> {
+    let case = &loaded.case;
+    let of = |option: &str, text: &Option<String>, default: fn(&case::Case) -> Vec<f64>| match text
+    {
+        None => Ok(default(case)),
+        Some(text) => map::axis(text).map_err(|error| refused(option, &error)),
+    };
+    let torque = of("--torque", &args.torque, Axes::default_torque)?;
+    let speed = of("--speed", &args.speed, Axes::default_speed)?;
+    let temperature = of(
+        "--temperature",
+        &args.temperature,
+        Axes::default_temperature,
+    )?;
+    Axes::new(&torque, &speed, &temperature).map_err(|error| refused("axes", &error))
+}
+
+fn refused(option: &str, error: &AxisError) -> Failure {
+    Failure::new("E209", format!("{option}: {error}"))
+}

@@ -1,0 +1,189 @@
+//! `asperity sweep`: many cases, in shards.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use asperity_studies::sweep::{self, Plan, Shard, Status, Study, SweepError};
+
+use crate::args::{Common, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs};
+use crate::failure::Failure;
+use crate::output::{PATIENCE, print_json, print_text, progress};
+
+/// `asperity sweep`
+pub fn sweep(command: &SweepCommand, common: &Common) -> Result<(), Failure> {
+    match command {
+        SweepCommand::Run(args) if args.plan => plan(args, common),
+        SweepCommand::Run(args) => run(args, common),
+        SweepCommand::Status(args) => status(args, common),
+        SweepCommand::Merge(args) => merge(args, common),
+    }
+}
+
+fn load(args: &SweepArgs) -> Result<Study, Failure> {
+    Study::load(&args.study).map_err(|error| refused(args, &error))
+}
+
+/// Folder of the parts.
+fn parts(args: &SweepArgs, study: &Study) -> PathBuf {
+    let beside = || study.folder.join("parts");
+    args.parts.clone().unwrap_or_else(beside)
+}
+
+fn refused(args: &SweepArgs, error: &SweepError) -> Failure {
+    let study = args.study.display();
+    match error {
+        SweepError::Open { .. } => Failure::new("E103", error.to_string()),
+        SweepError::Study { .. } => Failure::new("E202", error.to_string())
+            .advising("docs/FILE_FORMATS.md lists the keys of a study."),
+        SweepError::Key { .. } => Failure::new("E204", format!("{study}: {error}"))
+            .advising("docs/FILE_FORMATS.md lists the keys of a study."),
+        SweepError::Case(error) => Failure::of(error).adding(&format!(" (case of {study})")),
+        SweepError::Storage(_) | SweepError::Report(_) => Failure::new("E401", error.to_string()),
+        SweepError::Missing { .. } => Failure::new("E309", format!("{study}: {error}")),
+        _ => Failure::new("E402", error.to_string())
+            .advising("Remove the part that is named; its cases are then run again."),
+    }
+}
+
+fn plan(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
+    let study = load(&args.sweep)?;
+    let plan = sweep::plan(&study).map_err(|error| refused(&args.sweep, &error))?;
+    if common.json {
+        return print_json(&plan);
+    }
+    print_text(common, &text_of_plan(&plan))
+}
+
+fn text_of_plan(plan: &Plan) -> String {
+    let mut text = format!(
+        "study {}\n{} cases: {} on the axes x {} of the sample\n",
+        plan.study, plan.cases, plan.axis_points, plan.sample_points
+    );
+    for (code, refused) in &plan.refused {
+        text.push_str(&format!(
+            "{code} in {} cases, the first is case {}: {}\n",
+            refused.count, refused.first, refused.message
+        ));
+    }
+    let minutes = plan.seconds / 60.0;
+    text.push_str(&format!(
+        "about {minutes:.1} min on this machine, less where cases share their contacts; {:.2} MB\n",
+        plan.bytes * 1e-6
+    ));
+    text
+}
+
+fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
+    let begin = Instant::now();
+    let shard: Shard = args.shard.parse().map_err(|message: &str| {
+        Failure::new("E209", format!("--shard {}: {message}", args.shard))
+    })?;
+    let study = load(&args.sweep)?;
+    let folder = parts(&args.sweep, &study);
+    let bar = progress(common.quiet);
+    bar.set_message("cases");
+    let done = sweep::run(&study, shard, &folder, &|done, total| {
+        if begin.elapsed() >= PATIENCE {
+            bar.set_length(total as u64);
+            bar.set_position(done as u64);
+        }
+    });
+    bar.finish_and_clear();
+    let done = done.map_err(|error| refused(&args.sweep, &error))?;
+    let status = sweep::status(&study, &folder).map_err(|error| refused(&args.sweep, &error))?;
+    if common.json {
+        return print_json(&status);
+    }
+    let seconds = begin.elapsed().as_secs_f64();
+    let text = format!(
+        "ran {done} cases of shard {}\n{}",
+        args.shard,
+        text_of(&status)
+    );
+    print_text(
+        common,
+        &format!("{text}parts in {} in {seconds:.1} s\n", folder.display()),
+    )
+}
+
+fn text_of(status: &Status) -> String {
+    let mut text = format!(
+        "study {}: {} of {} cases done in {} parts\n",
+        status.study, status.done, status.cases, status.parts
+    );
+    for (code, count) in &status.failed {
+        text.push_str(&format!("{code} in {count} cases\n"));
+    }
+    text
+}
+
+fn status(args: &SweepArgs, common: &Common) -> Result<(), Failure> {
+    let study = load(args)?;
+    let folder = parts(args, &study);
+    let status = sweep::status(&study, &folder).map_err(|error| refused(args, &error))?;
+    match common.json {
+        true => print_json(&status)?,
+        false => print_text(common, &text_of(&status))?,
+    }
+    if status.done == status.cases {
+        return Ok(());
+    }
+    let missing = status.cases - status.done;
+    let message = format!(
+        "{missing} of {} cases are in no part: {}",
+        status.cases, status.missing
+    );
+    let failure = Failure::new("E309", message);
+    // Standard output holds the status already.
+    if common.json {
+        failure.tell();
+        return Err(failure.told());
+    }
+    Err(failure)
+}
+
+fn merge(args: &SweepMergeArgs, common: &Common) -> Result<(), Failure> {
+    let study = load(&args.sweep)?;
+    let folder = parts(&args.sweep, &study);
+    let target = args
+        .output
+        .clone()
+        .unwrap_or_else(|| Path::new("results").join(format!("{}-sweep", study.name)));
+    let merged = sweep::merge(&study, &folder).map_err(|error| refused(&args.sweep, &error))?;
+    sweep::write(&merged, &target).map_err(|error| Failure::new("E401", error.to_string()))?;
+    if common.json {
+        return print_json(&merged);
+    }
+    let mut text = format!(
+        "{}\n{} cases, {} without a result\n",
+        merged.title, merged.cases, merged.failed
+    );
+    if merged.effects.iter().any(|row| row.effect.is_some()) {
+        text.push_str(&format!(
+            "{:<16} {:<36} {:>22} {:>22} {:>22}\n",
+            "result", "input", "change", "first index", "total index"
+        ));
+    }
+    for row in &merged.effects {
+        let Some(effect) = row.effect else { continue };
+        let of = |value: f64, [low, high]: [f64; 2]| format!("{value:.2} ({low:.2}..{high:.2})");
+        let (first, total) = match row.indices {
+            Some(found) => (
+                of(found.first, found.first_interval),
+                of(found.total, found.total_interval),
+            ),
+            None => ("-".to_owned(), "-".to_owned()),
+        };
+        let change = format!("{:+.3e} ± {:.1e}", effect.difference, effect.half_width);
+        text.push_str(&format!(
+            "{:<16} {:<36} {change:>22} {first:>22} {total:>22}\n",
+            row.output, row.input
+        ));
+    }
+    text.push_str(&format!(
+        "SHA-256 {}\nwrote {}\n",
+        merged.sha256,
+        target.display()
+    ));
+    print_text(common, &text)
+}

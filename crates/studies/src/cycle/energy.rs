@@ -1,0 +1,173 @@
+//! Energies of a cycle on a map.
+
+use std::f64::consts::PI;
+
+use serde::Serialize;
+
+use super::trace::{Cycle, CyclePoint};
+use crate::map::{FinishMap, Map};
+
+/// Energies of a cycle.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CycleResult {
+    /// The program and its version.
+    pub program: String,
+    /// Title of the map's case.
+    pub title: String,
+    /// Name of the cycle.
+    pub cycle: String,
+    /// What loses: `mesh`.
+    pub scope: String,
+    /// Temperature of the flanks \[°C\].
+    pub temperature_c: f64,
+    /// Duration \[s\].
+    pub duration_s: f64,
+    /// Way driven \[km\]; none where no vehicle tells.
+    pub distance_km: Option<f64>,
+    /// Energy at the pinion while it drives \[Wh\].
+    pub drive_wh: f64,
+    /// Energy at the pinion while the wheel drives \[Wh\].
+    pub coast_wh: f64,
+    /// Share of the moving time outside the map, whose edge then stands for it.
+    pub outside_share: f64,
+    /// Share of the moving time at torques whose sliding loss is scaled from the smallest resolved torque.
+    pub extended_share: f64,
+    /// The finishes, the first one the reference of differences.
+    pub finishes: Vec<CycleFinish>,
+    /// The points, for table and plot.
+    #[serde(skip)]
+    pub points: Vec<CyclePoint>,
+}
+
+/// Energy lost with one finish.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CycleFinish {
+    /// Its name.
+    pub name: String,
+    /// Energy lost \[Wh\].
+    pub lost_wh: f64,
+    /// Its standard deviation over the offsets of the traces \[Wh\]: all points deviate together.
+    pub deviation_wh: f64,
+    /// Part of it while the pinion drives \[Wh\].
+    pub lost_drive_wh: f64,
+    /// Part of it while the wheel drives \[Wh\], and at no torque.
+    pub lost_coast_wh: f64,
+    /// Energy lost over that at the pinion while it drives.
+    pub share_of_drive: Option<f64>,
+    /// Efficiency of the mesh while the pinion drives, weighted by the cycle.
+    pub drive_efficiency: Option<f64>,
+    /// Energy lost on 100 km \[Wh\].
+    pub wh_per_100_km: Option<f64>,
+    /// Energy lost minus that of the first finish \[Wh\]; none for the first.
+    pub difference_wh: Option<f64>,
+    /// Its standard deviation, both finishes being independent \[Wh\].
+    pub difference_deviation_wh: Option<f64>,
+    /// Loss at each point \[W\].
+    #[serde(skip)]
+    pub loss_w: Vec<f64>,
+}
+
+/// Joules of a watt-hour.
+const WATT_HOUR: f64 = 3600.0;
+
+/// Energies of `cycle` on `map` at one of its temperatures; none where a point of the map has no result.
+#[must_use]
+pub fn evaluate(map: &Map, temperature: usize, cycle: &Cycle, name: &str) -> Option<CycleResult> {
+    let omega = |point: &CyclePoint| point.speed_rpm.abs() * PI / 30.0;
+    let power = |point: &CyclePoint| point.torque_nm * omega(point);
+    let energy = |is_meant: &dyn Fn(f64) -> bool| {
+        let of = cycle.points.iter().filter(|point| is_meant(power(point)));
+        of.map(|point| power(point).abs() * point.weight_s)
+            .sum::<f64>()
+            / WATT_HOUR
+    };
+    let (drive_wh, coast_wh) = (energy(&|power| power > 0.0), energy(&|power| power < 0.0));
+    let mut finishes: Vec<CycleFinish> = Vec::new();
+    let mut outside_share = 0.0;
+    for finish in &map.finishes {
+        let (mut found, outside) = of_finish(map, finish, temperature, cycle)?;
+        outside_share = outside;
+        found.share_of_drive = (drive_wh > 0.0).then(|| found.lost_wh / drive_wh);
+        found.drive_efficiency = (drive_wh > 0.0).then(|| 1.0 - found.lost_drive_wh / drive_wh);
+        found.wh_per_100_km = cycle
+            .distance_km
+            .filter(|km| *km > 0.0)
+            .map(|km| found.lost_wh * 100.0 / km);
+        if let Some(first) = finishes.first() {
+            found.difference_wh = Some(found.lost_wh - first.lost_wh);
+            found.difference_deviation_wh = Some(found.deviation_wh.hypot(first.deviation_wh));
+        }
+        finishes.push(found);
+    }
+    let first = cycle.points.first()?.time_s;
+    Some(CycleResult {
+        program: map.program.clone(),
+        title: map.title.clone(),
+        cycle: name.to_owned(),
+        scope: map.scope.clone(),
+        temperature_c: *map.axes.temperature_c.get(temperature)?,
+        duration_s: cycle.points.last()?.time_s - first,
+        distance_km: cycle.distance_km,
+        drive_wh,
+        coast_wh,
+        outside_share,
+        extended_share: map.finishes.first().map_or(0.0, |finish| {
+            let [drive, coast] = finish.resolved_from_nm;
+            share_of_time(cycle, &|point| (-coast..drive).contains(&point.torque_nm))
+        }),
+        finishes,
+        points: cycle.points.clone(),
+    })
+}
+
+/// Share of the moving time of the points meant.
+fn share_of_time(cycle: &Cycle, is_meant: &dyn Fn(&CyclePoint) -> bool) -> f64 {
+    let time = |is_meant: &dyn Fn(&CyclePoint) -> bool| {
+        let moving = cycle.points.iter().filter(|point| point.speed_rpm != 0.0);
+        moving
+            .filter(|point| is_meant(point))
+            .fold(0.0, |sum, point| sum + point.weight_s)
+    };
+    let all = time(&|_| true);
+    if all > 0.0 { time(is_meant) / all } else { 0.0 }
+}
+
+/// The energies of a finish, and the share of the moving time outside its map.
+fn of_finish(
+    map: &Map,
+    finish: &FinishMap,
+    temperature: usize,
+    cycle: &Cycle,
+) -> Option<(CycleFinish, f64)> {
+    let surface = finish.surface(&map.axes, temperature)?;
+    let mut lost = [0.0; 2];
+    let mut deviation = 0.0;
+    let mut loss_w = Vec::with_capacity(cycle.points.len());
+    for point in &cycle.points {
+        let found = surface.loss_torque(point.torque_nm, point.speed_rpm);
+        let omega = point.speed_rpm.abs() * PI / 30.0;
+        let energy = found.value * omega * point.weight_s / WATT_HOUR;
+        lost[usize::from(point.torque_nm <= 0.0)] += energy;
+        deviation += found.deviation * omega * point.weight_s / WATT_HOUR;
+        loss_w.push(found.value * omega);
+    }
+    let outside = share_of_time(cycle, &|point| {
+        surface
+            .loss_torque(point.torque_nm, point.speed_rpm)
+            .is_outside
+    });
+    let found = CycleFinish {
+        name: finish.name.clone(),
+        lost_wh: lost[0] + lost[1],
+        deviation_wh: deviation,
+        lost_drive_wh: lost[0],
+        lost_coast_wh: lost[1],
+        share_of_drive: None,
+        drive_efficiency: None,
+        wh_per_100_km: None,
+        difference_wh: None,
+        difference_deviation_wh: None,
+        loss_w,
+    };
+    Some((found, outside))
+}

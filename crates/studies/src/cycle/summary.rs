@@ -1,0 +1,52 @@
+//! The energies for the terminal.
+
+use super::energy::CycleResult;
+
+/// The energies for the terminal.
+#[must_use]
+pub fn summary(found: &CycleResult) -> String {
+    let way = found
+        .distance_km
+        .map_or(String::new(), |km| format!(", {km:.2} km"));
+    let mut text = format!(
+        "{}\ncycle {}: {:.0} s{way}, {:.1} Wh driving, {:.1} Wh braking, flanks at {} °C (loss of the {} only)\n",
+        found.title,
+        found.cycle,
+        found.duration_s,
+        found.drive_wh,
+        found.coast_wh,
+        found.temperature_c,
+        found.scope
+    );
+    text.push_str(&format!(
+        "{:<16} {:>16} {:>10} {:>10} {:>10} {:>12} {:>18}\n",
+        "finish", "lost Wh", "driving", "braking", "of drive", "Wh/100 km", "minus the first Wh"
+    ));
+    for finish in &found.finishes {
+        let spread = |value: f64, deviation: f64| format!("{value:.2} ± {deviation:.2}");
+        let difference = match (finish.difference_wh, finish.difference_deviation_wh) {
+            (Some(value), Some(deviation)) => format!("{value:+.2} ± {deviation:.2}"),
+            _ => "reference".to_owned(),
+        };
+        let share = finish
+            .share_of_drive
+            .map(|share| format!("{:.3} %", 100.0 * share));
+        let way = finish.wh_per_100_km.map(|value| format!("{value:.1}"));
+        text.push_str(&format!(
+            "{:<16} {:>16} {:>10.2} {:>10.2} {:>10} {:>12} {:>18}\n",
+            finish.name,
+            spread(finish.lost_wh, finish.deviation_wh),
+            finish.lost_drive_wh,
+            finish.lost_coast_wh,
+            share.unwrap_or_else(|| "-".to_owned()),
+            way.unwrap_or_else(|| "-".to_owned()),
+            difference
+        ));
+    }
+    text.push_str(&format!(
+        "± is the standard deviation over the offsets of the traces; {:.1} % of the moving time is outside the map, {:.1} % below the torque whose contact the traces resolve\n",
+        100.0 * found.outside_share,
+        100.0 * found.extended_share
+    ));
+    text
+}

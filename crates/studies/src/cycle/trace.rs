@@ -1,0 +1,310 @@
+//! A cycle: read from its table, and brought to the pinion.
+
+use std::f64::consts::PI;
+
+use asperity::case::VehicleInput;
+
+/// Density of air at 20 °C \[kg/m³\].
+const AIR: f64 = 1.204;
+/// Standard acceleration of gravity \[m/s²\].
+const GRAVITY: f64 = 9.806_65;
+/// Mass with that of everything that turns over the mass, where the vehicle does not say: 4 % for a single-speed
+/// electric car, an own choice.
+const INERTIA: f64 = 1.04;
+
+/// A cycle at the pinion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cycle {
+    /// Its points.
+    pub points: Vec<CyclePoint>,
+    /// Way driven \[km\]; none where no vehicle tells.
+    pub distance_km: Option<f64>,
+}
+
+/// A point of a cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CyclePoint {
+    /// Time \[s\].
+    pub time_s: f64,
+    /// Time that the point stands for \[s\]: half the way to both neighbours.
+    pub weight_s: f64,
+    /// Torque at the pinion \[N m\].
+    pub torque_nm: f64,
+    /// Speed of the pinion \[1/min\].
+    pub speed_rpm: f64,
+}
+
+/// Why a table is no cycle.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum CycleError {
+    /// The table cannot be read.
+    #[error("{0}")]
+    Csv(#[from] csv::Error),
+    /// Columns are missing.
+    #[error(
+        "columns {found}; needed are time_s with torque_nm and speed_rpm, or time_s with speed_km_h"
+    )]
+    Columns {
+        /// Columns of the table.
+        found: String,
+    },
+    /// A cell that is no finite number.
+    #[error("row {row}: {column} is {text:?} and no finite number")]
+    Cell {
+        /// Row from 1 below the header.
+        row: usize,
+        /// The column.
+        column: &'static str,
+        /// The text.
+        text: String,
+    },
+    /// Time stands still or goes back.
+    #[error("row {row}: time_s does not rise")]
+    Time {
+        /// Row from 1 below the header.
+        row: usize,
+    },
+    /// Fewer than two points.
+    #[error("a cycle needs two points at least")]
+    Short,
+    /// The speed of a vehicle that is not known.
+    #[error("speed_km_h needs the table [vehicle] in the case of the map")]
+    NoVehicle,
+    /// A number of the vehicle that cannot be.
+    #[error("vehicle.{key} = {value} must be {rule}")]
+    Vehicle {
+        /// The key.
+        key: &'static str,
+        /// Its value in SI units.
+        value: f64,
+        /// Rule.
+        rule: &'static str,
+    },
+}
+
+/// Reads the cycle in `text`, a table with a header row; `#` begins a comment. The speed of a vehicle is brought
+/// to the pinion by `vehicle`.
+///
+/// # Errors
+/// When the table is none, its time does not rise, or it needs a vehicle and there is none.
+///
+/// ```
+/// use asperity_studies::cycle::cycle;
+/// let found = cycle("time_s,torque_nm,speed_rpm\n0,10,1000\n1,20,1000\n3,0,0\n", None)?;
+/// assert_eq!(found.points[1].weight_s, 1.5);
+/// assert!(cycle("time_s,speed_km_h\n0,0\n1,3\n", None).is_err());
+/// # Ok::<(), asperity_studies::cycle::CycleError>(())
+/// ```
+pub fn cycle(text: &str, vehicle: Option<&VehicleInput>) -> Result<Cycle, CycleError> {
+    let table = Table::read(text)?;
+    let time = table.column("time_s")?.ok_or_else(|| table.lacking())?;
+    if time.len() < 2 {
+        return Err(CycleError::Short);
+    }
+    if let Some(row) = (1..time.len()).find(|&k| time[k] <= time[k - 1]) {
+        return Err(CycleError::Time { row: row + 1 });
+    }
+    let vehicle = vehicle.map(checked).transpose()?;
+    let operating = (table.column("torque_nm")?, table.column("speed_rpm")?);
+    let (torque, speed, way) = match (operating, table.column("speed_km_h")?) {
+        ((Some(torque), Some(speed)), _) => {
+            let way = vehicle.map(|vehicle| {
+                let turns = speed.iter().map(|rpm| rpm.abs() * PI / 30.0);
+                turns
+                    .map(|omega| omega * vehicle.wheel_radius.si() / vehicle.ratio)
+                    .collect()
+            });
+            (torque, speed, way)
+        }
+        (_, Some(speed)) => {
+            let vehicle = vehicle.ok_or(CycleError::NoVehicle)?;
+            let grade = table.column("grade_percent")?;
+            let speeds: Vec<f64> = speed.iter().map(|speed| speed / 3.6).collect();
+            let (torque, rpm) = at_the_pinion(vehicle, &time, &speeds, grade.as_deref());
+            (torque, rpm, Some(speeds))
+        }
+        _ => return Err(table.lacking()),
+    };
+    let weights = weights(&time);
+    let way_km = |speeds: Vec<f64>| {
+        let metres = speeds.iter().zip(&weights).map(|(v, dt)| v.abs() * dt);
+        metres.sum::<f64>() * 1e-3
+    };
+    let distance_km = way.map(way_km);
+    let rows = time.iter().zip(&weights).zip(torque.iter().zip(&speed));
+    let point =
+        |((time_s, weight_s), (torque_nm, speed_rpm)): ((&f64, &f64), (&f64, &f64))| CyclePoint {
+            time_s: *time_s,
+            weight_s: *weight_s,
+            torque_nm: *torque_nm,
+            speed_rpm: *speed_rpm,
+        };
+    Ok(Cycle {
+        points: rows.map(point).collect(),
+        distance_km,
+    })
+}
+
+/// Torque \[N m\] and speed \[1/min\] of the pinion of a vehicle at the speeds \[m/s\].
+fn at_the_pinion(
+    vehicle: &VehicleInput,
+    time: &[f64],
+    speeds: &[f64],
+    grade: Option<&[f64]>,
+) -> (Vec<f64>, Vec<f64>) {
+    let (mass, radius) = (vehicle.mass.si(), vehicle.wheel_radius.si());
+    let inertia = vehicle.inertia_factor.unwrap_or(INERTIA);
+    let usual = vehicle.grade.map_or(0.0, |grade| grade.value());
+    let last = speeds.len() - 1;
+    let force = |k: usize| {
+        let (a, b) = (k.saturating_sub(1), (k + 1).min(last));
+        let acceleration = (speeds[b] - speeds[a]) / (time[b] - time[a]);
+        let slope = grade.map_or(usual, |grade| grade[k] / 100.0).atan();
+        let v = speeds[k];
+        let rolls = if v > 0.0 { 1.0 } else { 0.0 };
+        mass * inertia * acceleration
+            + 0.5 * AIR * vehicle.drag_area.si() * v * v.abs()
+            + mass * GRAVITY * rolls * (vehicle.rolling_resistance * slope.cos() + slope.sin())
+    };
+    let torque = (0..=last).map(|k| force(k) * radius / vehicle.ratio);
+    let rpm = speeds
+        .iter()
+        .map(|v| v / radius * vehicle.ratio * 30.0 / PI);
+    (torque.collect(), rpm.collect())
+}
+
+fn checked(vehicle: &VehicleInput) -> Result<&VehicleInput, CycleError> {
+    let positive = [
+        ("mass", vehicle.mass.si()),
+        ("wheel_radius", vehicle.wheel_radius.si()),
+        ("ratio", vehicle.ratio),
+        ("inertia_factor", vehicle.inertia_factor.unwrap_or(INERTIA)),
+    ];
+    let not_negative = [
+        ("drag_area", vehicle.drag_area.si()),
+        ("rolling_resistance", vehicle.rolling_resistance),
+    ];
+    for (key, value) in positive {
+        if !(value.is_finite() && value > 0.0) {
+            let rule = "greater than zero";
+            return Err(CycleError::Vehicle { key, value, rule });
+        }
+    }
+    for (key, value) in not_negative {
+        if !(value.is_finite() && value >= 0.0) {
+            let rule = "zero or more";
+            return Err(CycleError::Vehicle { key, value, rule });
+        }
+    }
+    Ok(vehicle)
+}
+
+/// Half the time to both neighbours.
+fn weights(time: &[f64]) -> Vec<f64> {
+    let last = time.len() - 1;
+    let weight = |k: usize| 0.5 * (time[(k + 1).min(last)] - time[k.saturating_sub(1)]);
+    (0..=last).map(weight).collect()
+}
+
+/// Columns of a table as text.
+struct Table {
+    names: Vec<String>,
+    rows: Vec<csv::StringRecord>,
+}
+
+impl Table {
+    fn read(text: &str) -> Result<Self, CycleError> {
+        let mut reader = csv::ReaderBuilder::new()
+            .comment(Some(b'#'))
+            .trim(csv::Trim::All)
+            .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
+        let names = reader.headers()?.iter().map(str::to_owned).collect();
+        let rows = reader.records().collect::<Result<_, _>>()?;
+        Ok(Self { names, rows })
+    }
+
+    fn lacking(&self) -> CycleError {
+        CycleError::Columns {
+            found: self.names.join(", "),
+        }
+    }
+
+    /// The numbers of a column; none where there is no such column.
+    fn column(&self, column: &'static str) -> Result<Option<Vec<f64>>, CycleError> {
+        let Some(at) = self.names.iter().position(|name| name == column) else {
+            return Ok(None);
+        };
+        let number = |(index, row): (usize, &csv::StringRecord)| {
+            let text = row.get(at).unwrap_or_default();
+            let value = text.parse().ok().filter(|value: &f64| value.is_finite());
+            value.ok_or_else(|| CycleError::Cell {
+                row: index + 1,
+                column,
+                text: text.to_owned(),
+            })
+        };
+        let numbers = self.rows.iter().enumerate().map(number);
+        numbers.collect::<Result<_, _>>().map(Some)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn vehicle() -> VehicleInput {
+        VehicleInput {
+            mass: "1500 kg".parse().unwrap(),
+            wheel_radius: "300 mm".parse().unwrap(),
+            ratio: 10.0,
+            drag_area: "0.6 m2".parse().unwrap(),
+            rolling_resistance: 0.01,
+            inertia_factor: Some(1.0),
+            grade: None,
+        }
+    }
+
+    #[test]
+    fn a_steady_speed_meets_drag_and_rolling_resistance_alone() {
+        let text = "time_s,speed_km_h\n0,72\n1,72\n2,72\n";
+        let found = cycle(text, Some(&vehicle())).unwrap();
+        // 20 m/s: 144.48 N of drag, 147.09975 N of rolling resistance.
+        let force = 0.5 * 1.204 * 0.6 * 400.0 + 1500.0 * 9.806_65 * 0.01;
+        let point = found.points[1];
+        assert!((point.torque_nm - force * 0.03).abs() < 1e-12);
+        assert!((point.speed_rpm - 20.0 / 0.3 * 10.0 * 30.0 / PI).abs() < 1e-9);
+        assert!((found.distance_km.unwrap() - 0.04).abs() < 1e-12);
+    }
+
+    #[test]
+    fn acceleration_and_grade_add_their_forces() {
+        let up = "time_s,speed_km_h,grade_percent\n0,0,0\n1,3.6,0\n2,7.2,100\n3,10.8,0\n";
+        let found = cycle(up, Some(&vehicle())).unwrap();
+        let level = cycle(
+            "time_s,speed_km_h\n0,0\n1,3.6\n2,7.2\n3,10.8\n",
+            Some(&vehicle()),
+        )
+        .unwrap();
+        // At standstill the acceleration alone: 1500 N at the wheel.
+        assert!((found.points[0].torque_nm - 45.0).abs() < 1e-9);
+        let slope = std::f64::consts::FRAC_PI_4;
+        let more = 1500.0 * 9.806_65 * (slope.sin() + 0.01 * (slope.cos() - 1.0)) * 0.03;
+        let difference = found.points[2].torque_nm - level.points[2].torque_nm;
+        assert!((difference - more).abs() < 1e-9);
+    }
+
+    #[test]
+    fn what_is_no_cycle_is_told_by_its_row() {
+        let of = |text: &str| cycle(text, None).unwrap_err().to_string();
+        assert!(of("time_s,torque_nm,speed_rpm\n0,1,1\n0,1,1\n").starts_with("row 2: time_s"));
+        assert!(of("time_s,torque_nm,speed_rpm\n0,1,x\n1,1,1\n").starts_with("row 1: speed_rpm"));
+        assert!(of("t,torque\n0,1\n").contains("t, torque"));
+        let bad = VehicleInput {
+            ratio: 0.0,
+            ..vehicle()
+        };
+        let error = cycle("time_s,speed_km_h\n0,1\n1,1\n", Some(&bad)).unwrap_err();
+        assert!(error.to_string().contains("vehicle.ratio"));
+    }
+}

@@ -1,0 +1,57 @@
+//! Why a map cannot be written in a format.
+
+use super::added::AddedLossError;
+
+/// Why a map cannot be written in a format.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ExportError {
+    /// A point has no result.
+    #[error("finish {finish}: points of the map have no result, so nothing is exported")]
+    Holes {
+        /// Name of the finish.
+        finish: String,
+    },
+    /// The format needs torques of both signs.
+    #[error("{format} needs torques of both signs, from beyond the smallest to beyond the largest")]
+    OneSign {
+        /// The format.
+        format: &'static str,
+    },
+    /// The format needs more than one node along both axes.
+    #[error("{format} needs at least two torques and two speeds")]
+    TooSmall {
+        /// The format.
+        format: &'static str,
+    },
+    /// The loss torque rises faster than the torque.
+    #[error(
+        "{format} cannot hold this map: near {torque_nm} N m and {speed_rpm} 1/min the loss torque rises faster than the torque"
+    )]
+    Slope {
+        /// The format.
+        format: &'static str,
+        /// Torque \[N m\].
+        torque_nm: f64,
+        /// Speed \[1/min\].
+        speed_rpm: f64,
+    },
+    /// The format weighs by a cycle.
+    #[error("{format} takes one number, weighted by a cycle, and no cycle was given")]
+    NoCycle {
+        /// The format.
+        format: &'static str,
+    },
+    /// The added loss does not fit.
+    #[error(transparent)]
+    Added(#[from] AddedLossError),
+    /// A value that cannot be written.
+    #[error("cannot be written: {0}")]
+    Json(#[from] serde_json::Error),
+    /// An archive that cannot be made.
+    #[error("cannot be written: {0}")]
+    Zip(#[from] zip::result::ZipError),
+    /// The system refused.
+    #[error("cannot be written: {0}")]
+    Io(#[from] std::io::Error),
+}

@@ -1,0 +1,150 @@
+//! What is exported of a finish at one temperature.
+
+use super::added::AddedLoss;
+use super::error::ExportError;
+use crate::map::{Map, Surface};
+
+/// Loss torque over torque and speed of the input shaft, of the mesh and added.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Field {
+    /// Title of the case.
+    pub title: String,
+    /// Name of the finish.
+    pub finish: String,
+    /// What loses.
+    pub scope: String,
+    /// Temperature \[°C\].
+    pub temperature_c: f64,
+    /// Turns of the input shaft for one turn of the output shaft.
+    pub ratio: f64,
+    /// Torques \[N m\], rising.
+    pub torque_nm: Vec<f64>,
+    /// Speeds \[1/min\], rising from 0.
+    pub speed_rpm: Vec<f64>,
+    /// Loss torque of the mesh \[N m\], torque by torque.
+    pub mesh_nm: Vec<f64>,
+    /// Loss torque added \[N m\].
+    pub added_nm: Option<Vec<f64>>,
+    /// Nodes at which a correlation of the mesh is outside its range, or the loss is extended.
+    pub outside: usize,
+}
+
+impl Field {
+    /// The fields of a finish, temperature by temperature.
+    ///
+    /// # Errors
+    /// When a point has no result, or the added loss does not cover the map.
+    pub fn all(
+        map: &Map,
+        finish: usize,
+        added: Option<&AddedLoss>,
+    ) -> Result<Vec<Self>, ExportError> {
+        let Some(of) = map.finishes.get(finish) else {
+            return Ok(Vec::new());
+        };
+        let axes = &map.axes;
+        let scope = match added {
+            None => format!("{} only, input shaft", map.scope),
+            Some(added) => format!("{} and added {}, input shaft", map.scope, added.name),
+        };
+        let nodes = axes.torque_nm.len() * axes.speed_rpm.len();
+        let field = |(index, &temperature_c): (usize, &f64)| {
+            let Some(surface) = of.surface(axes, index) else {
+                let finish = of.name.clone();
+                return Err(ExportError::Holes { finish });
+            };
+            let added_nm = added.map(|added| added.at_nodes(axes, temperature_c));
+            let points = of.points.iter().skip(index * nodes).take(nodes);
+            Ok(Self {
+                title: map.title.clone(),
+                finish: of.name.clone(),
+                scope: scope.clone(),
+                temperature_c,
+                ratio: map.ratio,
+                torque_nm: surface.torque_nm,
+                speed_rpm: surface.speed_rpm,
+                mesh_nm: surface.loss_torque_nm,
+                added_nm: added_nm.transpose()?,
+                outside: points.filter(|point| !point.outside.is_empty()).count(),
+            })
+        };
+        axes.temperature_c.iter().enumerate().map(field).collect()
+    }
+
+    /// Mesh and added loss together \[N m\].
+    #[must_use]
+    pub fn total_nm(&self) -> Vec<f64> {
+        match &self.added_nm {
+            None => self.mesh_nm.clone(),
+            Some(added) => self.mesh_nm.iter().zip(added).map(|(a, b)| a + b).collect(),
+        }
+    }
+
+    /// The same between the nodes.
+    #[must_use]
+    pub fn surface(&self) -> Surface {
+        let loss_torque_nm = self.total_nm();
+        Surface {
+            torque_nm: self.torque_nm.clone(),
+            speed_rpm: self.speed_rpm.clone(),
+            deviation_nm: vec![0.0; loss_torque_nm.len()],
+            loss_torque_nm,
+        }
+    }
+
+    /// Speeds \[rad/s\].
+    #[must_use]
+    pub fn omega(&self) -> Vec<f64> {
+        let omega = |rpm: &f64| rpm * std::f64::consts::PI / 30.0;
+        self.speed_rpm.iter().map(omega).collect()
+    }
+
+    /// What goes into the head of a file, on one line.
+    pub(super) fn head(&self) -> String {
+        let plain = |text: &str| text.replace(['\n', '\r'], " ");
+        format!(
+            "Asperity, {}, finish {}, {} °C; {} of {} nodes outside a fitted range or extended",
+            plain(&self.title),
+            plain(&self.finish),
+            self.temperature_c,
+            self.outside,
+            self.mesh_nm.len()
+        )
+    }
+
+    /// Refuses a map of one torque or one speed.
+    pub(super) fn check_size(&self, format: &'static str) -> Result<(), ExportError> {
+        match self.torque_nm.len() >= 2 && self.speed_rpm.len() >= 2 {
+            true => Ok(()),
+            false => Err(ExportError::TooSmall { format }),
+        }
+    }
+
+    /// Refuses a map without torques of both signs.
+    pub(super) fn check_signs(&self, format: &'static str) -> Result<(), ExportError> {
+        let ends = (self.torque_nm.first(), self.torque_nm.last());
+        match ends {
+            (Some(low), Some(high)) if *low < 0.0 && *high > 0.0 => Ok(()),
+            _ => Err(ExportError::OneSign { format }),
+        }
+    }
+
+    /// Refuses a map whose loss torque rises as fast as the torque: no output torque belongs to one input torque.
+    pub(super) fn check_slope(&self, format: &'static str) -> Result<(), ExportError> {
+        let total = self.total_nm();
+        let across = self.speed_rpm.len();
+        for i in 1..self.torque_nm.len() {
+            for (j, &speed_rpm) in self.speed_rpm.iter().enumerate() {
+                let rise = total[i * across + j] - total[(i - 1) * across + j];
+                if rise >= self.torque_nm[i] - self.torque_nm[i - 1] {
+                    return Err(ExportError::Slope {
+                        format,
+                        torque_nm: self.torque_nm[i],
+                        speed_rpm,
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+}

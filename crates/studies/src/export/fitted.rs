@@ -1,0 +1,170 @@
+//! Formats that take a few numbers instead of a map: fits, with what they leave.
+
+use serde::Serialize;
+use serde_json::json;
+
+use super::error::ExportError;
+use super::field::Field;
+use crate::cycle::Cycle;
+
+/// Gear box of CO2MPAS: T_in = (T_out/i + gbp00 + gbp10 n)/gbp01, n the speed of the input shaft.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct GearBoxFit {
+    /// Loss torque that is always there \[N m\].
+    pub gbp00: f64,
+    /// Loss torque over the speed \[N m min\].
+    pub gbp10: f64,
+    /// Part of the input torque that is not lost.
+    pub gbp01: f64,
+    /// Root mean square of what the fit leaves, over the area of the map \[N m\].
+    #[serde(skip)]
+    pub residual_rms_nm: f64,
+    /// Largest of it at a node \[N m\].
+    #[serde(skip)]
+    pub residual_max_nm: f64,
+    /// Mean loss torque over the same \[N m\].
+    #[serde(skip)]
+    pub mean_loss_nm: f64,
+}
+
+/// Least squares of T_in − L = gbp01 T_in − gbp00 − gbp10 n over the nodes at which the input drives and turns, each
+/// with the area of the map that it stands for.
+///
+/// ```text
+/// min Σ A (T_in − L − gbp01 T_in + gbp00 + gbp10 n)²
+/// ```
+#[must_use]
+pub fn gear_box_fit(field: &Field) -> GearBoxFit {
+    let (total, across) = (field.total_nm(), field.speed_rpm.len());
+    let (widths, heights) = (widths(&field.torque_nm), widths(&field.speed_rpm));
+    let nodes: Vec<[f64; 4]> = total
+        .iter()
+        .enumerate()
+        .map(|(index, loss)| {
+            let (i, j) = (index / across, index % across);
+            let area = widths[i] * heights[j];
+            [field.torque_nm[i], field.speed_rpm[j], *loss, area]
+        })
+        .filter(|[torque, speed, ..]| *torque > 0.0 && *speed > 0.0)
+        .collect();
+    // Scaled to columns of order one, with the loss itself on the left: L = (1 − gbp01) T + gbp00 + gbp10 n.
+    let most = |k: usize| {
+        nodes
+            .iter()
+            .map(|node| node[k])
+            .fold(f64::MIN_POSITIVE, f64::max)
+    };
+    let (scales, whole) = (
+        [most(0), most(1)],
+        nodes.iter().map(|node| node[3]).sum::<f64>(),
+    );
+    let mut normal = [[0.0; 4]; 3];
+    for [torque, speed, loss, area] in &nodes {
+        let row = [torque / scales[0], 1.0, speed / scales[1], *loss];
+        for i in 0..3 {
+            for (j, value) in row.iter().enumerate() {
+                normal[i][j] += area / whole * row[i] * value;
+            }
+        }
+    }
+    let [slope, constant, over_speed] = solved(normal);
+    let (slope, over_speed) = (slope / scales[0], over_speed / scales[1]);
+    let left =
+        |[torque, speed, loss, _]: &[f64; 4]| loss - slope * torque - constant - over_speed * speed;
+    let mean = |of: &dyn Fn(&[f64; 4]) -> f64| {
+        let parts = nodes.iter().map(|node| node[3] * of(node));
+        parts.sum::<f64>() / whole
+    };
+    GearBoxFit {
+        gbp00: constant,
+        gbp10: over_speed,
+        gbp01: 1.0 - slope,
+        residual_rms_nm: mean(&|node| left(node).powi(2)).sqrt(),
+        residual_max_nm: nodes
+            .iter()
+            .map(|node| left(node).abs())
+            .fold(0.0, f64::max),
+        mean_loss_nm: mean(&|node| node[2]),
+    }
+}
+
+/// Half the way to both neighbours of each node.
+fn widths(nodes: &[f64]) -> Vec<f64> {
+    let last = nodes.len().saturating_sub(1);
+    let width = |k: usize| 0.5 * (nodes[(k + 1).min(last)] - nodes[k.saturating_sub(1)]);
+    (0..nodes.len()).map(width).collect()
+}
+
+/// Gaussian elimination with the largest pivot; an unknown without a pivot is zero.
+fn solved(mut m: [[f64; 4]; 3]) -> [f64; 3] {
+    /// A pivot of a column that depends on the others, of order one otherwise.
+    const NONE: f64 = 1e-12;
+    for k in 0..3 {
+        let largest = (k..3).max_by(|&a, &b| m[a][k].abs().total_cmp(&m[b][k].abs()));
+        m.swap(k, largest.unwrap_or(k));
+        if m[k][k].abs() < NONE {
+            m[k] = [0.0; 4];
+            m[k][k] = 1.0;
+            continue;
+        }
+        for i in (0..3).filter(|i| *i != k) {
+            let factor = m[i][k] / m[k][k];
+            let pivot = m[k];
+            for (value, from) in m[i].iter_mut().zip(pivot) {
+                *value -= factor * from;
+            }
+        }
+    }
+    [0, 1, 2].map(|k| m[k][3] / m[k][k])
+}
+
+/// The parameters of CO2MPAS: hot of the hottest temperature of the map, cold of the coldest.
+pub(super) fn co2mpas(fields: &[Field]) -> Result<Vec<u8>, ExportError> {
+    let (Some(cold), Some(hot)) = (fields.first(), fields.last()) else {
+        return Ok(Vec::new());
+    };
+    let fit = |field: &Field| {
+        let found = gear_box_fit(field);
+        let left = json!({
+            "temperature_c": field.temperature_c,
+            "residual_rms_nm": found.residual_rms_nm,
+            "residual_max_nm": found.residual_max_nm,
+            "mean_loss_nm": found.mean_loss_nm,
+        });
+        (found, left)
+    };
+    let ((hot_fit, hot_left), (cold_fit, cold_left)) = (fit(hot), fit(cold));
+    let value = json!({
+        "scope": hot.scope,
+        "head": hot.head(),
+        "equation": "T_in = (T_out/i + gbp00 + gbp10 n_in)/gbp01; N m and 1/min",
+        "gear_box_efficiency_parameters_cold_hot": { "hot": hot_fit, "cold": cold_fit },
+        "fit": { "hot": hot_left, "cold": cold_left },
+    });
+    Ok(serde_json::to_vec_pretty(&value)?)
+}
+
+/// The efficiency that fastsim takes, over the time in which the input drives: what reaches the output over what
+/// enters.
+pub(super) fn fastsim(field: &Field, cycle: &Cycle) -> Result<Vec<u8>, ExportError> {
+    let surface = field.surface();
+    let (mut entered, mut lost, mut outside) = (0.0, 0.0, 0);
+    for point in &cycle.points {
+        if point.torque_nm <= 0.0 {
+            continue;
+        }
+        let found = surface.loss_torque(point.torque_nm, point.speed_rpm);
+        let angle = point.speed_rpm.abs() * point.weight_s;
+        entered += point.torque_nm * angle;
+        lost += found.value * angle;
+        outside += usize::from(found.is_outside);
+    }
+    let value = json!({
+        "scope": field.scope,
+        "head": field.head(),
+        "eff_interp": { "Interp0D": if entered > 0.0 { Some(1.0 - lost / entered) } else { None } },
+        "points_outside_the_map": outside,
+        "note": "efficiency of the scope alone, weighted by the cycle; multiply it with those of the rest of the driveline",
+    });
+    Ok(serde_json::to_vec_pretty(&value)?)
+}

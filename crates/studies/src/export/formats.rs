@@ -1,0 +1,130 @@
+//! The formats, and the files of a map in one of them.
+
+use std::path::PathBuf;
+
+use super::added::AddedLoss;
+use super::error::ExportError;
+use super::field::Field;
+use super::names::degrees;
+use super::{advisor, fitted, fmu, mat4, modelica, tables};
+use crate::cycle::Cycle;
+use crate::map::Map;
+
+/// A format.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Format {
+    /// Long table.
+    Csv,
+    /// VECTO transmission loss map.
+    Vecto,
+    /// Modelica table as text.
+    Modelica,
+    /// MAT-file level 4.
+    Matlab,
+    /// Functional mock-up unit.
+    Fmu,
+    /// CO2MPAS gear box parameters.
+    Co2mpas,
+    /// fastsim efficiency.
+    Fastsim,
+    /// ADVISOR transmission.
+    Advisor,
+}
+
+/// A file to be written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ExportFile {
+    /// Name, relative to the folder of the exports.
+    pub name: PathBuf,
+    /// Content.
+    pub bytes: Vec<u8>,
+}
+
+/// What goes with a map into its exports.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct With<'a> {
+    /// Loss torque beside that of the mesh.
+    pub added: Option<&'a AddedLoss>,
+    /// The cycle that weighs the formats of one number.
+    pub cycle: Option<&'a Cycle>,
+}
+
+/// The files of `map` in one format: of every finish and, where the format holds but one, of every temperature.
+///
+/// # Errors
+/// When a point has no result, or the format cannot hold the map.
+pub fn export(map: &Map, format: Format, with: With<'_>) -> Result<Vec<ExportFile>, ExportError> {
+    let mut files = Vec::new();
+    for (index, finish) in map.finishes.iter().enumerate() {
+        let fields = Field::all(map, index, with.added)?;
+        let name = file_name(&finish.name);
+        match format {
+            Format::Matlab => files.push(file(&name, "mat", mat4::bytes(&fields))),
+            Format::Csv => files.push(file(&name, "csv", tables::csv(&fields, finish)?)),
+            Format::Co2mpas => files.push(file(
+                &format!("{name}_co2mpas"),
+                "json",
+                fitted::co2mpas(&fields)?,
+            )),
+            _ => {
+                for field in &fields {
+                    let name = match fields.len() {
+                        1 => name.clone(),
+                        _ => format!("{name}_{}", degrees(field.temperature_c)),
+                    };
+                    files.push(of_field(field, format, &name, with)?);
+                }
+            }
+        }
+    }
+    Ok(files)
+}
+
+fn of_field(
+    field: &Field,
+    format: Format,
+    name: &str,
+    with: With<'_>,
+) -> Result<ExportFile, ExportError> {
+    Ok(match format {
+        Format::Vecto => file(name, "vtlm", tables::vecto(field)?.into_bytes()),
+        Format::Modelica => file(name, "txt", modelica::text(field)?.into_bytes()),
+        Format::Advisor => {
+            let text = advisor::text(field)?;
+            file(
+                &format!("TX_{}", name.replace(['-', '.'], "_")),
+                "m",
+                text.into_bytes(),
+            )
+        }
+        Format::Fastsim => {
+            let cycle = with
+                .cycle
+                .ok_or(ExportError::NoCycle { format: "fastsim" })?;
+            let bytes = fitted::fastsim(field, cycle)?;
+            file(&format!("{name}_fastsim"), "json", bytes)
+        }
+        _ => file(name, "fmu", fmu::archive(field)?),
+    })
+}
+
+fn file(name: &str, ending: &str, bytes: Vec<u8>) -> ExportFile {
+    ExportFile {
+        name: PathBuf::from(format!("{name}.{ending}")),
+        bytes,
+    }
+}
+
+/// A name that every file system and every program takes.
+fn file_name(name: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+    let plain: String = name
+        .chars()
+        .map(|c| if is_plain(c) { c } else { '_' })
+        .collect();
+    if plain.is_empty() {
+        "map".to_owned()
+    } else {
+        plain
+    }
+}

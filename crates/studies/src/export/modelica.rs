@@ -1,0 +1,40 @@
+//! Tables of the Modelica Standard Library as text, for `CombiTable2Ds`.
+
+use std::fmt::Write as _;
+
+use super::error::ExportError;
+use super::field::Field;
+
+/// Table `lossTorque` over torque \[N m\] and speed \[rad/s\]; where loss was added, the mesh and what was added as
+/// tables of their own.
+pub(super) fn text(field: &Field) -> Result<String, ExportError> {
+    field.check_size("Modelica")?;
+    let mut text = format!(
+        "#1\n# {}\n# scope = {}; u1 = torque of the input shaft N m, u2 = its speed rad/s, value = loss torque N m\n",
+        field.head(),
+        field.scope
+    );
+    write(&mut text, "lossTorque", field, &field.total_nm());
+    if let Some(added) = &field.added_nm {
+        write(&mut text, "meshLossTorque", field, &field.mesh_nm);
+        write(&mut text, "addedLossTorque", field, added);
+    }
+    Ok(text)
+}
+
+/// First row: corner and speeds; then a torque and its values in each row. Writing into a string cannot fail.
+fn write(text: &mut String, name: &str, field: &Field, values: &[f64]) {
+    let (rows, columns) = (field.torque_nm.len() + 1, field.speed_rpm.len() + 1);
+    let _ = write!(text, "double {name}({rows},{columns})\n0");
+    for omega in field.omega() {
+        let _ = write!(text, " {omega}");
+    }
+    text.push('\n');
+    for (torque, row) in field.torque_nm.iter().zip(values.chunks(columns - 1)) {
+        let _ = write!(text, "{torque}");
+        for value in row {
+            let _ = write!(text, " {value}");
+        }
+        text.push('\n');
+    }
+}

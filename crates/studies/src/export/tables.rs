@@ -1,0 +1,71 @@
+//! Tables of rows: the long table, and VECTO's transmission loss map.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use asperity_report::tables::text;
+use serde::Serialize;
+
+use super::error::ExportError;
+use super::field::Field;
+use crate::map::FinishMap;
+
+/// A row per node, mesh and added loss apart.
+pub(super) fn csv(fields: &[Field], finish: &FinishMap) -> Result<Vec<u8>, ExportError> {
+    #[derive(Serialize)]
+    struct Row<'a> {
+        torque_nm: f64,
+        speed_rpm: f64,
+        temperature_c: f64,
+        loss_torque_nm: f64,
+        mesh_loss_torque_nm: f64,
+        added_loss_torque_nm: f64,
+        loss_w: f64,
+        scope: &'a str,
+        outside: String,
+    }
+    let mut rows = Vec::new();
+    let mut points = finish.points.iter();
+    for field in fields {
+        let (total, across) = (field.total_nm(), field.speed_rpm.len());
+        let omega = field.omega();
+        for (index, mesh) in field.mesh_nm.iter().enumerate() {
+            let (torque, speed) = (index / across, index % across);
+            let marks = points.next().map(|point| point.outside.join("; "));
+            rows.push(Row {
+                torque_nm: field.torque_nm[torque],
+                speed_rpm: field.speed_rpm[speed],
+                temperature_c: field.temperature_c,
+                loss_torque_nm: total[index],
+                mesh_loss_torque_nm: *mesh,
+                added_loss_torque_nm: total[index] - mesh,
+                loss_w: total[index] * omega[speed],
+                scope: &field.scope,
+                outside: marks.unwrap_or_default(),
+            });
+        }
+    }
+    text(Path::new("map.csv"), rows).map_err(|error| std::io::Error::other(error).into())
+}
+
+/// VECTO's transmission loss map: speed and torque of the input shaft, loss torque there, at both signs of the
+/// torque. VECTO looks up by the output torque, so the loss must rise slower than the torque.
+pub(super) fn vecto(field: &Field) -> Result<String, ExportError> {
+    const FORMAT: &str = "VECTO";
+    field.check_size(FORMAT)?;
+    field.check_signs(FORMAT)?;
+    field.check_slope(FORMAT)?;
+    let (total, across) = (field.total_nm(), field.speed_rpm.len());
+    let mut text = format!(
+        "# scope {}\n# {}\nInput Speed [rpm],Input Torque [Nm],Torque Loss [Nm]\n",
+        field.scope,
+        field.head()
+    );
+    for (j, speed) in field.speed_rpm.iter().enumerate() {
+        for (i, torque) in field.torque_nm.iter().enumerate() {
+            // Writing into a string cannot fail.
+            let _ = writeln!(text, "{speed},{torque},{}", total[i * across + j]);
+        }
+    }
+    Ok(text)
+}

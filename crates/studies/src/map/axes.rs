@@ -1,0 +1,231 @@
+//! Axes of a map.
+
+use asperity::case::Case;
+use serde::{Deserialize, Serialize};
+
+/// Nodes of a map, each axis rising.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Axes {
+    /// Torque at the pinion \[N m\].
+    pub torque_nm: Vec<f64>,
+    /// Speed of the pinion \[1/min\].
+    pub speed_rpm: Vec<f64>,
+    /// Temperature of the flanks \[°C\].
+    pub temperature_c: Vec<f64>,
+}
+
+/// Why values make no axis.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum AxisError {
+    /// The text is no axis.
+    #[error("{text:?} is no axis; write a list as 10,20,50, or 10..100:5, or 10..100:5:log")]
+    Text {
+        /// The text.
+        text: String,
+    },
+    /// A value that the axis cannot have.
+    #[error("{value} {unit} is no node of an axis of the {axis}: {rule}")]
+    Value {
+        /// Name of the axis.
+        axis: &'static str,
+        /// The value.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+        /// Rule.
+        rule: &'static str,
+    },
+    /// No value, or too many.
+    #[error("an axis of the {axis} with {count} nodes; from 1 to {most} are possible")]
+    Count {
+        /// Name of the axis.
+        axis: &'static str,
+        /// Number of nodes.
+        count: usize,
+        /// Most nodes.
+        most: usize,
+    },
+}
+
+/// Most nodes of an axis.
+const MOST: usize = 1000;
+/// Torques from the smallest to the largest of the default axis.
+const TORQUES: usize = 12;
+/// Smallest torque of the default axis over the largest.
+const SMALLEST: f64 = 0.01;
+/// Speeds above 1 1/min of the default axis.
+const SPEEDS: usize = 16;
+/// Digits of default nodes, so that they are read and typed with ease.
+const DIGITS: i32 = 4;
+/// Coldest node \[°C\].
+const ABSOLUTE_ZERO: f64 = -273.15;
+
+impl Axes {
+    /// Axes of these nodes: sorted, each once, with a node at no torque where there are torques of both signs,
+    /// and one at standstill. Loss torque has a kink at torque 0 that no interpolation finds again.
+    ///
+    /// # Errors
+    /// When an axis is empty or a node cannot be.
+    pub fn new(
+        torque_nm: &[f64],
+        speed_rpm: &[f64],
+        temperature_c: &[f64],
+    ) -> Result<Self, AxisError> {
+        check("torque", torque_nm, "N m", "must be finite", |_| true)?;
+        let not_negative = "must be finite and not negative; torque has the sign";
+        check("speed", speed_rpm, "1/min", not_negative, |v| v >= 0.0)?;
+        let above = "must be above absolute zero";
+        check("temperature", temperature_c, "°C", above, |v| {
+            v > ABSOLUTE_ZERO
+        })?;
+        let mut torque = torque_nm.to_vec();
+        let has = |is: fn(&f64) -> bool| torque_nm.iter().any(is);
+        if has(|t| *t < 0.0) && has(|t| *t > 0.0) {
+            torque.push(0.0);
+        }
+        let mut speed = speed_rpm.to_vec();
+        speed.push(0.0);
+        Ok(Self {
+            torque_nm: rising(torque),
+            speed_rpm: rising(speed),
+            temperature_c: rising(temperature_c.to_vec()),
+        })
+    }
+
+    /// The default torques of `case`: 0, then geometric from 1 % of the largest, mirrored.
+    #[must_use]
+    pub fn default_torque(case: &Case) -> Vec<f64> {
+        let given = case.input.map.and_then(|map| map.torque_max);
+        let most = given.unwrap_or(case.torque).si().abs();
+        let step = SMALLEST.powf(-1.0 / (TORQUES - 1) as f64);
+        let node = |k: usize| rounded(most * SMALLEST * step.powi(k as i32));
+        let drive = (0..TORQUES).map(|k| if k + 1 == TORQUES { most } else { node(k) });
+        drive
+            .flat_map(|torque| [-torque, torque])
+            .chain([0.0])
+            .collect()
+    }
+
+    /// The default speeds of `case`: 0, 1 1/min, then closer at low speed.
+    #[must_use]
+    pub fn default_speed(case: &Case) -> Vec<f64> {
+        let given = case.input.map.and_then(|map| map.speed_max);
+        let most = given.unwrap_or(case.speed).si() * 30.0 / std::f64::consts::PI;
+        let node = |k: usize| rounded(most * (k as f64 / SPEEDS as f64).powi(2));
+        [0.0, 1.0]
+            .into_iter()
+            .chain((1..=SPEEDS).map(node))
+            .collect()
+    }
+
+    /// The temperature of `case`.
+    #[must_use]
+    pub fn default_temperature(case: &Case) -> Vec<f64> {
+        vec![rounded(case.temperature.si() + ABSOLUTE_ZERO)]
+    }
+
+    /// Points of the map.
+    #[must_use]
+    pub fn points(&self) -> usize {
+        self.torque_nm.len() * self.speed_rpm.len() * self.temperature_c.len()
+    }
+
+    /// Number of a point: temperature by temperature, torque by torque, speed by speed.
+    #[must_use]
+    pub fn index(&self, temperature: usize, torque: usize, speed: usize) -> usize {
+        (temperature * self.torque_nm.len() + torque) * self.speed_rpm.len() + speed
+    }
+}
+
+/// The nodes that a text means: `10,20,50`, `10..100:5` in equal steps, or `10..100:5:log` in equal ratios.
+///
+/// # Errors
+/// When the text is none of these.
+///
+/// ```
+/// use asperity_studies::map::axis;
+/// assert_eq!(axis("10, 20,50")?, [10.0, 20.0, 50.0]);
+/// assert_eq!(axis("-10..10:5")?, [-10.0, -5.0, 0.0, 5.0, 10.0]);
+/// assert_eq!(axis("1..100:3:log")?, [1.0, 10.0, 100.0]);
+/// assert!(axis("10..100").is_err());
+/// # Ok::<(), asperity_studies::map::AxisError>(())
+/// ```
+pub fn axis(text: &str) -> Result<Vec<f64>, AxisError> {
+    let refused = || AxisError::Text {
+        text: text.to_owned(),
+    };
+    let number = |part: &str| part.trim().parse::<f64>().map_err(|_| refused());
+    let Some((low, rest)) = text.split_once("..") else {
+        return text.split(',').map(number).collect();
+    };
+    let mut parts = rest.split(':');
+    let mut next = || parts.next().ok_or_else(refused);
+    let (low, high) = (number(low)?, number(next()?)?);
+    let count: usize = next()?.trim().parse().map_err(|_| refused())?;
+    let is_log = match parts.next().map(str::trim) {
+        None => false,
+        Some("log") if low > 0.0 && high > 0.0 => true,
+        Some(_) => return Err(refused()),
+    };
+    if parts.next().is_some()
+        || !(2..=MOST).contains(&count)
+        || !low.is_finite()
+        || !high.is_finite()
+    {
+        return Err(refused());
+    }
+    let last = (count - 1) as f64;
+    let node = |k: usize| {
+        let share = k as f64 / last;
+        match k {
+            0 => low,
+            k if k + 1 == count => high,
+            _ if is_log => rounded_to(low * (high / low).powf(share), 12),
+            _ => rounded_to(low + (high - low) * share, 12),
+        }
+    };
+    Ok((0..count).map(node).collect())
+}
+
+fn check(
+    axis: &'static str,
+    values: &[f64],
+    unit: &'static str,
+    rule: &'static str,
+    is_possible: impl Fn(f64) -> bool,
+) -> Result<(), AxisError> {
+    let count = values.len();
+    if !(1..=MOST).contains(&count) {
+        let most = MOST;
+        return Err(AxisError::Count { axis, count, most });
+    }
+    let wrong = |value: &&f64| !(value.is_finite() && is_possible(**value));
+    match values.iter().find(wrong) {
+        None => Ok(()),
+        Some(&value) => Err(AxisError::Value {
+            axis,
+            value,
+            unit,
+            rule,
+        }),
+    }
+}
+
+fn rising(mut values: Vec<f64>) -> Vec<f64> {
+    // Minus zero is zero.
+    values.iter_mut().for_each(|value| *value += 0.0);
+    values.sort_by(f64::total_cmp);
+    values.dedup();
+    values
+}
+
+fn rounded(value: f64) -> f64 {
+    rounded_to(value, DIGITS)
+}
+
+/// The number nearest to `value` with so many digits, as text has it.
+fn rounded_to(value: f64, digits: i32) -> f64 {
+    let text = format!("{value:.*e}", (digits - 1).max(0) as usize);
+    text.parse().unwrap_or(value)
+}

@@ -1,0 +1,169 @@
+//! Losses of one torque at every speed and temperature of a map.
+
+use asperity::case::{Formulation, LoadedCase};
+use asperity::encounter::LEAST_POINTS_PER_HALF_WIDTH;
+use asperity::pipeline::{contact_tables, losses, losses_with, stations};
+use asperity::result::Losses;
+use asperity::reversed::Reversed;
+use asperity::station::Resolution;
+use asperity::surfaces::Texture;
+use asperity::{ContactTables, Error};
+use asperity_core::quantity::{AngularSpeed, Temperature, Torque};
+use rayon::prelude::*;
+
+use super::axes::Axes;
+
+/// Losses at one operating point, with what the other direction of the power changes.
+#[derive(Debug, Clone)]
+pub(super) struct Evaluated {
+    pub losses: Losses,
+    pub reversed: Option<Reversed>,
+    /// Speed of the pinion \[rad/s\].
+    pub omega: f64,
+}
+
+/// Speed that stands for standstill \[1/min\].
+pub(super) const CRAWL: f64 = 1.0;
+
+/// The speeds at which a map is computed \[1/min\].
+pub(super) fn computed_speeds(axes: &Axes) -> Vec<f64> {
+    let mut speeds: Vec<f64> = axes.speed_rpm.iter().map(|speed| shown(*speed)).collect();
+    speeds.sort_by(f64::total_cmp);
+    speeds.dedup();
+    speeds
+}
+
+/// The speed that stands for `speed`.
+pub(super) fn shown(speed: f64) -> f64 {
+    if speed == 0.0 { CRAWL } else { speed }
+}
+
+/// The case at `torque`, with nothing asked of it but its losses.
+pub(super) fn at_torque(case: &LoadedCase, torque: Torque) -> Result<LoadedCase, Error> {
+    case.with(|input| {
+        input.operation.torque = torque;
+        input.model.run_in = None;
+    })
+}
+
+/// Every speed and temperature at one torque: temperature by temperature.
+pub(super) fn evaluate(
+    case: &LoadedCase,
+    torque: Torque,
+    (speeds, temperatures): (&[f64], &[f64]),
+    told: &(dyn Fn() + Sync),
+) -> Vec<Result<Evaluated, String>> {
+    let prepared = at_torque(case, torque).and_then(|case| {
+        let tables = match case.case.formulation {
+            Formulation::Corrected => Some(contact_tables(&case)?),
+            Formulation::Paper => None,
+        };
+        Ok((case, tables))
+    });
+    let places: Vec<(f64, f64)> = temperatures
+        .iter()
+        .flat_map(|temperature| speeds.iter().map(move |speed| (*speed, *temperature)))
+        .collect();
+    let code = |error: &Error| error.code().to_owned();
+    let (case, tables) = match &prepared {
+        Ok(prepared) => prepared,
+        Err(error) => return places.iter().map(|_| Err(code(error))).collect(),
+    };
+    places
+        .into_par_iter()
+        .map(|place| {
+            let found = at(case, tables.as_ref(), place);
+            told();
+            found.map_err(|error| code(&error))
+        })
+        .collect()
+}
+
+fn at(
+    case: &LoadedCase,
+    tables: Option<&ContactTables>,
+    (speed, temperature): (f64, f64),
+) -> Result<Evaluated, Error> {
+    let (speed, temperature) = (speed_of(speed), temperature_of(temperature));
+    let case = case.with(|input| {
+        input.operation.speed = speed;
+        input.operation.temperature = temperature;
+    })?;
+    let found = match tables {
+        Some(tables) => losses_with(tables, &case, &|_, _| {})?,
+        None => losses(&case, &|_, _| {})?,
+    };
+    Ok(Evaluated {
+        reversed: found.reversed(&case.case).ok(),
+        losses: found,
+        omega: speed.si(),
+    })
+}
+
+/// As the case file would have it, to the last digit.
+pub(super) fn torque_of(torque_nm: f64) -> Torque {
+    Torque::from_si(torque_nm)
+}
+
+fn speed_of(speed_rpm: f64) -> AngularSpeed {
+    let text = format!("{speed_rpm} 1/min");
+    text.parse()
+        .unwrap_or_else(|_| AngularSpeed::from_si(speed_rpm * std::f64::consts::PI / 30.0))
+}
+
+fn temperature_of(temperature_c: f64) -> Temperature {
+    let text = format!("{temperature_c} °C");
+    text.parse()
+        .unwrap_or_else(|_| Temperature::from_si(temperature_c + 273.15))
+}
+
+/// The smallest torque \[N m\] of the sign of `sign` whose contacts the traces resolve, to a part in 4000; for
+/// flanks without traces a thousandth of the torque of the case.
+pub(super) fn resolved_from(case: &LoadedCase, sign: f64) -> Result<f64, Error> {
+    /// Halvings of a factor of two.
+    const HALVINGS: usize = 12;
+    /// Factors of two that are tried to either side.
+    const REACH: usize = 24;
+    let begin = case.case.torque.si().abs();
+    let is_resolved = |torque: f64| -> Result<bool, Error> {
+        let case = at_torque(case, Torque::from_si(torque.copysign(sign)))?;
+        resolves(&case).map_err(|error| Error::Whole(Box::new(error)))
+    };
+    if !case.surfaces.are_measured() {
+        return Ok(1e-3 * begin);
+    }
+    let (mut low, mut high) = (begin, begin);
+    for _ in 0..REACH {
+        if is_resolved(high)? {
+            break;
+        }
+        high *= 2.0;
+    }
+    low = low.min(high);
+    for _ in 0..REACH {
+        if !is_resolved(low).unwrap_or(false) {
+            break;
+        }
+        (low, high) = (0.5 * low, low);
+    }
+    for _ in 0..HALVINGS {
+        let middle = (low * high).sqrt();
+        match is_resolved(middle).unwrap_or(false) {
+            true => high = middle,
+            false => low = middle,
+        }
+    }
+    Ok(high)
+}
+
+/// Whether the traces resolve every contact that must be.
+fn resolves(case: &LoadedCase) -> Result<bool, asperity::PositionError> {
+    let [Texture::Trace(first), Texture::Trace(_)] = case.surfaces.textures() else {
+        return Ok(true);
+    };
+    let stations = stations(&case.case)?;
+    Ok(stations.iter().all(|station| {
+        station.resolution != Resolution::Required
+            || station.hertz.half_width / first.spacing() >= LEAST_POINTS_PER_HALF_WIDTH
+    }))
+}

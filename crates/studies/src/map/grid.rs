@@ -1,0 +1,310 @@
+//! The work of a map.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use asperity::Error;
+use asperity::case::LoadedCase;
+use asperity::pipeline::Progress;
+use asperity::result::OffsetRow;
+use asperity::surfaces::FlankReport;
+
+use super::axes::Axes;
+use super::evaluation::{
+    Evaluated, at_torque, computed_speeds, evaluate, resolved_from, shown, torque_of,
+};
+use super::point::{EXTENDED, FinishMap, Map, MapWarning, Numbers, Point, ranges};
+use crate::compare::Finish;
+
+/// Version of the structure of `map.json`.
+const SCHEMA_VERSION: u32 = 1;
+
+/// Losses of every finish at every node of `axes`. Points without a result have the code of their error.
+///
+/// # Errors
+/// When there is no finish, or none of its points has a result.
+pub fn map(finishes: &[Finish], axes: &Axes, progress: Progress<'_>) -> Result<Map, Error> {
+    let mut maps = Vec::with_capacity(finishes.len());
+    let sides = finishes
+        .iter()
+        .map(|finish| Sides::of(&finish.case, axes))
+        .collect::<Result<Vec<_>, _>>()?;
+    let speeds = computed_speeds(axes);
+    let each = speeds.len() * axes.temperature_c.len();
+    let total: usize = sides.iter().map(|sides| sides.torques().len() * each).sum();
+    let done = AtomicUsize::new(0);
+    let told = || progress(1 + done.fetch_add(1, Ordering::Relaxed), total);
+    for (finish, sides) in finishes.iter().zip(&sides) {
+        maps.push(of_finish(finish, sides, (axes, &speeds), &told)?);
+    }
+    let first = finishes.first().map(|finish| &finish.case.case);
+    let Some(case) = first else {
+        return Err(Error::Whole(Box::new(asperity::PositionError::NoProfile)));
+    };
+    Ok(Map {
+        schema_version: SCHEMA_VERSION,
+        program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
+        title: case.title.clone(),
+        scope: "mesh".to_owned(),
+        axes: axes.clone(),
+        ratio: case.gears.ratio,
+        warnings: maps.iter().flat_map(warnings).collect(),
+        finishes: maps,
+        input: case.input.clone(),
+        defaults: case.defaults.clone(),
+    })
+}
+
+/// The torques at which a finish is computed \[N m\].
+struct Sides {
+    /// Smallest resolved torques, drive and coast.
+    from: [f64; 2],
+    /// The coast flanks are other flanks.
+    has_coast: bool,
+    wanted: [Vec<f64>; 2],
+}
+
+impl Sides {
+    fn of(case: &LoadedCase, axes: &Axes) -> Result<Self, Error> {
+        let has_coast = case.case.input.surface.coast.is_some();
+        let drive = resolved_from(case, 1.0)?;
+        let coast = match has_coast {
+            true => resolved_from(case, -1.0)?,
+            false => drive,
+        };
+        let from = [drive, coast];
+        let mut wanted = [Vec::new(), Vec::new()];
+        for &torque in &axes.torque_nm {
+            let side = usize::from(has_coast && torque < 0.0);
+            wanted[side].push(torque.abs().max(from[side]));
+        }
+        for torques in &mut wanted {
+            torques.sort_by(f64::total_cmp);
+            torques.dedup();
+        }
+        Ok(Self {
+            from,
+            has_coast,
+            wanted,
+        })
+    }
+
+    /// Side and torque of all that is computed.
+    fn torques(&self) -> Vec<(usize, f64)> {
+        let of = |side: usize| self.wanted[side].iter().map(move |torque| (side, *torque));
+        of(0).chain(of(1)).collect()
+    }
+}
+
+/// What was computed, by side and bits of the torque.
+type Computed = BTreeMap<(usize, u64), Vec<Result<Evaluated, String>>>;
+
+fn of_finish(
+    finish: &Finish,
+    sides: &Sides,
+    (axes, speeds): (&Axes, &[f64]),
+    told: &(dyn Fn() + Sync),
+) -> Result<FinishMap, Error> {
+    let mut computed = Computed::new();
+    for (side, torque) in sides.torques() {
+        let sign = if side == 1 { -1.0 } else { 1.0 };
+        let places = (speeds, axes.temperature_c.as_slice());
+        let found = evaluate(&finish.case, torque_of(sign * torque), places, told);
+        computed.insert((side, torque.to_bits()), found);
+    }
+    let mut points = Vec::with_capacity(axes.points());
+    for (row, &temperature_c) in axes.temperature_c.iter().enumerate() {
+        for &torque_nm in &axes.torque_nm {
+            for &speed_rpm in &axes.speed_rpm {
+                let place = [torque_nm, speed_rpm, temperature_c];
+                points.push(point(&computed, sides, speeds, row, place));
+            }
+        }
+    }
+    if points.iter().all(|point| point.numbers.is_none()) {
+        // Told in full by a run of the case.
+        let case = at_torque(&finish.case, finish.case.case.torque)?;
+        asperity::losses(&case, &|_, _| {})?;
+    }
+    let coast = match sides.has_coast {
+        true => files(&at_torque(&finish.case, torque_of(-sides.from[1]))?.flanks),
+        false => Vec::new(),
+    };
+    let drive = at_torque(&finish.case, torque_of(sides.from[0]))?;
+    Ok(FinishMap {
+        name: finish.name.clone(),
+        files: files(&drive.flanks),
+        coast_files: coast,
+        resolved_from_nm: sides.from,
+        points,
+    })
+}
+
+/// The folder of a trace is nobody's business; its sum tells which file it was.
+fn files(flanks: &[FlankReport; 2]) -> Vec<[String; 2]> {
+    let named = flanks.iter().filter_map(|flank| {
+        let file = Path::new(flank.file.as_deref()?).file_name()?;
+        Some([file.to_string_lossy().into_owned(), flank.sha256.clone()?])
+    });
+    named.collect()
+}
+
+fn point(
+    computed: &Computed,
+    sides: &Sides,
+    speeds: &[f64],
+    row: usize,
+    [torque_nm, speed_rpm, temperature_c]: [f64; 3],
+) -> Point {
+    let side = usize::from(sides.has_coast && torque_nm < 0.0);
+    let at = torque_nm.abs().max(sides.from[side]);
+    let column = speeds.partition_point(|speed| *speed < shown(speed_rpm));
+    let found = computed
+        .get(&(side, at.to_bits()))
+        .and_then(|found| found.get(row * speeds.len() + column));
+    let mut point = Point {
+        torque_nm,
+        speed_rpm,
+        temperature_c,
+        numbers: None,
+        outside: Vec::new(),
+        code: None,
+    };
+    match found {
+        Some(Ok(found)) => {
+            point.outside.clone_from(&found.losses.outside);
+            let is_extended = torque_nm.abs() < sides.from[side];
+            if is_extended {
+                point.outside.push(EXTENDED.to_owned());
+            }
+            let computed_at = if side == 1 { -at } else { at };
+            point.numbers = Some(match is_extended {
+                true => extended(found, torque_nm, at),
+                false => numbers(found, (torque_nm < 0.0) != (computed_at < 0.0)),
+            });
+            if speed_rpm == 0.0 {
+                point.numbers = point.numbers.map(at_standstill);
+            }
+        }
+        Some(Err(code)) => point.code = Some(code.clone()),
+        None => point.code = Some("E501".to_owned()),
+    }
+    point
+}
+
+/// The losses as they were computed, or with the other gear driving.
+fn numbers(found: &Evaluated, is_reversed: bool) -> Numbers {
+    let summary = &found.losses.summary;
+    let (efficiency, deviation, mu) = match (is_reversed, &found.reversed) {
+        (false, _) => (
+            Some(summary.efficiency),
+            summary.efficiency_deviation,
+            Some(summary.mu_equivalent),
+        ),
+        (true, Some(other)) => (
+            Some(other.efficiency),
+            other.efficiency_deviation,
+            Some(other.mu_equivalent),
+        ),
+        (true, None) => (None, None, None),
+    };
+    let losses: Vec<f64> = found.losses.offsets.iter().map(|row| row.loss_w).collect();
+    Numbers {
+        loss_w: summary.loss_w,
+        loss_torque_nm: summary.loss_w / found.omega,
+        loss_torque_deviation_nm: deviation_of(&losses).map(|loss| loss / found.omega),
+        efficiency,
+        efficiency_deviation: deviation,
+        sliding_w: summary.sliding_w,
+        film_w: summary.film_w,
+        lubricated_asperity_w: summary.lubricated_asperity_w,
+        boundary_w: summary.boundary_w,
+        rolling_w: summary.rolling_w,
+        mu_equivalent: mu,
+        mixed_share: summary.mixed_share,
+    }
+}
+
+/// The losses at a torque below the smallest resolved one: the rolling loss of that, and of its other losses the
+/// share of the torque.
+fn extended(found: &Evaluated, torque_nm: f64, at: f64) -> Numbers {
+    let summary = &found.losses.summary;
+    let share = torque_nm.abs() / at;
+    let scaled = |row: &OffsetRow| row.rolling_w + share * (row.loss_w - row.rolling_w);
+    let losses: Vec<f64> = found.losses.offsets.iter().map(scaled).collect();
+    let count = losses.len() as f64;
+    let loss_w = losses.iter().sum::<f64>() / count;
+    let pinion_w = torque_nm.abs() * found.omega;
+    let efficiencies: Vec<f64> = losses
+        .iter()
+        .map(|loss| match torque_nm < 0.0 {
+            true => 1.0 - loss / (pinion_w + loss),
+            false => 1.0 - loss / pinion_w,
+        })
+        .filter(|efficiency| (0.0..1.0).contains(efficiency))
+        .collect();
+    let is_whole = torque_nm != 0.0 && efficiencies.len() == losses.len();
+    let efficiency = is_whole.then(|| efficiencies.iter().sum::<f64>() / count);
+    Numbers {
+        loss_w,
+        loss_torque_nm: loss_w / found.omega,
+        loss_torque_deviation_nm: deviation_of(&losses).map(|loss| loss / found.omega),
+        efficiency,
+        efficiency_deviation: is_whole.then(|| deviation_of(&efficiencies)).flatten(),
+        sliding_w: share * summary.sliding_w,
+        film_w: share * summary.film_w,
+        lubricated_asperity_w: share * summary.lubricated_asperity_w,
+        boundary_w: share * summary.boundary_w,
+        rolling_w: summary.rolling_w,
+        mu_equivalent: efficiency.map(|value| (1.0 - value) / summary.loss_factor_local),
+        mixed_share: summary.mixed_share,
+    }
+}
+
+/// Without speed there is no power, and the loss torque is left.
+fn at_standstill(numbers: Numbers) -> Numbers {
+    Numbers {
+        loss_w: 0.0,
+        efficiency: None,
+        efficiency_deviation: None,
+        sliding_w: 0.0,
+        film_w: 0.0,
+        lubricated_asperity_w: 0.0,
+        boundary_w: 0.0,
+        rolling_w: 0.0,
+        ..numbers
+    }
+}
+
+/// Sample standard deviation; none of fewer than two values.
+fn deviation_of(values: &[f64]) -> Option<f64> {
+    let n = values.len();
+    if n < 2 {
+        return None;
+    }
+    let mean = values.iter().sum::<f64>() / n as f64;
+    let square: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+    Some((square / (n - 1) as f64).sqrt())
+}
+
+/// What left its range in a finish, and the points without a result.
+fn warnings(finish: &FinishMap) -> Vec<MapWarning> {
+    let mut found: BTreeMap<String, Vec<usize>> = BTreeMap::new();
+    for (index, point) in finish.points.iter().enumerate() {
+        for text in &point.outside {
+            found.entry(text.clone()).or_default().push(index);
+        }
+        if let Some(code) = &point.code {
+            let text = format!("{code} no result");
+            found.entry(text).or_default().push(index);
+        }
+    }
+    let warning = |(text, at): (String, Vec<usize>)| MapWarning {
+        text,
+        finish: finish.name.clone(),
+        count: at.len(),
+        points: ranges(&at),
+    };
+    found.into_iter().map(warning).collect()
+}

@@ -1,0 +1,49 @@
+//! Losses of a mesh over torque, speed and temperature.
+//!
+//! Every point is that of a run of the case at this torque, speed and temperature, to the last digit. The rough
+//! contact of a torque is made once for all speeds and temperatures; nothing is carried from torque to torque. The
+//! losses of a torque hold for its negative as well, unless the case names coast flanks.
+//!
+//! | point | rule |
+//! |---|---|
+//! | torque 0 | rolling alone: the limit of the sliding loss, which falls with the torque |
+//! | torque below the smallest whose contact the traces resolve | sliding of that torque, scaled; marked `extended` |
+//! | speed 0 | loss torque at 1 1/min |
+//!
+//! ```
+//! use asperity::case;
+//! use asperity_studies::compare::Finish;
+//! use asperity_studies::map::{Axes, map};
+//! let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+//! let case = case::load_with(file, &|input| {
+//!     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+//! })?;
+//! let axes = Axes::new(&[-100.0, 100.0], &[1000.0, 9000.0], &[90.0])?;
+//! let found = map(&[Finish { name: "ground".to_owned(), case }], &axes, &|_, _| {})?;
+//! // A node at no torque and one at standstill are added.
+//! assert_eq!(found.axes.torque_nm, [-100.0, 0.0, 100.0]);
+//! assert_eq!(found.axes.speed_rpm, [0.0, 1000.0, 9000.0]);
+//! let surface = found.finishes[0].surface(&found.axes, 0).ok_or("a point has no result")?;
+//! assert!(surface.loss_torque(50.0, 3000.0).value > 0.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod axes;
+mod evaluation;
+mod grid;
+mod page;
+mod point;
+mod read;
+mod summary;
+mod surface;
+mod table;
+mod write;
+
+pub use axes::{Axes, AxisError, axis};
+pub use grid::map;
+pub use page::loss_field;
+pub use point::{EXTENDED, FinishMap, Map, MapWarning, Numbers, Point, ranges};
+pub use read::{MapError, read};
+pub use summary::summary;
+pub use surface::{Interpolated, Surface};
+pub use write::{EXPORTS, check_place, write};

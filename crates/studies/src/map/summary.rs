@@ -1,0 +1,80 @@
+//! The map for the terminal.
+
+use std::collections::BTreeMap;
+
+use asperity_report::wrapped;
+
+use super::point::{EXTENDED, Map, Numbers};
+
+/// The map for the terminal.
+#[must_use]
+pub fn summary(map: &Map) -> String {
+    let axes = &map.axes;
+    let mut text = format!(
+        "{}\n{} points: {} torques x {} speeds x {} temperatures (loss of the {} only)\n",
+        map.title,
+        axes.points(),
+        axes.torque_nm.len(),
+        axes.speed_rpm.len(),
+        axes.temperature_c.len(),
+        map.scope
+    );
+    text.push_str(&format!(
+        "{:<16} {:>14} {:>12} {:>16} {:>18}\n",
+        "finish", "largest loss W", "share %", "best efficiency", "largest torque N m"
+    ));
+    for finish in &map.finishes {
+        let numbers = || {
+            finish
+                .points
+                .iter()
+                .filter_map(|point| Some((point, point.numbers?)))
+        };
+        let most = numbers().max_by(|a, b| a.1.loss_w.total_cmp(&b.1.loss_w));
+        let Some((at, most)) = most else { continue };
+        let best = numbers()
+            .filter_map(|(_, numbers)| numbers.efficiency)
+            .fold(0.0, f64::max);
+        let torque = numbers()
+            .map(|(_, numbers): (_, Numbers)| numbers.loss_torque_nm)
+            .fold(0.0, f64::max);
+        let power = at.torque_nm.abs() * at.speed_rpm * std::f64::consts::PI / 30.0;
+        text.push_str(&format!(
+            "{:<16} {:>14.1} {:>12.4} {:>14.4} % {:>18.4}\n",
+            finish.name,
+            most.loss_w,
+            100.0 * most.loss_w / power,
+            100.0 * best,
+            torque
+        ));
+    }
+    text.push_str(&notes(map));
+    text
+}
+
+/// What the points are told of, each once, with the finishes it is about unless it is about all.
+fn notes(map: &Map) -> String {
+    let mut found: BTreeMap<&str, Vec<(&str, usize)>> = BTreeMap::new();
+    for warning in &map.warnings {
+        let entry = found.entry(&warning.text).or_default();
+        entry.push((&warning.finish, warning.count));
+    }
+    let told = found.iter().map(|(text, finishes)| {
+        let counts: Vec<String> = finishes
+            .iter()
+            .map(|(name, count)| match map.finishes.len() {
+                1 => format!("{count}"),
+                _ => format!("{count} ({name})"),
+            })
+            .collect();
+        let counts = counts.join(", ");
+        let text = match *text {
+            EXTENDED => {
+                "extended: below the torque whose contact the traces resolve the sliding loss is scaled"
+            }
+            text => text,
+        };
+        format!("{}\n", wrapped(&format!("{text}: {counts} points"), "     "))
+    });
+    told.collect()
+}

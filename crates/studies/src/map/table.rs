@@ -1,0 +1,102 @@
+//! The table of a map: a row per point.
+
+use std::borrow::Cow;
+use std::path::Path;
+
+use asperity_report::{ReportError, tables};
+use serde::{Deserialize, Serialize};
+
+use super::point::{FinishMap, Map, Numbers, Point};
+
+/// A point as a row.
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct Row<'a> {
+    torque_nm: f64,
+    speed_rpm: f64,
+    temperature_c: f64,
+    loss_w: Option<f64>,
+    loss_torque_nm: Option<f64>,
+    efficiency: Option<f64>,
+    efficiency_deviation: Option<f64>,
+    sliding_w: Option<f64>,
+    rolling_w: Option<f64>,
+    mu_equivalent: Option<f64>,
+    mixed_share: Option<f64>,
+    outside: Cow<'a, str>,
+    code: Cow<'a, str>,
+    loss_torque_deviation_nm: Option<f64>,
+    film_w: Option<f64>,
+    lubricated_asperity_w: Option<f64>,
+    boundary_w: Option<f64>,
+    finish: Cow<'a, str>,
+}
+
+/// Between two marks of a point.
+const BETWEEN: &str = "; ";
+
+impl<'a> Row<'a> {
+    fn of(finish: &'a FinishMap, point: &'a Point) -> Self {
+        let numbers = point.numbers.as_ref();
+        let of = |value: fn(&Numbers) -> f64| numbers.map(value);
+        Self {
+            torque_nm: point.torque_nm,
+            speed_rpm: point.speed_rpm,
+            temperature_c: point.temperature_c,
+            loss_w: of(|n| n.loss_w),
+            loss_torque_nm: of(|n| n.loss_torque_nm),
+            efficiency: numbers.and_then(|n| n.efficiency),
+            efficiency_deviation: numbers.and_then(|n| n.efficiency_deviation),
+            sliding_w: of(|n| n.sliding_w),
+            rolling_w: of(|n| n.rolling_w),
+            mu_equivalent: numbers.and_then(|n| n.mu_equivalent),
+            mixed_share: of(|n| n.mixed_share),
+            outside: Cow::Owned(point.outside.join(BETWEEN)),
+            code: Cow::Borrowed(point.code.as_deref().unwrap_or_default()),
+            loss_torque_deviation_nm: numbers.and_then(|n| n.loss_torque_deviation_nm),
+            film_w: of(|n| n.film_w),
+            lubricated_asperity_w: of(|n| n.lubricated_asperity_w),
+            boundary_w: of(|n| n.boundary_w),
+            finish: asperity_storage::cell(&finish.name),
+        }
+    }
+
+    /// The point, and whether its row is whole.
+    pub(super) fn point(self) -> Option<Point> {
+        let numbers = || {
+            Some(Numbers {
+                loss_w: self.loss_w?,
+                loss_torque_nm: self.loss_torque_nm?,
+                loss_torque_deviation_nm: self.loss_torque_deviation_nm,
+                efficiency: self.efficiency,
+                efficiency_deviation: self.efficiency_deviation,
+                sliding_w: self.sliding_w?,
+                film_w: self.film_w?,
+                lubricated_asperity_w: self.lubricated_asperity_w?,
+                boundary_w: self.boundary_w?,
+                rolling_w: self.rolling_w?,
+                mu_equivalent: self.mu_equivalent,
+                mixed_share: self.mixed_share?,
+            })
+        };
+        let code = (!self.code.is_empty()).then(|| self.code.to_string());
+        let numbers = numbers();
+        let marks = self.outside.split(BETWEEN).filter(|mark| !mark.is_empty());
+        (numbers.is_some() != code.is_some()).then(|| Point {
+            torque_nm: self.torque_nm,
+            speed_rpm: self.speed_rpm,
+            temperature_c: self.temperature_c,
+            numbers,
+            outside: marks.map(str::to_owned).collect(),
+            code,
+        })
+    }
+}
+
+/// Writes every point of every finish.
+pub(super) fn write(map: &Map, file: &Path) -> Result<(), ReportError> {
+    let rows = map.finishes.iter().flat_map(|finish| {
+        let points = finish.points.iter();
+        points.map(move |point| Row::of(finish, point))
+    });
+    tables::write(file, rows)
+}

@@ -1,0 +1,166 @@
+//! The parts of a study put together.
+
+use std::path::Path;
+
+use asperity_report::{ReportError, tables, write_bytes, write_json, write_text};
+use asperity_storage::{check_folder, replace_folder};
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+
+use super::case_list::CaseList;
+use super::effects::{Indices, effects, sobol_indices};
+use super::error::SweepError;
+use super::merged::{EffectRow, Merged};
+use super::page;
+use super::parts::{Rows, header, outputs, read, text_of};
+use super::study::Study;
+use crate::map::ranges;
+
+/// Kind of the folder in messages.
+const KIND: &str = "sweep";
+
+/// Puts the parts in `folder` together.
+///
+/// # Errors
+/// When a case is in no part, a part is damaged, or two parts contradict each other.
+pub fn merge(study: &Study, folder: &Path) -> Result<Merged, SweepError> {
+    let list = CaseList::of(study)?;
+    let (rows, _) = read(study, &list, folder)?;
+    let count = list.count();
+    if rows.len() < count {
+        let missing: Vec<usize> = (0..count).filter(|n| !rows.contains_key(n)).collect();
+        return Err(SweepError::Missing {
+            count,
+            missing: missing.len(),
+            numbers: ranges(&missing),
+        });
+    }
+    let table = text_of(&header(study, &list), rows.values().cloned(), folder)?;
+    let sum: String = Sha256::digest(&table)
+        .iter()
+        .map(|byte| format!("{byte:02x}"))
+        .collect();
+    let has_code = |row: &&Vec<String>| row.last().is_some_and(|code| !code.is_empty());
+    Ok(Merged {
+        name: study.name.clone(),
+        study: study.hash.clone(),
+        title: study.case.case.title.clone(),
+        cases: count,
+        failed: rows.values().filter(has_code).count(),
+        sha256: sum,
+        effects: effects_of(study, &list, &rows),
+        table,
+    })
+}
+
+/// The mean of a result over the axes at each point of the sample; none where a case of it has no result.
+fn over_axes(list: &CaseList, rows: &Rows, column: usize) -> Vec<Option<f64>> {
+    let (samples, axes) = (list.samples(), list.per_sample());
+    let mean = |point: usize| {
+        let cells =
+            (0..axes).map(|at| rows.get(&(at * samples + point))?.get(column)?.parse().ok());
+        let values: Option<Vec<f64>> = cells.collect();
+        values.map(|values| values.iter().sum::<f64>() / axes as f64)
+    };
+    (0..samples).map(mean).collect()
+}
+
+fn effects_of(study: &Study, list: &CaseList, rows: &Rows) -> Vec<EffectRow> {
+    let (inputs, outputs) = (list.sampled(), outputs(study));
+    let first = 2 + list.columns().len();
+    let numbers: Vec<Vec<f64>> = (0..list.samples())
+        .map(|point| list.numbers(point))
+        .collect();
+    let seed = study.input.sample.as_ref().map_or(0, |sample| sample.seed);
+    let mut found = Vec::new();
+    for (at, output) in outputs.iter().enumerate() {
+        let values = over_axes(list, rows, first + at);
+        let indices = list
+            .block()
+            .and_then(|block| indices(&values, block, inputs.len(), seed));
+        for (index, input) in inputs.iter().enumerate() {
+            // Blocks of Saltelli repeat the inputs of A; A alone tells the main effect.
+            let few = list.block().unwrap_or(values.len());
+            let pairs: Vec<(f64, f64)> = numbers
+                .iter()
+                .zip(&values)
+                .take(few)
+                .filter_map(|(x, y)| Some((*x.get(index)?, (*y)?)))
+                .collect();
+            let (x, y): (Vec<f64>, Vec<f64>) = pairs.into_iter().unzip();
+            found.push(EffectRow {
+                output: output.clone(),
+                input: input.clone(),
+                effect: effects(&x, &y),
+                indices: indices.as_ref().and_then(|found| found.get(index).copied()),
+            });
+        }
+    }
+    found
+}
+
+/// Indices from the blocks; points at which any block has no result are left out of all.
+fn indices(values: &[Option<f64>], block: usize, inputs: usize, seed: u64) -> Option<Vec<Indices>> {
+    let blocks: Vec<&[Option<f64>]> = values.chunks(block).collect();
+    let is_whole = |k: &usize| {
+        blocks
+            .iter()
+            .all(|block| block.get(*k).is_some_and(Option::is_some))
+    };
+    let whole: Vec<usize> = (0..block).filter(is_whole).collect();
+    let of = |number: usize| -> Option<Vec<f64>> {
+        let block = blocks.get(number)?;
+        whole.iter().map(|k| block[*k]).collect()
+    };
+    let mixed = (0..inputs).map(|i| of(i + 2)).collect::<Option<Vec<_>>>()?;
+    sobol_indices(&of(0)?, &of(1)?, &mixed, seed)
+}
+
+/// Writes the study as folder `target`, whole or not at all: `sweep.csv`, `sweep.json`, `effects.csv`, `sweep.html`.
+///
+/// # Errors
+/// When the system refuses, or `target` holds something else.
+pub fn write(merged: &Merged, target: &Path) -> Result<(), ReportError> {
+    check_folder(target, KIND)?;
+    replace_folder(target, KIND, |folder| {
+        write_bytes(&folder.join("sweep.csv"), &merged.table)?;
+        write_json(&folder.join("sweep.json"), merged)?;
+        effects_table(merged, &folder.join("effects.csv"))?;
+        write_text(&folder.join("sweep.html"), &page::render(merged))
+    })
+}
+
+fn effects_table(merged: &Merged, file: &Path) -> Result<(), ReportError> {
+    #[derive(Serialize)]
+    struct Row<'a> {
+        output: &'a str,
+        input: &'a str,
+        low: Option<f64>,
+        high: Option<f64>,
+        difference: Option<f64>,
+        half_width: Option<f64>,
+        correlation: Option<f64>,
+        first: Option<f64>,
+        first_low: Option<f64>,
+        first_high: Option<f64>,
+        total: Option<f64>,
+        total_low: Option<f64>,
+        total_high: Option<f64>,
+    }
+    let rows = merged.effects.iter().map(|row| Row {
+        output: &row.output,
+        input: &row.input,
+        low: row.effect.map(|effect| effect.low),
+        high: row.effect.map(|effect| effect.high),
+        difference: row.effect.map(|effect| effect.difference),
+        half_width: row.effect.map(|effect| effect.half_width),
+        correlation: row.effect.map(|effect| effect.correlation),
+        first: row.indices.map(|found| found.first),
+        first_low: row.indices.map(|found| found.first_interval[0]),
+        first_high: row.indices.map(|found| found.first_interval[1]),
+        total: row.indices.map(|found| found.total),
+        total_low: row.indices.map(|found| found.total_interval[0]),
+        total_high: row.indices.map(|found| found.total_interval[1]),
+    });
+    tables::write(file, rows)
+}

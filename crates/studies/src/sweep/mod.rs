@@ -1,0 +1,28 @@
+//! Many cases from one study file: crossed axes and samples of the inputs, in shards that any scheduler can run.
+//!
+//! A case has a number, row-major in the axes and then the sample, and an id of its content. Shards write parts, each
+//! whole or not at all; a restart runs what no part holds. Put together, the table is the same for every number of
+//! shards and threads.
+
+mod amount;
+mod case_list;
+mod draws;
+mod effects;
+mod error;
+mod merge;
+mod merged;
+mod page;
+mod parts;
+mod plan;
+mod run;
+mod study;
+
+pub use draws::{Draws, standard_normal_quantile};
+pub use effects::{Effect, Indices, effects, sobol_indices};
+pub use error::SweepError;
+pub use merge::{merge, write};
+pub use merged::{EffectRow, Merged};
+pub use parts::{Status, status};
+pub use plan::{Plan, plan};
+pub use run::{Shard, run};
+pub use study::{Method, Study};

@@ -1,0 +1,197 @@
+//! The parts of a study: tables of finished cases, each written whole or not at all.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use asperity_storage::{StorageError, save};
+use serde::Serialize;
+
+use super::case_list::CaseList;
+use super::error::SweepError;
+use super::study::Study;
+use crate::map::ranges;
+
+/// Rows by the numbers of their cases: the cells of a row as text.
+pub(super) type Rows = BTreeMap<usize, Vec<String>>;
+
+/// What of a study is done.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Status {
+    /// Hash of the study.
+    pub study: String,
+    /// Cases of the study.
+    pub cases: usize,
+    /// Cases in closed parts.
+    pub done: usize,
+    /// Numbers of the cases in no part, as `1-4,9`.
+    pub missing: String,
+    /// Finished cases without a result by code.
+    pub failed: BTreeMap<String, usize>,
+    /// Parts.
+    pub parts: usize,
+}
+
+/// What the parts in `folder` hold of a study.
+///
+/// # Errors
+/// When the study names what cannot be, or a part is damaged.
+pub fn status(study: &Study, folder: &Path) -> Result<Status, SweepError> {
+    let list = CaseList::of(study)?;
+    let (rows, parts) = read(study, &list, folder)?;
+    let missing: Vec<usize> = (0..list.count())
+        .filter(|n| !rows.contains_key(n))
+        .collect();
+    let mut failed = BTreeMap::new();
+    for code in rows.values().filter_map(|row| row.last()) {
+        if !code.is_empty() {
+            *failed.entry(code.clone()).or_insert(0) += 1;
+        }
+    }
+    Ok(Status {
+        study: study.hash.clone(),
+        cases: list.count(),
+        done: rows.len(),
+        missing: ranges(&missing),
+        failed,
+        parts,
+    })
+}
+
+/// Folder of the parts of one study.
+pub(super) fn place_of(study: &Study, folder: &Path) -> PathBuf {
+    folder.join(&study.hash)
+}
+
+/// Header of the table: number and id of the case, its inputs, its results, the code of its error.
+pub(super) fn header(study: &Study, list: &CaseList) -> Vec<String> {
+    let mut names = vec!["case".to_owned(), "id".to_owned()];
+    names.extend(list.columns());
+    names.extend(outputs(study));
+    names.push("code".to_owned());
+    names
+}
+
+/// Columns of the results.
+pub(super) fn outputs(study: &Study) -> Vec<String> {
+    /// The summary that is kept when the study names no columns.
+    const USUAL: [&str; 6] = [
+        "efficiency",
+        "loss_w",
+        "sliding_w",
+        "rolling_w",
+        "mu_equivalent",
+        "mixed_share",
+    ];
+    let usual = || USUAL.map(str::to_owned).to_vec();
+    study.input.columns.clone().unwrap_or_else(usual)
+}
+
+/// A table as text.
+pub(super) fn text_of(
+    header: &[String],
+    rows: impl Iterator<Item = Vec<String>>,
+    path: &Path,
+) -> Result<Vec<u8>, SweepError> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let refused = |source: csv::Error| SweepError::Part {
+        path: path.to_owned(),
+        reason: source.to_string(),
+    };
+    writer.write_record(header).map_err(refused)?;
+    for row in rows {
+        writer.write_record(row).map_err(refused)?;
+    }
+    writer.into_inner().map_err(|error| SweepError::Part {
+        path: path.to_owned(),
+        reason: error.to_string(),
+    })
+}
+
+/// Writes finished rows of a shard as a part.
+pub(super) fn close(
+    study: &Study,
+    list: &CaseList,
+    (shard, shards): (usize, usize),
+    rows: &mut Rows,
+    folder: &Path,
+) -> Result<(), SweepError> {
+    let Some(first) = rows.keys().next().copied() else {
+        return Ok(());
+    };
+    let name = format!("part-{shard:04}-of-{shards:04}-{first:08}.csv");
+    let path = place_of(study, folder).join(name);
+    let rows = std::mem::take(rows);
+    let text = text_of(&header(study, list), rows.into_values(), &path)?;
+    save(&path, &text)?;
+    Ok(())
+}
+
+/// Makes the folder of the parts.
+pub(super) fn make_place(study: &Study, folder: &Path) -> Result<(), SweepError> {
+    let place = place_of(study, folder);
+    fs::create_dir_all(&place).map_err(|source| {
+        SweepError::Storage(StorageError::Io {
+            path: place.clone(),
+            source,
+        })
+    })
+}
+
+/// The rows of every closed part, and the number of parts.
+pub(super) fn read(
+    study: &Study,
+    list: &CaseList,
+    folder: &Path,
+) -> Result<(Rows, usize), SweepError> {
+    let place = place_of(study, folder);
+    let expected = header(study, list);
+    let mut files: Vec<PathBuf> = match fs::read_dir(&place) {
+        Ok(entries) => entries.flatten().map(|entry| entry.path()).collect(),
+        Err(_) => Vec::new(),
+    };
+    files.retain(|path| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        name.starts_with("part-") && name.ends_with(".csv")
+    });
+    files.sort();
+    let mut rows = Rows::new();
+    for path in &files {
+        read_part(path, &expected, list.count(), &mut rows)?;
+    }
+    Ok((rows, files.len()))
+}
+
+fn read_part(
+    path: &Path,
+    expected: &[String],
+    count: usize,
+    rows: &mut Rows,
+) -> Result<(), SweepError> {
+    let refused = |reason: String| SweepError::Part {
+        path: path.to_owned(),
+        reason,
+    };
+    let damaged = |source: csv::Error| refused(source.to_string());
+    let mut reader = csv::Reader::from_path(path).map_err(damaged)?;
+    let header = reader.headers().map_err(damaged)?;
+    if !header.iter().eq(expected.iter().map(String::as_str)) {
+        return Err(refused("its columns are others".to_owned()));
+    }
+    for record in reader.records() {
+        let record = record.map_err(damaged)?;
+        let cells: Vec<String> = record.iter().map(str::to_owned).collect();
+        let number = cells[0].parse().ok().filter(|number| *number < count);
+        let number = number.ok_or_else(|| refused(format!("there is no case {}", cells[0])))?;
+        match rows.get(&number) {
+            Some(other) if *other != cells => {
+                return Err(SweepError::Contradiction {
+                    path: path.to_owned(),
+                    number,
+                });
+            }
+            _ => rows.insert(number, cells),
+        };
+    }
+    Ok(())
+}

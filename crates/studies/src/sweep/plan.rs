@@ -1,0 +1,89 @@
+//! A study looked at before it runs.
+
+use std::collections::BTreeMap;
+use std::time::Instant;
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::case_list::{CaseList, resolved};
+use super::error::SweepError;
+use super::run::row_of;
+use super::study::Study;
+
+/// What a study will take.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Plan {
+    /// Hash of the study.
+    pub study: String,
+    /// Cases.
+    pub cases: usize,
+    /// Points of the crossed axes.
+    pub axis_points: usize,
+    /// Points of the sample.
+    pub sample_points: usize,
+    /// Cases that cannot be resolved by code: their number and the first of them, with its message.
+    pub refused: BTreeMap<String, Refused>,
+    /// Estimated time on the threads of the pool \[s\], from a few cases run now.
+    pub seconds: f64,
+    /// Estimated size of the table \[bytes\].
+    pub bytes: f64,
+}
+
+/// Cases that cannot be resolved.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Refused {
+    /// How many.
+    pub count: usize,
+    /// Number of the first.
+    pub first: usize,
+    /// Its message.
+    pub message: String,
+}
+
+/// Resolves every case and runs a few.
+///
+/// # Errors
+/// When the study names what cannot be.
+pub fn plan(study: &Study) -> Result<Plan, SweepError> {
+    /// Cases that are run for the estimate.
+    const SAMPLED: usize = 3;
+    let list = CaseList::of(study)?;
+    let count = list.count();
+    let refusals: Vec<Option<(String, String)>> = (0..count)
+        .into_par_iter()
+        .map(|number| {
+            let refused = resolved(&study.case, &list.place(number)).err()?;
+            Some((refused.code_of_case(), refused.to_string()))
+        })
+        .collect();
+    let mut refused: BTreeMap<String, Refused> = BTreeMap::new();
+    for (number, refusal) in refusals.into_iter().enumerate() {
+        let Some((code, message)) = refusal else {
+            continue;
+        };
+        let entry = refused.entry(code).or_insert(Refused {
+            count: 0,
+            first: number,
+            message,
+        });
+        entry.count += 1;
+    }
+    let begin = Instant::now();
+    let few = SAMPLED.min(count);
+    let mut bytes = 0;
+    for k in 0..few {
+        let row = row_of(study, &list, k * count / few, None);
+        bytes += row.iter().map(|cell| cell.len() + 1).sum::<usize>();
+    }
+    let each = |total: f64| total / few.max(1) as f64 * count as f64;
+    Ok(Plan {
+        study: study.hash.clone(),
+        cases: count,
+        axis_points: list.per_sample(),
+        sample_points: list.samples(),
+        refused,
+        seconds: each(begin.elapsed().as_secs_f64()),
+        bytes: each(bytes as f64),
+    })
+}

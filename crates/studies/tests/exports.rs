@@ -1,0 +1,468 @@
+//! Every export, read back by a reader of our own, agrees with the map at points of all quadrants.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests may panic"
+)]
+
+use std::f64::consts::PI;
+use std::io::Read as _;
+use std::process::Command;
+
+use asperity::case::{CaseInput, FlankInput, GearsInput, OperationInput};
+use asperity_studies::cycle::cycle;
+use asperity_studies::export::{
+    AddedLoss, ExportError, Field, Format, With, c_source, export, gear_box_fit,
+};
+use asperity_studies::map::{Axes, FinishMap, Map, Numbers, Point};
+
+/// A made-up loss torque: 0.0075 |T|^1.02, a tenth more where the wheel drives, and 2e-4 √ω.
+fn made_up(torque: f64, rpm: f64) -> f64 {
+    let coast = if torque < 0.0 { 1.1 } else { 1.0 };
+    0.0075 * torque.abs().powf(1.02) * coast + 2e-4 * (rpm * PI / 30.0).sqrt()
+}
+
+fn map_of(torque: &[f64], temperatures: &[f64]) -> Map {
+    let speed: Vec<f64> = (0..17).map(|k| 1000.0 * f64::from(k)).collect();
+    let axes = Axes::new(torque, &speed, temperatures).unwrap();
+    let mut points = Vec::new();
+    for &temperature_c in &axes.temperature_c {
+        for &torque_nm in &axes.torque_nm {
+            for &speed_rpm in &axes.speed_rpm {
+                let loss = made_up(torque_nm, speed_rpm) * (1.0 + 1e-3 * (temperature_c - 60.0));
+                points.push(Point {
+                    torque_nm,
+                    speed_rpm,
+                    temperature_c,
+                    numbers: Some(Numbers {
+                        loss_w: loss * speed_rpm * PI / 30.0,
+                        loss_torque_nm: loss,
+                        loss_torque_deviation_nm: None,
+                        efficiency: None,
+                        efficiency_deviation: None,
+                        sliding_w: 0.0,
+                        film_w: 0.0,
+                        lubricated_asperity_w: 0.0,
+                        boundary_w: 0.0,
+                        rolling_w: 0.0,
+                        mu_equivalent: None,
+                        mixed_share: 0.0,
+                    }),
+                    outside: Vec::new(),
+                    code: None,
+                });
+            }
+        }
+    }
+    let gears = GearsInput::new(
+        [23, 68],
+        "1.8 mm".parse().unwrap(),
+        "32 mm".parse().unwrap(),
+    );
+    let operation = OperationInput::new(
+        "160 N m".parse().unwrap(),
+        "9000 1/min".parse().unwrap(),
+        "60 °C".parse().unwrap(),
+    );
+    Map {
+        schema_version: 1,
+        program: "asperity".to_owned(),
+        title: "made up".to_owned(),
+        scope: "mesh".to_owned(),
+        axes,
+        ratio: 68.0 / 23.0,
+        finishes: vec![FinishMap {
+            name: "ground".to_owned(),
+            files: Vec::new(),
+            coast_files: Vec::new(),
+            resolved_from_nm: [1.0, 1.0],
+            points,
+        }],
+        warnings: Vec::new(),
+        input: CaseInput::new(gears, operation, Default::default(), FlankInput::default()),
+        defaults: Vec::new(),
+    }
+}
+
+fn map() -> Map {
+    let torque: Vec<f64> = (0..33).map(|k| -160.0 + 10.0 * f64::from(k)).collect();
+    map_of(&torque, &[60.0])
+}
+
+/// Places of all quadrants, off the nodes: torque \[N m\], speed \[1/min\].
+fn places() -> Vec<[f64; 2]> {
+    let at = |k: u32| {
+        let k = f64::from(k);
+        [
+            -157.0 + 314.0 * (0.618_034 * k).fract(),
+            -15_500.0 + 31_000.0 * (0.754_878 * k).fract(),
+        ]
+    };
+    (1..=100).map(at).collect()
+}
+
+fn text_of(map: &Map, format: Format, with: With<'_>) -> (String, String) {
+    let files = export(map, format, with).unwrap();
+    assert_eq!(files.len(), 1);
+    let name = files[0].name.to_string_lossy().into_owned();
+    (name, String::from_utf8(files[0].bytes.clone()).unwrap())
+}
+
+fn field(map: &Map) -> Field {
+    Field::all(map, 0, None).unwrap().remove(0)
+}
+
+/// Bilinear interpolation written anew.
+fn bilinear(x: &[f64], y: &[f64], value: &dyn Fn(usize, usize) -> f64, at: [f64; 2]) -> f64 {
+    let cell = |nodes: &[f64], v: f64| {
+        let i = nodes.windows(2).position(|pair| v <= pair[1]).unwrap();
+        (i, (v - nodes[i]) / (nodes[i + 1] - nodes[i]))
+    };
+    let ((i, a), (j, b)) = (cell(x, at[0]), cell(y, at[1].abs()));
+    (1.0 - a) * ((1.0 - b) * value(i, j) + b * value(i, j + 1))
+        + a * ((1.0 - b) * value(i + 1, j) + b * value(i + 1, j + 1))
+}
+
+#[test]
+fn vecto_reads_its_columns_and_its_power_balance_closes() {
+    let map = map();
+    let (name, text) = text_of(&map, Format::Vecto, With::default());
+    assert_eq!(name, "ground.vtlm");
+    assert!(text.starts_with("# scope mesh only"), "{text}");
+    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+    assert_eq!(
+        lines.next().unwrap(),
+        "Input Speed [rpm],Input Torque [Nm],Torque Loss [Nm]"
+    );
+    let rows: Vec<Vec<f64>> = lines
+        .map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect())
+        .collect();
+    assert_eq!(rows.len(), 33 * 17);
+    assert!(rows.iter().any(|row| row[0] == 0.0));
+    assert!(rows.iter().all(|row| row[2] >= 0.0));
+    // As VECTO looks up: T_in = T_out/i + loss at (n_in, T_in - loss), here along a row of constant speed.
+    for [torque, speed] in places() {
+        let speed = (speed.abs() / 1000.0).round() * 1000.0;
+        let of_speed: Vec<&Vec<f64>> = rows.iter().filter(|row| row[0] == speed).collect();
+        let output: Vec<f64> = of_speed.iter().map(|row| row[1] - row[2]).collect();
+        let loss = |k: usize| of_speed[k][2];
+        let wanted = torque * 0.99;
+        let found = bilinear(&output, &[0.0, 1.0], &|k, _| loss(k), [wanted, 0.0]);
+        let input = wanted + found;
+        // The balance holds to the error of one interpolation against the other.
+        let direct = field(&map).surface().loss_torque(input, speed).value;
+        assert!(
+            (direct - found).abs() < 1e-6 + 2e-3 * direct,
+            "{torque} {speed} {direct} {found}"
+        );
+    }
+}
+
+#[test]
+fn modelica_tables_follow_their_grammar() {
+    let map = map();
+    let (_, text) = text_of(&map, Format::Modelica, With::default());
+    assert!(text.starts_with("#1\n"));
+    assert!(text.contains("scope = mesh only"));
+    let mut body = text.lines().filter(|line| !line.starts_with('#'));
+    assert_eq!(body.next().unwrap(), "double lossTorque(34,18)");
+    let words = body.flat_map(|line| line.split([' ', '\t', ',', ';']));
+    let numbers: Vec<f64> = words.map(|word| word.parse().unwrap()).collect();
+    assert_eq!(numbers.len(), 34 * 18);
+    let speeds = &numbers[1..18];
+    let torques: Vec<f64> = numbers.chunks(18).skip(1).map(|row| row[0]).collect();
+    assert!(torques.windows(2).all(|pair| pair[0] < pair[1]));
+    let value = |i: usize, j: usize| numbers[(i + 1) * 18 + j + 1];
+    let surface = field(&map).surface();
+    for [torque, speed] in places() {
+        let found = bilinear(&torques, speeds, &value, [torque, speed * PI / 30.0]);
+        let expected = surface.loss_torque(torque, speed).value;
+        assert!((found - expected).abs() < 1e-12, "{torque} {speed}");
+    }
+}
+
+/// Matrices of a MAT-file of level 4: name, rows, values column by column.
+fn matrices(bytes: &[u8]) -> Vec<(String, usize, Vec<f64>)> {
+    let mut at = 0;
+    let mut found = Vec::new();
+    while at < bytes.len() {
+        let number = |k: usize| {
+            let raw: [u8; 4] = bytes[at + 4 * k..at + 4 * k + 4].try_into().unwrap();
+            usize::try_from(i32::from_le_bytes(raw)).unwrap()
+        };
+        let (rows, columns, imaginary, letters) = (number(1), number(2), number(3), number(4));
+        assert_eq!(imaginary, 0);
+        let name = &bytes[at + 20..at + 20 + letters - 1];
+        let begin = at + 20 + letters;
+        let end = begin + 8 * rows * columns;
+        let values = bytes[begin..end].chunks(8);
+        found.push((
+            String::from_utf8(name.to_vec()).unwrap(),
+            rows,
+            values
+                .map(|raw| f64::from_le_bytes(raw.try_into().unwrap()))
+                .collect(),
+        ));
+        at = end;
+    }
+    found
+}
+
+#[test]
+fn mat_files_hold_every_temperature_column_by_column() {
+    let torque: Vec<f64> = (0..17).map(|k| -160.0 + 20.0 * f64::from(k)).collect();
+    let map = map_of(&torque, &[60.0, 90.0]);
+    let files = export(&map, Format::Matlab, With::default()).unwrap();
+    let found = matrices(&files[0].bytes);
+    let of = |name: &str| found.iter().find(|matrix| matrix.0 == name).unwrap();
+    let scope: String = of("scope")
+        .2
+        .iter()
+        .map(|code| char::from(*code as u8))
+        .collect();
+    assert_eq!(scope, "mesh only, input shaft");
+    assert_eq!(of("temperature_c").2, [60.0, 90.0]);
+    let fields = Field::all(&map, 0, None).unwrap();
+    for (name, field) in [
+        ("loss_torque_nm_60c", &fields[0]),
+        ("loss_torque_nm_90c", &fields[1]),
+    ] {
+        let (_, rows, values) = of(name);
+        assert_eq!(*rows, 17);
+        for (index, expected) in field.mesh_nm.iter().enumerate() {
+            let (i, j) = (index / 17, index % 17);
+            assert_eq!(values[j * 17 + i], *expected);
+        }
+    }
+    let (_, rows, modelica) = of("lossTorque_90c");
+    assert_eq!((*rows, modelica.len()), (18, 18 * 18));
+    assert_eq!(modelica[18 + 1], fields[1].mesh_nm[0]);
+}
+
+#[test]
+fn advisor_efficiencies_are_those_of_the_output_shaft() {
+    let map = map();
+    let (name, text) = text_of(&map, Format::Advisor, With::default());
+    assert_eq!(name, "TX_ground.m");
+    assert!(text.starts_with("% scope mesh only"));
+    let block = |name: &str| -> Vec<f64> {
+        let begin = text.find(&format!("{name}=[")).unwrap() + name.len() + 2;
+        let end = begin + text[begin..].find(']').unwrap();
+        text[begin..end]
+            .split_whitespace()
+            .map(|word| word.parse().unwrap())
+            .collect()
+    };
+    let (speeds, torques, map_of) = (
+        block("tx_map_spd"),
+        block("tx_map_trq"),
+        block("tx_eff_map"),
+    );
+    assert_eq!(map_of.len(), speeds.len() * torques.len());
+    let surface = field(&map).surface();
+    for (row, speed) in speeds.iter().enumerate() {
+        for (column, output) in torques.iter().enumerate() {
+            let efficiency = map_of[row * torques.len() + column];
+            let output = output / map.ratio;
+            let input = if output > 0.0 {
+                output / efficiency
+            } else {
+                output * efficiency
+            };
+            let loss = surface
+                .loss_torque(input, speed * map.ratio * 30.0 / PI)
+                .value;
+            assert!((input - output - loss).abs() < 1e-9 * (1.0 + output.abs()));
+        }
+    }
+}
+
+#[test]
+fn the_gear_box_of_co2mpas_leaves_what_it_says() {
+    let map = map();
+    let (_, text) = text_of(&map, Format::Co2mpas, With::default());
+    let value: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(value["scope"], "mesh only, input shaft");
+    let hot = &value["gear_box_efficiency_parameters_cold_hot"]["hot"];
+    let of = |key: &str| hot[key].as_f64().unwrap();
+    let field = field(&map);
+    let fit = gear_box_fit(&field);
+    assert_eq!(
+        [of("gbp00"), of("gbp10"), of("gbp01")],
+        [fit.gbp00, fit.gbp10, fit.gbp01]
+    );
+    assert!(fit.residual_rms_nm < 0.01 * fit.mean_loss_nm);
+    // T_in = (T_out + gbp00 + gbp10 n)/gbp01 gives the input torque back, but for the residual.
+    for (index, loss) in field.mesh_nm.iter().enumerate() {
+        let (torque, speed) = (field.torque_nm[index / 17], field.speed_rpm[index % 17]);
+        if torque > 0.0 && speed > 0.0 {
+            let found = (torque - loss + fit.gbp00 + fit.gbp10 * speed) / fit.gbp01;
+            assert!((found - torque).abs() <= 1.0001 * fit.residual_max_nm / fit.gbp01);
+        }
+    }
+    assert_eq!(value["fit"]["hot"]["residual_rms_nm"], fit.residual_rms_nm);
+}
+
+#[test]
+fn fastsim_takes_the_efficiency_of_a_cycle() {
+    let map = map();
+    let drive = cycle(
+        "time_s,torque_nm,speed_rpm\n0,100,3000\n1,100,3000\n2,-50,3000\n",
+        None,
+    )
+    .unwrap();
+    let with = With {
+        cycle: Some(&drive),
+        ..With::default()
+    };
+    let (_, text) = text_of(&map, Format::Fastsim, with);
+    let value: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let found = value["eff_interp"]["Interp0D"].as_f64().unwrap();
+    assert!((found - (1.0 - made_up(100.0, 3000.0) / 100.0)).abs() < 1e-12);
+    let without = export(&map, Format::Fastsim, With::default());
+    assert!(matches!(without, Err(ExportError::NoCycle { .. })));
+}
+
+#[test]
+fn added_loss_is_a_part_of_its_own() {
+    let map = map();
+    let added = AddedLoss::read(
+        "bearings.csv",
+        "speed_rpm,loss_torque_nm\n0,0.1\n16000,0.5\n",
+    )
+    .unwrap();
+    let with = With {
+        added: Some(&added),
+        ..With::default()
+    };
+    let (_, text) = text_of(&map, Format::Csv, with);
+    let mut rows = csv::Reader::from_reader(text.as_bytes());
+    let header = rows.headers().unwrap().clone();
+    let column = |name: &str| header.iter().position(|found| found == name).unwrap();
+    let mut count = 0;
+    for row in rows.records() {
+        let row = row.unwrap();
+        let of = |name: &str| row[column(name)].parse::<f64>().unwrap();
+        let expected = 0.1 + 0.4 * of("speed_rpm") / 16000.0;
+        assert!((of("added_loss_torque_nm") - expected).abs() < 1e-12);
+        let mesh = made_up(of("torque_nm"), of("speed_rpm"));
+        assert_eq!(of("mesh_loss_torque_nm"), mesh);
+        assert!((of("loss_torque_nm") - mesh - expected).abs() < 1e-12);
+        assert_eq!(
+            &row[column("scope")],
+            "mesh and added bearings.csv, input shaft"
+        );
+        count += 1;
+    }
+    assert_eq!(count, 33 * 17);
+    let (_, text) = text_of(&map, Format::Modelica, with);
+    assert!(text.contains("double addedLossTorque(34,18)"));
+    let short = AddedLoss::read(
+        "bearings.csv",
+        "speed_rpm,loss_torque_nm\n0,0.1\n9000,0.5\n",
+    )
+    .unwrap();
+    let with = With {
+        added: Some(&short),
+        ..With::default()
+    };
+    let error = export(&map, Format::Vecto, with).unwrap_err().to_string();
+    assert!(error.contains("10000 1/min"), "{error}");
+}
+
+#[test]
+fn a_map_of_one_sign_or_with_holes_is_refused() {
+    let drive = map_of(&[10.0, 20.0], &[60.0]);
+    let refused = export(&drive, Format::Vecto, With::default());
+    assert!(matches!(refused, Err(ExportError::OneSign { .. })));
+    let mut holes = map();
+    holes.finishes[0].points[5].numbers = None;
+    let refused = export(&holes, Format::Matlab, With::default());
+    assert!(matches!(refused, Err(ExportError::Holes { .. })));
+}
+
+#[test]
+fn the_fmu_describes_its_source_and_the_source_interpolates() {
+    let map = map();
+    let added = AddedLoss::read(
+        "bearings.csv",
+        "speed_rpm,loss_torque_nm\n0,0.1\n16000,0.5\n",
+    )
+    .unwrap();
+    let with = With {
+        added: Some(&added),
+        ..With::default()
+    };
+    let files = export(&map, Format::Fmu, with).unwrap();
+    let mut unit = zip::ZipArchive::new(std::io::Cursor::new(files[0].bytes.clone())).unwrap();
+    let mut text = |name: &str| {
+        let mut text = String::new();
+        unit.by_name(name)
+            .unwrap()
+            .read_to_string(&mut text)
+            .unwrap();
+        text
+    };
+    let (xml, source) = (text("modelDescription.xml"), text("sources/loss.c"));
+    let guid = xml
+        .split("guid=\"")
+        .nth(1)
+        .unwrap()
+        .split('"')
+        .next()
+        .unwrap();
+    assert!(source.contains(&format!("#define GUID \"{guid}\"")));
+    assert!(xml.contains("mesh and added bearings.csv"));
+    for index in 3..=7 {
+        assert_eq!(
+            xml.matches(&format!("<Unknown index=\"{index}\"")).count(),
+            2
+        );
+    }
+    let fields = Field::all(&map, 0, Some(&added)).unwrap();
+    assert_eq!(c_source(&fields[0]).unwrap(), source);
+    let Some(found) = evaluated(&source) else {
+        eprintln!("NOTICE: no cc here; the source of the FMU is not compiled");
+        return;
+    };
+    let surface = fields[0].surface();
+    for ([torque, speed], found) in places().into_iter().zip(found) {
+        let expected = surface.loss_torque(torque, speed).value;
+        assert!(
+            (found - expected).abs() < 1e-12,
+            "{torque} {speed} {found} {expected}"
+        );
+    }
+}
+
+/// Loss torques at the places by the C source, driven as a unit; none without a compiler.
+fn evaluated(source: &str) -> Option<Vec<f64>> {
+    let folder = tempfile::tempdir().unwrap();
+    let calls: String = places()
+        .iter()
+        .map(|[torque, speed]| format!("say(c, {torque:?}, {:?});\n", speed * PI / 30.0))
+        .collect();
+    let main = format!(
+        "{source}\n#include <stdio.h>\nstatic void say(Component c, double t, double w) {{\n\
+         Reference in[] = {{TAU, OMEGA}}, out[] = {{LOSS_TORQUE}}; double v[] = {{t, w}}, r[1];\n\
+         fmi2SetReal(c, in, 2, v); fmi2GetReal(c, out, 1, r); printf(\"%.17g\\n\", r[0]); }}\n\
+         int main(void) {{ Component c = fmi2Instantiate(\"a\", 0, GUID, \"\", 0, 0, 0); if (!c) return 1;\n{calls}return 0; }}\n"
+    );
+    let (code, program) = (folder.path().join("main.c"), folder.path().join("main"));
+    std::fs::write(&code, main).unwrap();
+    let made = Command::new("cc")
+        .args(["-w", "-o"])
+        .args([&program, &code])
+        .output()
+        .ok()?;
+    assert!(
+        made.status.success(),
+        "{}",
+        String::from_utf8_lossy(&made.stderr)
+    );
+    let said = Command::new(&program).output().unwrap();
+    assert!(said.status.success());
+    let text = String::from_utf8(said.stdout).unwrap();
+    Some(text.lines().map(|line| line.parse().unwrap()).collect())
+}

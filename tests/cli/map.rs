@@ -1,0 +1,310 @@
+//! Maps, cycles and their exports through the command.
+
+use std::collections::BTreeMap;
+use std::fs;
+
+use asperity::case::{load_set, open_source};
+use asperity::pipeline;
+
+use crate::bench::{Bench, E_DRIVE, root, with_line};
+
+/// Rows of a table by the names of its columns.
+fn table(bench: &Bench, file: &str) -> Vec<BTreeMap<String, String>> {
+    let text = fs::read_to_string(bench.path(file)).unwrap();
+    let mut lines = text.lines();
+    let header: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let row = |line: &str| {
+        let cells = line.split(',').map(str::to_owned);
+        header
+            .iter()
+            .map(|name| (*name).to_owned())
+            .zip(cells)
+            .collect()
+    };
+    lines.map(row).collect()
+}
+
+fn number(row: &BTreeMap<String, String>, column: &str) -> f64 {
+    row[column].parse().unwrap()
+}
+
+fn bench(case: &str) -> Bench {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", case);
+    bench
+}
+
+const AXES: [&str; 4] = [
+    "--torque=-100,2.5,40,100",
+    "--speed=500,9000",
+    "--temperature=60,90",
+    "-o",
+];
+
+fn map(bench: &Bench, folder: &str, more: &[&str]) {
+    let mut arguments = vec!["map", "case.toml"];
+    arguments.extend(AXES);
+    arguments.push(folder);
+    arguments.extend(more);
+    bench.run(&arguments).well();
+}
+
+#[test]
+fn a_map_has_nodes_at_rest_and_its_points_are_those_of_runs() {
+    let bench = bench(E_DRIVE);
+    map(&bench, "m", &[]);
+    let text = fs::read_to_string(bench.path("m/map.csv")).unwrap();
+    assert!(text.starts_with(
+        "torque_nm,speed_rpm,temperature_c,loss_w,loss_torque_nm,efficiency,efficiency_deviation,\
+         sliding_w,rolling_w,mu_equivalent,mixed_share,outside,code"
+    ));
+    let rows = table(&bench, "m/map.csv");
+    // Torques -100, 0, 2.5, 40, 100, speeds 0, 500, 9000, two temperatures.
+    assert_eq!(rows.len(), 5 * 3 * 2);
+    for row in &rows {
+        let (torque, speed) = (number(row, "torque_nm"), number(row, "speed_rpm"));
+        assert!(number(row, "loss_torque_nm") > 0.0);
+        if speed == 0.0 {
+            assert_eq!(
+                (number(row, "loss_w"), row["efficiency"].as_str()),
+                (0.0, "")
+            );
+            continue;
+        }
+        let is_extended = row["outside"].contains("extended");
+        assert_eq!(is_extended, torque.abs() < 2.0, "{torque}");
+        if torque == 0.0 {
+            assert_eq!(number(row, "loss_w"), number(row, "rolling_w"));
+            continue;
+        }
+        let of = |key: &str, value: String| (key.to_owned(), value);
+        let set = [
+            of("operation.torque", format!("{} N m", row["torque_nm"])),
+            of("operation.speed", format!("{} 1/min", row["speed_rpm"])),
+            of(
+                "operation.temperature",
+                format!("{} °C", row["temperature_c"]),
+            ),
+        ];
+        let source = open_source(&bench.path("case.toml")).unwrap();
+        let case = load_set(source, &bench.path(""), &set, &|_| {}).unwrap();
+        let summary = pipeline::run(&case, &|_, _| {}).unwrap().result.summary;
+        let same = [
+            ("loss_w", summary.loss_w),
+            ("efficiency", summary.efficiency),
+            (
+                "efficiency_deviation",
+                summary.efficiency_deviation.unwrap(),
+            ),
+            ("sliding_w", summary.sliding_w),
+            ("boundary_w", summary.boundary_w),
+            ("rolling_w", summary.rolling_w),
+            ("mu_equivalent", summary.mu_equivalent),
+            ("mixed_share", summary.mixed_share),
+        ];
+        for (column, value) in same {
+            assert_eq!(number(row, column), value, "{column} at {set:?}");
+        }
+    }
+    let json: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(bench.path("m/map.json")).unwrap()).unwrap();
+    assert_eq!(json["scope"], "mesh");
+    assert_eq!(
+        json["axes"]["torque_nm"],
+        serde_json::json!([-100.0, 0.0, 2.5, 40.0, 100.0])
+    );
+    assert!(
+        json["warnings"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .any(|w| w["text"] == "extended")
+    );
+    let page = fs::read_to_string(bench.path("m/map.html")).unwrap();
+    assert!(page.contains("Efficiency, case, 90 °C") && page.contains("class=\"hatch\""));
+}
+
+#[test]
+fn a_map_is_the_same_on_one_thread_and_two() {
+    let bench = bench(E_DRIVE);
+    map(&bench, "one", &["--threads", "1"]);
+    map(&bench, "two", &["--threads", "2", "--quiet"]);
+    let of = |folder: &str| fs::read(bench.path(&format!("{folder}/map.csv"))).unwrap();
+    assert_eq!(of("one"), of("two"));
+}
+
+#[test]
+fn forty_points_at_random_equal_runs_with_lambda_star() {
+    let bench = bench(&with_line(
+        "positions",
+        "positions = 4\nload_share = \"lambda-star\"",
+    ));
+    let torques = "--torque=-140..140:15";
+    bench
+        .run(&[
+            "map",
+            "case.toml",
+            torques,
+            "--speed",
+            "100..16000:9",
+            "-o",
+            "m",
+            "--quiet",
+        ])
+        .well();
+    let rows = table(&bench, "m/map.csv");
+    let mut state = 20_u64;
+    let mut seen = 0;
+    while seen < 40 {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        let row = &rows[(state >> 33) as usize % rows.len()];
+        if row["outside"].contains("extended") || number(row, "speed_rpm") == 0.0 {
+            continue;
+        }
+        let set = [
+            (
+                "operation.torque".to_owned(),
+                format!("{} N m", row["torque_nm"]),
+            ),
+            (
+                "operation.speed".to_owned(),
+                format!("{} 1/min", row["speed_rpm"]),
+            ),
+        ];
+        let source = open_source(&bench.path("case.toml")).unwrap();
+        let case = load_set(source, &bench.path(""), &set, &|_| {}).unwrap();
+        let summary = pipeline::run(&case, &|_, _| {}).unwrap().result.summary;
+        assert_eq!(number(row, "loss_w"), summary.loss_w, "{set:?}");
+        assert_eq!(number(row, "efficiency"), summary.efficiency, "{set:?}");
+        seen += 1;
+    }
+}
+
+#[test]
+fn coast_flanks_carry_the_load_at_a_negative_torque() {
+    let smooth = root().join("fixtures/profiles/superfinished.csv");
+    let case = format!("{E_DRIVE}\n[surface.coast]\npinion = {{ file = \"coast.csv\" }}\n");
+    let bench = bench(&case);
+    fs::copy(smooth, bench.path("coast.csv")).unwrap();
+    map(&bench, "m", &["--quiet"]);
+    let rows = table(&bench, "m/map.csv");
+    let at = |torque: f64| {
+        let is = |row: &&BTreeMap<String, String>| {
+            number(row, "torque_nm") == torque
+                && number(row, "speed_rpm") == 500.0
+                && number(row, "temperature_c") == 90.0
+        };
+        number(rows.iter().find(is).unwrap(), "loss_w")
+    };
+    assert!(at(-100.0) < 0.8 * at(100.0), "{} {}", at(-100.0), at(100.0));
+    let run = |torque: &str| {
+        let set = format!("operation.torque={torque} N m");
+        let arguments = ["run", "case.toml", "--no-output", "--json", "--set", &set];
+        let speed = ["--set", "operation.speed=500 1/min"];
+        let json = bench
+            .run(&[&arguments[..], &speed[..]].concat())
+            .well()
+            .json();
+        json["summary"]["loss_w"].as_f64().unwrap()
+    };
+    assert_eq!(at(-100.0), run("-100"));
+    assert_eq!(at(100.0), run("100"));
+    let json = fs::read_to_string(bench.path("m/map.json")).unwrap();
+    assert!(json.contains("coast.csv"));
+}
+
+/// A cycle of a vehicle: a start, a steady way, a stop.
+const TRACE: &str =
+    "# made up\ntime_s,torque_nm,speed_rpm\n0,0,0\n1,60,1500\n2,60,3000\n3,-30,3000\n4,0,0\n";
+
+#[test]
+fn a_cycle_sums_the_losses_of_the_map() {
+    let bench = bench(E_DRIVE);
+    bench.write("trace.csv", TRACE);
+    map(
+        &bench,
+        "m",
+        &[
+            "--cycle",
+            "trace.csv",
+            "--export",
+            "fastsim,csv,vecto",
+            "--quiet",
+        ],
+    );
+    let said = bench
+        .run(&["cycle", "m", "trace.csv", "--temperature", "90", "-o", "c"])
+        .well();
+    assert!(
+        said.out.contains("cycle trace: 4 s, 133.3 Wh") || said.out.contains("cycle trace: 4 s")
+    );
+    let json: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(bench.path("c/cycle.json")).unwrap()).unwrap();
+    let rows = table(&bench, "c/cycle.csv");
+    // All points but the ends stand for a second.
+    let sum: f64 = rows[1..4].iter().map(|row| number(row, "loss_w")).sum();
+    let lost = json["finishes"][0]["lost_wh"].as_f64().unwrap();
+    assert!((lost - sum / 3600.0).abs() < 1e-12);
+    let of = |key: &str| json["finishes"][0][key].as_f64().unwrap();
+    assert!((of("lost_drive_wh") + of("lost_coast_wh") - lost).abs() < 1e-15);
+    assert_eq!(json["outside_share"], 0.0);
+    let drive = 60.0 * (1500.0 + 3000.0) * std::f64::consts::PI / 30.0 / 3600.0;
+    assert!((json["drive_wh"].as_f64().unwrap() - drive).abs() < 1e-9);
+    assert!(
+        fs::read_to_string(bench.path("c/cycle.html"))
+            .unwrap()
+            .contains("class=\"dots\"")
+    );
+    assert!(
+        fs::read_to_string(bench.path("m/map.html"))
+            .unwrap()
+            .contains("class=\"dots\"")
+    );
+    let exported = fs::read_to_string(bench.path("m/export/case_90c.vtlm")).unwrap();
+    assert!(exported.starts_with("# scope mesh only"));
+    // A vehicle by --set, its speed in the trace.
+    bench.write("speed.csv", "time_s,speed_km_h\n0,0\n1,5\n2,10\n");
+    bench
+        .run(&["cycle", "m", "speed.csv"])
+        .refused(2, "E101", &["[vehicle]"]);
+    let set = "vehicle={ mass = \"1500 kg\", wheel_radius = \"300 mm\", ratio = 10.0, drag_area = \"0.6 m2\", rolling_resistance = 0.01 }";
+    let said = bench
+        .run(&[
+            "cycle",
+            "m",
+            "speed.csv",
+            "--no-output",
+            "--json",
+            "--set",
+            set,
+        ])
+        .well();
+    assert!(said.json()["distance_km"].as_f64().unwrap() > 0.0);
+}
+
+#[test]
+fn what_makes_no_map_is_refused() {
+    let bench = bench(E_DRIVE);
+    let map = |arguments: &[&str]| bench.run(&[&["map", "case.toml"], arguments].concat());
+    map(&["--torque", "1..2"]).refused(2, "E209", &["--torque", "1..2"]);
+    map(&["--speed", "-5,5"]).refused(2, "E209", &["speed", "-5"]);
+    map(&["--export", "fastsim"]).refused(2, "E205", &["--cycle"]);
+    let drive = [
+        "--torque", "50,100", "--speed", "500,9000", "--export", "vecto",
+    ];
+    map(&drive).refused(2, "E205", &["vecto", "both signs"]);
+    map(&["--cycle", "none.csv"]).refused(2, "E103", &["none.csv"]);
+    bench.write("bad.csv", "speed_rpm,loss_torque_nm\n0,-1\n");
+    let add = ["--torque=-1,1", "--export", "csv", "--add-loss", "bad.csv"];
+    map(&[&add[..], &["--set", "model.load_share=lambda-star"]].concat()).refused(
+        2,
+        "E101",
+        &["bad.csv", "zero or more"],
+    );
+    bench
+        .run(&["cycle", "nothing", "bad.csv"])
+        .refused(2, "E402", &["nothing"]);
+}

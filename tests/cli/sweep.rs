@@ -1,0 +1,263 @@
+//! Sweeps through the command: shards, restarts, merge, effects.
+
+use std::fs;
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+use crate::bench::{Bench, E_DRIVE, program};
+
+fn bench(study: &str) -> Bench {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    bench.write("study.toml", study);
+    bench
+}
+
+const STUDY: &str = r#"case = "case.toml"
+columns = ["loss_w", "efficiency"]
+
+[[axis]]
+key = "operation.torque"
+values = ["-100 N m", "100 N m"]
+
+[[axis]]
+name = "finish"
+choice.one = { "surface.wheel.mirrored" = true }
+choice.other = { "surface.wheel.mirrored" = false }
+
+[sample]
+method = "sobol"
+count = 16
+seed = 1
+vary."model.boundary_friction" = { uniform = [0.06, 0.10] }
+vary."gears.profile_shift.0" = { triangular = [-0.02, 0.0, 40.0] }
+vary."lubricant.viscosity.at_100" = { normal = ["5.9 mm2/s", "0.15 mm2/s"] }
+"#;
+
+/// Cheap cases: one flank known by a value, so that no contact is solved.
+const QUICK: &str = r#"case = "quick.toml"
+columns = ["loss_w"]
+
+[sample]
+method = "latin-hypercube"
+count = 300
+vary."operation.temperature" = { uniform = ["60 °C", "100 °C"] }
+"#;
+
+fn quick() -> Bench {
+    let bench = bench(QUICK);
+    let case = E_DRIVE
+        .replace(
+            "pinion = { file = \"pinion.csv\" }",
+            "pinion = { rq = \"0.3 um\" }",
+        )
+        .replace(
+            "wheel = { file = \"wheel.csv\", mirrored = true }",
+            "wheel = { rq = \"0.3 um\" }",
+        );
+    bench.write("quick.toml", case);
+    bench
+}
+
+fn sum_of(bench: &Bench, parts: &str) -> String {
+    let target = format!("out-{parts}");
+    let arguments = [
+        "sweep",
+        "merge",
+        "study.toml",
+        "--parts",
+        parts,
+        "-o",
+        &target,
+        "--json",
+    ];
+    let json = bench.run(&arguments).well().json();
+    json["sha256"].as_str().unwrap().to_owned()
+}
+
+#[test]
+fn shards_and_threads_give_the_same_table() {
+    let bench = quick();
+    bench
+        .run(&[
+            "sweep",
+            "run",
+            "study.toml",
+            "--parts",
+            "one",
+            "--threads",
+            "1",
+        ])
+        .well();
+    for shards in [3, 64] {
+        let parts = format!("of-{shards}");
+        for shard in 1..=shards {
+            let shard = format!("{shard}/{shards}");
+            let arguments = [
+                "sweep",
+                "run",
+                "study.toml",
+                "--parts",
+                &parts,
+                "--shard",
+                &shard,
+                "--quiet",
+            ];
+            bench.run(&arguments).well();
+        }
+        assert_eq!(sum_of(&bench, &parts), sum_of(&bench, "one"));
+    }
+}
+
+#[test]
+fn missing_cases_are_told_with_status_3_and_a_restart_runs_them() {
+    let bench = quick();
+    let part = ["sweep", "run", "study.toml", "--shard", "1/2"];
+    bench.run(&part).well();
+    let status = bench.run(&["sweep", "status", "study.toml"]);
+    assert_eq!(status.status, 3);
+    assert!(
+        status.out.contains("150 of 300 cases done"),
+        "{}",
+        status.out
+    );
+    assert!(
+        status.err.starts_with("E309 150 of 300 cases"),
+        "{}",
+        status.err
+    );
+    bench
+        .run(&["sweep", "merge", "study.toml"])
+        .refused(3, "E309", &["2,4,6"]);
+    let rest = bench.run(&["sweep", "run", "study.toml"]).well();
+    assert!(rest.out.starts_with("ran 150 cases"), "{}", rest.out);
+    bench.run(&["sweep", "status", "study.toml"]).well();
+    bench
+        .run(&["sweep", "merge", "study.toml", "-o", "out"])
+        .well();
+    let table = fs::read_to_string(bench.path("out/sweep.csv")).unwrap();
+    assert_eq!(table.lines().count(), 301);
+    assert!(table.starts_with("case,id,operation.temperature,loss_w,code\n0,"));
+}
+
+#[test]
+fn a_killed_sweep_goes_on_and_ends_with_the_same_table() {
+    let bench = quick();
+    bench
+        .run(&["sweep", "run", "study.toml", "--parts", "whole", "--quiet"])
+        .well();
+    for kill in 0..12 {
+        let mut child = Command::new(program())
+            .args(["sweep", "run", "study.toml", "--parts", "killed", "--quiet"])
+            .current_dir(bench.path(""))
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(Duration::from_millis(5 + 23 * kill % 97));
+        let _ = child.kill();
+        child.wait().unwrap();
+    }
+    bench
+        .run(&["sweep", "run", "study.toml", "--parts", "killed", "--quiet"])
+        .well();
+    assert_eq!(sum_of(&bench, "killed"), sum_of(&bench, "whole"));
+}
+
+#[test]
+fn failed_cases_are_rows_with_their_code_and_the_rest_has_effects() {
+    let bench = bench(STUDY);
+    let plan = bench
+        .run(&["sweep", "run", "study.toml", "--plan", "--json"])
+        .well()
+        .json();
+    assert_eq!(plan["cases"], 2 * 2 * 16);
+    assert!(
+        plan["refused"]
+            .as_object()
+            .is_some_and(|refused| !refused.is_empty()),
+        "{plan}"
+    );
+    bench.run(&["sweep", "run", "study.toml", "--quiet"]).well();
+    bench
+        .run(&["sweep", "merge", "study.toml", "-o", "out"])
+        .well();
+    let table = fs::read_to_string(bench.path("out/sweep.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = table
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').collect())
+        .collect();
+    assert_eq!(rows.len(), 64);
+    let failed = rows
+        .iter()
+        .filter(|row| row.last().is_some_and(|code| code.starts_with('E')));
+    assert!((1..64).contains(&failed.count()));
+    // Every case with a result has an id of its own.
+    let ids: std::collections::BTreeSet<&str> = rows
+        .iter()
+        .map(|row| row[1])
+        .filter(|id| !id.is_empty())
+        .collect();
+    assert_eq!(
+        ids.len(),
+        rows.iter().filter(|row| !row[1].is_empty()).count()
+    );
+    assert!(ids.iter().all(|id| id.len() == 16));
+}
+
+#[test]
+fn indices_of_a_study_tell_which_input_matters() {
+    let study = r#"case = "case.toml"
+columns = ["boundary_w"]
+[sample]
+method = "sobol"
+count = 32
+indices = true
+vary."model.boundary_friction" = { uniform = [0.06, 0.10] }
+vary."model.hysteresis" = { uniform = [0.009, 0.011] }
+"#;
+    let bench = bench(study);
+    bench.run(&["sweep", "run", "study.toml", "--quiet"]).well();
+    let json = bench
+        .run(&["sweep", "merge", "study.toml", "-o", "out", "--json"])
+        .well()
+        .json();
+    let effects = json["effects"].as_array().unwrap();
+    let of = |input: &str| effects.iter().find(|row| row["input"] == input).unwrap();
+    // The boundary loss is as good as proportional to its coefficient and knows no hysteresis.
+    let friction = &of("model.boundary_friction")["indices"];
+    assert!(
+        (friction["first"].as_f64().unwrap() - 1.0).abs() < 0.1,
+        "{friction}"
+    );
+    assert_eq!(of("model.hysteresis")["indices"]["total"], 0.0);
+    assert!(
+        fs::read_to_string(bench.path("out/sweep.html"))
+            .unwrap()
+            .contains("Effect on boundary_w")
+    );
+}
+
+#[test]
+fn what_makes_no_study_is_refused() {
+    let bench = bench("case = \"case.toml\"\nwrong = 1\n");
+    bench
+        .run(&["sweep", "run", "study.toml"])
+        .refused(2, "E202", &["study.toml", "wrong"]);
+    bench.write(
+        "study.toml",
+        "case = \"case.toml\"\n[[axis]]\nkey = \"operation.torque\"\n",
+    );
+    bench
+        .run(&["sweep", "run", "study.toml"])
+        .refused(2, "E204", &["operation.torque", "values"]);
+    bench
+        .run(&["sweep", "run", "none.toml"])
+        .refused(2, "E103", &["none.toml"]);
+    bench.write("study.toml", "case = \"case.toml\"\n");
+    bench
+        .run(&["sweep", "run", "study.toml", "--shard", "3/2"])
+        .refused(2, "E209", &["3/2"]);
+}
