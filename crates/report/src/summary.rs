@@ -223,6 +223,12 @@ fn headline(s: &Summary, band: &LossBand) -> String {
     )
 }
 
+/// A change with its sign and two digits.
+fn signed(change: f64) -> String {
+    let sign = if change > 0.0 { "+" } else { "" };
+    format!("{sign}{}", rounded(change, change.abs()))
+}
+
 /// What the band is made of, and what other laws give.
 fn band_text(band: &LossBand) -> String {
     const INDENT: &str = "  ";
@@ -235,6 +241,11 @@ fn band_text(band: &LossBand) -> String {
             found.effective_windows,
             found.offsets,
         ),
+        SamplingPart::OnePair([down, up]) => format!(
+            "one pair of traces, {} and {} W where they lie two half-widths off",
+            signed(*down),
+            signed(*up),
+        ),
         SamplingPart::None(why) => format!("sampling of the flanks: {why}"),
         _ => String::new(),
     };
@@ -245,11 +256,9 @@ fn band_text(band: &LossBand) -> String {
     text.push('\n');
     let mut parameters: Vec<_> = band.parameters.iter().collect();
     parameters.sort_by(|a, b| b.effect_w.abs().total_cmp(&a.effect_w.abs()));
-    let effects = parameters.iter().map(|parameter| {
-        let effect = rounded(parameter.effect_w, parameter.effect_w.abs());
-        let sign = if parameter.effect_w > 0.0 { "+" } else { "" };
-        format!("{} {sign}{effect} W", parameter.name)
-    });
+    let effects = parameters
+        .iter()
+        .map(|parameter| format!("{} {} W", parameter.name, signed(parameter.effect_w)));
     let effects: Vec<String> = effects.collect();
     if !effects.is_empty() {
         let line = format!("  from low to high end: {}", effects.join(", "));

@@ -33,6 +33,10 @@ pub(super) fn section(band: &LossBand) -> Markup {
                             }
                             td.number { (format!("±{} W (95 %)", rounded(found.half_width_w, found.half_width_w))) }
                         }
+                        SamplingPart::OnePair([down, up]) => {
+                            td colspan="3" { "one pair of placed traces; each two half-widths off against the other" }
+                            td.number { (format!("{down:+.1} and {up:+.1} W")) }
+                        }
                         SamplingPart::None(why) => { td colspan="3" { (why) } td.number { "-" } }
                         _ => { td colspan="4" { "-" } }
                     }
