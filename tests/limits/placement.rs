@@ -10,7 +10,7 @@ const BASE: [f64; 2] = [0.020_966_415_8, 0.061_987_664_2];
 /// Arcs from the base circle that the traces cover \[m\], more than those in contact.
 const ARCS: [[f64; 2]; 2] = [[0.2e-3, 3.9e-3], [3.2e-3, 7.0e-3]];
 /// cos β_b of the pair.
-const COS_BASE_HELIX: f64 = 0.927_806;
+const COS_BASE_HELIX: f64 = 0.927_752_144_885_6;
 
 /// Height normal to a flank at an arc \[m\]: waves of many lengths, relief towards the tip.
 fn height(body: usize, arc: f64) -> f64 {
