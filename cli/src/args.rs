@@ -1,6 +1,7 @@
 //! The command line.
 
 mod ehl;
+mod from_rexs;
 mod profile;
 mod set;
 mod values;
@@ -12,6 +13,7 @@ use asperity_core::quantity::{Length, LineLoad, Pressure};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 pub use ehl::{EhlArgs, ViscosityLawArg};
+pub use from_rexs::{CaseCommand, FromRexsArgs};
 pub use profile::{
     FormArg, PreparingArgs, ProfileCommand, ProfileConvertArgs, ProfileFilterArgs,
     ProfileGenerateArgs, ProfileInfoArgs, ProfilePart, ProfilePlotArgs, ReadingArgs, Wavelengths,
@@ -32,15 +34,15 @@ pub use values::name_of;
     Exit status: 0 done, 2 bad input, 3 not converged, 4 outside the model, 5 internal fault."
 )]
 pub struct Cli {
-    /// Advice.
+    /// Command to run.
     #[command(subcommand)]
     pub command: Command,
-    /// Options of every command.
+    /// Options shared by every command.
     #[command(flatten)]
     pub common: Common,
 }
 
-/// Options of every command.
+/// Options shared by every command.
 #[derive(Debug, Clone, Args)]
 pub struct Common {
     /// Print machine-readable JSON on standard output
@@ -54,40 +56,43 @@ pub struct Common {
     pub threads: Option<u16>,
 }
 
-/// Advice.
+/// Commands of the program.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// The main job: from a case file to efficiency, losses and a result folder
+    /// Run a case: efficiency, losses and a result folder
     #[command(
         after_help = "Example:\n  asperity run demo/case.toml -o results/e-drive\n  \
         asperity run demo/case.toml --set operation.torque=\"200 N m\" --set model.offsets=4\n  \
         asperity run - < demo/case.toml"
     )]
     Run(RunArgs),
-    /// Draw the page of a result anew: report.html beside its result.json
+    /// Redraw the page of a result: report.html beside its result.json
     #[command(after_help = "Examples:\n  asperity report results/e-drive\n  \
         asperity report results/e-drive/result.json --position 3")]
     Report(ReportArgs),
-    /// Look at a case without running it: every error at once, the defaults, time and memory of a run
+    /// Check a case without running it: all errors at once, the defaults, and the time and memory of a run
     #[command(after_help = "Examples:\n  asperity check demo/case.toml\n  \
         asperity check demo/case.toml --set operation.torque=\"200 N m\"")]
     Check(CheckArgs),
-    /// Tell what differs between two results: inputs, losses, positions
+    /// List what differs between two results: inputs, losses, positions
     #[command(after_help = "Example:\n  asperity diff results/before results/after")]
     Diff(DiffArgs),
-    /// List the oils of the library, which a case names as lubricant.oil
+    /// List the oils of the library, any of which a case can name in lubricant.oil
     Oils,
+    /// Make a case from the file of another program
+    #[command(subcommand)]
+    Case(CaseCommand),
     /// Compare finishes: several profile sets on one case, with paired differences
     #[command(after_help = "Examples:\n  asperity compare demo/case.toml \\\n    \
         --finish ground=demo/ground_pinion.csv,demo/ground_wheel.csv \\\n    \
         --finish superfinished=demo/superfinished_pinion.csv,demo/superfinished_wheel.csv\n\n\
-        The first finish is what the others are compared with. One file serves both flanks, mirrored\n\
+        The first finish is the reference for the others. A single file serves both flanks, mirrored\n\
         for the wheel; two files, separated by a comma, are pinion and wheel.")]
     Compare(CompareArgs),
-    /// Make the figures of the 2022 paper, each with its table
+    /// Draw the figures of the 2022 paper, each with its table of values
     #[command(after_help = "Example:\n  asperity figures -o docs/figures")]
     Figures(FiguresArgs),
-    /// Print the completions of a shell, or the man page
+    /// Print the completions for a shell, or the man page
     #[command(
         after_help = "Examples:\n  asperity completions bash > /etc/bash_completion.d/asperity\n  \
         asperity completions zsh > ~/.zfunc/_asperity\n  \
@@ -100,33 +105,34 @@ pub enum Command {
     },
     /// Film thickness, Lambda* and regime along the path of contact, without the rough contact
     Regime(CaseArgs),
-    /// Geometry, stiffness, transmission error and the loss factors of every load distribution
+    /// Geometry, stiffness, transmission error, and the loss factor of every load distribution law
     Gear(CaseArgs),
-    /// The rough contact alone: of a case at one position, or of a bare gap file
+    /// Rough contact alone: of a case at one position, of a gap file, or of two profiles
     #[command(after_help = "Examples:\n  asperity contact case.toml\n  \
         asperity contact --gap gap.csv --e-star \"115.4 GPa\" --load \"300000 N/m\" -o out.csv\n  \
         asperity contact --gap wave.csv --e-star \"115.4 GPa\" --approach \"1 um\" --kernel spectral\n  \
         asperity contact --flanks one.csv other.csv --radius \"10 mm\" --e-star \"115.4 GPa\" \\\n    \
         --load \"300 N/mm\" --pressure-limit \"3 GPa\" --running-in 8")]
     Contact(ContactArgs),
-    /// The mixed elastohydrodynamic contact: film, pressure and load against film of two rough surfaces
+    /// Mixed elastohydrodynamic contact: film, pressure, and the load carried below a given film thickness
     #[command(after_help = "Examples:\n  asperity ehl case.toml --position A\n  \
         asperity ehl case.toml --compare --half-widths 10 --json\n  \
         asperity ehl --radius \"10 mm\" --e-star \"115.4 GPa\" --load \"392 N/mm\" \\\n    \
         --u1 \"5.5 m/s\" --u2 \"4.5 m/s\" --viscosity \"10 mPa s\" --pressure-viscosity \"18 1/GPa\"\n\n\
-        Without profiles the steady film of smooth surfaces. Ridges go across the whole face and cannot leak:\n\
-        where the roughness left in the contact is above three smooth films, measurement decides.")]
+        Without profiles, the steady film of smooth surfaces is solved. In this model the ridges run across\n\
+        the whole face width and oil cannot leak round them: where the roughness that remains in the contact\n\
+        exceeds three smooth films, trust measurements instead.")]
     Ehl(EhlArgs),
-    /// Fluid pressure across the film against its thickness (the paper's Fig. 8)
+    /// Variation of fluid pressure across the film, against film thickness (the paper's Fig. 8)
     Film(FilmArgs),
-    /// Look at a profile file
+    /// Inspect, plot, filter, convert, generate or compare profile files
     #[command(subcommand)]
     Profile(ProfileCommand),
-    /// Where each equation lives, its source and its test
+    /// List the equations: the file, the source and the test of each
     Equations(EquationsArgs),
-    /// Meaning of a message code and its remedy
+    /// Explain a message code, and what to do about it
     Explain {
-        /// The code, such as W402; all codes when left out
+        /// The code, e.g. W402 [default: all codes]
         code: Option<String>,
     },
     /// Print the JSON schema of the case file
@@ -137,20 +143,20 @@ pub enum Command {
     },
     /// Write a worked case with synthetic profiles into a new folder
     Demo {
-        /// The folder to make [default: demo, with --paper table2]
+        /// The folder to make [default: demo; with --paper: table2]
         folder: Option<PathBuf>,
-        /// Table 2 of the 2022 paper on a synthetic damaged flank instead
+        /// Write Table 2 of the 2022 paper on a synthetic damaged flank instead
         #[arg(long)]
         paper: bool,
     },
 }
 
-/// A case to look at.
+/// A case to check.
 #[derive(Debug, Args)]
 pub struct CheckArgs {
     /// Case file, TOML (or JSON with the same keys); - reads standard input
     pub case: PathBuf,
-    /// Keys set past the case.
+    /// Keys of the case set on the command line.
     #[command(flatten)]
     pub set: SetArgs,
 }
@@ -160,7 +166,7 @@ pub struct CheckArgs {
 pub struct DiffArgs {
     /// Result folder, or the result.json in it
     pub first: PathBuf,
-    /// The same of the other
+    /// The other result, likewise
     pub second: PathBuf,
 }
 
@@ -169,19 +175,19 @@ pub struct DiffArgs {
 pub struct RunArgs {
     /// Case file, TOML (or JSON with the same keys); - reads standard input
     pub case: PathBuf,
-    /// Keys set past the case.
+    /// Keys of the case set on the command line.
     #[command(flatten)]
     pub set: SetArgs,
     /// Print the sources of the equations used as BibTeX
     #[arg(long, conflicts_with = "json")]
     pub cite: bool,
-    /// Print every note in full
+    /// Print every warning and note in full
     #[arg(long)]
     pub notes: bool,
     /// Result folder [default: results/<name of the case>]
     #[arg(long, short)]
     pub output: Option<PathBuf>,
-    /// Which reading of the model, whatever the case says
+    /// Reading of the model, overriding that of the case
     #[arg(long, value_enum)]
     pub formulation: Option<FormulationArg>,
     /// List every default that was used
@@ -190,7 +196,7 @@ pub struct RunArgs {
     /// Write every point of the load map into the result folder, as map.csv
     #[arg(long, conflicts_with = "no_output")]
     pub load_map: bool,
-    /// Print the published friction laws beside, each applied whole
+    /// Also print the published friction laws, each applied on its own in place of the model
     #[arg(long)]
     pub laws: bool,
     /// Leave the band of the loss out, which costs 24 evaluations of the laws by the contacts of the run
@@ -199,22 +205,22 @@ pub struct RunArgs {
     /// Do not write a result folder
     #[arg(long, conflicts_with = "output")]
     pub no_output: bool,
-    /// Keep the fields along the contact of these positions as tables: all, or numbers as 1,5 [default:
-    /// some 400 points of the position with the highest pressure, in the page]
+    /// Keep the fields along the contact of these positions as tables: all, or numbers, e.g. 1,5
+    /// [default: some 400 points of the position with the highest pressure, in the page only]
     #[arg(long, value_name = "all|N,N", conflicts_with = "no_output")]
     pub fields: Option<String>,
-    /// Limits of the work.
+    /// Limits of time and memory.
     #[command(flatten)]
     pub work: WorkArgs,
 }
 
-/// Limits of the work, above which nothing is begun.
+/// Limits of estimated time and memory, above which nothing is started.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct WorkArgs {
-    /// Refuse work that is estimated to take longer
+    /// Refuse to start if the estimated time is longer
     #[arg(long, value_name = "HOURS", default_value_t = 2.0)]
     pub max_hours: f64,
-    /// Refuse work that is estimated to hold more memory
+    /// Refuse to start if the estimated memory is larger
     #[arg(long, value_name = "GB", default_value_t = 8.0)]
     pub max_gb: f64,
 }
@@ -224,7 +230,7 @@ pub struct WorkArgs {
 pub struct ReportArgs {
     /// Result folder, or the result.json in it
     pub result: PathBuf,
-    /// Number of the mesh position whose contact is shown [default: the highest pressure]
+    /// Number of the mesh position whose contact is shown [default: the one with the highest pressure]
     #[arg(long)]
     pub position: Option<usize>,
 }
@@ -232,9 +238,9 @@ pub struct ReportArgs {
 /// A case and the finishes to compare on it.
 #[derive(Debug, Args)]
 pub struct CompareArgs {
-    /// Case file; its traces are replaced by those of each finish; - reads standard input
+    /// Case file, whose traces are replaced by those of each finish; - reads standard input
     pub case: PathBuf,
-    /// Keys set past the case.
+    /// Keys of the case set on the command line.
     #[command(flatten)]
     pub set: SetArgs,
     /// A finish and its traces; give at least two
@@ -244,18 +250,18 @@ pub struct CompareArgs {
         value_name = "NAME=PINION.csv[,WHEEL.csv]"
     )]
     pub finishes: Vec<FinishArg>,
-    /// Offsets along the traces at which the flanks meet
+    /// Number of offsets along the traces at which the flanks meet
     #[arg(long, default_value_t = 32)]
     pub offsets: usize,
     /// Folder of the comparison [default: results/<name of the case>-compare]
     #[arg(long, short)]
     pub output: Option<PathBuf>,
-    /// Limits of the work.
+    /// Limits of time and memory.
     #[command(flatten)]
     pub work: WorkArgs,
 }
 
-/// A finish as the user names it.
+/// A finish with its name and trace files.
 #[derive(Debug, Clone)]
 pub struct FinishArg {
     /// Its name.
@@ -270,7 +276,7 @@ impl std::str::FromStr for FinishArg {
     type Err = &'static str;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        const FORM: &str = "must be a name and one or two files, as ground=pinion.csv,wheel.csv";
+        const FORM: &str = "must be a name and one or two files, e.g. ground=pinion.csv,wheel.csv";
         let (name, files) = text.split_once('=').ok_or(FORM)?;
         let (pinion, wheel) = match files.split_once(',') {
             None => (files, None),
@@ -308,13 +314,13 @@ pub enum CompletionKind {
     Man,
 }
 
-/// Where the figures go.
+/// Case of the figures and their folder.
 #[derive(Debug, Args)]
 pub struct FiguresArgs {
-    /// Case of the figures 7 to 13, run in the paper formulation [default: Table 2 of the paper on a
-    /// synthetic damaged flank]; - reads standard input
+    /// Case of figures 7 to 13, run in the paper formulation; - reads standard input [default: Table 2
+    /// of the paper on a synthetic damaged flank]
     pub case: Option<PathBuf>,
-    /// Keys set past the case.
+    /// Keys of the case set on the command line.
     #[command(flatten)]
     pub set: SetArgs,
     /// Folder of the figures
@@ -327,10 +333,10 @@ pub struct FiguresArgs {
 pub struct CaseArgs {
     /// Case file, TOML (or JSON with the same keys); - reads standard input
     pub case: PathBuf,
-    /// Keys set past the case.
+    /// Keys of the case set on the command line.
     #[command(flatten)]
     pub set: SetArgs,
-    /// Which reading of the model, whatever the case says
+    /// Reading of the model, overriding that of the case
     #[arg(long, value_enum)]
     pub formulation: Option<FormulationArg>,
 }
@@ -340,7 +346,7 @@ pub struct CaseArgs {
 pub struct FilmArgs {
     /// Case file, TOML (or JSON with the same keys); - reads standard input
     pub case: PathBuf,
-    /// Keys set past the case.
+    /// Keys of the case set on the command line.
     #[command(flatten)]
     pub set: SetArgs,
     /// Position along the path of contact: A, B, C, D, E, or 0 (A) to 1 (E) [default: C]
@@ -348,12 +354,12 @@ pub struct FilmArgs {
     pub position: Option<PathPoint>,
 }
 
-/// Which reading of the model is used.
+/// Reading of the model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum FormulationArg {
     /// Dimensionally and physically consistent
     Corrected,
-    /// The paper's reading, only its misprints corrected
+    /// The paper's reading, with only its misprints corrected
     Paper,
 }
 
@@ -366,7 +372,7 @@ pub struct ContactArgs {
         conflicts_with_all = ["gap", "flanks"]
     )]
     pub case: Option<PathBuf>,
-    /// Keys set past the case.
+    /// Keys of the case set on the command line.
     #[command(flatten)]
     pub set: SetArgs,
     /// Position along the path of contact: A, B, C, D, E, or 0 (A) to 1 (E) [default: the case's]
@@ -375,20 +381,20 @@ pub struct ContactArgs {
     /// Gap of the undeformed bodies: CSV with columns x and h, units in the header
     #[arg(long, group = "bare", requires = "e_star")]
     pub gap: Option<PathBuf>,
-    /// Two profiles face to face: CSV with columns x and z each, heights out of the material
+    /// Two profiles face to face: each a CSV with columns x and z, heights positive out of the material
     #[arg(long, group = "bare", num_args = 2, value_names = ["FIRST", "SECOND"],
           requires = "e_star", requires = "radius", requires = "load")]
     pub flanks: Option<Vec<PathBuf>>,
-    /// Relative radius of curvature of the two profiles, as "10 mm"
+    /// Relative radius of curvature of the two profiles, e.g. "10 mm"
     #[arg(long, requires = "flanks", allow_hyphen_values = true)]
     pub radius: Option<Length>,
-    /// Reduced modulus E*, as "115.4 GPa"
+    /// Reduced modulus E*, e.g. "115.4 GPa"
     #[arg(long, value_name = "E*", requires = "bare", allow_hyphen_values = true)]
     pub e_star: Option<Pressure>,
-    /// Load per length, as "300000 N/m" (per period when periodic)
+    /// Load per length, e.g. "300000 N/m" (per period when periodic)
     #[arg(long, requires = "bare", allow_hyphen_values = true)]
     pub load: Option<LineLoad>,
-    /// Approach of the bodies instead of a load, as "2 um"
+    /// Approach of the bodies instead of a load, e.g. "2 um"
     #[arg(
         long,
         requires = "gap",
@@ -396,23 +402,23 @@ pub struct ContactArgs {
         allow_hyphen_values = true
     )]
     pub approach: Option<Length>,
-    /// Distance at which the displacement by a cell is zero [default: twice the window]
+    /// Distance from a loaded cell at which its displacement is zero [default: twice the window]
     #[arg(long, requires = "approach", allow_hyphen_values = true)]
     pub datum: Option<Length>,
-    /// Kernel of the displacement: a strip per cell with free ends, the same repeated for ever, or
-    /// the spectral one of a period
+    /// Displacement kernel: a strip per cell with free ends, the same repeated periodically, or the
+    /// spectral kernel of one period
     #[arg(long, value_enum, requires = "gap")]
     pub kernel: Option<KernelArg>,
-    /// The gap repeats itself: short for --kernel periodised
+    /// The gap is periodic: short for --kernel periodised
     #[arg(long, requires = "gap", conflicts_with = "kernel")]
     pub periodic: bool,
-    /// Further pressure on both bodies, such as a fluid's, beside the load: CSV with columns x and p
+    /// Further pressure on both bodies in addition to the load, e.g. of a fluid: CSV with columns x and p
     #[arg(long, requires = "gap")]
     pub prescribed: Option<PathBuf>,
-    /// Pressure at which the surface flows, as "3 GPa"
+    /// Pressure at which the surface flows plastically, e.g. "3 GPa"
     #[arg(long, requires = "bare", allow_hyphen_values = true)]
     pub pressure_limit: Option<Pressure>,
-    /// Run the two profiles in: this many passes at even shifts in every cycle, until they stay elastic
+    /// Run the two profiles in, with this many evenly shifted passes per cycle, until they stay elastic
     #[arg(
         long,
         value_name = "PASSES",
@@ -420,7 +426,7 @@ pub struct ContactArgs {
         requires = "pressure_limit"
     )]
     pub running_in: Option<usize>,
-    /// Share of the plastic displacement that the first profile takes in running-in
+    /// Share of the plastic displacement taken by the first profile in running-in
     #[arg(
         long,
         requires = "running_in",
@@ -428,10 +434,10 @@ pub struct ContactArgs {
         allow_hyphen_values = true
     )]
     pub first_share: f64,
-    /// Write the stress below the surface per point, and print its largest values
+    /// Write the subsurface stress at every point, and print its largest values
     #[arg(long, value_name = "FILE")]
     pub stress: Option<PathBuf>,
-    /// Friction coefficient of full sliding, whose traction adds to the stress
+    /// Friction coefficient of full sliding, whose traction is included in the stress
     #[arg(
         long,
         requires = "stress",
@@ -447,32 +453,32 @@ pub struct ContactArgs {
         allow_hyphen_values = true
     )]
     pub poisson: f64,
-    /// Elastic limit, to tell where the stress passes it
+    /// Elastic limit, to show where the stress exceeds it
     #[arg(long, requires = "stress", allow_hyphen_values = true)]
     pub elastic_limit: Option<Pressure>,
     /// Tolerance of the certificate: duality gap, penetration and load error; at most 1e-4
     #[arg(long, default_value_t = 1e-8, allow_hyphen_values = true)]
     pub tolerance: f64,
-    /// Write pressure, gap and displacement per point
+    /// Write pressure, gap and displacement at every point
     #[arg(long, short)]
     pub output: Option<PathBuf>,
 }
 
-/// Kernel of the displacement under a pressure.
+/// Displacement kernel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum KernelArg {
     /// Constant pressure over each cell, free ends
     Strip,
-    /// Constant pressure over each cell, repeated with the gap
+    /// Constant pressure over each cell, periodic with the gap
     Periodised,
-    /// Band-limited pressure through the points, repeated with the gap
+    /// Band-limited pressure through the points, periodic with the gap
     Spectral,
 }
 
-/// Which equations to print.
+/// Equations to print.
 #[derive(Debug, Args)]
 pub struct EquationsArgs {
-    /// Tag of one equation, such as P7
+    /// Tag of one equation, e.g. P7
     pub tag: Option<String>,
     /// Print the page docs/EQUATIONS.md
     #[arg(long, conflicts_with = "tag")]

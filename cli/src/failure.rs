@@ -50,7 +50,7 @@ impl Failure {
         self
     }
 
-    /// The same error, of which only the exit status is still to be told.
+    /// The same error, already printed, for its exit status alone.
     pub fn told(mut self) -> Self {
         self.is_told = true;
         self
@@ -92,7 +92,7 @@ impl Failure {
         }
     }
 
-    /// The same error with more told at its end.
+    /// The same error with text appended.
     pub fn adding(mut self, more: &str) -> Self {
         self.message.push_str(&asperity_storage::printable(more));
         self

@@ -11,14 +11,14 @@ mod words;
 use std::panic::AssertUnwindSafe;
 use std::process::ExitCode;
 
-use args::{Cli, Command, Common};
+use args::{CaseCommand, Cli, Command, Common};
 use clap::Parser;
 use failure::Failure;
 
 /// Exit status of a process that was interrupted.
 const INTERRUPTED: i32 = 130;
 
-/// Runs the command line of this process; the status tells how it ended.
+/// Runs the command line of this process and returns its exit status.
 pub fn main() -> ExitCode {
     let cli = Cli::parse();
     // Ctrl-C and SIGTERM leave nothing behind. Without the handler the next start would clear up.
@@ -33,11 +33,8 @@ pub fn main() -> ExitCode {
     match done {
         Ok(Ok(())) => ExitCode::SUCCESS,
         Ok(Err(failure)) => failure.report(cli.common.json),
-        Err(_) => Failure::new(
-            "E501",
-            "internal fault: the program stopped itself, see above",
-        )
-        .report(cli.common.json),
+        Err(_) => Failure::new("E501", "internal fault: the program stopped, see above")
+            .report(cli.common.json),
     }
 }
 
@@ -79,6 +76,7 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
         Command::Check(args) => commands::check::check(args, common),
         Command::Diff(args) => commands::diff::diff(args, common),
         Command::Oils => commands::oils::oils(common),
+        Command::Case(CaseCommand::FromRexs(args)) => commands::from_rexs::from_rexs(args, common),
         Command::Demo { folder, paper } => commands::demo::demo(folder.as_deref(), *paper, common),
     }
 }

@@ -4,7 +4,7 @@
 use asperity::message::explain;
 use asperity::remedy::{Action, Remedy, Setting, Value};
 
-/// The option that states `setting`; a key of a case is its own name.
+/// The option for `setting`; a key of a case is its own name.
 fn option(setting: Setting) -> &'static str {
     match setting {
         Setting::XUnit => "--x-unit",
@@ -35,17 +35,17 @@ fn table(setting: Setting, flank: &str) -> Option<&str> {
     }
 }
 
-/// `message` with what to do about it on the command line.
+/// `message` with its remedy in options of the command line.
 pub fn with_options(message: &str, remedy: &Remedy) -> String {
     ended(message, &remedy.sentence(in_options))
 }
 
-/// `message` with what to do about it in the case file, of whose flank at `flank` it is.
+/// `message` with its remedy in keys of the case file, for the flank at `flank`.
 pub fn with_keys(message: &str, remedy: &Remedy, flank: &str) -> String {
     ended(message, &remedy.sentence(|action| in_keys(action, flank)))
 }
 
-/// A question tells already what to do.
+/// Appends the advice, unless the message ends in a question that already implies it.
 fn ended(message: &str, advice: &str) -> String {
     if advice.is_empty() || message.ends_with('?') {
         message.to_owned()
@@ -71,7 +71,7 @@ fn in_options(action: &Action) -> String {
                     format!("{verb} {names} {}", argument(settings, value))
                 }
                 Value::Like(value) => {
-                    format!("{verb} {names}, as {names} {}", argument(settings, value))
+                    format!("{verb} {names}, e.g. {names} {}", argument(settings, value))
                 }
                 _ => format!("{verb} {names}"),
             };
@@ -146,7 +146,7 @@ fn explained(told: String, why: &str) -> String {
     }
 }
 
-/// The general advice of a code, with the options and keys it is about and the commands that help.
+/// General advice for a code, with its options, its keys and the commands that help.
 pub fn advice(code: &str) -> Option<String> {
     let entry = explain(code)?;
     let mut text = entry.remedy.to_owned();
@@ -174,12 +174,13 @@ fn command(code: &str) -> Option<&'static str> {
         "E202" => "asperity demo writes a case to compare with.",
         "E203" => "asperity schema lists every key.",
         "E204" => "asperity schema lists every key with its unit.",
-        "E210" => "asperity equations and asperity explain list all there are.",
+        "E210" => "asperity equations and asperity explain list them all.",
         "E301" => {
-            "asperity profile info shows the profile; the gap that was not closed is saved in the folder failed beside the results."
+            "asperity profile info shows the profile; the gap of the unsolved contact is saved in the folder \"failed\" beside the results."
         }
         "E212" | "E308" | "W201" => "asperity check lists every unusual number of a case.",
-        "E401" => "-o names another place in most commands.",
+        "E401" => "Most commands take another place with -o.",
+        "W401" => "asperity run --laws prints the published friction laws.",
         _ => return None,
     })
 }
@@ -200,7 +201,7 @@ mod tests {
             "a.csv: no unit. Write z_unit = \"um\", or \"nm\", or \"mm\" in surface.wheel"
         );
         let spacing = Remedy::set(Setting::Spacing, Value::Like("0.5 um".into()));
-        assert_eq!(with_options("m", &spacing), "m. Pass --dx, as --dx 0.5um");
+        assert_eq!(with_options("m", &spacing), "m. Pass --dx, e.g. --dx 0.5um");
         let columns = Remedy::set(Setting::Columns, Value::Like("1,2".into()));
         assert_eq!(
             with_keys("m", &columns, "surface.pinion"),
@@ -216,7 +217,7 @@ mod tests {
         assert_eq!(
             advice("E110").as_deref(),
             Some(
-                "State the spacing of the points, as 0.5 um (--dx; in a case dx in surface.pinion)."
+                "State the spacing of the points, e.g. 0.5 um (--dx; in a case dx in surface.pinion)."
             )
         );
         assert_eq!(advice("none of ours"), None);

@@ -11,6 +11,7 @@ use std::path::Path;
 const ALLOWED: &[(&str, &[&str])] = &[
     ("crates/core", &[]),
     ("crates/storage", &[]),
+    ("crates/rexs", &[]),
     ("crates/profile-io", &["asperity-core"]),
     ("crates/roughness", &["asperity-core"]),
     ("crates/gear", &["asperity-core"]),
@@ -60,6 +61,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
         "cli",
         &[
             "asperity-storage",
+            "asperity-rexs",
             "asperity-studies",
             "asperity-report",
             "asperity",

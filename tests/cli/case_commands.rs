@@ -113,11 +113,7 @@ fn check_tells_every_error_at_once_and_runs_nothing() {
 fn check_of_a_good_case_lists_defaults_and_work() {
     let bench = bench();
     let said = bench.run(&["check", "case.toml"]).well().out;
-    for says in [
-        "case.toml: no errors",
-        "model.window = 3",
-        "a run takes about",
-    ] {
+    for says in ["case.toml: no errors", "model.window = 3", "a run takes "] {
         assert!(said.contains(says), "{says} is not in {said}");
     }
     let told = bench.run(&["check", "case.toml", "--json"]).well().json();

@@ -20,7 +20,7 @@ fn damaged_overlarge_and_crowded_files_are_refused() {
     let bench = Bench::new();
     bench.write("cut.sdf", sdf(900, 1));
     let said = bench.run(&["profile", "info", "cut.sdf"]);
-    said.refused(2, "E117", &["cut.sdf: not a sound SDF", "500 of 900"]);
+    said.refused(2, "E117", &["cut.sdf: not a valid SDF", "500 of 900"]);
     bench.write("two.sdf", sdf(250, 2));
     let said = bench.run(&["profile", "info", "two.sdf"]);
     said.refused(2, "E119", &["two.sdf: the file holds 2 profiles", "--row"]);

@@ -25,6 +25,7 @@ mod outside;
 mod profile_reports;
 mod result_messages;
 mod results;
+mod rexs;
 mod single_modules;
 mod storage;
 mod threads;

@@ -300,7 +300,7 @@ fn what_calls_for_attention_in_a_result_is_said_with_it() {
         &plain,
         &[],
         "W409",
-        &["asperities flow at", "of 4 positions"],
+        &["asperities yield at", "of 4 positions"],
     );
     warns(
         &plain,
@@ -309,7 +309,7 @@ fn what_calls_for_attention_in_a_result_is_said_with_it() {
         &["mu_eq 0.001 is outside 0.01-0.12 for lubricated steel"],
     );
     let says = [
-        "is the pitch point, where nothing slides",
+        "is the pitch point, where there is no sliding",
         "Set model.position",
     ];
     warns(&plain, &["--formulation", "paper"], "W412", &says);
@@ -335,7 +335,7 @@ fn what_calls_for_attention_in_a_result_is_said_with_it() {
         &soft,
         &[],
         "W405",
-        &["passes 1.79 x the elastic limit 235 MPa"],
+        &["exceeds 1.79 x the elastic limit 235 MPa"],
     );
     let values = bench_with("pinion", "pinion = { rq = \"0.3 um\" }");
     warns(
@@ -344,7 +344,7 @@ fn what_calls_for_attention_in_a_result_is_said_with_it() {
         "W408",
         &[
             "roughness values",
-            "so \"lambda-star\" stands for it",
+            "so \"lambda-star\" replaces it",
             "without rpk and asperity_radius",
         ],
     );
@@ -353,7 +353,7 @@ fn what_calls_for_attention_in_a_result_is_said_with_it() {
 #[test]
 fn what_calls_for_attention_in_the_flanks_is_said_with_the_result() {
     let same = bench_with("wheel", "");
-    warns(&same, &[], "W404", &["both flanks come from one trace"]);
+    warns(&same, &[], "W404", &["both flanks use the same trace"]);
     let rough = bench_with("title", "title = \"x\"");
     let table = rows(6000, |i, z| format!("{:.1},{:.4}", 0.5 * i as f64, 4.0 * z));
     rough.write("pinion.csv", format!("x_um,z_um\n{table}"));

@@ -49,7 +49,7 @@ const C14: Printed = Printed {
     p0_mpa: 1347.3,
     half_width_um: 199.567,
     ohlendorf: 0.1986,
-    // From tooth stiffness, which is not modelled here.
+    // From tooth stiffness, which this comparison leaves out.
     local: 0.1946,
 };
 

@@ -11,7 +11,7 @@ use clap::{Args, Subcommand, ValueEnum};
 
 use super::values::{choice, cutoff};
 
-/// Subcommand on a profile.
+/// Commands on profiles.
 #[derive(Debug, Subcommand)]
 pub enum ProfileCommand {
     /// Format, units, spacing, and roughness parameters of profile files
@@ -21,36 +21,36 @@ pub enum ProfileCommand {
             asperity profile info --form involute --base-radius 50mm --roll-length 15mm flank.csv"
     )]
     Info(ProfileInfoArgs),
-    /// Profile, filtered profile, material ratio curve with its Rk construction, and spectrum as SVG
+    /// Plot profile, filtered profile, material ratio curve with its Rk construction, and spectrum as SVG
     Plot(ProfilePlotArgs),
-    /// Any readable format to CSV, X3P or SMD, heights to the last bit
+    /// Convert any readable format to CSV, X3P or SMD, with heights exact to the last bit
     #[command(after_help = "Example:\n  asperity profile convert flank.x3p flank.csv")]
     Convert(ProfileConvertArgs),
-    /// Form and waviness off, the roughness profile into a file
+    /// Remove form and waviness, and write the roughness profile
     Filter(ProfileFilterArgs),
-    /// A synthetic profile from a recipe, with what it achieved
+    /// Generate a synthetic profile from a recipe, and report the parameters achieved
     Generate(ProfileGenerateArgs),
-    /// The parameters of several profiles beside each other, relative to the first
+    /// Compare the parameters of several profiles, relative to the first
     Compare(ProfileInfoArgs),
 }
 
-/// One profile and its picture.
+/// A profile and its plot.
 #[derive(Debug, Args)]
 pub struct ProfilePlotArgs {
     /// Profile file, or - for standard input
     pub file: PathBuf,
-    /// SVG file to write [default: the name of the profile with .svg, unless another file has it]
+    /// SVG file to write [default: the name of the profile with .svg, unless such a file exists]
     #[arg(long, short)]
     pub output: Option<PathBuf>,
-    /// How it is prepared.
+    /// Preparation of the profile.
     #[command(flatten)]
     pub preparing: PreparingArgs,
-    /// How it is read.
+    /// Reading of the file.
     #[command(flatten)]
     pub reading: ReadingArgs,
 }
 
-/// One profile into another format.
+/// A profile and the format to convert it to.
 #[derive(Debug, Args)]
 pub struct ProfileConvertArgs {
     /// Profile file, or - for standard input
@@ -63,47 +63,47 @@ pub struct ProfileConvertArgs {
     /// Replace spikes of up to six points farther than K robust deviations from the running median
     #[arg(long, value_name = "K", allow_hyphen_values = true)]
     pub outliers: Option<f64>,
-    /// Base radius of the gear, for files against roll length, as "50 mm"
+    /// Base radius of the gear, for files against roll length, e.g. "50 mm"
     #[arg(long, value_name = "R_B", allow_hyphen_values = true)]
     pub base_radius: Option<Length>,
-    /// How it is read.
+    /// Reading of the file.
     #[command(flatten)]
     pub reading: ReadingArgs,
 }
 
-/// One profile through form removal and filters.
+/// A profile and the part of it to write.
 #[derive(Debug, Args)]
 pub struct ProfileFilterArgs {
     /// Profile file, or - for standard input
     pub file: PathBuf,
     /// File to write; its extension (csv, x3p, smd) chooses the format
     pub output: PathBuf,
-    /// Which profile is written
+    /// Profile to write
     #[arg(long, value_enum, default_value = "roughness")]
     pub part: ProfilePart,
-    /// How it is prepared.
+    /// Preparation of the profile.
     #[command(flatten)]
     pub preparing: PreparingArgs,
-    /// How it is read.
+    /// Reading of the file.
     #[command(flatten)]
     pub reading: ReadingArgs,
 }
 
-/// Into what the filters part a trace.
+/// Parts into which the filters split a trace.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum ProfilePart {
-    /// R: what lambda_c leaves of P
+    /// R: P without the waves longer than lambda_c
     Roughness,
-    /// W: what lambda_c takes off P
+    /// W: the waves of P longer than lambda_c
     Waviness,
-    /// P: without form and without waves below lambda_s
+    /// P: the trace without form and without the waves shorter than lambda_s
     Primary,
 }
 
-/// A recipe and where its profile goes.
+/// A recipe and the file for its profile.
 #[derive(Debug, Args)]
 pub struct ProfileGenerateArgs {
-    /// Recipe, JSON; without it a self-affine profile from the options below
+    /// Recipe in JSON [default: a self-affine profile from the options below]
     #[arg(long)]
     pub recipe: Option<PathBuf>,
     /// File to write; its extension (csv, x3p, smd) chooses the format
@@ -124,7 +124,7 @@ pub struct ProfileGenerateArgs {
     /// Wavelength above which the spectrum is flat
     #[arg(long, default_value = "100 um", allow_hyphen_values = true)]
     pub roll_off: Length,
-    /// Wavelength below which there is nothing
+    /// Wavelength below which the spectrum is zero
     #[arg(long, default_value = "5 um", allow_hyphen_values = true)]
     pub short_cut: Length,
     /// Seed
@@ -132,22 +132,22 @@ pub struct ProfileGenerateArgs {
     pub seed: u64,
 }
 
-/// Profiles and how to read and prepare them.
+/// Profiles, and their reading and preparation.
 #[derive(Debug, Args)]
 pub struct ProfileInfoArgs {
     /// Profile files; - is standard input
     #[arg(required = true)]
     pub files: Vec<PathBuf>,
-    /// Wavelengths of the Hurst fit, as 200um:8um [default: lambda_c/3 to 5 lambda_s]
+    /// Wavelengths of the Hurst fit, e.g. 200um:8um [default: lambda_c/3 to 5 lambda_s]
     #[arg(long, value_name = "LONG:SHORT")]
     pub hurst: Option<Wavelengths>,
-    /// With --json: also spectrum, autocorrelation and material ratio curve, point by point
+    /// With --json: also print spectrum, autocorrelation and material ratio curve, point by point
     #[arg(long)]
     pub curves: bool,
-    /// How they are prepared.
+    /// Preparation of the profiles.
     #[command(flatten)]
     pub preparing: PreparingArgs,
-    /// How the file is read.
+    /// Reading of the files.
     #[command(flatten)]
     pub reading: ReadingArgs,
 }
@@ -167,12 +167,12 @@ pub enum FormArg {
     Poly2,
     /// The least-squares circle
     Circle,
-    /// The involute of the flank, and the line that setting up leaves; needs --base-radius and
+    /// The involute of the flank, and the line left by misalignment; needs --base-radius and
     /// --roll-length
     Involute,
 }
 
-/// The wavelengths of a fit, from long to short.
+/// Wavelengths of a fit, from long to short.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wavelengths {
     /// Longest.
@@ -185,7 +185,7 @@ impl std::str::FromStr for Wavelengths {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        const FORM: &str = "must be two wavelengths, the longer first, as 200um:8um";
+        const FORM: &str = "must be two wavelengths, the longer first, e.g. 200um:8um";
         let (longest, shortest) = text.split_once(':').ok_or(FORM)?;
         let read = |part: &str| part.parse::<Length>().map_err(|error| error.to_string());
         let (longest, shortest) = (read(longest)?, read(shortest)?);
@@ -200,53 +200,54 @@ impl std::str::FromStr for Wavelengths {
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Preparing the profile")]
 pub struct PreparingArgs {
-    /// Take the heights as they are: no form removal, and no filter but one asked for
+    /// Take the heights as they are: no form removal, and no filter unless its option is given
     #[arg(long, conflicts_with_all = ["level", "form"])]
     pub as_is: bool,
-    /// Remove a straight line, and no filter but one asked for
+    /// Remove a straight line, with no filter unless its option is given
     #[arg(long, conflicts_with = "form")]
     pub level: bool,
-    /// Form removed [default: level]
+    /// Form to remove [default: level]
     #[arg(long, value_enum, value_name = "FORM")]
     pub form: Option<FormArg>,
-    /// Base radius of the gear, for --form involute and for files against roll length, as "50 mm"
+    /// Base radius of the gear, for --form involute and for files against roll length, e.g. "50 mm"
     #[arg(long, value_name = "R_B", allow_hyphen_values = true)]
     pub base_radius: Option<Length>,
-    /// Roll length (radius of curvature) at the middle of the trace, for --form involute: where the
-    /// flank has radius r it is √(r² − r_b²)
+    /// Roll length (radius of curvature) at the middle of the trace, for --form involute: at radius r
+    /// on the flank it is √(r² − r_b²)
     #[arg(long, value_name = "RHO", allow_hyphen_values = true)]
     pub roll_length: Option<Length>,
     /// The trace runs from tip to root, for --form involute
     #[arg(long)]
     pub towards_root: bool,
-    /// Cut-off lambda_c, or none [default: as the file states, else 0.8 mm]
+    /// Cut-off lambda_c, or none [default: as the file states, else 0.8 mm, which ISO 4288 and
+    /// ISO 21920-3 use for Ra from 0.1 to 2 um; a case uses 0.25 mm, usual on gear flanks]
     #[arg(long, value_parser = cutoff, allow_hyphen_values = true)]
     pub lambda_c: Option<Length>,
     /// Cut-off lambda_s, or none [default: as the file states, else 2.5 um]
     #[arg(long, value_parser = cutoff, allow_hyphen_values = true)]
     pub lambda_s: Option<Length>,
-    /// Treatment of the ends by the filter: cut, reg0, reg1, reflect
+    /// Treatment of the ends in filtering: cut, reg0, reg1, reflect
     #[arg(long, value_parser = choice::<Ends>)]
     pub ends: Option<Ends>,
     /// Use the robust Gaussian filter for lambda_c, for damaged flanks
     #[arg(long)]
     pub robust: bool,
-    /// Number of sections [default: whole cut-offs in the evaluation length; five without filter]
+    /// Number of sections [default: whole cut-offs in the evaluation length; five without a filter]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub sections: Option<u16>,
 }
 
-/// Statements that the file does not make; an option wins over the look of the file.
+/// Statements about a file; an option overrides what was detected.
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Reading the file")]
 pub struct ReadingArgs {
-    /// Unit of the positions: um, mm, nm, m, inch, mil, uin
+    /// Unit of the positions: um, mm, nm, m, angstrom, inch, mil, uin
     #[arg(long)]
     pub x_unit: Option<LengthUnit>,
-    /// Unit of the heights: um, mm, nm, m, inch, mil, uin
+    /// Unit of the heights: um, mm, nm, m, angstrom, inch, mil, uin
     #[arg(long)]
     pub z_unit: Option<LengthUnit>,
-    /// Spacing of the points, as "0.5 um"
+    /// Spacing of the points, e.g. "0.5 um"
     #[arg(long, allow_hyphen_values = true)]
     pub dx: Option<Length>,
     /// Columns of position and height, counted from 1: "1,2", or the height alone: "2"
@@ -264,14 +265,14 @@ pub struct ReadingArgs {
     /// Missing points: refuse or interpolate
     #[arg(long)]
     pub gaps: Option<Gaps>,
-    /// Which profile of a file that holds several, from 1
+    /// Number of the profile in a file that holds several, counted from 1
     #[arg(long)]
     pub row: Option<usize>,
-    /// Meaning of the positions: distance, roll-length, roll-degrees, roll-radians [default: as the
-    /// header says, else distance]
+    /// Meaning of the positions: distance, roll-length, roll-degrees, roll-radians [default: as stated
+    /// in the header, else distance]
     #[arg(long)]
     pub abscissa: Option<Abscissa>,
-    /// Positions off an even grid: refuse or resample
+    /// Unevenly spaced positions: refuse or resample
     #[arg(long)]
     pub uneven: Option<Uneven>,
 }

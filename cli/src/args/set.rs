@@ -1,11 +1,11 @@
-//! Keys of a case set past its file.
+//! Keys of a case set on the command line.
 
 use clap::Args;
 
 /// Keys of a case set on the command line.
 #[derive(Debug, Clone, Args)]
 pub struct SetArgs {
-    /// Set a key of the case, as operation.torque="200 N m"; may be repeated
+    /// Set a key of the case, e.g. operation.torque="200 N m"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE", allow_hyphen_values = true)]
     pub keys: Vec<SetArg>,
 }
@@ -28,7 +28,7 @@ impl std::str::FromStr for SetArg {
                 key: key.trim().to_owned(),
                 value: value.trim().to_owned(),
             }),
-            _ => Err("must be a key and its value, as operation.torque=\"200 N m\""),
+            _ => Err("must be a key and its value, e.g. operation.torque=\"200 N m\""),
         }
     }
 }

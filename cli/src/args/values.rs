@@ -1,4 +1,4 @@
-//! Values of options that are read by hand.
+//! Parsers of option values.
 
 use asperity_core::quantity::{Length, QuantityError};
 

@@ -120,7 +120,7 @@ fn text(name: &str, sound: &Sound) -> String {
         text.push_str(&format!("  {} = {}{source}\n", default.key, default.value));
     }
     text.push_str(&format!(
-        "a run takes about {} and {}: {} rough contacts\n",
+        "a run takes {} and {}: {} rough contacts\n",
         duration(sound.work.seconds),
         memory(sound.work.bytes),
         sound.work.contacts
@@ -131,9 +131,9 @@ fn text(name: &str, sound: &Sound) -> String {
 fn duration(seconds: f64) -> String {
     match seconds {
         s if s < 1.0 => "less than a second".to_owned(),
-        s if s < 120.0 => format!("{s:.0} s"),
-        s if s < 7200.0 => format!("{:.0} min", s / 60.0),
-        s => format!("{:.1} h", s / 3600.0),
+        s if s < 120.0 => format!("about {s:.0} s"),
+        s if s < 7200.0 => format!("about {:.0} min", s / 60.0),
+        s => format!("about {:.1} h", s / 3600.0),
     }
 }
 

@@ -16,7 +16,7 @@ use crate::output::{PATIENCE, print_json, print_text, progress};
 /// `asperity compare`
 pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
     if args.finishes.len() < 2 {
-        let message = "--finish: one finish compares with nothing; give at least two";
+        let message = "--finish: one finish cannot be compared; give at least two";
         return Err(Failure::new("E205", message));
     }
     for (index, finish) in args.finishes.iter().enumerate() {
@@ -29,7 +29,7 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
     }
     if args.offsets < 2 {
         let offsets = args.offsets;
-        let message = format!("--offsets {offsets}: must be at least 2, one has no spread");
+        let message = format!("--offsets {offsets}: must be at least 2, as one has no spread");
         return Err(Failure::new("E209", message));
     }
     // Once for all finishes: standard input is read but once.

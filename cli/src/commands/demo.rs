@@ -18,7 +18,9 @@ pub fn demo(folder: Option<&Path>, paper: bool, common: &Common) -> Result<(), F
     if folder.exists() {
         return Err(Failure::new(
             "E401",
-            format!("{name}: exists already; name another folder, as asperity demo my-first-case"),
+            format!(
+                "{name}: exists already; name another folder, e.g. asperity demo my-first-case"
+            ),
         ));
     }
     let files = match paper {

@@ -46,7 +46,7 @@ fn text(found: &ResultDiff) -> String {
     ] {
         for (list, whose) in lists.iter().zip(["first", "second"]) {
             if !list.is_empty() {
-                text.push_str(&format!("{name} of the {whose} alone\n"));
+                text.push_str(&format!("{name} only in the {whose}\n"));
             }
             for entry in list {
                 text.push_str(&format!("  {entry}\n"));

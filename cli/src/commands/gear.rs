@@ -119,7 +119,7 @@ fn write_factors(text: &mut String, found: &GearReport) -> std::fmt::Result {
     if let Some(note) = &found.edge_contact {
         writeln!(
             text,
-            "  tips are not relieved and the teeth approach by {:.1} um: {:.4} with contact of their edges",
+            "  tips are not relieved and the teeth approach by {:.1} um: {:.4} with tip edge contact",
             note.approach.si() * 1e6,
             note.with
         )?;

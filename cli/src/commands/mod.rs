@@ -10,6 +10,7 @@ pub mod diff;
 pub mod ehl;
 pub mod figures;
 pub mod film;
+pub mod from_rexs;
 pub mod gear;
 pub mod oils;
 pub mod profile;
@@ -76,7 +77,7 @@ fn pair_only(source: &Source) -> Result<(), Failure> {
     let name = source.name();
     let message = format!("{name}: is a planetary set; this command takes a pair of gears");
     Err(Failure::new("E205", message).advising(
-        "run, check, gear and regime take sets; the result of a set holds a result of each mesh.",
+        "run, check, gear and regime take planetary sets; the result of a set holds a result of each mesh.",
     ))
 }
 

@@ -50,7 +50,7 @@ pub fn oils(common: &Common) -> Result<(), Failure> {
     print_text(
         common,
         &format!(
-            "{text}A viscosity known at one temperature is taken at the bulk temperature of the case.\n"
+            "{text}A viscosity given at one temperature only is used at the bulk temperature of the case.\n"
         ),
     )
 }

@@ -1,4 +1,4 @@
-//! `asperity report`: the page of a result, drawn anew.
+//! `asperity report`: the page of a result, redrawn.
 
 use asperity_report::{ReportError, redraw};
 

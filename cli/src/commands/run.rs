@@ -193,7 +193,7 @@ fn fields(args: &RunArgs) -> Result<Fields, Failure> {
         Ok(numbers) if !numbers.contains(&0) => Ok(Fields::Positions(numbers)),
         _ => Err(Failure::new(
             "E209",
-            format!("--fields {text}: must be all, or numbers of positions as 1,5"),
+            format!("--fields {text}: must be all, or numbers of positions, e.g. 1,5"),
         )),
     }
 }
@@ -209,7 +209,7 @@ fn failed(error: &Error, args: &RunArgs, folder: Option<&Path>) -> Failure {
             .with_extension("csv");
         return match report::write_unsolved(contact, &file) {
             Ok(()) => failure.adding(&format!(
-                ". Fields saved in {}: asperity contact --gap solves it alone",
+                ". Fields saved in {}; asperity contact --gap solves the contact alone",
                 file.display()
             )),
             Err(error) => failure.adding(&format!(". Its fields could not be saved: {error}")),

@@ -84,7 +84,7 @@ impl Solved<'_> {
         })
     }
 
-    /// What is told of flanks that have run in.
+    /// Report on flanks that have run in.
     pub(crate) fn run_in_flanks(&self, ran_in: RanIn) -> Result<RunInFlanks, PositionError> {
         let [measured, run_in] = ran_in.heights;
         Ok(RunInFlanks {
@@ -235,7 +235,7 @@ fn forces(position: &Position) -> impl Iterator<Item = [f64; 3]> {
     offsets.map(|offset| offset.rubbing.parts(offset.friction.mu))
 }
 
-/// Share of the load on the boundary layer: all that the asperities carry, where the law does not tell.
+/// Share of the load on the boundary layer: all that the asperities carry, if the law does not distinguish.
 fn boundary_share(offset: &Offset) -> f64 {
     (1.0 - offset.film_share) * offset.boundary_part
 }

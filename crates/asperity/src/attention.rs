@@ -48,7 +48,7 @@ pub(crate) fn warnings(
     if loaded.surfaces.same_trace {
         found.push(Warning::new(
             "W404",
-            "both flanks come from one trace, so their roughness is correlated and S = sqrt(Rq1^2 + Rq2^2) is not exact",
+            "both flanks use the same trace, so their roughness is correlated and S = sqrt(Rq1^2 + Rq2^2) is not exact",
         ));
     }
     no_sliding(loaded, positions, &mut found);
@@ -59,7 +59,7 @@ pub(crate) fn warnings(
     Ok(found)
 }
 
-/// W421 to W425: the load over the teeth and the cells that stand for it.
+/// W421 to W425: load over the teeth, and its cells.
 pub(crate) fn load(
     loaded: &LoadedCase,
     positions: &[Position],
@@ -84,7 +84,7 @@ pub(crate) fn load(
         add(
             "W422",
             format!(
-                "{light} of {} cells of the path carry so little load that the points of the traces do not resolve their contact: the roughness of the whole traces stands for it",
+                "{light} of {} cells of the path carry so little load that the spacing of the traces does not resolve their contact: the roughness of the whole traces is used there",
                 positions.len()
             ),
         );
@@ -194,7 +194,7 @@ fn short(value: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// W412: the paper's one position stands for the mesh, but nothing slides there.
+/// W412: the paper's single position is the pitch point, where there is no sliding.
 fn no_sliding(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warning>) {
     /// Slide-to-roll ratios below this are round-off at the pitch point.
     const PURE_ROLLING: f64 = 1e-9;
@@ -203,7 +203,7 @@ fn no_sliding(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warni
     if strategy.takes_one_position() && positions.iter().all(rolls) {
         found.push(Warning::new(
             "W412",
-            "the one position of the paper's reading is the pitch point, where nothing slides: the efficiency holds no sliding loss. Set model.position, as 0.25",
+            "the single position of the paper's reading is the pitch point, where there is no sliding: the efficiency contains no sliding loss. Set model.position, e.g. 0.25",
         ));
     }
 }
@@ -229,7 +229,7 @@ fn contacts(positions: &[Position], found: &mut Vec<Warning>) {
         found.push(Warning::new(
             "W414",
             format!(
-                "the gap under the contact spans more than {SUSPECT_GAP} times the deformation at {beyond} of {count} positions: an outlier or a wrong unit"
+                "the gap in the contact window spans more than {SUSPECT_GAP} times the deformation at {beyond} of {count} positions: an outlier or a wrong unit"
             ),
         ));
     }
@@ -255,7 +255,7 @@ fn stress(
         found.push(Warning::new(
             "W405",
             format!(
-                "p0 {:.0} MPa passes {FIRST_YIELD} x the elastic limit {:.0} MPa: the flanks yield below the surface, which is not modelled",
+                "p0 {:.0} MPa exceeds {FIRST_YIELD} x the elastic limit {:.0} MPa: the flanks yield below the surface, which is not modelled",
                 highest * 1e-6,
                 limit * 1e-6
             ),
@@ -270,7 +270,7 @@ fn stress(
         found.push(Warning::new(
             "W409",
             format!(
-                "asperities flow at {count} of {} positions: the flanks run in",
+                "asperities yield at {count} of {} positions: expect running-in",
                 positions.len()
             ),
         ));
@@ -282,7 +282,7 @@ fn stress(
         found.push(Warning::new(
             "W410",
             format!(
-                "von Mises stress under the asperities passes the elastic limit {:.0} MPa in {strained} of {contacts} contacts, over all positions and offsets",
+                "von Mises stress under the asperities exceeds the elastic limit {:.0} MPa in {strained} of {contacts} contacts, over all positions and offsets",
                 limit * 1e-6,
             ),
         ));
@@ -312,7 +312,7 @@ pub(crate) fn records(records: &[RecordRow], found: &mut Vec<Warning>) {
         found.push(Warning::new(
             "W415",
             format!(
-                "the roughness left in the contact is up to {:.2} smooth films, above {LARGEST_ROUGHNESS} in {beyond} of {} records: ridges that cannot leak make those no referee, measurement decides",
+                "the roughness left in the contact is up to {:.2} smooth films, above {LARGEST_ROUGHNESS} in {beyond} of {} records: the modelled ridges cannot leak, so rely on measurements rather than on these records",
                 ratios.fold(0.0, f64::max),
                 records.len()
             ),
@@ -320,7 +320,7 @@ pub(crate) fn records(records: &[RecordRow], found: &mut Vec<Warning>) {
     }
 }
 
-/// W416: full films off their formulas.
+/// W416: full films that differ from the formulas.
 fn full_film(positions: &[Position], found: &mut Vec<Warning>) {
     let rows = || {
         let films = positions.iter().filter_map(|p| p.full_film.as_ref());
@@ -354,7 +354,7 @@ fn full_film(positions: &[Position], found: &mut Vec<Warning>) {
     ));
 }
 
-/// W406, W407, W408, W411: what the traces do not tell.
+/// W406, W407, W408, W411: limits of the traces.
 fn roughness(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warning>) {
     if !loaded.surfaces.are_measured() {
         let known = positions.iter().all(|position| {
@@ -380,7 +380,7 @@ fn roughness(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warnin
         found.push(Warning::new(
             "W406",
             format!(
-                "fewer than {FEW_ASPERITIES} asperities reach into the peak zone in {few} of {} mixed contacts; their radius is uncertain",
+                "fewer than {FEW_ASPERITIES} asperities reach into the peak zone in {few} of {} mixed contacts; their mean radius is uncertain",
                 offsets().count()
             ),
         ));
@@ -392,7 +392,7 @@ fn roughness(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warnin
         found.push(Warning::new(
             "W411",
             format!(
-                "no peaks above the core in {without_peaks} of {} mixed contacts: the classical film ratio decided there",
+                "no peaks above the core in {without_peaks} of {} mixed contacts: the classical film ratio was used there",
                 offsets().count()
             ),
         ));
@@ -401,13 +401,13 @@ fn roughness(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warnin
     covered(loaded, positions, found);
 }
 
-/// Text of W408: which law of the load share stands for one that needs the rough contact, and what decides.
+/// Text of W408: the law that replaces one that needs the rough contact, and the film ratio used.
 fn values_alone(loaded: &LoadedCase, lambda_star_known: bool) -> String {
     let named = loaded.case.model.load_share;
     let own = loaded.case.laws.load_share.is_some();
     let law = match named.supply() {
         Some(_) if !own => format!(
-            "load_share = \"{}\" needs the traces of both, so \"lambda-star\" stands for it and all asperity load rubs with the boundary coefficient",
+            "load_share = \"{}\" needs the traces of both, so \"lambda-star\" replaces it and all asperity load rubs with the boundary coefficient",
             named.name()
         ),
         _ => "the load share follows from the film ratio".to_owned(),
@@ -417,7 +417,7 @@ fn values_alone(loaded: &LoadedCase, lambda_star_known: bool) -> String {
         false => "without rpk and asperity_radius the classical film ratio",
     };
     format!(
-        "a flank is given by roughness values, the rough contact was not computed: {law}; {ratio} decides"
+        "a flank is given by roughness values alone, so the rough contact was not computed: {law}; {ratio} decides"
     )
 }
 

@@ -1,6 +1,6 @@
-//! How much of a run is computed.
+//! Extent of a run.
 
-/// How much of a run is computed; each includes those before it.
+/// Extent of a run; each level includes those before it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Detail {
     /// Losses; the rough contacts only where the losses hang on them.

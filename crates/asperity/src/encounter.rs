@@ -1,4 +1,4 @@
-//! Two rough windows that meet at a mesh position: their gap and what the film sees of them.
+//! Two rough windows that meet at a mesh position: their gap and the film's view of it.
 
 use asperity_contact::two_flanks::TwoFlanks;
 use asperity_core::Profile;
@@ -16,7 +16,8 @@ pub const LEAST_POINTS_PER_HALF_WIDTH: f64 = 20.0;
 /// The golden section: multiples of it, minus their whole part, fill an interval evenly.
 const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
 
-/// Windows that meet at `station` at offset `k` of `count` and its roughness: that of the window, or where no window
+/// Windows that meet at `station` at offset `k` of `count` and its roughness: that of the window, or where
+/// no window
 /// is resolved that of the flanks as a whole.
 pub(crate) fn meeting(
     surfaces: &Surfaces,
@@ -36,7 +37,7 @@ pub(crate) fn meeting(
     Ok((found, roughness))
 }
 
-/// Whether the roughness of the whole traces stands for the windows at `station`.
+/// Whether the roughness of the whole traces is used for the windows at `station`.
 pub(crate) fn is_substituted(surfaces: &Surfaces, station: &Station) -> bool {
     let [Texture::Trace(first), Texture::Trace(_)] = surfaces.textures() else {
         return false;

@@ -56,9 +56,9 @@ pub fn markdown() -> String {
     let equations = all();
     let mut page = String::from(
         "# Equations\n\n\
-        Where each equation lives, what it says as used, and the test that proves it. Tags `P1` to `P37` are the\n\
-        numbers of the 2022 paper; the others come from the sources named. This page is written by\n\
-        the command `equations`, and `asperity equations P7` prints one row.\n\n\
+        The file of each equation, its formula as used, and the test that verifies it. Tags `P1` to `P37` are the\n\
+        numbers in the 2022 paper; the others come from the sources named. This page is written by\n\
+        `asperity equations --markdown`; `asperity equations P7` prints one row.\n\n\
         | tag | gives | formula as used | file | test | sources |\n|---|---|---|---|---|---|\n",
     );
     for equation in &equations {

@@ -8,7 +8,7 @@ use crate::case::{CaseError, Place, Source};
 use crate::load_share::LoadShareError;
 use crate::message::explain;
 
-/// Why a mesh position has no solution.
+/// Errors at a mesh position.
 #[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]
 pub enum PositionError {
@@ -136,7 +136,7 @@ pub struct UnsolvedContact {
     pub x: Vec<f64>,
     /// Undeformed gap of the flanks \[m\].
     pub gap: Vec<f64>,
-    /// Why it has no solution.
+    /// Reason why it has no solution.
     pub source: PositionError,
 }
 
@@ -165,7 +165,7 @@ impl PositionError {
     }
 }
 
-/// Why a case cannot be run, or a run has no result.
+/// Errors of a case or a run.
 ///
 /// [`code`](Self::code) is stable; [`place`](Self::place) and [`remedy`](Self::remedy) are data, so that a
 /// command line, a page or another language can put them in words of its own.
@@ -186,7 +186,7 @@ pub enum Error {
     /// The case cannot be run, and its text is at hand to show the place.
     #[error("{error}")]
     CaseText {
-        /// Why.
+        /// Cause.
         error: Box<CaseError>,
         /// The text of the case.
         text: Box<Source>,
@@ -196,9 +196,9 @@ pub enum Error {
     Position {
         /// Number of the position from A, counted from 1.
         number: usize,
-        /// How many positions there are.
+        /// Number of positions.
         count: usize,
-        /// Why.
+        /// Cause.
         source: Box<PositionError>,
     },
     /// The sums over the path failed.
@@ -274,7 +274,7 @@ impl Error {
         }
     }
 
-    /// Where in the case, when the error is about a place in it.
+    /// Place in the case, if the error is about one.
     pub fn place(&self) -> Option<&Place> {
         self.case()?.place()
     }

@@ -23,7 +23,7 @@ pub struct FilmConstant {
     pub low: Option<f64>,
     /// Upper end of its band, where one is known.
     pub high: Option<f64>,
-    /// How sure it is: seen in its source, calibrated here, from memory, or judged.
+    /// Confidence: seen in its source, calibrated here, from memory, or judged.
     pub mark: Mark,
     /// Its source.
     pub source: String,

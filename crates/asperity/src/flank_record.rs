@@ -18,9 +18,9 @@ pub struct FlankRecord {
     pub file: Option<String>,
     /// SHA-256 of the file.
     pub sha256: Option<String>,
-    /// How the file was read.
+    /// Details of the reading of the file.
     pub reading: Option<ReadingRecord>,
-    /// Whether the trace was run from its other end.
+    /// Whether the trace was read from its other end.
     pub mirrored: bool,
     /// Form removal and filters applied to the trace.
     pub preparation: Option<PreparationRecord>,
@@ -28,7 +28,7 @@ pub struct FlankRecord {
     pub parameters: Option<Parameters>,
 }
 
-/// How a file was read: [`Reading`] without its heights.
+/// Details of the reading of a file: [`Reading`] without its heights.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ReadingRecord {
     /// Name of the file as given.

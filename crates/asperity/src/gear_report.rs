@@ -39,7 +39,7 @@ pub struct GearReport {
     pub transmission_error: Option<TransmissionError>,
     /// Mean mesh stiffness of ISO 6336-1, c_γ \[N/(mm µm)\]; none where its polynomial does not hold.
     pub iso_mesh_stiffness_n_per_mm_um: Option<f64>,
-    /// How the load was found.
+    /// Evidence of the load distribution.
     pub evidence: LoadMapEvidence,
 }
 
@@ -51,7 +51,7 @@ pub struct LawFactor {
     pub law: String,
     /// H_V; none where the law does not hold for the pair.
     pub loss_factor: Option<f64>,
-    /// Why the law does not hold.
+    /// Reason why the law does not apply.
     pub refused: Option<String>,
 }
 

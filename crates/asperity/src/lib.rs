@@ -18,7 +18,7 @@
 //! .build()?;
 //! let summary = asperity::run(&case, &|_, _| ())?.result.summary;
 //! assert!((0.95..1.0).contains(&summary.efficiency));
-//! // A change reads nothing anew that it does not concern.
+//! // A change rereads only the files that it affects.
 //! let cooler = case.with_key("operation.temperature", "70 °C")?;
 //! assert!(asperity::run(&cooler, &|_, _| ())?.result.summary.loss_w != summary.loss_w);
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -29,7 +29,7 @@ pub struct LoadReport {
     pub transmission_error_peak_to_peak_um: Option<f64>,
     /// Mesh stiffness over the face width, c_γ \[N/(mm µm)\].
     pub mesh_stiffness_n_per_mm_um: Option<f64>,
-    /// How the load was found.
+    /// Evidence of the load distribution.
     pub evidence: LoadMapEvidence,
     /// Load along the path.
     pub path: Vec<LoadRow>,

@@ -21,7 +21,7 @@ use crate::local_roughness::Roughness;
 use crate::records::RecordedShare;
 use crate::station::Station;
 
-/// Film and asperities at one mesh position and one offset, as a law of load sharing sees them.
+/// Film and asperities at one mesh position and one offset: the inputs of a load-sharing law.
 #[derive(Debug, Clone, Copy)]
 #[non_exhaustive]
 pub struct ShareConditions<'a> {

@@ -1,4 +1,4 @@
-//! Roughness under one contact, as the film and friction laws see it.
+//! Roughness in one contact, as used by the film and friction laws.
 
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
@@ -12,7 +12,7 @@ use crate::error::PositionError;
 /// Below this number of asperities their mean radius is uncertain.
 pub const FEW_ASPERITIES: usize = 5;
 
-/// Roughness as the film and friction laws see it.
+/// Roughness as used by the film and friction laws.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Roughness {
     /// Rq of both flanks \[m\].

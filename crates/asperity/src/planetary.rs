@@ -48,7 +48,7 @@ pub struct PlanetaryResult {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct MeshRow {
-    /// Which gears.
+    /// Gears of the mesh.
     pub mesh: String,
     /// Torque at its pinion \[N m\].
     pub torque_nm: f64,

@@ -1,4 +1,4 @@
-//! Which equations a result rests on, and their sources: those whose functions ran.
+//! Equations that a result used, with their sources: those whose functions ran.
 
 use std::collections::BTreeSet;
 

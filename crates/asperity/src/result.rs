@@ -30,7 +30,7 @@ pub struct RunResult {
     pub program: String,
     /// The case's title.
     pub title: String,
-    /// Which reading of the model.
+    /// Reading of the model.
     pub formulation: Formulation,
     /// Efficiency and losses.
     pub summary: Summary,
@@ -139,7 +139,7 @@ pub struct Summary {
 pub struct PublishedLawRow {
     /// Name as in the case file.
     pub law: String,
-    /// Whether the friction of asperities is in its coefficient.
+    /// Whether its coefficient includes asperity friction.
     pub includes_asperities: bool,
     /// Whether it was made without the rolling loss, which is then that of this result.
     pub excludes_rolling: bool,
@@ -168,7 +168,7 @@ pub enum PublishedOutcome {
         /// Mesh efficiency.
         efficiency: f64,
     },
-    /// Why the law cannot be used here.
+    /// Reason why the law cannot be used here.
     Refused(String),
 }
 
@@ -182,7 +182,7 @@ pub struct PositionRow {
     pub s_mm: f64,
     /// 0 at A, 1 at E.
     pub path_fraction: f64,
-    /// Weight of the position in the cycle mean: the loaded contact line that it stands for \[m\].
+    /// Weight of the position in the cycle mean: the loaded contact line that it represents \[m\].
     pub weight_m: f64,
     /// Line load \[N/mm\].
     pub line_load_n_per_mm: f64,
@@ -328,7 +328,7 @@ pub struct RunningIn {
     pub energy_per_engagement_j: f64,
     /// The same as a power at the first pass \[W\]; it decays to nothing.
     pub first_pass_w: f64,
-    /// Whether it was counted among the losses.
+    /// Whether it is included in the losses.
     pub included: bool,
 }
 
@@ -408,7 +408,7 @@ pub struct PositionFields {
     pub shear: Vec<f64>,
     /// Stress below the surface, where it was computed.
     pub subsurface: Option<SubsurfaceFields>,
-    /// How the solution was approached.
+    /// History of the approach to the solution.
     pub history: Vec<HistoryRow>,
 }
 

@@ -127,7 +127,7 @@ pub(crate) fn run_in(
     })
 }
 
-/// Where a running-in stands.
+/// State of a running-in.
 struct Running<'a> {
     case: &'a Case,
     stations: Vec<&'a Station>,

@@ -6,7 +6,7 @@ use asperity_core::quantity::{Length, LineLoad};
 use asperity_ehl_regime::{FilmConditions, FilmThickness};
 use asperity_gear::Kinematics;
 
-/// A place on the path of contact that stands for a part of the mesh.
+/// A place on the path of contact that represents a part of the mesh.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Place {
     /// Coordinate along the line of action from T₁.
@@ -26,10 +26,10 @@ pub(crate) struct Place {
 pub enum Resolution {
     /// It must be, or there is no result.
     Required,
-    /// Where the points are too far apart, the roughness of the whole traces stands for the window: the
+    /// Where the points are too far apart, the roughness of the whole traces is used for the window: the
     /// position carries so little of the loss.
     WhereFine,
-    /// The whole traces stand for the window: the position is only shown.
+    /// The whole traces are used for the window: the position is only shown.
     WholeTraces,
 }
 
@@ -43,7 +43,7 @@ pub struct Station {
     pub s: Length,
     /// Weight in the cycle mean \[m of loaded contact line\].
     pub weight: f64,
-    /// Mean of f |V_s| over the contact line that the position stands for, over the same at the position.
+    /// Mean of f |V_s| over the contact line that the position represents, relative to that at the position.
     pub sliding_factor: f64,
     /// Whether the rough contact must be resolved.
     pub resolution: Resolution,

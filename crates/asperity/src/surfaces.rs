@@ -1,4 +1,4 @@
-//! The two flanks as the pipeline sees them, and as the result reports them.
+//! The two flanks as used by the pipeline and as reported in the result.
 
 use std::sync::OnceLock;
 
@@ -148,8 +148,8 @@ impl Surfaces {
             .all(|texture| matches!(texture, Texture::Trace(_)))
     }
 
-    /// Offsets that are computed when `wanted` are asked for: one where a flank was not measured, or where the
-    /// windows follow from the mesh.
+    /// Number of offsets computed when `wanted` are requested: one where a flank was not measured, or where the windows
+    /// follow from the mesh.
     pub(crate) fn offsets(&self, wanted: usize) -> usize {
         match self.are_measured() && self.placement.is_none() {
             true => wanted,
@@ -227,12 +227,12 @@ pub struct FlankReport {
     pub file: Option<String>,
     /// SHA-256 of the file.
     pub sha256: Option<String>,
-    /// How the file was read.
+    /// Details of the reading of the file.
     pub reading: Option<Reading>,
     /// The trace as it was measured, in its own direction.
     #[serde(skip)]
     pub trace: Option<Profile>,
-    /// Whether the trace was run from its other end.
+    /// Whether the trace was read from its other end.
     pub mirrored: bool,
     /// Record of the preparation of the trace.
     pub preparation: Option<PreparationRecord>,

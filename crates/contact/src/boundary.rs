@@ -11,7 +11,7 @@ pub enum Boundary {
     /// Nothing outside the window is loaded: a single line contact.
     #[default]
     FreeEnds,
-    /// Window and pressure repeat for ever; the mean displacement is taken as zero.
+    /// Window and pressure are periodic; the mean displacement is taken as zero.
     Periodic(PeriodicKernel),
 }
 

@@ -152,7 +152,7 @@ pub const EQUATIONS: &[Equation] = &[
     },
     Equation {
         tag: "Tabor-1",
-        title: "Pressure at which a surface flows",
+        title: "Pressure at which a surface yields",
         formula: "p_flow = 3·σ_y of the softer body",
         file: "crates/contact/src/plasticity.rs",
         test: "the_softer_body_sets_the_flow_pressure",
@@ -161,7 +161,7 @@ pub const EQUATIONS: &[Equation] = &[
     },
     Equation {
         tag: "Tabor-2",
-        title: "Pressure at which a contact of two bodies flows",
+        title: "Pressure at which a contact of two bodies yields",
         formula: "p_flow = min(p_flow,1, p_flow,2)",
         file: "crates/contact/src/plasticity.rs",
         test: "a_contact_flows_at_the_pressure_of_the_softer_body",

@@ -46,7 +46,7 @@ pub enum ContactError {
     BadElement {
         /// The array.
         name: &'static str,
-        /// Where in the array.
+        /// Index in the array.
         index: usize,
         /// The value there.
         value: f64,
@@ -110,7 +110,7 @@ pub enum ContactError {
     },
     /// A tolerance at which any answer would pass.
     #[error(
-        "the tolerance {tolerance:e} is too large: pressures would be wrong beyond use; give at most {most:e}"
+        "the tolerance {tolerance:e} is too large: the pressures would be uselessly wrong; give at most {most:e}"
     )]
     ToleranceTooLarge {
         /// Tolerance asked for.
@@ -138,7 +138,7 @@ pub enum ContactError {
     },
     /// The flanks still flow after all cycles.
     #[error(
-        "after {cycles} cycles the flanks still dissipate {left:e} of the first cycle's energy where {shakedown:e} was asked: allow more cycles or a tighter tolerance of the contacts"
+        "after {cycles} cycles the flanks still dissipate {left:e} of the first cycle's energy where {shakedown:e} was asked for: allow more cycles or a tighter tolerance of the contacts"
     )]
     NotRunIn {
         /// Cycles used.
@@ -156,7 +156,7 @@ pub enum ContactError {
     },
     /// A fixed point was not reached.
     #[error(
-        "the pressure still changed by {residual:e} of its largest value after {steps} steps where {tolerance:e} was asked: allow more steps or a larger tolerance"
+        "the pressure still changed by {residual:e} of its largest value after {steps} steps where {tolerance:e} was asked for: allow more steps or a larger tolerance"
     )]
     NoFixedPoint {
         /// Steps used.

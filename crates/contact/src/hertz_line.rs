@@ -48,7 +48,7 @@ pub const EQUATIONS: &[Equation] = &[
     },
     Equation {
         tag: "Hertz-3",
-        title: "Pressure over a Hertz line contact",
+        title: "Pressure distribution of a Hertz line contact",
         formula: "p(x) = p₀·√(1 − x²/b²) for |x| < b, else 0;  p̄ = (π/4)·p₀",
         file: FILE,
         test: "the_pressure_carries_the_load",

@@ -1,4 +1,4 @@
-//! Where an equation comes from, where it lives and what proves it.
+//! Citation of an equation: its source, its file and its test.
 //!
 //! Every crate lists its equations in `equations.rs`; the orchestrator joins the lists into the
 //! table `docs/EQUATIONS.md`, and a test holds table, sources and tests together.
@@ -14,7 +14,7 @@ pub struct Reference {
     pub text: &'static str,
 }
 
-/// One equation of the model: its tag in the sources, what it says, and what proves it.
+/// One equation of the model: its tag in the sources, its formula and its test.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Equation {
     /// Tag as it stands in the doc comment between brackets: `P7`, `Hertz-1`.
@@ -27,7 +27,7 @@ pub struct Equation {
     pub file: &'static str,
     /// Name of a test function that proves it.
     pub test: &'static str,
-    /// Where it was published; none for a definition of this project.
+    /// Publication; none for a definition of this project.
     pub references: &'static [Reference],
     /// Misprint of the 2022 paper, and the form used instead.
     pub misprint: Option<&'static str>,

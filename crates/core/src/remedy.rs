@@ -29,7 +29,7 @@ pub enum Setting {
     Encoding,
     /// Treatment of missing points.
     Gaps,
-    /// Which profile of a file that holds several.
+    /// Number of the profile in a file that holds several.
     Row,
     /// Meaning of the column of positions.
     Abscissa,
@@ -194,7 +194,7 @@ impl Remedy {
         &self.0
     }
 
-    /// Whether nothing is known that helps.
+    /// Whether the remedy is empty.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
@@ -223,7 +223,7 @@ impl std::fmt::Display for Remedy {
                 let told = match to {
                     Value::Any => format!("set {keys}"),
                     Value::This(value) | Value::OneOf(value) => format!("set {keys} to {value}"),
-                    Value::Like(value) => format!("set {keys}, as {value}"),
+                    Value::Like(value) => format!("set {keys}, e.g. {value}"),
                 };
                 match why.as_ref() {
                     "" => told,

@@ -1,9 +1,9 @@
-//! The equations of this crate: where each lives, what it says, what proves it.
+//! The equations of this crate: the file, the formula and the test of each.
 
 use asperity_core::citation::RODRIGUEZ_2022;
 use asperity_core::{Equation, Reference};
 
-/// Why rolling friction counts on both surfaces.
+/// Reason for counting rolling friction on both surfaces.
 pub const GOKSEM_1978: Reference = Reference {
     key: "goksem_hargreaves_1978",
     text: "P. G. Goksem and R. A. Hargreaves, The effect of viscous shear heating on both film thickness and rolling traction in an EHL line contact, Journal of Lubrication Technology 100 (1978) 346-358",
@@ -152,7 +152,7 @@ pub const EQUATIONS: &[Equation] = &[
     },
     Equation {
         tag: "Hysteresis",
-        title: "Cycled energy that is lost",
+        title: "Cycled elastic energy lost to hysteresis",
         formula: "P_hyst = α_h P_el",
         file: "crates/efficiency/src/swept.rs",
         test: "swept_powers_of_three_gears",

@@ -3,7 +3,7 @@
 use asperity_core::DomainError;
 use asperity_core::quantity::{LineEnergy, Power, Temperature};
 
-/// Why there is no loss or no efficiency.
+/// Errors of losses and efficiency.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum EfficiencyError {

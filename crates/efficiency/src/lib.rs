@@ -1,6 +1,6 @@
 //! Power losses of a gear mesh, their breakdown, and its efficiency.
 //!
-//! The crate knows no gears: it takes forces per metre of contact line and speeds at weighted
+//! The crate needs no gear geometry: it takes forces per metre of contact line and speeds at weighted
 //! places of a mesh cycle, and makes powers, energies per engagement and an efficiency of them.
 //!
 //! ```

@@ -8,7 +8,7 @@
 //! | F_s | friction force per metre of contact line | N/m |
 //! | F_r | rolling friction force per metre of contact line, on one surface | N/m |
 //! | V_s, V_e | sliding, entrainment speed | m/s |
-//! | w | weight of a position: the length of contact line it stands for | m |
+//! | w | weight of a position: the length of contact line it represents | m |
 //!
 //! The weights of all positions sum to the mean length of the contact lines. In mixed lubrication
 //! F_s is the whole friction force, ∫(μ_m p_solid + μ p_fluid) dx; nothing else changes.
@@ -23,7 +23,7 @@ use crate::error::EfficiencyError;
 /// Friction at one position of the mesh cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PositionLoss {
-    /// Weight in the mean over the mesh cycle: the length of contact line it stands for.
+    /// Weight in the mean over the mesh cycle: the length of contact line it represents.
     pub weight: Length,
     /// Magnitude of the friction force F_s per metre of contact line.
     pub sliding_force: LineLoad,

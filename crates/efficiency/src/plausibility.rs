@@ -1,4 +1,4 @@
-//! Whether an efficiency is one that gears have.
+//! Plausibility of an efficiency.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|

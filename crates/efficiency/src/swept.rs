@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | f, R, a | line load, relative radius, Hertz half width at a place of the contact line | N/m, m, m |
 //! | V_e | mean surface speed, at which the contact sweeps the flanks | m/s |
-//! | dl | length of contact line that a place stands for | m |
+//! | dl | length of contact line that a place represents | m |
 //! | D | energy that plastic flow dissipates in a window of width 2a, per metre of face | J/m |
 //! | α_h | share of the cycled energy lost to hysteresis | - |
 //!
@@ -13,7 +13,8 @@
 //! face and metre rolled that is ∫₀ᵃ p x/R dx = 2 f a/(3πR) (Johnson 1985, 9.1). With sliding each body has
 //! half the normal velocity, so the speed is V_e.
 //!
-//! Cycled energy is given back but for α_h, about 0.01 for steel, 0.004 to 0.03 (from memory, source not reached); what is
+//! Cycled energy is given back but for α_h, about 0.01 for steel, 0.004 to 0.03 (from memory, source not
+//! reached); what is
 //! lost belongs to the rolling loss. First-pass plastic work is running-in and no steady loss.
 
 use std::f64::consts::PI;
@@ -29,10 +30,10 @@ pub const HYSTERESIS: f64 = 0.01;
 /// Band of the hysteresis share (from memory, source not reached).
 pub const HYSTERESIS_BAND: [f64; 2] = [0.004, 0.03];
 
-/// A place of a mesh cycle, as the deformation sees it.
+/// A place in a mesh cycle, with the inputs of the deformation losses.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SweptPosition {
-    /// Mean length of contact line that the place stands for.
+    /// Mean length of contact line that the place represents.
     pub weight: Length,
     /// Load per length of contact line f.
     pub load: LineLoad,

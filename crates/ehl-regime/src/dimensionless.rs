@@ -23,7 +23,7 @@ use serde::Serialize;
 
 use crate::error::RegimeError;
 
-/// One mesh position, as the film sees it.
+/// One mesh position: the inputs of a film law.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FilmConditions {
     /// Mean surface speed V_e = (u₁ + u₂)/2.

@@ -198,7 +198,7 @@ pub const EQUATIONS: &[Equation] = &[
         ).corrected("calls h_c the undeformed distance; it is the central smooth film of the source"),
     Equation::new(
         "P15",
-        "Film between asperity and flank over the smooth film",
+        "Ratio of the film between asperity and flank to the smooth film",
         "f_q = (R_xa/R_xb)^α [1 − γ₁ exp(−γ₂ (R_ya/R_xa)^γ₃)]/[1 − γ₁ exp(−γ₂ (R_yb/R_xb)^γ₃)]",
         LAMBDA,
         "film_factor_is_the_ratio_of_two_elliptical_films",
@@ -262,7 +262,7 @@ pub const EQUATIONS: &[Equation] = &[
     ),
     Equation::new(
         "Inlet-flow",
-        "Mean gap of rough flanks over the smooth film",
+        "Ratio of the mean gap of rough flanks to the smooth film",
         "Ψ = √(1 + 2.342 t (σ_d/h_c)²), t = (3/(1 + γ) − 1)/2",
         INLET,
         "inlet_factor_is_the_small_roughness_limit_of_grubins_inlet",

@@ -2,7 +2,7 @@
 
 use asperity_core::DomainError;
 
-/// Why a film thickness or a regime has no value.
+/// Errors of film thickness and regime.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RegimeError {

@@ -39,7 +39,7 @@ impl FilmThickness {
     }
 }
 
-/// How the smooth isothermal film thickness is computed.
+/// Law of the smooth isothermal film thickness.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum FilmLaw {

@@ -1,6 +1,6 @@
 //! Film thickness law as an extension point: the laws of this crate and any law of a user's own.
 //!
-//! Every [`FilmLaw`] of a case file is one; a law of one's own is a type with three functions.
+//! Every [`FilmLaw`] of a case file is one; a user-defined law is a type with three functions.
 
 use std::fmt::Debug;
 use std::sync::Arc;

@@ -217,7 +217,7 @@ pub fn supplied_gap(
     Ok(Length::from_si(h * inlet_factor * fluid.powf(SUPPLY_POWER)))
 }
 
-/// Which thickness the central film of a formula is read as.
+/// Reading of the central film of a formula: mass flow or gap.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum CentralFilm {

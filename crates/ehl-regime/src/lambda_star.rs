@@ -70,7 +70,7 @@ impl Orientation {
 pub struct AsperityShape {
     /// Mean radius of asperity tips along the motion R_xa.
     pub asperity_radius: Length,
-    /// R_ya/R_xa; infinite for ridges, which a profile stands for.
+    /// R_ya/R_xa; infinite for ridges, which a profile represents.
     pub asperity_aspect: f64,
     /// Relative radius of the flanks along the motion R_xb.
     pub flank_radius: Length,

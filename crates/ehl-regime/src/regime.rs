@@ -29,7 +29,7 @@ const ZHU_HU_RISE: (f64, f64) = (1.21, 0.64);
 /// Zhu and Hu 2001: factor and exponent of the denominator.
 const ZHU_HU_FALL: (f64, f64) = (0.37, 1.26);
 
-/// How the flanks are separated.
+/// Lubrication regime: separation of the flanks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Regime {
@@ -60,7 +60,7 @@ impl Regime {
     }
 }
 
-/// How the load is shared between film and asperities.
+/// Law of the load sharing between film and asperities.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum LoadShareLaw {

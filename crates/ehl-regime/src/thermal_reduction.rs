@@ -65,7 +65,7 @@ const SLIDING_TERM: (f64, f64) = (2.23, 0.83);
 /// Murch and Wilson 1975: constant and exponent of the thermal loading.
 const MURCH_WILSON: (f64, f64) = (3.94, 0.62);
 
-/// How inlet shear heating reduces film and rolling resistance.
+/// Reduction of film and rolling resistance by inlet shear heating.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ThermalLaw {

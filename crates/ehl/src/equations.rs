@@ -52,7 +52,7 @@ pub const EQUATIONS: &[Equation] = &[
     ),
     Equation::new(
         "Roelands-free",
-        "Viscosity over pressure with slope and bend given apart",
+        "Viscosity against pressure with slope and curvature given separately",
         "ln(η/η₀) = (α·p_r/z)·((1 + p/p_r)^z − 1)",
         RHEOLOGY,
         "roelands_with_free_exponent_starts_with_alpha_and_tends_to_barus",
@@ -116,7 +116,7 @@ pub const EQUATIONS: &[Equation] = &[
     ),
     Equation::new(
         "EHL-ceiling",
-        "Ceiling of the pressure: nodes at it flow",
+        "Ceiling of the pressure, at which nodes yield",
         "Hᵢ += dᵢ, 0 ≤ dᵢ ⊥ P_flow − Pᵢ ≥ 0",
         "crates/ehl/src/newton.rs",
         "the_ceiling_holds_the_pressure",
@@ -172,7 +172,7 @@ pub const EQUATIONS: &[Equation] = &[
     ),
     Equation::new(
         "Load-below-film",
-        "Share of the load on films not above a given one",
+        "Share of the load carried below a given film thickness",
         "share(h) = Σ wᵢ·Pᵢ·[Hᵢ ≤ h]/Σ wᵢ·Pᵢ",
         "crates/ehl/src/transient.rs",
         "the_load_below_a_film_rises_with_the_film",
@@ -180,7 +180,7 @@ pub const EQUATIONS: &[Equation] = &[
     ),
     Equation::new(
         "Roelands-thermal",
-        "Viscosity over pressure and temperature",
+        "Viscosity against pressure and temperature",
         "ln(η/η₀) + A = A·(1 + p/p_r)^z·((T − 138)/(T₀ − 138))^−s, A = α·p_r/z",
         TRACTION,
         "traction_of_the_gear_case_is_met",

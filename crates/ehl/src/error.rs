@@ -4,7 +4,7 @@ use asperity_contact::ContactError;
 use asperity_core::DomainError;
 use asperity_core::quantity::Pressure;
 
-/// Why a lubricated line contact has no answer.
+/// Errors of a lubricated line contact.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum EhlError {
@@ -28,7 +28,7 @@ pub enum EhlError {
     },
     /// A profile ends before the record does.
     #[error(
-        "the profile of surface {surface} is {length:.4e} m long and the record takes {needed:.4e} m of it: shorten the record, or make the profile periodic"
+        "the profile of surface {surface} is {length:.4e} m long and the record needs {needed:.4e} m of it: shorten the record, or make the profile periodic"
     )]
     ProfileTooShort {
         /// Surface 1 or 2.

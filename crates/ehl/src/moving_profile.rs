@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 
-/// How a surface goes on beyond its profile.
+/// Continuation of a surface beyond its profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Ends {
     /// It repeats.

@@ -112,7 +112,7 @@ impl Limits {
     }
 }
 
-/// How an iteration ended.
+/// Outcome of an iteration.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Effort {
     pub(crate) iterations: usize,

@@ -20,7 +20,7 @@ const DENSITY_RISE: f64 = 0.6e-9;
 /// Coefficient of the denominator of the density (Dowson and Higginson 1966) \[1/Pa\].
 const DENSITY_BEND: f64 = 1.7e-9;
 
-/// Viscosity over pressure.
+/// Law of viscosity against pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ViscosityLaw {
@@ -86,7 +86,7 @@ pub struct Oil {
     pub viscosity: DynamicViscosity,
     /// Pressure-viscosity coefficient α; unused by an isoviscous oil.
     pub pressure_viscosity: PressureViscosity,
-    /// Viscosity over pressure.
+    /// Law of viscosity against pressure.
     pub viscosity_law: ViscosityLaw,
     /// Density over pressure.
     pub density_law: DensityLaw,

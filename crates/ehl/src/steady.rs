@@ -67,7 +67,7 @@ impl Default for SteadySettings {
 /// Ends of the film in half-widths a.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Window {
-    /// Where the oil comes in, negative.
+    /// Inlet position, negative.
     pub inlet: f64,
     /// End behind the contact.
     pub outlet: f64,

@@ -21,7 +21,7 @@ use crate::steady::{Found, parabola};
 
 /// Smallest part of a step.
 const SMALLEST_PART: usize = 64;
-/// Where the start of a step is advected.
+/// Range of x/a over which the starting state of a step is advected.
 const ADVECTED: (f64, f64) = (-2.0, 1.0);
 
 /// Boundary film, ceiling and step of a rough contact.

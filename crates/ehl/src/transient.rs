@@ -75,7 +75,7 @@ pub struct RecordSettings {
     pub window: Window,
     /// Film at which a node counts as in contact.
     pub contact_film: Length,
-    /// Film below which load counts as carried by solids.
+    /// Film thickness below which load counts as carried by the solids.
     pub solid_film: Length,
     /// Travel before the record begins, in half-widths.
     pub start: f64,
@@ -120,12 +120,12 @@ impl Default for RecordSettings {
     }
 }
 
-/// Share of the load carried on films not above a given one.
+/// Share of the load carried at films no thicker than a given one.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LoadBelow {
     /// The film.
     pub film: Length,
-    /// Share of the load on films not above it.
+    /// Share of the load at films no thicker than this.
     pub share: Estimate,
 }
 
@@ -183,9 +183,9 @@ pub struct Record {
     pub travel: f64,
     /// Blocks of one half-width that the standard errors come from.
     pub blocks: usize,
-    /// Share of the load on films not above `solid_film`.
+    /// Share of the load at films no thicker than `solid_film`.
     pub solid_share: Estimate,
-    /// Share of the load on films not above each asked for.
+    /// Share of the load at films no thicker than each threshold.
     pub load_below: Vec<LoadBelow>,
     /// Share of the load on contact nodes; does not converge with the grid.
     pub contact_share: Estimate,
@@ -213,7 +213,7 @@ pub struct Record {
     pub x: Vec<f64>,
 }
 
-/// How far a record is.
+/// Progress of a record.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Progress {
     /// Half-widths travelled.
@@ -483,7 +483,7 @@ impl<'a> Recorder<'a> {
         self.add_frame(stepper);
     }
 
-    /// Load on films not above each threshold.
+    /// Load at films no thicker than each threshold.
     ///
     /// share(h) = Σ wᵢ·Pᵢ·[Hᵢ ≤ h]/Σ wᵢ·Pᵢ                                `[Load-below-film]`
     fn shares(&mut self, stepper: &Stepper) {

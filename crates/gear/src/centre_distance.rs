@@ -1,4 +1,4 @@
-//! How the two gears are brought together: centre distance and profile shifts.
+//! Centre distance and profile shifts.
 //!
 //! Source: ISO 21771:2007. Symbols as in [`crate::pair`].
 

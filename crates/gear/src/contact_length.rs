@@ -1,4 +1,4 @@
-//! How long the lines of contact are, at an instant and over a mesh cycle.
+//! Length of the lines of contact, at an instant and over a mesh cycle.
 //!
 //! Source: Niemann and Winter, Maschinenelemente II; the strips are exact for true involutes.
 //!

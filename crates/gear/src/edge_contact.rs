@@ -73,7 +73,7 @@ struct Edge {
     edge_radius: f64,
     /// Polar angle of the edge around its own axis at the end of the path.
     start: f64,
-    /// Where the involute of the flank starts on its base circle, at the end of the path.
+    /// Start of the involute of the flank on its base circle, at the end of the path.
     involute_start: f64,
 }
 

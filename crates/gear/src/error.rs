@@ -23,7 +23,7 @@ impl std::fmt::Display for Gear {
     }
 }
 
-/// Why a gear pair does not exist, or a question about it has no answer.
+/// Errors of the geometry, load and kinematics of a gear pair.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GearError {
@@ -153,14 +153,14 @@ pub enum GearError {
         contact_radius: Length,
     },
     /// A tooth whose compliance is no positive number.
-    #[error("the teeth have no compliance that can be used: {value} m2/N")]
+    #[error("the compliance of the teeth is unusable: {value} m2/N")]
     ToothCompliance {
         /// The value found.
         value: f64,
     },
-    /// Modified flanks with a law that does not know of deflections.
+    /// Modified flanks with a law without deflections.
     #[error(
-        "the load distribution \"{law}\" knows no deflections and takes no modified flanks; use \"elastic\" or \"iso-stiffness\""
+        "the load distribution \"{law}\" has no deflections and cannot take modified flanks; use \"elastic\" or \"iso-stiffness\""
     )]
     ModifiedFlanks {
         /// Name of the law.

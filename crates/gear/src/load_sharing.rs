@@ -1,4 +1,4 @@
-//! How the pairs of teeth that touch at the same time share the load.
+//! Load sharing between the tooth pairs in simultaneous contact.
 //!
 //! Sources: ISO/TR 13989-1:2000 (trapezoid); Pedrero, Pleguezuelos, Artés and Antona 2010 (minimum elastic
 //! potential).
@@ -29,7 +29,7 @@ const TRAPEZOID_START: f64 = 1.0 / 3.0;
 /// two pairs in contact.
 const TWO_PAIRS: (f64, f64) = (1.0, 2.0);
 
-/// How pairs in contact share the load.
+/// Law of the load sharing between tooth pairs in contact.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum LoadSharing {

@@ -23,7 +23,7 @@ use crate::tooth_outline::{Flank, Outline, RootForm};
 /// Points at which a compliance is tabulated along the path.
 const TABLE_POINTS: usize = 25;
 
-/// Where the stiffness of the teeth came from.
+/// Source of the tooth stiffness.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum StiffnessSource {
@@ -43,7 +43,7 @@ pub(crate) struct PairCompliance {
     flattening: Flattening,
 }
 
-/// How q_H follows the load.
+/// Dependence of q_H on the load.
 #[derive(Debug, Clone)]
 enum Flattening {
     /// q_H(f) with the part of the teeth tabulated.

@@ -24,7 +24,7 @@ use crate::quadrature::{breakpoints, gauss_legendre};
 /// Most places accepted; more than any mesh needs, and still quickly laid out.
 const MOST_POSITIONS: usize = 100_000;
 
-/// How places are laid out within a segment.
+/// Distribution of places within a segment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum PositionRule {
@@ -42,7 +42,7 @@ pub struct MeshPosition {
     pub s: Length,
     /// Profile coordinate ξ in base pitches from A.
     pub xi: f64,
-    /// Weight in a mean over the mesh cycle: the length of contact line that the place stands for.
+    /// Weight in a mean over the mesh cycle: the length of contact line that the place represents.
     pub weight: Length,
 }
 
@@ -96,7 +96,7 @@ impl GearPair {
         Ok(positions)
     }
 
-    /// One place that stands for the whole path, as when a mesh is judged at a single point.
+    /// One place that represents the whole path, for a mesh evaluated at a single point.
     ///
     /// # Errors
     /// When s is not on the path A to E.

@@ -32,7 +32,7 @@ pub enum AmountDirection {
     Normal,
 }
 
-/// How far a relief reaches.
+/// Extent of a relief.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ReliefExtent {
@@ -42,7 +42,7 @@ pub enum ReliefExtent {
     StartDiameter(Length),
 }
 
-/// How a relief grows from its start.
+/// Shape of a relief from its start.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ReliefShape {
@@ -59,9 +59,9 @@ pub enum ReliefShape {
 pub struct Relief {
     /// Amount at the end of the active flank.
     pub amount: Length,
-    /// How far it reaches.
+    /// Extent of the relief.
     pub extent: ReliefExtent,
-    /// How it grows.
+    /// Shape of the relief.
     #[serde(default)]
     pub shape: ReliefShape,
 }
@@ -70,11 +70,11 @@ pub struct Relief {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EndRelief {
-    /// Amount at the ends of the face.
+    /// Amount at the ends of the face width.
     pub amount: Length,
-    /// Length along the face.
+    /// Length along the face width.
     pub length: Length,
-    /// How it grows.
+    /// Shape of the relief.
     #[serde(default)]
     pub shape: ReliefShape,
 }

@@ -650,6 +650,16 @@ fn constant_friction_over_cells_is_exact() {
 }
 
 #[test]
+fn cells_reach_the_ends_of_a_path_that_is_loaded_to_them() {
+    for case in golden().cases() {
+        let found = case.elastic(&unmodified());
+        let cells = found.cells(16).unwrap();
+        let ends = (cells[0].from, cells[cells.len() - 1].to);
+        assert_eq!(ends, (0.0, case.pair().path().eps_alpha), "{}", case.name);
+    }
+}
+
+#[test]
 fn sixteen_cells_stand_for_friction_that_varies() {
     let loss_error = |found: &LoadMap, count: usize| {
         let middle = found.pair().path().eps_2;

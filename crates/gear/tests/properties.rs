@@ -139,6 +139,17 @@ proptest! {
     }
 
     #[test]
+    fn rows_on_the_lines_of_a_table_change_no_loss_factor((_, pair) in spur_or_helical()) {
+        // Rows between make kinks of no height: the integrals split there as well.
+        let plain = LoadSharing::Table(vec![(0.0, 0.2), (0.37, 1.0), (1.0, 0.1)]);
+        let split = LoadSharing::Table(vec![(0.0, 0.2), (0.185, 0.6), (0.37, 1.0), (0.685, 0.55), (1.0, 0.1)]);
+        let [plain, split] = [plain, split].map(|law| pair.loss_factors(&law).unwrap());
+        for (a, b) in [(plain.local, split.local), (plain.local_phase_averaged, split.local_phase_averaged)] {
+            prop_assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");
+        }
+    }
+
+    #[test]
     fn means_over_positions_are_means_over_the_mesh_cycle((_, pair) in spur_or_helical(), power in 0i32..4) {
         // By phases: at each, integrate ξ^n along every line of contact.
         let (eps, phases) = (pair.path().eps_alpha, 2000);

@@ -77,13 +77,13 @@ pub const EQUATIONS: &[Equation] = &[
     assumption("P24", "Assumption: no flow along the axis", "u_z = 0"),
     assumption(
         "P25",
-        "Assumption: radial velocity the same along the axis",
+        "Assumption: radial velocity uniform along the axis",
         "∂ⁱu_r/∂zⁱ = 0",
     ),
     assumption("P26", "Assumption: steady flow", "∂uᵢ/∂t = 0"),
     assumption(
         "P27",
-        "Assumption: velocity along the film the same along the axis",
+        "Assumption: velocity along the film uniform along the axis",
         "∂ⁱu_θ/∂zⁱ = 0",
     ),
     assumption("P28", "Assumption: no gravity", "g = 0"),
@@ -167,7 +167,7 @@ pub const EQUATIONS: &[Equation] = &[
     ),
     row(
         "P37",
-        "Pressure the same along the axis, a result of equations 24 to 28",
+        "Pressure uniform along the axis, a result of equations 24 to 28",
         "∂P/∂z = 0",
         PAPER,
         "the_papers_gradient_is_the_radial_momentum_of_its_own_velocities",

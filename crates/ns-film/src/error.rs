@@ -2,7 +2,7 @@
 
 use asperity_core::DomainError;
 
-/// Why a film has no pressure.
+/// Errors of the film pressure.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FilmError {
@@ -32,7 +32,7 @@ pub enum FilmError {
     BadElement {
         /// The array.
         name: &'static str,
-        /// Where in the array.
+        /// Index in the array.
         index: usize,
         /// The value there.
         value: f64,

@@ -13,7 +13,7 @@ use crate::paper::PaperFilm;
 use crate::reynolds_cross::{CrossFilm, FilmSection};
 use crate::velocity_profile::VelocityProfile;
 
-/// How the pressure in the film is modelled.
+/// Model of the pressure in the film.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum FluidModel {

@@ -1,4 +1,4 @@
-//! The equations of this crate: where each lives, what it says, what proves it.
+//! The equations of this crate: the file, the formula and the test of each.
 
 use asperity_core::{Equation, Reference};
 

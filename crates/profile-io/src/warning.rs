@@ -27,7 +27,7 @@ pub enum Warning {
         "no unit found for the {axis}; taken as {unit} because no other unit gives a possible trace"
     )]
     UnitAssumed {
-        /// Which column.
+        /// Column.
         axis: Axis,
         /// The unit taken.
         unit: LengthUnit,
@@ -45,7 +45,7 @@ pub enum Warning {
         cut: usize,
     },
     /// The trace was stored backwards.
-    #[error("x falls along the file; the trace was turned round")]
+    #[error("x decreases along the file; the trace was reversed")]
     Reversed,
     /// The stated spacing overrides another one.
     #[error("spacing {stated} was stated, the x column says {column:.4}; the stated one is used")]
@@ -65,7 +65,7 @@ pub enum Warning {
         "the {what} checksum {stated} is not that of the content, {found}: the file was changed, or its writer counts differently"
     )]
     ChecksumDiffers {
-        /// Which checksum.
+        /// Checksum that differs.
         what: Cow<'static, str>,
         /// As the file says.
         stated: String,
@@ -77,7 +77,7 @@ pub enum Warning {
         "the header says {nominal:.4} but {traced:.4} were traced: the trace was aborted; the spacing follows from what was traced"
     )]
     TraceAborted {
-        /// As the header says.
+        /// As stated in the header.
         nominal: Length,
         /// Evaluation length.
         traced: Length,
@@ -114,7 +114,7 @@ pub enum Warning {
         slopes: f64,
     },
     /// An uneven trace was resampled on request.
-    #[error("x was up to {:.1} % of a spacing off an even grid; resampled by straight lines to {spacing:.4}", 100.0 * off)]
+    #[error("x was up to {:.1} % of a spacing off an even grid; resampled linearly to {spacing:.4}", 100.0 * off)]
     Resampled {
         /// Largest distance from the even grid over the spacing.
         off: f64,

@@ -20,7 +20,7 @@ pub enum ReportError {
         /// The number.
         source: NotFinite,
     },
-    /// A result that is not there or not one of ours.
+    /// A result that is missing or was not written by Asperity.
     #[error("{path}: not a result of asperity run: {reason}")]
     NotAResult {
         /// The file.

@@ -261,7 +261,7 @@ fn read_json<T: DeserializeOwned>(file: &Path) -> Result<T, ReportError> {
     Ok(value)
 }
 
-/// Draws `report.html` anew beside the `result.json` at `path` (or in the folder `path`) and gives its
+/// Redraws `report.html` beside the `result.json` at `path` (or in the folder `path`) and gives its
 /// place. Fields are shown at `position`, or where the pressure is highest.
 ///
 /// # Errors

@@ -46,7 +46,7 @@ pub fn brief(result: &RunResult) -> String {
 const LARGE_LOAD_ERROR: f64 = 0.011;
 /// Warnings that a first screen shows.
 const SHOWN_NOTES: usize = 2;
-/// Codes of warnings that put the efficiency in doubt and tell what to do, the weightiest first.
+/// Codes of warnings that put the efficiency in doubt and name a remedy, the most important first.
 const MATTERS: &[&str] = &[
     "W402", "W412", "W415", "W405", "W201", "W124", "W128", "W112", "W118", "W111", "W125", "W117",
     "W113", "W408", "W404", "W410",
@@ -81,9 +81,13 @@ fn write_losses(text: &mut String, result: &RunResult) -> std::fmt::Result {
             watts(s.power_in_w),
         )?,
     }
+    let part = |power: f64| match &result.band {
+        Some(band) => part(power, band),
+        None => watts(power),
+    };
     let mut parts = vec![
-        format!("sliding {}", watts(s.sliding_w)),
-        format!("rolling {}", watts(s.rolling_w)),
+        format!("sliding {}", part(s.sliding_w)),
+        format!("rolling {}", part(s.rolling_w)),
     ];
     let [pinion, wheel] = s.deformation_w;
     if pinion != 0.0 || wheel != 0.0 {
@@ -100,10 +104,26 @@ fn write_losses(text: &mut String, result: &RunResult) -> std::fmt::Result {
     writeln!(
         text,
         "  sliding in film {}, lubricated asperities {}, boundary layer {}",
-        watts(s.film_w),
-        watts(s.lubricated_asperity_w),
-        watts(s.boundary_w),
+        part(s.film_w),
+        part(s.lubricated_asperity_w),
+        part(s.boundary_w),
     )
+}
+
+/// A part of the loss, with the digits that the band of the whole leaves.
+fn part(power: f64, band: &LossBand) -> String {
+    let text = rounded(power, band.half_width_w());
+    let is_lost = text.chars().all(|c| "0.".contains(c)) && power > 0.0;
+    match is_lost {
+        true => format!("below {} W", rounded_step(band.half_width_w())),
+        false => format!("{text} W"),
+    }
+}
+
+/// The last place that [`rounded`] leaves.
+fn rounded_step(half_width: f64) -> String {
+    let decimals = (1 - half_width.log10().floor() as i32).min(4);
+    format!("{:.*}", decimals.max(0) as usize, 10f64.powi(-decimals))
 }
 
 fn write_regime(text: &mut String, result: &RunResult) -> std::fmt::Result {

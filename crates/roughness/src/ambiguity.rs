@@ -1,4 +1,4 @@
-//! How far the parameters of one trace depend on what the standards leave open.
+//! Ambiguity of roughness parameters: their dependence on choices that the standards leave open.
 //!
 //! Sources of the choices: ISO 16610-28 (ends), ISO 4287 and ISO 21920-2 (per section or over the length),
 //! ISO 13565-2 (line of the material ratio curve, which makers draw in two ways), ISO 3274 (λ_s, which
@@ -17,7 +17,7 @@ use crate::height_parameters::{HeightParameters, Mode, in_sections, sections_in}
 use crate::material_ratio::{RkParameters, rk_of_both_lines};
 use crate::preparation::{Preparation, RoughnessFilter, prepare_with};
 
-/// How the evaluation length is cut into sections.
+/// Division of the evaluation length into sections.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Sections {
@@ -28,7 +28,7 @@ pub enum Sections {
 }
 
 impl Sections {
-    /// How many there are in `profile`.
+    /// Their number in `profile`.
     ///
     /// # Errors
     /// When not one fits.

@@ -1,4 +1,4 @@
-//! How far the heights of a profile know of each other.
+//! Autocorrelation of the heights of a profile.
 //!
 //! Source: Bendat and Piersol 2010 (unbiased estimate over the overlap).
 //!
@@ -171,7 +171,7 @@ pub fn lengths(profile: &Profile) -> Result<AutocorrelationLengths, RoughnessErr
     }
 }
 
-/// Where ρ first falls to `level`, in points.
+/// Shift at which ρ first falls to `level`, in points.
 fn falls_to(rho: &[f64], level: f64) -> Option<f64> {
     let k = rho
         .windows(2)

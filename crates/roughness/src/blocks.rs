@@ -1,4 +1,4 @@
-//! How long traces are cut for transforms that stay in the cache.
+//! Block transforms of long traces, sized to stay in the cache.
 
 use asperity_core::numerics::good_fft_length;
 
@@ -7,7 +7,7 @@ const SHORTEST: usize = 8192;
 /// Transform length in reaches: of 16 reaches 14 are new. From 8 to 24 the time is the same.
 const REACHES: usize = 16;
 
-/// How a trace is transformed.
+/// Transform of a trace.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Blocks {
     /// Points of a transform, a good length.

@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::RoughnessError;
 
-/// How two profiles are laid on each other.
+/// Superposition of two profiles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct Pairing {
@@ -32,7 +32,7 @@ pub struct Composite {
     /// z₁ + z₂ on the finer grid, as long as the shorter profile.
     #[serde(skip)]
     pub profile: Profile,
-    /// Whether the second profile was run backwards.
+    /// Whether the second profile was reversed.
     pub mirrored: bool,
     /// Spacing of the profile that was resampled, if one was.
     pub resampled_from: Option<Length>,

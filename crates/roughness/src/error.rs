@@ -4,7 +4,7 @@ use asperity_core::DomainError;
 use asperity_core::quantity::Length;
 use serde::Serialize;
 
-/// Why a filter, a parameter or a generator gave no answer.
+/// Errors of filters, parameters and generators.
 #[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
 #[non_exhaustive]
 pub enum RoughnessError {

@@ -20,7 +20,7 @@ use crate::error::RoughnessError;
 use crate::form::fit;
 use crate::warning::Warning;
 
-/// Where on an involute a trace lies.
+/// Location of a trace on an involute.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Involute {

@@ -21,7 +21,7 @@ use crate::error::RoughnessError;
 /// Share of the curve that the line is laid through (ISO 13565-2).
 const WINDOW: f64 = 0.4;
 
-/// How the equivalent line is laid through the flattest 40 % of the curve.
+/// Fit of the equivalent line through the flattest 40 % of the curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
@@ -57,7 +57,7 @@ pub struct RkParameters {
     pub lower: Length,
     /// Material ratio at which the 40 % window starts `[%]`.
     pub window_start: f64,
-    /// How the line was laid.
+    /// Fit of the line.
     pub line: Line,
 }
 

@@ -1,4 +1,4 @@
-//! Spikes that are no surface, replaced when asked for and recorded.
+//! Outliers that are not part of the surface, replaced on request and recorded.
 //!
 //! Source: Hampel 1974 (distance from a running median in median deviations).
 //!
@@ -24,7 +24,7 @@ const NORMAL: f64 = 1.4826;
 /// Widest window; the running median costs points times window.
 const WIDEST: usize = 1000;
 
-/// Which points count as outliers.
+/// Criterion for outliers.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Outliers {

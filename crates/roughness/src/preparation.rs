@@ -75,7 +75,7 @@ pub struct PreparationRecord {
     pub dropped_each_end: usize,
     /// The filter that gave the mean line at λ_c.
     pub filter: RoughnessFilter,
-    /// How its iteration ended, when it iterates.
+    /// Outcome of its iteration, if it iterates.
     pub robust: Option<RobustEvidence>,
 }
 

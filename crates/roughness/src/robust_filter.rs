@@ -53,11 +53,11 @@ const MOST: usize = 100;
 pub struct RobustLine {
     /// Heights of the line, one per point of the profile, in metres.
     pub heights: Vec<f64>,
-    /// How the iteration ended.
+    /// Outcome of the iteration.
     pub evidence: RobustEvidence,
 }
 
-/// How the iteration of a robust mean line ended.
+/// Outcome of the iteration of a robust mean line.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct RobustEvidence {

@@ -24,7 +24,7 @@ use crate::spectral::{gaussian_summit_curvature, moments};
 /// Fewest summits in the peak zone for a mean.
 const FEWEST: usize = 5;
 
-/// Which summits were measured.
+/// Selection of the summits measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -47,7 +47,7 @@ pub struct AsperityRadius {
     pub window_points: usize,
     /// Half width of the curvature window.
     pub window: Length,
-    /// Which summits were measured.
+    /// Selection of the summits measured.
     pub level: ReferenceLevel,
     /// Height of that level in the profile.
     pub level_height: Length,

@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 ///     length: Length::from_si(5e-3),
 /// };
 /// assert_eq!(note.code(), "W114");
-/// assert_eq!(note.to_string(), "2 sampling lengths of 2.5 mm in 5 mm; five are normal");
+/// assert_eq!(note.to_string(), "2 sampling lengths of 2.5 mm in 5 mm; five are usual");
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, thiserror::Error)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
@@ -44,7 +44,7 @@ pub enum Warning {
         lambda_s: Length,
     },
     /// Fewer sampling lengths than the five that ISO 4288 takes as normal.
-    #[error("{sections} sampling lengths of {lambda_c} in {length:.4}; five are normal")]
+    #[error("{sections} sampling lengths of {lambda_c} in {length:.4}; five are usual")]
     FewSections {
         /// Sections evaluated.
         sections: usize,

@@ -1,4 +1,4 @@
-//! A folder, whole or not at all, in place of an older one of ours.
+//! Atomic writing of a folder, in place of an older one of ours.
 
 use std::fs;
 use std::io;

@@ -5,7 +5,7 @@
 //! | a file ([`save`]) | written beside its place, flushed to the disk, renamed |
 //! | a file whose name nobody chose ([`save_new`]) | the same, but never over another |
 //! | a folder ([`replace_folder`]) | filled beside its place, flushed, exchanged with the older one by one rename where the system can, by two with a journal where it cannot |
-//! | files of ours among others ([`write_among`]) | each as a file, the manifest before and after |
+//! | our files among others ([`write_among`]) | each as a file, the manifest before and after |
 //! | what is ours | a manifest with the SHA-256 of every file; whatever is not in it, or was changed since, is never touched |
 //! | a killed process | its drafts hold a lock that died with it; the next process that writes there restores and removes |
 //! | a signal | [`abandon`] removes the drafts of this process |

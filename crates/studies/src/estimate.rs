@@ -54,7 +54,7 @@ const SECONDS_OF_STRESS: f64 = 7e-8;
 const SECONDS_AROUND: f64 = 0.02;
 /// Positions of which a measured estimate solves the contact at one offset.
 const SAMPLED: usize = 6;
-/// Further offsets that are solved to tell the time of a contact from that of the rest.
+/// Further offsets that are solved to separate the time of a contact from that of the rest.
 const MORE_OFFSETS: usize = 2;
 /// Points A to E, which are solved for display.
 const NAMED: usize = 5;

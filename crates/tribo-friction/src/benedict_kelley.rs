@@ -28,7 +28,7 @@ const GROUP: f64 = 29_700.0;
 /// AGMA 925-A03: Ra at which the roughness factor has its pole [um].
 const POLE: f64 = 1.13;
 
-/// Where the roughness factor is at most 3: Ra ≤ 1.13 (1 − 1/3).
+/// Range in which the roughness factor is at most 3: Ra ≤ 1.13 (1 − 1/3).
 const ROUGHNESS: FittedRange = FittedRange {
     name: "mean Ra",
     low: 0.0,
@@ -37,7 +37,7 @@ const ROUGHNESS: FittedRange = FittedRange {
     correlation: "Benedict-Kelley",
 };
 
-/// Where the logarithm is not negative.
+/// Range in which the logarithm is not negative.
 const ARGUMENT: FittedRange = FittedRange {
     name: "29700 w/(eta Vs Vsum^2)",
     low: 1.0,

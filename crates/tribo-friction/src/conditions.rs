@@ -1,4 +1,4 @@
-//! One mesh position, as the friction laws see it.
+//! One mesh position: the inputs of the friction laws.
 //!
 //! | symbol | field | unit |
 //! |---|---|---|

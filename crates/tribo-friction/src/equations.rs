@@ -215,7 +215,7 @@ pub const EQUATIONS: &[Equation] = &[
     ),
     Equation::new(
         "Alpha-T",
-        "Pressure-viscosity coefficient over temperature",
+        "Pressure-viscosity coefficient against temperature",
         "α(T) = α_ref (η₀(T)/η₀(T_ref))^t",
         RHEOLOGY,
         "film_friction_of_fourteen_conditions",
@@ -239,7 +239,7 @@ pub const EQUATIONS: &[Equation] = &[
     ),
     Equation::new(
         "Film-heat",
-        "Shear stress of a film heated by itself",
+        "Shear stress of a self-heated film",
         "τ = Law(p, T_s + (1/12) τ V_s h/k(p), V_s/h)",
         RHEOLOGY,
         "the_roots_of_stress_and_temperature_leave_no_residual",

@@ -4,7 +4,7 @@ use asperity_core::DomainError;
 use asperity_core::lubricant::LubricantError;
 use asperity_core::numerics::RootError;
 
-/// Why there is no friction coefficient or force.
+/// Errors of friction laws.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FrictionError {
@@ -54,7 +54,7 @@ pub enum FrictionError {
     NoRoot {
         /// Name that was looked for.
         quantity: &'static str,
-        /// Where the search ended.
+        /// Error of the root search.
         source: RootError,
     },
 }

@@ -15,7 +15,7 @@ use crate::conditions::FrictionConditions;
 use crate::error::FrictionError;
 use crate::friction_law::{FrictionLaw, FrictionSettings};
 
-/// Local contact at one mesh position, as a friction law of the film sees it.
+/// Local contact at one mesh position: the inputs of a film friction law.
 #[derive(Debug, Clone, Copy)]
 pub struct FilmContact<'a> {
     /// Load, radius, speeds, film thickness with thermal reduction, and roughness of the pair.

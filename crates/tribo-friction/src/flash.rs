@@ -24,7 +24,7 @@ use crate::error::FrictionError;
 /// Blok's constant of a semi-elliptic source.
 const SEMI_ELLIPSE: f64 = 1.11;
 
-/// One mesh position, as the flash temperature sees it.
+/// One mesh position: the inputs of the flash temperature.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FlashConditions {
     /// Friction coefficient μ.

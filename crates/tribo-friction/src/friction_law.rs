@@ -26,7 +26,7 @@ use crate::eyring::{self, EyringConditions};
 use crate::xu::{XuConditions, XuLaw};
 use crate::{doleschel, iso_14179_1, iso_14179_2, matsumoto};
 
-/// How the friction coefficient is computed.
+/// Law of the friction coefficient.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum FrictionLaw {

@@ -21,7 +21,7 @@ use serde::Serialize;
 use crate::error::FrictionError;
 use crate::friction_law::FrictionLaw;
 
-/// Whether a friction law has the asperities in its coefficient.
+/// Whether the coefficient of a friction law includes asperity friction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Asperities {
@@ -40,7 +40,7 @@ pub enum Asperities {
 pub struct PublishedLaw {
     /// The law.
     pub law: FrictionLaw,
-    /// Whether asperities are in its coefficient.
+    /// Whether its coefficient includes asperity friction.
     pub asperities: Asperities,
     /// Data it was fitted to.
     pub fitted_to: &'static str,
@@ -149,7 +149,7 @@ impl FrictionLaw {
 }
 
 impl PublishedLaw {
-    /// Whether the coefficient contains the friction of asperities.
+    /// Whether the coefficient includes asperity friction.
     #[must_use]
     pub const fn includes_asperities(&self) -> bool {
         matches!(self.asperities, Asperities::Included | Asperities::Shared)

@@ -35,7 +35,7 @@ const LONG_FORM: (f64, f64) = (0.658228, -0.162625);
 const LONG_FORM_RISE: (f64, f64) = (0.0106383, 0.3174603);
 const LONG_FORM_FALL: (f64, f64) = (0.411483, 0.707071);
 
-/// One mesh position, as rolling resistance sees it.
+/// One mesh position: the inputs of the rolling resistance.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct RollingConditions {
     /// Mean surface speed V_e = (u₁ + u₂)/2.

@@ -15,7 +15,7 @@
 //! copies; one of them computes with P_h in GPa, the other labels it MPa, with which q would be in
 //! the hundreds and the friction vanish. Fitted to a 75W90 gear oil. Ranges: those over which
 //! the regression is usually applied; the table of its own cases was not at hand, so a note says
-//! that a value wants a second look, no more.
+//! only that a value should be checked.
 //!
 //! The roughness enters as e^(b₉ e^S), a double exponential: relative to S = 0.42 um it is ×0.72
 //! at 0, ×2.1 at 1 um and ×38 at 2 um. [`RoughnessReading::Clamped`] therefore holds S at 0.6 um
@@ -92,11 +92,11 @@ impl Default for XuCoefficients {
     }
 }
 
-/// A coefficient file: one's own calibration of the same form.
+/// A coefficient file: a user's own calibration of the same form.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct XuCalibration {
-    /// Where the numbers come from.
+    /// Source of the numbers.
     pub source: String,
     /// The oil they were fitted to.
     pub oil: String,

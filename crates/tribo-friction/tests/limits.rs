@@ -102,6 +102,40 @@ fn benedict_kelley_is_held_at_zero_with_a_note() {
 }
 
 #[test]
+fn benedict_kelley_is_noted_where_roughness_more_than_trebles_it() {
+    let noted = |um: f64| {
+        let position = FrictionConditions {
+            mean_ra: Length::from_si(um * 1e-6),
+            ..at_start()
+        };
+        let mu = FrictionLaw::BenedictKelley.coefficient(&settings(), &position);
+        mu.unwrap()
+            .outside
+            .iter()
+            .any(|note| note.name == "mean Ra")
+    };
+    // 1.13/(1.13 - Ra) is 3 at 0.7533 um.
+    assert!(!noted(0.753) && noted(0.754));
+}
+
+#[test]
+fn rollers_and_gears_of_the_published_laws_bore_less_than_2_gpa() {
+    for law in FrictionLaw::ALL {
+        let outside = |giga: f64| {
+            let row = law.published();
+            let found = row.outside_pressure(Pressure::from_si(giga * 1e9)).unwrap();
+            !found.is_empty()
+        };
+        assert!(!outside(1.0), "{law:?}");
+        let own = matches!(
+            law,
+            FrictionLaw::Xu | FrictionLaw::Eyring | FrictionLaw::Constant
+        );
+        assert_eq!(outside(4.0), !own, "{law:?}");
+    }
+}
+
+#[test]
 fn constant_needs_its_value() {
     let law = FrictionLaw::Constant;
     let none = law.coefficient(&FrictionSettings::default(), &at_start());

@@ -33,7 +33,7 @@ pub struct Column {
 
 const LENGTHS: &[(&str, f64)] = &[("m", 1.0), ("mm", 1e3), ("um", 1e6), ("nm", 1e9)];
 const NAME_A_LENGTH: &str =
-    "Name the unit in the header, as x_um or x [um]; units are m, mm, um and nm.";
+    "Name the unit in the header, e.g. x_um or x [um]; units are m, mm, um and nm.";
 
 /// Positions.
 const X: Column = Column {
@@ -49,7 +49,7 @@ const HEIGHT: Column = Column { name: "z", ..X };
 pub const PRESSURE: Column = Column {
     name: "p",
     units: &[("pa", 1.0), ("kpa", 1e-3), ("mpa", 1e-6), ("gpa", 1e-9)],
-    advice: "Name the unit in the header, as p_MPa or p [MPa]; units are Pa, kPa, MPa and GPa.",
+    advice: "Name the unit in the header, e.g. p_MPa or p [MPa]; units are Pa, kPa, MPa and GPa.",
 };
 
 /// Positions may be off an even grid by this share of the spacing: rounding in the file.
@@ -73,7 +73,7 @@ pub fn read(path: &Path, column: Column) -> Result<Columns, Failure> {
         return Err(Failure::new(
             "E118",
             format!(
-                "{name}: more than {} MiB are no gap or profile",
+                "{name}: larger than {} MiB, which no gap or profile is",
                 MAX_BYTES >> 20
             ),
         )
@@ -87,7 +87,7 @@ pub fn of_bytes(name: &str, bytes: &[u8], column: Column) -> Result<Columns, Fai
     let text = decoded(bytes).ok_or_else(|| {
         Failure::new(
             "E108",
-            format!("{name}: not text: it holds bytes that no text has"),
+            format!("{name}: not text: it holds bytes that are not characters"),
         )
         .advising("Save the columns as text, in UTF-8, UTF-16 or Latin-1.")
     })?;
@@ -244,7 +244,7 @@ fn unreadable(name: &str, line: usize, cell: &str) -> Failure {
     Failure::new(
         "E101",
         format!(
-            "{name}:{line}: cannot read \"{cell}\" as a number; expected one value per column, as 1.25e-6"
+            "{name}:{line}: cannot read \"{cell}\" as a number; expected one value per column, e.g. 1.25e-6"
         ),
     )
     .advising("Look at the line named. Decimal commas need semicolons between the columns.")
@@ -272,7 +272,7 @@ fn no_column(name: &str, missing: Column, wanted: Column) -> Failure {
     Failure::new(
         "E102",
         format!(
-            "{name}:1: no column {}; the first line must name the columns with their units, as \"x_um,{}_{unit}\"",
+            "{name}:1: no column {}; the first line must name the columns with their units, e.g. \"x_um,{}_{unit}\"",
             missing.name, wanted.name
         ),
     )

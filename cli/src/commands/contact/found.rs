@@ -28,7 +28,7 @@ pub struct Found {
 }
 
 impl Found {
-    /// Codes and words of what is doubtful.
+    /// Warnings with their codes.
     fn warnings(&self) -> Vec<(&'static str, String)> {
         let coded = |warning: ContactWarning| {
             let code = match warning {
@@ -97,7 +97,7 @@ impl Found {
         );
         if let (Some(first), Some(last)) = (self.cycles.first(), self.cycles.last()) {
             text.push_str(&format!(
-                "  run in after {} cycles: plastic work {:.4e} to {:.4e} J/m a cycle, Rq {:.4} and {:.4}\n",
+                "  run in after {} cycles: plastic work {:.4e} to {:.4e} J/m per cycle, Rq {:.4} and {:.4}\n",
                 self.cycles.len(),
                 first.dissipated.si(),
                 last.dissipated.si(),

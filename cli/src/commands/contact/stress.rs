@@ -125,10 +125,10 @@ impl Stress {
         };
         let zone = match (&self.yield_zone, self.has_limit) {
             (Some(zone), _) => format!(
-                "  elastic limit passed from {:.4} to {:.4} deep\n",
+                "  elastic limit exceeded from {:.4} to {:.4} deep\n",
                 zone.shallowest, zone.deepest
             ),
-            (None, true) => "  elastic limit passed nowhere\n".to_owned(),
+            (None, true) => "  elastic limit exceeded nowhere\n".to_owned(),
             (None, false) => String::new(),
         };
         peak("von Mises stress", &self.von_mises) + &peak("shear stress", &self.shear) + &zone

@@ -169,7 +169,7 @@ fn oil_state(
             "E205",
             "the oil is missing: pass --oil and --bulk, or --viscosity and --pressure-viscosity",
         )
-        .advising("As --oil m100 --bulk \"90 °C\", or --viscosity \"10 mPa s\" --pressure-viscosity \"18 1/GPa\".")),
+        .advising("For example --oil m100 --bulk \"90 °C\", or --viscosity \"10 mPa s\" --pressure-viscosity \"18 1/GPa\".")),
     }
 }
 

@@ -13,10 +13,10 @@ pub fn of_contact(title: &str, error: &EhlError) -> Failure {
     let failure = |code| Failure::new(code, format!("{title}: {error}"));
     match error {
         EhlError::NotConverged { .. } => failure("E307").advising(
-            "Pass more --cells, or another --viscosity-law: Barus' spike has no end above alpha p0 = 14.",
+            "Pass more --cells, or another --viscosity-law: under Barus' law the pressure spike is unbounded above alpha p0 = 14.",
         ),
         EhlError::StepFailed { .. } => failure("E307").advising(
-            "Pass more --cells, smoother profiles, or a --pressure-limit where the surfaces flow.",
+            "Pass more --cells, smoother profiles, or a --pressure-limit at which the surfaces yield.",
         ),
         EhlError::TemperaturesUnsettled { .. } => failure("E307"),
         EhlError::Cells { .. } => {

@@ -1,4 +1,4 @@
-//! Laws of load sharing beside the referee, for reading.
+//! Load-sharing laws beside the transient solution, the referee.
 
 use asperity::referee::ShareComparison;
 
@@ -8,7 +8,7 @@ pub fn text(found: &ShareComparison) -> String {
         value.map_or_else(|| String::from("-"), |value| format!("{value:.digits$}"))
     };
     let mut text = format!(
-        "  laws over {} windows of the same traces; referee: mean of the loads below 20 and 50 nm\n  \
+        "  laws over {} windows of the same traces; referee, the transient solution: mean of the loads below 20 and 50 nm\n  \
          {:<18} {:>11} {:>9} {:>12} {:>9}\n  {:<18} {:>11.4} {:>9} {:>12.4} {:>9}\n",
         found.windows,
         "law",

@@ -12,7 +12,7 @@ use super::rough::{Recorded, with_error};
 use super::smooth::Smooth;
 use crate::failure::Failure;
 
-/// What every page of a contact has.
+/// Parts common to every page of a contact.
 struct About<'a> {
     title: &'a str,
     scales: &'a Scales,
@@ -89,7 +89,7 @@ impl Smooth {
             number("central film", micrometres(film.central_film.si())),
             number("minimum film", micrometres(film.minimum_film.si())),
             number(
-                "rolling force a surface",
+                "rolling force per surface",
                 format!("{:.2} N/m", film.rolling_force.si()),
             ),
         ];

@@ -58,10 +58,10 @@ pub fn solve(
     let highest = solved.value.max_pressure;
     if highest > HIGHEST_PRESSURE {
         let message = format!(
-            "{title}: the pressure reaches {highest:.3}, above {HIGHEST_PRESSURE} and beyond any steel"
+            "{title}: the pressure reaches {highest:.3}, above {HIGHEST_PRESSURE}, which no steel bears"
         );
         return Err(Failure::new("E308", message).advising(
-            "Pass a --pressure-limit where the surfaces flow, or look at the profiles.",
+            "Pass a --pressure-limit at which the surfaces yield, or check the profiles.",
         ));
     }
     Ok(Recorded {
@@ -85,7 +85,7 @@ impl Recorded {
         Some(self.attenuated_roughness? / smooth)
     }
 
-    /// Codes and words of what is doubtful.
+    /// Warnings with their codes.
     pub fn warnings(&self) -> Vec<(&'static str, String)> {
         let mut warnings = Vec::new();
         if let Some(ratio) = self
@@ -95,15 +95,15 @@ impl Recorded {
             warnings.push((
                 "W415",
                 format!(
-                    "the roughness left in the contact is {ratio:.2} smooth films (above {LARGEST_ROUGHNESS}): ridges \
-                     that cannot leak make this no referee, measurement decides"
+                    "the roughness left in the contact is {ratio:.2} smooth films (above {LARGEST_ROUGHNESS}): the \
+                     modelled ridges cannot leak, so rely on measurements rather than on this solution"
                 ),
             ));
         }
         warnings
     }
 
-    /// The record for programs.
+    /// The record as JSON.
     pub fn json(&self, comparison: Option<&ShareComparison>) -> Value {
         let (record, evidence) = (&self.solved.value, &self.solved.evidence);
         let scales = &record.scales;
@@ -170,7 +170,7 @@ impl Recorded {
         })
     }
 
-    /// The record for reading.
+    /// The record as text.
     pub fn text(&self) -> String {
         let (record, evidence) = (&self.solved.value, &self.solved.evidence);
         let scales = &record.scales;
@@ -206,7 +206,7 @@ impl Recorded {
             ));
         }
         text.push_str(&format!(
-            "  largest pressure {:.3} GPa in the mean, {:.3} GPa ever; {:.4} of the load at the flow pressure\n",
+            "  largest pressure {:.3} GPa on average, {:.3} GPa at most; {:.4} of the load at the flow pressure\n",
             record.mean_max_pressure.mean * 1e-9,
             record.max_pressure.si() * 1e-9,
             record.plastic_share.mean
@@ -220,7 +220,7 @@ impl Recorded {
             ));
         }
         text.push_str(&format!(
-            "  {} steps, {} cut, {} with a held node; {:.1} Newton a step, {:.1} GMRES a Newton; load error {:.1e}\n",
+            "  {} steps, {} cut, {} with a held node; {:.1} Newton per step, {:.1} GMRES per Newton; load error {:.1e}\n",
             evidence.steps,
             evidence.steps_cut,
             evidence.loose_steps,
@@ -264,7 +264,7 @@ impl Recorded {
 pub(super) fn with_error(mean: f64, standard_error: f64) -> String {
     match standard_error.is_finite() {
         true => format!("{mean:.4} +- {standard_error:.4}"),
-        false => format!("{mean:.4} (too short a record for an error)"),
+        false => format!("{mean:.4} (record too short for a standard error)"),
     }
 }
 

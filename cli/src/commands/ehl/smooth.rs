@@ -1,4 +1,4 @@
-//! The steady film of smooth surfaces: its words, its JSON and its points.
+//! The steady film of smooth surfaces: its text, its JSON and its points.
 
 use asperity::ehl::traction::{Heat, Traction, TractionLaw, traction};
 use asperity::ehl::{
@@ -64,7 +64,7 @@ pub fn solve(
 }
 
 impl Smooth {
-    /// Isothermal traction, and with its heat.
+    /// Isothermal traction, and traction with heating.
     pub fn tractions(&self) -> [Option<Traction>; 2] {
         self.traction
     }
@@ -72,13 +72,13 @@ impl Smooth {
     pub fn warnings(&self) -> Vec<(&'static str, String)> {
         let told = |warning: &Warning| match warning {
             Warning::InletUnresolved { cells } => format!(
-                "the inlet zone spans {cells:.1} cells (2 needed): the film reads low; pass more --cells"
+                "the inlet zone spans {cells:.1} cells (2 needed): the film comes out too thin; pass more --cells"
             ),
             Warning::SteepBarus { exponent } => format!(
-                "alpha p0 is {exponent:.1} under Barus' law: the pressure spike grows with every finer grid"
+                "alpha p0 is {exponent:.1} under Barus' law: the pressure spike keeps growing as the grid is refined"
             ),
             Warning::ExtrapolatedViscosity { pressure } => {
-                format!("at {pressure:.4} the viscosity law is extrapolated far")
+                format!("at {pressure:.4} the viscosity law is far extrapolated")
             }
             _ => String::from("outside the range of the solver"),
         };
@@ -86,7 +86,7 @@ impl Smooth {
         warnings.map(|warning| ("W401", told(warning))).collect()
     }
 
-    /// The film for programs.
+    /// The film as JSON.
     pub fn json(&self) -> Value {
         let (film, evidence) = (&self.solved.value, &self.solved.evidence);
         let scales = &film.scales;
@@ -129,7 +129,7 @@ impl Smooth {
         })
     }
 
-    /// The film for reading.
+    /// The film as text.
     pub fn text(&self) -> String {
         let (film, evidence) = (&self.solved.value, &self.solved.evidence);
         let scales = &film.scales;
@@ -143,7 +143,7 @@ impl Smooth {
         let mut text = format!(
             "{}, smooth\n  half width {:.4}   p0 {:.4}   slide-to-roll {:.3}   M {:.1}, L {:.1}\n  \
              central film {:.4} um   minimum film {:.4} um at x/a {:.3}\n  \
-             {spike}   pressure ends at x/a {:.3}   rolling force {:.2} N/m a surface\n",
+             {spike}   pressure ends at x/a {:.3}   rolling force {:.2} N/m per surface\n",
             self.title,
             scales.half_width,
             scales.max_pressure,

@@ -151,13 +151,13 @@ pub(super) fn opened(
     let several = [Format::X3p, Format::SdfAscii, Format::TextMatrix];
     if row > 1 && !several.contains(&reading.format) {
         let name = &reading.name;
-        let text = format!("{name}: the file holds a single profile, row {row} is not in it");
+        let text = format!("{name}: the file holds a single profile; there is no row {row}");
         return Err(Failure::new("E119", text));
     }
     Ok(reading)
 }
 
-/// Why a profile that was read is not evaluated, and what to say instead.
+/// Reason why a profile that was read is not evaluated, with its remedy.
 pub(super) fn refusal(reading: &Reading, plan: &Plan, error: &RoughnessError) -> Failure {
     let name = &reading.name;
     let advice = match error {

@@ -74,7 +74,7 @@ fn refused_entry(file: &Path, failure: &Failure) -> serde_json::Value {
 
 fn check(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
     if args.curves && !common.json {
-        let text = "--curves are for programs: pass --json with it, or asperity profile plot for a picture";
+        let text = "--curves needs --json; asperity profile plot draws the curves";
         return Err(Failure::new("E205", text));
     }
     // A contradiction is told once, not for every file.
@@ -178,7 +178,7 @@ fn number(value: f64) -> String {
     }
 }
 
-/// The end of a long name, which tells files apart.
+/// The end of a long name, which distinguishes files.
 fn shortened(name: &str) -> String {
     const MOST: usize = 24;
     let base = name.rsplit(['/', '\\']).next().unwrap_or(name);

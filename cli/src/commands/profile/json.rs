@@ -12,7 +12,7 @@ use super::details::Details;
 use super::evaluated::{Evaluated, um};
 use crate::args::name_of;
 
-/// How the spectrum is meant.
+/// Convention of the spectrum.
 const CONVENTION: &str = "of the R profile about its mean; Hann window; one-sided over spatial frequency f = 1/wavelength; \
      its integral over f is the mean square height of the windowed profile";
 

@@ -29,7 +29,7 @@ pub struct Plan {
     pub filter: RoughnessFilter,
     /// The involute that comes off first.
     pub involute: Option<Involute>,
-    /// How the result is evaluated.
+    /// Evaluation of the result.
     pub sections: Sections,
 }
 
@@ -82,7 +82,7 @@ impl Plan {
             ends: args.ends.unwrap_or(usual.ends),
         };
         if args.robust && recipe.lambda_c.is_none() {
-            let text = "--robust is the filter at lambda_c, and there is none; pass --lambda-c, as --lambda-c 0.8mm";
+            let text = "--robust applies to the lambda_c filter, which is off; pass --lambda-c, e.g. --lambda-c 0.8mm";
             return Err(Failure::new("E205", text));
         }
         Ok(Self {
@@ -204,11 +204,11 @@ fn involute(args: &PreparingArgs) -> Result<Option<Involute>, Failure> {
             towards_root: args.towards_root,
         })),
         [None, _] => contradiction(
-            "--form involute needs --base-radius, the base radius of the gear, as --base-radius 50mm",
+            "--form involute needs --base-radius, the base radius of the gear, e.g. --base-radius 50mm",
         ),
         [_, None] => contradiction(
             "--form involute needs --roll-length, the radius of curvature at the middle of the trace: \
-             √(r² − r_b²) where the flank has radius r, as --roll-length 15mm",
+             √(r² − r_b²) at radius r on the flank, e.g. --roll-length 15mm",
         ),
     }
 }

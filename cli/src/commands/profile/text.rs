@@ -274,7 +274,7 @@ fn hurst(page: &mut Page, details: &Details) {
             fit.bands,
             match (0.0..=1.0).contains(&fit.hurst) {
                 true => "",
-                false => ": no self-affine profile",
+                false => ": not a self-affine profile",
             }
         ),
         Err(reason) => format!("none over {over}: {reason}. Pass --hurst 200um:8um"),

@@ -63,7 +63,7 @@ pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure
         );
     }
     if args.resample.is_some() {
-        text += &format!("  resampled from {} by straight lines\n", reading.spacing);
+        text += &format!("  resampled linearly from {}\n", reading.spacing);
     }
     for warning in &reading.warnings {
         let note = format!("  {} {}", warning.code(), Note::Read(warning));

@@ -11,6 +11,6 @@ pub(crate) struct Carried {
     pub fluid: Vec<f64>,
     /// Solution of the rough contact; none in full film.
     pub solids: Option<ContactSolution>,
-    /// How the solution was approached.
+    /// History of the approach to the solution.
     pub history: Vec<HistoryRow>,
 }

@@ -20,7 +20,7 @@ const MOST_STEPS: usize = 10_000;
 /// Most halvings of a step that went past the load; 2⁻⁴⁰ of a step is below round-off.
 const MOST_HALVINGS: usize = 40;
 
-/// Where the march stands.
+/// State of the marching.
 struct March<'a> {
     case: &'a Case,
     station: &'a Station,

@@ -12,7 +12,7 @@ use crate::error::PositionError;
 use crate::result::HistoryRow;
 use crate::station::Station;
 
-/// Points at which the load path is recorded, besides the full load.
+/// Points at which the loading path is recorded, in addition to the full load.
 const LOAD_PATH_POINTS: usize = 8;
 
 /// Parts of the mixed contact of one encounter.

@@ -125,14 +125,14 @@ impl OperationInput {
 }
 
 impl CaseBuilder {
-    /// A line that names the case in every output.
+    /// Title of the case, shown in every output.
     #[must_use]
     pub fn title(self, title: impl Into<String>) -> Self {
         let title = title.into();
         self.change(|input| input.title = Some(title))
     }
 
-    /// Which reading of the model.
+    /// Reading of the model.
     #[must_use]
     pub fn formulation(self, formulation: Formulation) -> Self {
         self.change(|input| input.formulation = Some(formulation))

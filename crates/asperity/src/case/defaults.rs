@@ -5,14 +5,14 @@ use std::borrow::Cow;
 use asperity_core::lubricant::Assumption;
 use serde::{Deserialize, Serialize};
 
-/// A default that was used, as the case file would have said it.
+/// A default that was used, as it would be written in the case file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DefaultUsed {
     /// Key of the case file: `gears.helix`.
     pub key: Cow<'static, str>,
     /// The value, as it would be written.
     pub value: String,
-    /// Where the value comes from, when it is an estimate.
+    /// Source of the value, if it is an estimate.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub source: Option<Cow<'static, str>>,
 }

@@ -22,7 +22,7 @@ pub enum CaseError {
         reason: std::io::Error,
     },
     /// A folder where a case file is due.
-    #[error("{file}: is a folder; name the case file in it, as {file}/case.toml")]
+    #[error("{file}: is a folder; name the case file in it, e.g. {file}/case.toml")]
     Folder {
         /// Name of the folder.
         file: String,
@@ -30,29 +30,29 @@ pub enum CaseError {
     /// Not text in UTF-8.
     #[error("{place}: is not text in UTF-8 from this line on; save the case file as UTF-8")]
     Encoding {
-        /// Where.
+        /// Place in the case file.
         place: Place,
     },
     /// The oil has no film friction.
     #[error("{place}: {source}")]
     FilmFriction {
-        /// Where.
+        /// Place in the case file.
         place: Place,
-        /// Why.
+        /// Cause.
         source: asperity_tribo_friction::FrictionError,
     },
     /// Not TOML, or not JSON.
     #[error("{place}: {message}")]
     Syntax {
-        /// Where.
+        /// Place in the case file.
         place: Place,
         /// Message of the parser.
         message: String,
     },
-    /// A key the case file does not know.
+    /// A key that does not exist in a case file.
     #[error("{place}: unknown key \"{key}\"{}", did_you_mean(nearest.as_deref()))]
     UnknownKey {
-        /// Where.
+        /// Place in the case file.
         place: Place,
         /// The key, with its table.
         key: String,
@@ -62,7 +62,7 @@ pub enum CaseError {
     /// A value that cannot be read, or a key that is missing.
     #[error("{place}: {}{message}", key.as_ref().map(|k| format!("{k}: ")).unwrap_or_default())]
     Value {
-        /// Where.
+        /// Place in the case file.
         place: Place,
         /// The key, with its table.
         key: Option<String>,
@@ -72,7 +72,7 @@ pub enum CaseError {
     /// Keys that exclude or need each other.
     #[error("{place}: {key}: {rule}")]
     Conflict {
-        /// Where.
+        /// Place in the case file.
         place: Place,
         /// The key, with its table.
         key: &'static str,
@@ -82,7 +82,7 @@ pub enum CaseError {
     /// A number outside its domain.
     #[error("{place}: {key}{}: {}", as_written(written.as_deref()), rule(source, written.is_some()))]
     Domain {
-        /// Where.
+        /// Place in the case file.
         place: Place,
         /// The key, with its table.
         key: &'static str,
@@ -94,7 +94,7 @@ pub enum CaseError {
     /// A number that no gear drive has.
     #[error("{place}: {key}{}: {seen} is beyond physical sense; usual is {usual}", as_written(written.as_deref()))]
     Impossible {
-        /// Where.
+        /// Place in the case file.
         place: Place,
         /// The key, with its table.
         key: &'static str,
@@ -108,7 +108,7 @@ pub enum CaseError {
     /// A choice that these gears do not take.
     #[error("{place}: {key}: {source}")]
     NotForTheseGears {
-        /// Where.
+        /// Place in the case file.
         place: Place,
         /// The key, with its table.
         key: &'static str,
@@ -118,7 +118,7 @@ pub enum CaseError {
     /// A gear pair that cannot mesh.
     #[error("{place}: {source}")]
     Gears {
-        /// Where.
+        /// Place in the case file.
         place: Place,
         /// The reason.
         source: asperity_gear::GearError,
@@ -126,7 +126,7 @@ pub enum CaseError {
     /// A lubricant that lacks something or cannot be.
     #[error("{place}: {key}{}: {source}", as_written(written.as_deref()))]
     Lubricant {
-        /// Where.
+        /// Place in the case file.
         place: Place,
         /// The key, with its table.
         key: &'static str,
@@ -140,7 +140,7 @@ pub enum CaseError {
     OpenNamed {
         /// Name of the file.
         file: String,
-        /// Where it is named.
+        /// Place at which it is named.
         place: Place,
         /// The key that names it.
         key: &'static str,
@@ -150,7 +150,7 @@ pub enum CaseError {
     /// A profile that cannot be read.
     #[error("{source} (named at {place})")]
     Profile {
-        /// Where it is named.
+        /// Place at which it is named.
         place: Place,
         /// The reason.
         source: Box<ReadError>,
@@ -233,7 +233,7 @@ impl CaseError {
         }
     }
 
-    /// Where in the case file, when the error is about a place in it.
+    /// Place in the case file, if the error is about one.
     pub fn place(&self) -> Option<&Place> {
         match self {
             Self::Encoding { place }

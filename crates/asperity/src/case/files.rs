@@ -1,4 +1,4 @@
-//! Where the files that a case names come from: a folder, or memory.
+//! Sources of the files that a case names: a folder, or memory.
 
 use std::collections::BTreeMap;
 use std::io;

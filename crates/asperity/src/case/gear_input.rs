@@ -17,10 +17,10 @@ pub struct GearFlankInput {
     /// Radial chamfer of the tips, which shortens the active flank; default 0 mm.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tip_chamfer: Option<Length>,
-    /// Crowning along the face, zero in the middle; default 0 um.
+    /// Lead crowning, zero in the middle of the face width; default 0 um.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub crowning: Option<Length>,
-    /// Lead slope over the face, with the tilt of the shaft; default 0 um.
+    /// Lead slope over the face width, including shaft tilt; default 0 um.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lead_slope: Option<Length>,
     /// Profile slope, positive where material is missing at the tip; default 0 um.
@@ -29,10 +29,10 @@ pub struct GearFlankInput {
     /// Profile crowning, zero in the middle of the path of contact; default 0 um.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub profile_crowning: Option<Length>,
-    /// Dedendum h_fP* of the basic rack in modules; default 1.25.
+    /// Dedendum h_fP* of the basic rack, in modules; default 1.25.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dedendum: Option<f64>,
-    /// Radius ρ_fP* of the root rounding of the basic rack in modules; default 0.38.
+    /// Root fillet radius ρ_fP* of the basic rack, in modules; default 0.38.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fillet_radius: Option<f64>,
 }
@@ -49,7 +49,7 @@ pub struct ReliefInput {
     /// Diameter at which the relief starts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub start_diameter: Option<Length>,
-    /// Power with which it grows: 1 (linear, default) or 2 (parabolic).
+    /// Power with which the relief grows: 1 (linear, default) or 2 (parabolic).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub power: Option<u8>,
 }
@@ -58,9 +58,9 @@ pub struct ReliefInput {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EndReliefInput {
-    /// Amount at the ends of the face.
+    /// Amount at the ends of the face width.
     pub amount: Length,
-    /// Length along the face.
+    /// Length along the face width.
     pub length: Length,
     /// Power with which it grows: 1 (linear, default) or 2 (parabolic).
     #[serde(skip_serializing_if = "Option::is_none")]

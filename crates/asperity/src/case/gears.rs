@@ -228,7 +228,7 @@ pub(super) fn load_settings(
     }
 }
 
-/// Solves for the load once, so that a law or a number that these gears do not take is told with its place.
+/// Solves for the load once, so that a law or number unsuitable for these gears is reported with its place.
 pub(super) fn check_load(
     mesh: &LoadConditions<'_>,
     model: &Model,

@@ -34,27 +34,27 @@ use crate::load_share::SpotSpeed;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CaseInput {
-    /// A line that names the case in every output.
+    /// Title of the case, shown in every output.
     pub title: Option<String>,
-    /// Which reading of the model: `corrected` (default) or `paper`.
+    /// Reading of the model: `corrected` (default) or `paper`.
     pub formulation: Option<Formulation>,
     /// The gear pair.
     pub gears: GearsInput,
-    /// Steel of the pinion, and of the wheel unless `material.wheel` says otherwise.
+    /// Steel of the pinion, and of the wheel unless `material.wheel` is given.
     #[serde(default)]
     pub material: MaterialInput,
-    /// Torque, speed, temperature.
+    /// Operating conditions: torque, speed, temperature.
     pub operation: OperationInput,
     /// The oil.
     pub lubricant: LubricantInput,
-    /// The measured flanks and how they are prepared.
+    /// The measured flanks and their preparation.
     pub surface: SurfaceInput,
     /// Choices of the model.
     #[serde(default)]
     pub model: ModelInput,
 }
 
-/// Which reading of the 2022 model is used.
+/// Reading of the 2022 model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Formulation {
@@ -91,7 +91,7 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for OneOrTwo<T> {
     }
 }
 
-/// By hand, so that what is wrong with a single value is told in the words of its type.
+/// Implemented by hand, so that an error in a single value is described in the words of its type.
 struct OneOrTwoVisitor<T>(std::marker::PhantomData<T>);
 
 impl<'de, T: Deserialize<'de>> Visitor<'de> for OneOrTwoVisitor<T> {
@@ -126,17 +126,17 @@ impl<'de, T: Deserialize<'de>> Visitor<'de> for OneOrTwoVisitor<T> {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GearsInput {
-    /// Numbers of teeth z, pinion then wheel; negative for a ring: `[24, -75]`.
+    /// Numbers of teeth z, pinion then wheel; negative for a ring gear: `[24, -75]`.
     pub teeth: [i32; 2],
     /// Module m.
     pub module: Length,
-    /// The plane the module is measured in; default `normal`.
+    /// Plane in which the module is measured; default `normal`.
     pub module_plane: Option<Plane>,
     /// Helix angle β; default 0 deg.
     pub helix: Option<Angle>,
     /// Normal pressure angle α_n; default 20 deg.
     pub pressure_angle: Option<Angle>,
-    /// Face width b, one for both or `[pinion, wheel]`.
+    /// Face width b, one value for both gears or `[pinion, wheel]`.
     pub face_width: OneOrTwo<Length>,
     /// Profile shift coefficients x, pinion then wheel; default `[0, 0]`.
     pub profile_shift: Option<[f64; 2]>,
@@ -144,7 +144,7 @@ pub struct GearsInput {
     pub centre_distance: Option<Length>,
     /// Tip diameters d_a, pinion then wheel; derived from the addendum when not given.
     pub tip_diameter: Option<[Length; 2]>,
-    /// Addendum h_a* in modules; default 1.
+    /// Addendum h_a*, in modules; default 1.
     pub addendum: Option<f64>,
     /// Flanks, tip and root of the pinion.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -158,11 +158,11 @@ pub struct GearsInput {
     /// Pitch deviations of successive pairs of teeth; default none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pitch_deviations: Option<Vec<Length>>,
-    /// Direction in which the amounts of all modifications count: `transverse` (along the base tangent, as
-    /// inspection charts print them, default) or `normal` to the flank.
+    /// Direction in which the amounts of all modifications are measured: `transverse` (along the base
+    /// tangent, as on inspection charts, default) or `normal` to the flank.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub amounts: Option<AmountDirection>,
-    /// Tolerance of the amounts of tip relief, for the band of the loss factor; default none.
+    /// Tolerance of the amounts of tip relief, used for the band of the loss factor; default none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub relief_tolerance: Option<Length>,
 }
@@ -177,7 +177,7 @@ pub struct BodyInput {
     pub poisson: Option<f64>,
     /// Elastic limit in tension.
     pub elastic_limit: Option<Pressure>,
-    /// Pressure at which asperities flow (indentation hardness); default 7 GPa.
+    /// Pressure at which asperities yield (indentation hardness); default 7 GPa.
     pub flow_pressure: Option<Pressure>,
     /// Density.
     pub density: Option<Density>,
@@ -194,7 +194,7 @@ pub struct MaterialInput {
     /// The pinion; also the wheel unless given.
     #[serde(default)]
     pub pinion: BodyInput,
-    /// The wheel, where it differs.
+    /// Steel of the wheel, where it differs.
     pub wheel: Option<BodyInput>,
 }
 
@@ -206,7 +206,7 @@ pub struct OperationInput {
     pub torque: Torque,
     /// Speed of the pinion.
     pub speed: AngularSpeed,
-    /// Bulk temperature of the flanks, which is the temperature of the oil at the inlet.
+    /// Bulk temperature of the flanks, taken as the temperature of the oil at the inlet.
     pub temperature: Temperature,
 }
 
@@ -220,12 +220,13 @@ pub struct SurfaceInput {
     pub wheel: Option<FlankInput>,
     /// Form removed from each trace; default `level` (a straight line).
     pub form: Option<Form>,
-    /// Cut-off λc that separates waviness from roughness; default as the file states, else 0.25 mm; "0 mm" keeps
-    /// the waviness.
+    /// Cut-off λc that separates waviness from roughness; default as the file states, else 0.25 mm, usual on
+    /// gear flanks; "0 mm" keeps the waviness.
     pub cutoff: Option<Length>,
-    /// Cut-off λs below which detail is noise; default as the file states, else 2.5 um, "0 um" for none.
+    /// Cut-off λs below which detail counts as noise; default as the file states, else 2.5 um; "0 um" for
+    /// none.
     pub noise_cutoff: Option<Length>,
-    /// Treatment of the ends of a trace by the filters; default `cut`.
+    /// Treatment of the ends of a trace in filtering; default `cut`.
     pub ends: Option<Ends>,
 }
 
@@ -235,7 +236,7 @@ pub struct SurfaceInput {
 pub struct FlankInput {
     /// File of the trace, relative to the case file.
     pub file: Option<PathBuf>,
-    /// Run the trace from its other end (flanks face each other); not with `from` or `at`, which tell it.
+    /// Read the trace from its other end (flanks face each other); not with `from` or `at`, which tell it.
     pub mirrored: Option<bool>,
     /// End of the flank at which the trace begins: `root` (default where the trace is placed) or `tip`.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -244,11 +245,11 @@ pub struct FlankInput {
     /// roll lengths or roll angles need none. With both flanks placed, every contact takes the windows that meet there.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub at: Option<FlankPlaceInput>,
-    /// Unit of the positions where the file does not say.
+    /// Unit of the positions, if the file does not state it.
     pub x_unit: Option<LengthUnit>,
-    /// Unit of the heights where the file does not say.
+    /// Unit of the heights, if the file does not state it.
     pub z_unit: Option<LengthUnit>,
-    /// Spacing of the points where the file does not say.
+    /// Spacing of the points, if the file does not state it.
     pub dx: Option<Length>,
     /// Columns of position and height, counted from 1: `{ x = 1, z = 2 }`, or `{ z = 1 }`.
     pub columns: Option<Columns>,
@@ -260,23 +261,25 @@ pub struct FlankInput {
     pub encoding: Option<Encoding>,
     /// Missing points: `refuse` (default) or `interpolate`.
     pub gaps: Option<Gaps>,
-    /// Which profile of a file that holds several (a row of a surface), from 1.
+    /// Number of the profile in a file that holds several (a row of a surface), counted from 1.
     pub row: Option<usize>,
-    /// Meaning of the positions: `distance`, `roll-length`, `roll-degrees`, `roll-radians`; default as the header says.
+    /// Meaning of the positions: `distance`, `roll-length`, `roll-degrees`, `roll-radians`; default as stated
+    /// in the header.
     pub abscissa: Option<Abscissa>,
     /// Base radius of the gear, for positions that are roll lengths or roll angles.
     pub base_radius: Option<Length>,
-    /// Positions off an even grid: `refuse` (default) or `resample`.
+    /// Unevenly spaced positions: `refuse` (default) or `resample`.
     pub uneven: Option<Uneven>,
     /// Rq of a flank without a file; the rough contact is then not computed.
     pub rq: Option<Length>,
-    /// Ra of a flank without a file; default Rq·√(2/π), a Gaussian surface. Given alone, Rq follows from it.
+    /// Ra of a flank without a file; default Rq·√(2/π), as for a Gaussian surface. If given alone, Rq follows
+    /// from it.
     pub ra: Option<Length>,
-    /// Rz of a flank without a file; default 6·Rq. Given alone, Rq follows from it.
+    /// Rz of a flank without a file; default 6·Rq. If given alone, Rq follows from it.
     pub rz: Option<Length>,
     /// Rpk of a flank without a file.
     pub rpk: Option<Length>,
-    /// Mean radius of the asperities of a flank without a file.
+    /// Mean tip radius of the asperities of a flank without a file.
     pub asperity_radius: Option<Length>,
 }
 
@@ -298,54 +301,58 @@ impl FlankInput {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ModelInput {
-    /// Cells of the path of contact, with one contact evaluated in each; default 16 (`paper`: one position).
+    /// Number of cells along the path of contact, with one contact evaluated in each; default 16 (`paper`:
+    /// one position).
     pub positions: Option<usize>,
     /// The single position of the `paper` formulation: 0 at A, 1 at E, or `A` … `E`; default `C`.
     pub position: Option<PathPoint>,
-    /// Offsets along the traces at which the flanks meet; default 16 (`paper`: 1).
+    /// Number of offsets along the traces at which the flanks meet; default 16 (`paper`: 1).
     pub offsets: Option<usize>,
-    /// Half width of the contact window in Hertz half-widths; default 3.
+    /// Half-width of the contact window, in Hertz half-widths; default 3.
     pub window: Option<f64>,
-    /// How the load spreads over the teeth in contact; default `elastic` (`paper`: `mean-length`).
+    /// Law of the load distribution over the teeth in contact; default `elastic` (`paper`: `mean-length`).
     pub load_distribution: Option<LoadLaw>,
-    /// Factor C_M of the stiffness of teeth, theory to measurement; default 0.8.
+    /// Correction factor C_M of the tooth stiffness, theoretical to measured; default 0.8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stiffness_factor: Option<f64>,
-    /// Length over which a tooth spreads a load along its face, in modules; default 1.55.
+    /// Length over which a tooth spreads a load along its face width, in modules; default 1.55.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub face_coupling: Option<f64>,
-    /// Let tip edges touch outside the path of contact; default false.
+    /// Include contact of tip edges outside the path of contact; default false.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub edge_contact: Option<bool>,
-    /// Friction in the film; default `eyring` (`paper`: `xu`). The laws `eyring`, `carreau` and `newton` are
-    /// of a film alone; the others are published laws, most with asperities in their coefficient.
+    /// Friction law of the film; default `eyring` (`paper`: `xu`). `eyring`, `carreau` and `newton` describe
+    /// the film alone; the others are published laws, most of which include asperity friction in their
+    /// coefficient.
     pub film_friction: Option<FilmFrictionLaw>,
-    /// Viscosity over pressure in the film friction of `eyring`, `carreau` and `newton`; default `barus`.
+    /// Law of viscosity against pressure for the film friction laws `eyring`, `carreau` and `newton`; default
+    /// `barus`.
     pub film_pressure_law: Option<PressureLaw>,
     /// Factor on the friction coefficient of the film (lubricant factor); default 1.
     pub friction_scale: Option<f64>,
-    /// The coefficient of `film_friction = "constant"`.
+    /// Friction coefficient of `film_friction = "constant"`.
     pub constant_friction: Option<f64>,
-    /// Coefficients of Xu's law from an own calibration: a JSON file, relative to the case file.
+    /// Coefficients of Xu's law from your own calibration: a JSON file, relative to the case file.
     pub xu_coefficients: Option<PathBuf>,
     /// Lubricant factor X_L of `iso-14179-2`; default 1 (mineral oil).
     pub lubricant_factor: Option<f64>,
     /// Coefficient of boundary friction μ_b; default 0.08 (`paper`: 0.3, metal on metal).
     pub boundary_friction: Option<f64>,
-    /// Height of the boundary layer on touching asperities; default 10 nm, which belongs to λs = 2.5 um.
+    /// Thickness of the boundary layer on touching asperities; default 10 nm, which applies to λs = 2.5 um.
     pub boundary_layer: Option<Length>,
-    /// Lay γ of the roughness, one for both flanks or `[pinion, wheel]`: 0 or `across`, ridges across the whole
-    /// face (default), to 1 or `isotropic`.
+    /// Lay γ of the roughness, one value for both flanks or `[pinion, wheel]`: from 0 or `across`, ridges
+    /// across the whole face width (default), to 1 or `isotropic`.
     pub lay: Option<OneOrTwo<Lay>>,
     /// Reading of the central film in film friction and load share: `mass-flow` (default) or `gap`.
     pub central_film: Option<CentralFilm>,
-    /// Reading of the central film in Λ* and wherever the film is printed: `gap` (default) or `mass-flow`
+    /// Reading of the central film in Λ* and in printed film thicknesses: `gap` (default) or `mass-flow`
     /// (`paper`: `mass-flow`).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lambda_film: Option<CentralFilm>,
-    /// Speed that carries oil into touching asperities: `entrainment` (default) or `half-sliding`, for the band.
+    /// Speed at which oil is carried into touching asperities: `entrainment` (default) or `half-sliding`, for
+    /// the band.
     pub spot_speed: Option<SpotSpeed>,
-    /// Factor on the solved share of the asperities, for the band; default 1.
+    /// Factor on the solved asperity load share, for the band; default 1.
     pub asperity_share_factor: Option<f64>,
     /// Film thickness law; default `dowson-toyoda` (`paper`: `hamrock-dowson`).
     pub film: Option<FilmLaw>,
@@ -353,11 +360,12 @@ pub struct ModelInput {
     pub thermal: Option<ThermalLaw>,
     /// Feed the flash temperature back into the viscosity of the friction law; default false.
     pub flash_feedback: Option<bool>,
-    /// Share of the load that the film carries: `solved` (default) from the rough contact; `lambda-star`,
-    /// `zhu-hu`, `masjedi-khonsari` and `jgp` have all asperity load rub with the boundary coefficient; `ehl`
-    /// takes shares and friction from records of transient mixed lubrication, which take a minute and more.
+    /// Share of the load carried by the film: `solved` (default) from the rough contact; with `lambda-star`,
+    /// `zhu-hu`, `masjedi-khonsari` and `jgp` all load on asperities rubs with the boundary coefficient;
+    /// `ehl` takes shares and friction from records of transient mixed lubrication, which take a minute or
+    /// more.
     pub load_share: Option<LoadShareName>,
-    /// What a film that carries the whole load is taken from: `formulas` (default), `ehl`, the steady
+    /// Source of a film that carries the whole load: `formulas` (default), `ehl`, the steady
     /// elastohydrodynamic solution of smooth flanks, or `ehl-transient`, records with both traces.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub full_film: Option<FullFilmName>,
@@ -370,18 +378,19 @@ pub struct ModelInput {
     pub clamp_roughness: Option<bool>,
     /// Step by which `paper` lowers the surfaces into each other; default 80 nm.
     pub delta_step: Option<Length>,
-    /// Load error at which `paper` stops; default 1 %.
+    /// Load error at which the marching of `paper` stops; default 1 %.
     pub numerical_error: Option<Ratio>,
     /// Tolerance of the contact solver's certificate; default 1e-8.
     pub tolerance: Option<f64>,
-    /// Count the plastic work of running-in among the losses; default false.
+    /// Include the plastic work of running-in in the losses; default false.
     pub include_running_in: Option<bool>,
-    /// Run the flanks in and give the losses of the run-in flanks beside those as measured; default false.
+    /// Run the flanks in, and give the losses of the run-in flanks beside those of the flanks as measured;
+    /// default false.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub run_in: Option<bool>,
     /// Fraction of the elastic energy lost in hysteresis, part of rolling; default 1 % (`paper`: 0).
     pub hysteresis: Option<Ratio>,
-    /// Depths at which subsurface stress is computed; default 24.
+    /// Number of depths at which subsurface stress is computed; default 24.
     pub depths: Option<usize>,
 }
 
@@ -389,15 +398,16 @@ pub struct ModelInput {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EhlInput {
-    /// Records along the path; default 8. Between them shares and friction are interpolated.
+    /// Number of records along the path of contact; default 8. Shares and friction are interpolated between
+    /// them.
     pub records: Option<usize>,
-    /// Cells across the film, a multiple of 64; default 512.
+    /// Number of cells along the contact, a multiple of 64; default 512.
     pub cells: Option<usize>,
     /// Travel of a record in half-widths of the contact; default 20.
     pub travel: Option<f64>,
-    /// Folder that keeps records by their content, so that none is solved twice: `user` (default), the cache
-    /// folder of the user (`asperity` in `$XDG_CACHE_HOME`, `~/.cache` or `%LOCALAPPDATA%`), a folder relative
-    /// to the case file, or `off`.
+    /// Cache folder for records, so that none is solved twice: `user` (default), the cache folder of the user
+    /// (`asperity` in `$XDG_CACHE_HOME`, `~/.cache` or `%LOCALAPPDATA%`), a folder relative to the case file,
+    /// or `off`.
     pub cache: Option<String>,
 }
 
@@ -412,7 +422,7 @@ pub enum PathPoint {
 }
 
 impl PathPoint {
-    /// Where the point lies on `path`, 0 at A and 1 at E.
+    /// Fraction of `path` at the point, 0 at A and 1 at E.
     pub fn fraction_of(self, path: &PathOfContact) -> f64 {
         let s = match self {
             Self::Fraction(fraction) => return fraction,

@@ -1,4 +1,4 @@
-//! Which key of the case file an equation means by the name of its input.
+//! Key of the case file for the name of an equation's input.
 
 /// A row: the table of the case file, the name in the equation, the key.
 type Row = (&'static str, &'static str, &'static str);
@@ -84,7 +84,7 @@ const ROWS: &[Row] = &[
     ),
 ];
 
-/// The key of `table` that `name` stands for; the table itself when there is none.
+/// The key of `table` that `name` means; the table itself if there is none.
 pub(super) fn key_of(table: &'static str, name: &str) -> &'static str {
     ROWS.iter()
         .find(|row| row.0 == table && row.1 == name)

@@ -87,7 +87,7 @@ pub enum LoadShareName {
     Ehl,
 }
 
-/// What a film that carries the whole load is taken from.
+/// Source of a film that carries the whole load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]

@@ -29,7 +29,7 @@ pub struct LoadedCase {
     pub case: Case,
     /// The flanks.
     pub surfaces: Surfaces,
-    /// How each flank was read and prepared.
+    /// Reading and preparation of each flank.
     pub flanks: [FlankReport; 2],
     /// Warnings about the files.
     pub warnings: Vec<Warning>,
@@ -149,7 +149,7 @@ pub fn from_text(name: &str, text: &str, resolver: Resolver<'_>) -> Result<Loade
 }
 
 impl LoadedCase {
-    /// The same case changed by `change`, checked anew; traces are read again only where the change concerns
+    /// The same case changed by `change`, rechecked; traces are read again only where the change concerns
     /// them.
     ///
     /// The change applies to [`Case::input`]; what was set past it, in the public fields, is not kept.

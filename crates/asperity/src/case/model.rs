@@ -64,7 +64,7 @@ pub struct Model {
     pub flash_feedback: bool,
     /// Share of the load that the film carries.
     pub load_share: LoadShareName,
-    /// What a film that carries the whole load is taken from.
+    /// Source of a film that carries the whole load.
     pub full_film: FullFilmName,
     /// Elastohydrodynamic solutions.
     pub ehl: EhlChoices,
@@ -212,12 +212,12 @@ pub struct EhlChoices {
     pub cells: usize,
     /// Travel of a record in half-widths.
     pub travel: f64,
-    /// Where records are kept: `user`, `off`, or a folder.
+    /// Cache of records: `user`, `off`, or a folder.
     pub cache: String,
 }
 
 impl EhlChoices {
-    /// The choices; defaults are noted where a solution is asked for.
+    /// The choices; defaults are recorded where a solution is requested.
     fn of(
         given: Option<&EhlInput>,
         share: LoadShareName,

@@ -10,10 +10,10 @@ use asperity_tribo_friction::boundary::BOUNDARY_FRICTION;
 use super::input::Formulation;
 use super::law_names::{FilmFrictionLaw, LoadShareName};
 
-/// Defaults of a formulation where the case says nothing.
+/// Defaults of a formulation for keys left out of the case.
 #[derive(Debug, Clone)]
 pub(super) struct ModelDefaults {
-    /// One position stands for the whole mesh.
+    /// One position represents the whole mesh.
     pub one_position: bool,
     pub offsets: usize,
     pub load_distribution: LoadLaw,

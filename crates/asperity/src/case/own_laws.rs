@@ -11,35 +11,35 @@ use crate::film_alone::FilmAlone;
 use crate::load_share_law::LoadShare;
 
 impl Case {
-    /// The case with a film thickness law of one's own.
+    /// The case with a user-defined film thickness law.
     #[must_use]
     pub fn with_film_law(mut self, law: Arc<dyn FilmThicknessLaw>) -> Self {
         self.laws.film = Some(law);
         self
     }
 
-    /// The case with a friction law of one's own in the film.
+    /// The case with a user-defined friction law of the film.
     #[must_use]
     pub fn with_film_friction(mut self, law: Arc<dyn FilmFriction>) -> Self {
         self.laws.friction = Some(law);
         self
     }
 
-    /// The case with a distribution of the load over the teeth of one's own.
+    /// The case with a user-defined load distribution over the teeth.
     #[must_use]
     pub fn with_load_distribution(mut self, law: Arc<dyn LoadDistribution>) -> Self {
         self.laws.load_distribution = Some(law);
         self
     }
 
-    /// The case with a load sharing between film and asperities of one's own.
+    /// The case with a user-defined load sharing between film and asperities.
     #[must_use]
     pub fn with_load_share(mut self, law: Arc<dyn LoadShare>) -> Self {
         self.laws.load_share = Some(law);
         self
     }
 
-    /// The film thickness law in use: one's own, or that which the case names.
+    /// The film thickness law in use: user-defined, or the one that the case names.
     #[must_use]
     pub fn film_law(&self) -> Arc<dyn FilmThicknessLaw> {
         let own = self.laws.film.clone();

@@ -20,21 +20,21 @@ surface = { pinion = { rq = "0.3 um" } }
 const HEAD: &str = "\
 # The case file
 
-Made by `asperity schema --markdown` from the schema of the case file; a test holds it.
+Made by `asperity schema --markdown` from the schema of the case file; a test checks that it is up to date.
 
-A case is a TOML file (or JSON with the same keys). Quantities are text with a unit, as `\"1.8 mm\"`; files are named
-relative to the case file. `asperity check case.toml` tells every error at once and the defaults that a run would use;
+A case is a TOML file (or JSON with the same keys). Quantities are text with a unit, e.g. `\"1.8 mm\"`; file names are
+relative to the case file. `asperity check case.toml` lists all errors at once and the defaults that a run would use;
 `--set key=value` sets any of these keys on the command line.
 
-The column \"default\" shows what the shortest case uses, in the formulation `corrected`; where it says \"-\", the key is
-needed, or has no default, or its default follows from others as its text says. Outside the usual range a case is run
-with warning W201.
+The column \"default\" shows what the shortest possible case uses, in the formulation `corrected`; \"-\" means that the key is
+required, has no default, or takes its default as its description says. A value outside the usual range raises warning
+W201; the case still runs.
 ";
 
 const TAIL: &str = "\
 ## Coefficients of Xu's law
 
-`model.xu_coefficients` names a JSON file with the coefficients of an own calibration:
+`model.xu_coefficients` names a JSON file with the coefficients of your own calibration:
 
 ```json
 {
@@ -47,7 +47,7 @@ const TAIL: &str = "\
 ```
 ";
 
-/// A key and what the page tells of it.
+/// A key with its row of the page.
 struct Key {
     path: String,
     takes: String,
@@ -125,7 +125,7 @@ fn section(
     }
 }
 
-/// The keys below `node`, tables opened; a flank of the wheel is told by that of the pinion.
+/// The keys below `node`, tables opened; the wheel's flank is described by that of the pinion.
 fn collect(schema: &Value, path: &str, node: &Value, keys: &mut Vec<Key>) {
     for (name, inner) in properties(schema, node) {
         let path = format!("{path}.{name}");

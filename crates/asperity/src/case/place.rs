@@ -11,7 +11,7 @@ pub struct Place {
     pub file: String,
     /// Path of the key it is about, as `gears.module`, where it is about one.
     pub key: Option<String>,
-    /// Line, counted from 1; `None` where there is no text or its format does not tell.
+    /// Line, counted from 1; `None` if there is no text or its format has no lines.
     pub line: Option<usize>,
     /// Column in characters, counted from 1; `None` as for the line.
     pub column: Option<usize>,

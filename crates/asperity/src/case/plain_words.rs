@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use super::known_keys::property;
 
-/// `message` of a parser about the value of `key`; the schema tells what is expected there.
+/// `message` of a parser about the value of `key`; the schema gives what is expected there.
 pub(super) fn plain(schema: &Value, key: Option<&str>, message: &str) -> String {
     if let Some(missing) = between(message, "missing field `", "`") {
         let path = key.map_or(missing.to_owned(), |table| format!("{table}.{missing}"));
@@ -42,11 +42,11 @@ fn noun(expected: &str) -> &str {
         "i32" | "i64" => "a whole number",
         "u8" | "u32" | "usize" | "u64" => "a whole number, 0 or more",
         "f64" => "a number",
-        "an array of length 2" => "two values, as [first, second]",
+        "an array of length 2" => "two values, e.g. [first, second]",
         "a boolean" => "true or false",
         "path string" => "the name of a file in quotation marks",
         name if name.starts_with("struct ") || name.starts_with("internally tagged enum ") => {
-            "a table, as { key = value }"
+            "a table, e.g. { key = value }"
         }
         other => other,
     }
@@ -108,19 +108,19 @@ mod tests {
                 "invalid type: string \"a\", expected usize"
             ),
             "string \"a\" does not fit, expected a whole number, 0 or more \
-             (Offsets along the traces at which the flanks meet; default 16 (`paper`: 1))"
+             (Number of offsets along the traces at which the flanks meet; default 16 (`paper`: 1))"
         );
         assert_eq!(
             said(
                 "gears.teeth",
                 "invalid length 1, expected an array of length 2"
             ),
-            "1 value does not fit, expected two values, as [first, second] \
-             (Numbers of teeth z, pinion then wheel; negative for a ring: `[24, -75]`)"
+            "1 value does not fit, expected two values, e.g. [first, second] \
+             (Numbers of teeth z, pinion then wheel; negative for a ring gear: `[24, -75]`)"
         );
         assert_eq!(
             said("gears.module_plane", "unknown variant `x`, expected `y`"),
-            "unknown choice `x`, expected `y` (The plane the module is measured in; default `normal`)"
+            "unknown choice `x`, expected `y` (Plane in which the module is measured; default `normal`)"
         );
         assert_eq!(said("gears.module", "some other thing"), "some other thing");
     }

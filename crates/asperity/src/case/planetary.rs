@@ -35,7 +35,7 @@ use crate::error::Error;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlanetaryCaseInput {
-    /// A line that names the case in every output.
+    /// Title of the case, shown in every output.
     pub title: Option<String>,
     /// The set.
     pub planetary: PlanetaryInput,
@@ -46,7 +46,7 @@ pub struct PlanetaryCaseInput {
     pub operation: OperationInput,
     /// The oil.
     pub lubricant: LubricantInput,
-    /// The measured flanks and how they are prepared.
+    /// The measured flanks and their preparation.
     pub surface: PlanetarySurfaceInput,
     /// Choices of the model, for both meshes.
     #[serde(default)]
@@ -118,7 +118,7 @@ pub struct PlanetarySurfaceInput {
     pub cutoff: Option<Length>,
     /// Cut-off λs; default as the file states, else 2.5 um.
     pub noise_cutoff: Option<Length>,
-    /// Treatment of the ends of a trace by the filters; default `cut`.
+    /// Treatment of the ends of a trace in filtering; default `cut`.
     pub ends: Option<Ends>,
 }
 

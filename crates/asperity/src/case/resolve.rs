@@ -31,7 +31,7 @@ const NOISE_CUTOFF: Length = Length::from_si(2.5e-6);
 pub struct Case {
     /// Title.
     pub title: String,
-    /// Which reading of the model.
+    /// Reading of the model.
     pub formulation: Formulation,
     /// Derived gear geometry.
     pub gears: GearPair,
@@ -59,7 +59,7 @@ pub struct Case {
     pub rheology: Option<FilmRheology>,
     /// Properties of the oil outside the range of its laws.
     pub oil_notes: Vec<OutOfRange>,
-    /// How the traces are prepared.
+    /// Preparation of the traces.
     pub preparation: Preparation,
     /// Choices of the model.
     pub model: Model,
@@ -174,7 +174,7 @@ fn rheology(
     Ok(rheology.with_laws(shear, model.film_pressure_law))
 }
 
-/// Why there is no rheology of the oil.
+/// Reason why the oil has no rheology.
 enum RheologyError {
     Oil(LubricantError),
     Friction(FrictionError),

@@ -9,7 +9,7 @@ use toml::de::{DeTable, DeValue};
 use super::error::CaseError;
 use super::place::Place;
 
-/// How the text of a case is written.
+/// Format of the text of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Syntax {
     /// TOML.
@@ -163,12 +163,12 @@ impl Source {
         self.keys.keys().map(String::as_str)
     }
 
-    /// Where the value of `key` stands; the nearest enclosing table when the key is not there.
+    /// Place of the value of `key`; the nearest enclosing table if the key is missing.
     pub fn place_of(&self, key: &str) -> Place {
         self.nearest(&self.values, key)
     }
 
-    /// Where the name of `key` stands.
+    /// Place of the name of `key`.
     pub fn place_of_key(&self, key: &str) -> Place {
         self.nearest(&self.keys, key)
     }
@@ -345,7 +345,7 @@ pub(super) fn key_of(path: &serde_path_to_error::Path) -> Option<String> {
     (!key.is_empty()).then_some(key)
 }
 
-/// The message of the JSON parser without the place at its end, which is told in front.
+/// The message of the JSON parser without the place at its end, which is stated in front.
 fn without_place(message: &str) -> String {
     match message.rfind(" at line ") {
         Some(end) => message[..end].to_owned(),

@@ -1,4 +1,4 @@
-//! Steel of the gears: what the case says, completed with a case-hardened steel.
+//! Steel of the gears: the values of the case, completed with those of a case-hardened steel.
 
 use asperity_core::DomainError;
 use asperity_core::material::Material;

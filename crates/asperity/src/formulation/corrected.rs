@@ -28,7 +28,7 @@ const LIGHT_CELL: f64 = 0.01;
 /// Share of the sliding power that the lightest cells may have together.
 const LIGHT_CELLS: f64 = 0.02;
 
-/// Which cells carry so little of the loss that their contact may go unresolved.
+/// Cells that contribute so little of the loss that their contact may go unresolved.
 fn lightly_loaded(cells: &[LoadCell]) -> Vec<bool> {
     let mut order: Vec<usize> = (0..cells.len()).collect();
     order.sort_by(|&i, &j| cells[i].sliding_share.total_cmp(&cells[j].sliding_share));

@@ -30,10 +30,10 @@ pub(crate) struct Scene<'a> {
 
 /// A reading of the model.
 pub(crate) trait Strategy: Debug + Send + Sync {
-    /// Places along the path of contact that stand for the mesh under the load of `map`.
+    /// Places along the path of contact that represent the mesh under the load of `map`.
     fn places(&self, case: &Case, map: &LoadMap) -> Result<Vec<Place>, PositionError>;
 
-    /// Whether a single position stands for the whole mesh.
+    /// Whether a single position represents the whole mesh.
     fn takes_one_position(&self) -> bool;
 
     /// Whether both flanks must be measured.

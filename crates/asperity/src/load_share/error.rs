@@ -1,4 +1,4 @@
-//! Why a load share has no solution.
+//! Errors of a load share solution.
 
 use asperity_contact::ContactError;
 use asperity_core::DomainError;
@@ -7,7 +7,7 @@ use asperity_core::quantity::Pressure;
 use asperity_ehl_regime::RegimeError;
 use asperity_tribo_friction::FrictionError;
 
-/// Why a load share has no solution.
+/// Errors of a load share solution.
 #[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]
 pub enum LoadShareError {
@@ -25,7 +25,7 @@ pub enum LoadShareError {
     Friction(#[from] FrictionError),
     /// A flow pressure that the film pressure alone reaches.
     #[error(
-        "flow pressure {flow_pressure} is below {least}, one and a half times the Hertz pressure: the film alone would make the flank flow"
+        "flow pressure {flow_pressure} is below {least}, one and a half times the Hertz pressure: the flank would yield under the film alone"
     )]
     FlowPressureTooLow {
         /// The flow pressure.
@@ -48,7 +48,7 @@ pub enum LoadShareError {
     NoRoot {
         /// Name that was looked for.
         quantity: &'static str,
-        /// Where the search ended.
+        /// Error of the root search.
         source: RootError,
     },
 }

@@ -20,7 +20,7 @@
 //! | roughness flattened in the inlet | [`AttenuatedTraces`] |
 //! | film, share and friction at one temperature and speed | [`PositionFilm`], [`LoadShareSolution`] |
 //!
-//! The table knows neither oil, temperature nor speed: another of them costs film laws only, no contact.
+//! The table does not depend on oil, temperature or speed: changing these costs film laws only, no contact.
 //! Everything here is serial and pure.
 //!
 //! Compared with mixed-EHL solutions (plane strain) for σ_d/h_c up to 3: φ to 0.05 and μ to 6.5 % root mean

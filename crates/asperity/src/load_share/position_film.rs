@@ -30,7 +30,7 @@ const MOST_FRICTION: f64 = 1.0;
 /// Least share that is solved for directly: below it the spots are single cells.
 const LEAST_DIRECT_SHARE: f64 = 1e-6;
 
-/// Where the inlet supply was compared with mixed-EHL solutions.
+/// Range in which the inlet supply was compared with mixed-EHL solutions.
 const COMPARED: FittedRange = FittedRange {
     name: "attenuated roughness over film",
     low: 0.0,

@@ -24,7 +24,7 @@ impl LineLosses {
     }
 }
 
-/// How the two scalar equations ended.
+/// Convergence of the two scalar equations.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ShareEvidence {
     /// Asperity share: gap over supply minus 1 at the last evaluation.
@@ -76,6 +76,6 @@ pub struct LoadShareSolution {
     pub dissipated: LineEnergy,
     /// Rise of the surface temperature T_s over the bulk \[K\].
     pub surface_rise: f64,
-    /// How the equations ended.
+    /// Convergence of the equations.
     pub evidence: ShareEvidence,
 }

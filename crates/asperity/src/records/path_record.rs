@@ -1,4 +1,4 @@
-//! What is kept of a record of transient mixed lubrication.
+//! Record of transient mixed lubrication as it is kept.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -24,9 +24,9 @@ const NO_SHARE: f64 = 1e-9;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct PathRecord {
-    /// Share φ of the load on films not above the solid film.
+    /// Share φ of the load at films no thicker than the solid film.
     pub solid_share: Estimate,
-    /// Share of the load on films not above 50 nm.
+    /// Share of the load at films no thicker than 50 nm.
     pub share_below_50_nm: Estimate,
     /// Share b of the load on the boundary layer.
     pub boundary_share: Estimate,
@@ -73,7 +73,7 @@ pub struct PathRecord {
 }
 
 impl PathRecord {
-    /// What is kept of `solved`, the record of `contact` with a friction law.
+    /// The parts kept of `solved`, the record of `contact` with a friction law.
     pub(super) fn new(
         contact: &RefereeContact,
         solved: &Solved<Record>,

@@ -6,7 +6,7 @@ use asperity_ehl::Estimate;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct RecordedShare {
-    /// Share of the load on films not above the solid film.
+    /// Share of the load at films no thicker than the solid film.
     pub solid_share: Estimate,
     /// Share of that load on the boundary layer.
     pub boundary_part: f64,

@@ -6,7 +6,7 @@ use asperity_ehl::EhlError;
 use crate::error::PositionError;
 use crate::load_share::LoadShareError;
 
-/// Why the referee has no answer.
+/// Errors of the transient reference solution.
 #[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]
 pub enum RefereeError {

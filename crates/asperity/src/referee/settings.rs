@@ -60,18 +60,20 @@ pub struct RefereeContact {
     pub rough: RoughContact,
     /// Grid, length, friction and ceiling.
     pub record: RecordSettings,
-    /// Both traces as the referee sees them: without what is too short for its cells.
+    /// Both traces as the transient solution uses them: without waves too short for its cells.
     pub traces: [Profile; 2],
     /// Standard deviation of the roughness that is left in the contact, of both traces together.
     pub attenuated_roughness: Length,
 }
 
 impl RefereeContact {
-    /// The contact of `loaded` at `path_fraction`, 0 at A and 1 at E; of flanks that have run in, where the case asks
+    /// The contact of `loaded` at `path_fraction`, 0 at A and 1 at E; of flanks that have run in, where the
+    /// case asks
     /// for them.
     ///
     /// # Errors
-    /// When an equation refuses the place, a flank has no trace, a trace is too short for the filter, or the base
+    /// When an equation refuses the place, a flank has no trace, a trace is too short for the filter, or
+    /// the base
     /// oil is not known.
     pub fn of(
         loaded: &LoadedCase,
@@ -239,7 +241,7 @@ pub fn formula_film(contact: &LineContact, oil: &Oil) -> Result<[Length; 2], Ref
     Ok([gap, film.minimum])
 }
 
-/// What film formulas see of a contact.
+/// Inputs of the film formulas for a contact.
 fn conditions(contact: &LineContact, oil: &Oil) -> FilmConditions {
     FilmConditions {
         entrainment: (contact.speed_1 + contact.speed_2) * 0.5,

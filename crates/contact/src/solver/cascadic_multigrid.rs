@@ -1,6 +1,6 @@
 //! Cascadic multigrid: coarser grids for the start, and the window of a grid that touches.
 //!
-//! The solution on a grid of half as many cells tells nearly which points will touch on the finer
+//! The solution on a grid of half as many cells shows nearly which points will touch on the finer
 //! one. With free ends only these and a margin need be solved; the rest is verified afterwards.
 
 /// Fewest cells of a coarser grid.

@@ -14,7 +14,7 @@ use crate::convolution::{Buffers, EvenFilter};
 
 /// Nodes that stencils may need beyond those of free ends.
 const BEYOND: usize = 4;
-/// Patches whose distances are looked at to tell what neighbours have in common.
+/// Patches whose distances are examined to find what neighbours have in common.
 const SAMPLE: usize = 512;
 /// Neighbours whose mean distance is taken from the sample.
 const NEIGHBOURS: usize = 8;

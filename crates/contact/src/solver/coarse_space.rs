@@ -30,7 +30,7 @@ use crate::convolution::{Run, parts};
 const MIN_PATCHES: usize = 2;
 /// Cells per patch below which patches are no coarser than the grid.
 const MIN_CELLS_PER_PATCH: usize = 4;
-/// Nodes by which patches are at least apart for the nodes alone to tell their interaction.
+/// Distance in nodes beyond which the nodes alone give the interaction of two patches.
 const NEAR_NODES: f64 = 3.0;
 /// Near pairs per patch beyond which patches are too crowded for the nodes.
 const MAX_NEAR_PAIRS: usize = 16;
@@ -151,7 +151,7 @@ impl CoarseSpace {
         });
     }
 
-    /// The pairs that nodes do not tell apart; false when they are too many.
+    /// The pairs that nodes do not resolve; false when they are too many.
     fn find_near(&mut self, kernel: PatchKernel) -> bool {
         let Some(grid) = &self.grid else { return false };
         let count = self.patches.len();
@@ -183,7 +183,7 @@ impl CoarseSpace {
         true
     }
 
-    /// K_IJ as the nodes tell it, the nodes of patch J being `shift` further.
+    /// K_IJ as given by the nodes, the nodes of patch J being `shift` further.
     fn through_nodes(&self, grid: &Nodes, i: usize, j: usize, shift: usize) -> f64 {
         let (one, other) = (self.span(i), self.span(j));
         let mut sum = 0.0;

@@ -1,6 +1,6 @@
 //! Solver of rough line contacts: cascadic multigrid, window, iteration, verification.
 //!
-//! A coarse solution tells where the bodies touch; the finest grid is solved there by projected
+//! A coarse solution shows where the bodies touch; the finest grid is solved there by projected
 //! conjugate gradients, and the result is certified on the whole grid with one more displacement.
 
 mod active_set;
@@ -138,7 +138,7 @@ impl Levels {
     }
 }
 
-/// What is known of a pressure on the whole grid.
+/// Properties of a pressure on the whole grid.
 struct Certified {
     /// Range of the deformation about the contact in m.
     deformation: f64,

@@ -18,7 +18,7 @@ use asperity_core::cite;
 pub(crate) struct Search {
     /// τ, not known before the first direction.
     pub(crate) length: Option<f64>,
-    /// r·z of the last direction, or zero to begin anew along z.
+    /// r·z of the last direction, or zero to restart along z.
     pub(crate) descent: f64,
     /// Error in m of the displacement by what single precision lost.
     pub(crate) drift: f64,

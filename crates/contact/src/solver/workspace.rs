@@ -268,7 +268,7 @@ impl Workspace {
         if count > 0.0 { sum / count } else { most }
     }
 
-    /// Lists anew the points with pressure, all of which are listed, or with overlap.
+    /// Relists the points with pressure, all of which are listed, or with overlap.
     fn relist(&mut self, approach: f64) {
         let Self {
             pressure,

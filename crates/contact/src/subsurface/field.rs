@@ -55,7 +55,8 @@ pub struct Peak {
     pub depth: Length,
 }
 
-/// Where the equivalent stress passes the elastic limit, between grid points of the field.
+/// Zone in which the equivalent stress exceeds the elastic limit, interpolated between grid points of the
+/// field.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct YieldZone {
@@ -226,7 +227,7 @@ impl StressField {
         })
     }
 
-    /// Where von Mises passes the elastic limit; none when it does so nowhere.
+    /// Zone in which the von Mises stress exceeds the elastic limit; none if it does so nowhere.
     ///
     /// # Errors
     /// When ν is outside −1 < ν ≤ 0.5 or the limit is not positive.

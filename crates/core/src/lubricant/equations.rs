@@ -60,7 +60,7 @@ pub const EQUATIONS: &[Equation] = &[
     ),
     Equation::new(
         "ASTM-2",
-        "Kinematic viscosity over temperature",
+        "Kinematic viscosity against temperature",
         "log₁₀ log₁₀ (ν + 0.7) = A − B·log₁₀ T",
         TEMPERATURE,
         "astm_d341_passes_through_the_data_sheet_and_60_degrees",
@@ -76,7 +76,7 @@ pub const EQUATIONS: &[Equation] = &[
     ),
     Equation::new(
         "Vogel-1",
-        "Dynamic viscosity over temperature",
+        "Dynamic viscosity against temperature",
         "η = K·exp(b/(T − θ))",
         TEMPERATURE,
         "the_temperature_coefficients_are_the_slopes_of_their_laws",
@@ -100,7 +100,7 @@ pub const EQUATIONS: &[Equation] = &[
     ),
     Equation::new(
         "Barus-1",
-        "Viscosity over pressure, exponential",
+        "Viscosity against pressure, exponential",
         "η = η₀·exp(α·p)",
         PRESSURE,
         "roelands_and_barus_hit_the_reference_case",
@@ -116,7 +116,7 @@ pub const EQUATIONS: &[Equation] = &[
     ),
     Equation::new(
         "Roelands-2",
-        "Viscosity over pressure",
+        "Viscosity against pressure",
         "η = η₀·exp((ln η₀ + 9.67)·((1 + 5.1·10⁻⁹·p)^Z − 1))",
         PRESSURE,
         "roelands_and_barus_hit_the_reference_case",
@@ -124,7 +124,7 @@ pub const EQUATIONS: &[Equation] = &[
     ),
     Equation::new(
         "Density-1",
-        "Density over temperature",
+        "Density against temperature",
         "ρ = ρ_r·(1 − ε·(T − T_r))",
         DENSITY,
         "density_falls_linearly_and_its_coefficient_is_its_slope",
@@ -132,7 +132,7 @@ pub const EQUATIONS: &[Equation] = &[
     ),
     Equation::new(
         "Density-2",
-        "Density over pressure",
+        "Density against pressure",
         "ρ = ρ₀·(1 + 0.6·10⁻⁹·p/(1 + 1.7·10⁻⁹·p))",
         DENSITY,
         "dowson_higginson_hits_the_reference_case_and_its_limit",

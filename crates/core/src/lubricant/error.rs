@@ -2,7 +2,7 @@
 
 use crate::error::DomainError;
 
-/// Why a lubricant has no state.
+/// Errors of the properties of a lubricant.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LubricantError {
@@ -15,9 +15,9 @@ pub enum LubricantError {
     )]
     NoViscosity,
     /// No density.
-    #[error("the lubricant has no density: give its density, with the temperature it holds at")]
+    #[error("the lubricant has no density: give its density and the temperature of that density")]
     NoDensity,
-    /// A viscosity at one temperature says nothing of its slope.
+    /// A viscosity at one temperature does not give its slope.
     #[error(
         "the lubricant has no temperature coefficient: a viscosity given at one temperature needs beta_T = -(d eta/dT)/eta, typically 0.02 to 0.06 1/K; give temperature_coefficient, or use the law astm-d341 or vogel"
     )]
@@ -65,7 +65,7 @@ pub enum LubricantError {
     Library {
         /// The file.
         file: &'static str,
-        /// Why.
+        /// Cause.
         reason: String,
     },
 }

@@ -9,7 +9,7 @@ use crate::quantity::{
     Temperature, ThermalConductivity,
 };
 
-/// How the viscosity is known.
+/// Viscosity law and its values.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "law", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ViscosityLaw {
@@ -43,38 +43,38 @@ pub enum ViscosityLaw {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct LubricantInput {
-    /// Name of an oil of the library; the other keys replace its numbers.
+    /// Name of an oil in the library; the other keys override its values.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub oil: Option<String>,
-    /// How the viscosity is known.
+    /// Viscosity law and its values.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub viscosity: Option<ViscosityLaw>,
-    /// Slope −(dη/dT)/η of a viscosity that is given at one temperature.
+    /// Temperature coefficient −(dη/dT)/η of a viscosity given at one temperature.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub temperature_coefficient: Option<PerKelvin>,
     /// Density at `density_temperature`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub density: Option<Density>,
-    /// Temperature of the density; left out, 15 °C, or for a viscosity given at one temperature
-    /// the bulk temperature of the case.
+    /// Temperature of the density; default 15 °C, or the bulk temperature of the case if the viscosity is
+    /// given at one temperature.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub density_temperature: Option<Temperature>,
-    /// Thermal expansion relative to `density`; left out, that of the base oil.
+    /// Thermal expansion relative to `density`; default that of the base oil.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub thermal_expansion: Option<PerKelvin>,
-    /// Family of the base oil: for film friction, and for the estimates of what is not given.
+    /// Family of the base oil, for film friction and for estimates of properties not given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub base_oil: Option<BaseOil>,
-    /// Family taken where nobody knows the base oil; the result lists it as an assumption.
+    /// Family assumed when the base oil is unknown; the result lists it as an assumption.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub assume_base_oil: Option<BaseOil>,
-    /// Pressure-viscosity coefficient α; left out, estimated from the base oil.
+    /// Pressure-viscosity coefficient α; default estimated from the base oil.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pressure_viscosity: Option<PressureViscosity>,
-    /// Thermal conductivity; left out, estimated from the density.
+    /// Thermal conductivity; default estimated from the density.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub thermal_conductivity: Option<ThermalConductivity>,
-    /// Specific heat capacity; left out, estimated from the density.
+    /// Specific heat capacity; default estimated from the density.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub heat_capacity: Option<SpecificHeat>,
 }

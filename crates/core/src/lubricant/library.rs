@@ -29,7 +29,7 @@ const FILES: [(&str, &str); 4] = [
 pub struct LibraryOil {
     /// Name that a case file asks for.
     pub name: String,
-    /// Where the numbers come from.
+    /// Source of the numbers.
     pub source: String,
     /// Notes for its use.
     pub note: String,

@@ -17,7 +17,7 @@ use crate::quantity::{
 /// The temperature that data sheets state the density at, 15 °C.
 const DATA_SHEET_TEMPERATURE: Temperature = Temperature::from_si(288.15);
 
-/// Something a lubricant needed that the case file did not say.
+/// Property of the lubricant that was not given in the case file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Assumption {
     /// Key of the case file.
@@ -28,7 +28,7 @@ pub struct Assumption {
     pub source: &'static str,
 }
 
-/// A lubricant ready to be asked for its state.
+/// A lubricant whose properties can be evaluated at a temperature.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Lubricant {
     viscosity: Viscosity,
@@ -90,7 +90,7 @@ impl LubricantInput {
     ///     pressure_viscosity: Some("2e-8 m2/N".parse()?),
     ///     ..LubricantInput::default()
     /// };
-    /// // A viscosity at one temperature says nothing of its slope.
+    /// // A viscosity at one temperature does not give its slope.
     /// assert_eq!(input.resolve("60 °C".parse()?), Err(LubricantError::NoTemperatureCoefficient));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -221,7 +221,7 @@ impl LubricantInput {
         let temperature = self.density_temperature.unwrap_or_else(|| {
             let (temperature, source) = match self.viscosity {
                 Some(ViscosityLaw::Given { .. }) => (bulk, "the bulk temperature of the case"),
-                _ => (DATA_SHEET_TEMPERATURE, "the custom of data sheets"),
+                _ => (DATA_SHEET_TEMPERATURE, "usual on data sheets"),
             };
             assumptions.push(Assumption {
                 key: "density_temperature",

@@ -18,7 +18,7 @@ use crate::quantity::{DynamicViscosity, Pressure, PressureViscosity};
 const ROELANDS_PER_PASCAL: f64 = 5.1e-9;
 /// Roelands' constant −ln η_r with η_r = 6.31·10⁻⁵ Pa s (Roelands 1966).
 const ROELANDS_LOG: f64 = 9.67;
-/// Where Barus' law is used without serious error (Stachowiak and Batchelor 2014).
+/// Range in which Barus' law has no serious error (Stachowiak and Batchelor 2014).
 const BARUS_RANGE: FittedRange = FittedRange {
     name: "pressure",
     low: 0.0,

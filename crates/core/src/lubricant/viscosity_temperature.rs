@@ -28,7 +28,7 @@ const ASTM_C: f64 = 0.7;
 const MM2_PER_M2: f64 = 1e6;
 /// The two temperatures of a data sheet, 40 °C and 100 °C \[K\].
 const DATA_SHEET: [Temperature; 2] = [Temperature::from_si(313.15), Temperature::from_si(373.15)];
-/// Where the short form of ASTM D341 (constant 0.7) holds.
+/// Range of the short form of ASTM D341 (constant 0.7).
 const ASTM_RANGE: FittedRange = FittedRange {
     name: "kinematic viscosity",
     low: 2.0,

@@ -10,7 +10,7 @@ use super::RootError;
 /// Most evaluations: bisection alone narrows any bracket of doubles to rounding with fewer than
 /// this.
 const MAX_EVALUATIONS: usize = 1100;
-/// Evaluations after which every other step is a bisection: on a kink steps may lead to and fro for ever.
+/// Evaluations after which every other step is a bisection: on a kink the steps may alternate without end.
 const PLAIN_EVALUATIONS: usize = 30;
 
 /// A solution with its evidence.

@@ -3,7 +3,7 @@
 /// A root with what is known about it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Root {
-    /// Where the function vanishes, to the asked width.
+    /// Root of the function, to the width asked for.
     pub value: f64,
     /// The function there.
     pub residual: f64,
@@ -11,7 +11,7 @@ pub struct Root {
     pub evaluations: usize,
 }
 
-/// Why no root was found.
+/// Errors of a root search.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RootError {

@@ -1,6 +1,6 @@
 //! Units, and what a quantity is.
 
-/// How a unit relates to the SI unit of its quantity.
+/// Relation of a unit to the SI unit of its quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Scale {
     /// 10 to this power SI units; conversion of text is exact.

@@ -4,7 +4,7 @@
 use super::small_lu::{SmallLu, dot};
 use super::system::Linearised;
 
-/// How a column of K·D·P is stored; D masks the pressure of cavitated nodes.
+/// Storage of a column of K·D·P; D masks the pressure of cavitated nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Column {
     /// A shifted copy of the column of one hat.

@@ -1,4 +1,4 @@
-//! Load of a law that knows it along the path of contact alone.
+//! Load of a law that gives it along the path of contact alone.
 
 use super::rigid::Point;
 use crate::pair::GearPair;

@@ -3,7 +3,7 @@
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | K | number of cells | - |
-//! | ξ̄, f̄ | place and load that stand for a cell | -, N/m |
+//! | ξ̄, f̄ | representative place and load of a cell | -, N/m |
 //! | dP | f V_s dl, the weight | W |
 //!
 //! A coefficient of friction times the share of f |V_s| of a cell is its sliding power, exactly when
@@ -28,18 +28,18 @@ const FACE_STRIPS: usize = 16;
 /// Phases at which the mean load of a helical pair at one place is taken.
 const DISPLAY_PHASES: u32 = 16;
 
-/// A cell of the path, with the one contact that stands for it.
+/// A cell of the path, with the one contact that represents it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LoadCell {
     /// First profile coordinate.
     pub from: f64,
     /// Last profile coordinate.
     pub to: f64,
-    /// Place ξ̄ that stands for the cell.
+    /// Representative place ξ̄ of the cell.
     pub xi: f64,
     /// The same as a distance from T₁.
     pub s: Length,
-    /// Load f̄ that stands for the cell, the weighted geometric mean.
+    /// Representative load f̄ of the cell, the weighted geometric mean.
     pub load: LineLoad,
     /// Weighted standard deviation of ln f; e to this power is the factor to either side.
     pub log_deviation: f64,
@@ -83,7 +83,8 @@ impl LoadMap {
     /// ξ̄ = ∫ ξ dP/∫ dP, ln f̄ = ∫ ln f dP/∫ dP over each of K cells, dP = f |V_s| dl   [Cell-1]
     ///
     /// The cells span the loaded part of the path; none straddles the pitch point nor, on spur pairs and
-    /// those of little overlap, a change of the number of pairs in contact. Cells that carry no power are left out.
+    /// those of little overlap, a change of the number of pairs in contact. Cells that carry no power are
+    /// left out.
     ///
     /// # Errors
     /// When `count` is less than the number of segments of the path, or absurdly large.

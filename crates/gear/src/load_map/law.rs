@@ -1,4 +1,4 @@
-//! Laws of load distribution, and the numbers that a load map takes besides the pair.
+//! Laws of load distribution, and the further inputs of a load map.
 
 use asperity_core::DomainError;
 use schemars::JsonSchema;
@@ -25,7 +25,7 @@ const CELLS_PER_OVERLAP: f64 = 16.0;
 /// Most cells accepted.
 const MOST_CELLS: usize = 4096;
 
-/// How the load spreads over the lines of contact.
+/// Law of the load distribution over the lines of contact.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum LoadLaw {
@@ -60,7 +60,7 @@ impl LoadLaw {
         }
     }
 
-    /// Whether the law knows deflections, and so modified flanks and transmission error.
+    /// Whether the law includes deflections, and therefore modified flanks and transmission error.
     pub fn is_elastic(&self) -> bool {
         matches!(self, Self::Elastic | Self::IsoStiffness)
     }

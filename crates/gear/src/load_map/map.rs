@@ -30,14 +30,14 @@ pub struct LoadSample {
     pub y: Length,
     /// Load per length of contact line; zero where relief keeps the flanks apart.
     pub load: LineLoad,
-    /// Weight in a mean over the mesh cycle: the length of contact line that the point stands for.
+    /// Weight in a mean over the mesh cycle: the length of contact line that the point represents.
     pub weight: Length,
 }
 
 /// Evidence of the solution of a load map.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LoadMapEvidence {
-    /// Where the stiffness of the teeth came from; none for laws without deflections.
+    /// Source of the tooth stiffness; none for laws without deflections.
     pub stiffness: Option<StiffnessSource>,
     /// Phases solved.
     pub phases: usize,
@@ -80,7 +80,7 @@ pub struct LoadMap {
     pub(super) pair: GearPair,
     pub(super) torque: f64,
     pub(super) force: f64,
-    /// None for a law of one's own.
+    /// None for a user-defined law.
     pub(super) law: Option<LoadLaw>,
     pub(super) micro: MicroGeometry,
     pub(super) materials: [Material; 2],
@@ -215,7 +215,7 @@ impl LoadMap {
         Ok(())
     }
 
-    /// Calls `take` with every point of the lines of contact at a phase; δ where the law knows it.
+    /// Calls `take` with every point of the lines of contact at a phase; δ where the law gives it.
     pub(super) fn solve(
         &self,
         phase: &Phase,
@@ -301,7 +301,7 @@ impl LoadMap {
         self.law.as_ref()
     }
 
-    /// Whether the law knows deflections.
+    /// Whether the law includes deflections.
     pub fn is_elastic(&self) -> bool {
         matches!(self.model, Model::Elastic(..))
     }
@@ -321,7 +321,7 @@ impl LoadMap {
         &self.samples
     }
 
-    /// How the map was found.
+    /// Evidence of the solution of the map.
     pub fn evidence(&self) -> &LoadMapEvidence {
         &self.evidence
     }

@@ -13,7 +13,7 @@
 //! (1/cos β_b)·∫∫ g dy dξ with the load of the phase at which (ξ, y) touches. One formula serves
 //! spur, helical, external and internal pairs.
 //!
-//! Limits: prismatic teeth on massive bodies; no shaft bending (a lead slope stands for it), no
+//! Limits: prismatic teeth on massive bodies; no shaft bending (use a lead slope instead), no
 //! friction in the force balance, no dynamics.
 
 mod along;

@@ -1,4 +1,4 @@
-//! Load map of a law of a user's own, which knows the load along the path of contact alone.
+//! Load map of a user-defined law, which gives the load along the path of contact alone.
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, LineLoad};

@@ -37,7 +37,7 @@ pub(crate) struct Point {
     pub(crate) tooth: i64,
     pub(crate) xi: f64,
     pub(crate) across: f64,
-    /// Length of line that it stands for.
+    /// Length of line that it represents.
     pub(crate) length: f64,
     /// f.
     pub(crate) load: f64,

@@ -129,7 +129,7 @@ impl Read for Bounded<'_> {
     }
 }
 
-/// The format of a zip whose name does not tell: X3P holds a main.xml, a workbook a folder xl.
+/// The format of a zip that its name does not decide: X3P holds a main.xml, a workbook a folder xl.
 pub(super) fn content(file: &str, stream: &mut dyn Stream, size: u64) -> Format {
     match Archive::open(file, Format::Archive, stream, size) {
         Ok(archive) if archive.holds("xl/workbook.xml") => Format::Excel,

@@ -440,7 +440,7 @@ impl Found<'_> {
         trace::overridden(stated, column)
     }
 
-    /// Formats that are tables, told by their name or header.
+    /// Formats that are tables, recognised by their name or header.
     fn format(&self, found: Format) -> Format {
         let starts = |text: &str| self.header.iter().any(|line| line.text.starts_with(text));
         match () {

@@ -1,4 +1,4 @@
-//! Which signs separate columns and decimals, and where the table starts.
+//! Detection of separators, decimal sign and first row of a table.
 //!
 //! Every dialect is tried on a sample of the lines; the one that reads most of them as rows of
 //! numbers wins. Two dialects can only tie where a comma may be either sign; that case is decided

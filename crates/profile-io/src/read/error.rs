@@ -1,4 +1,4 @@
-//! Why a file was not read: where, what was seen, what was expected, what to do.
+//! Errors in reading a file: where, what was seen, what was expected, what to do.
 
 use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
@@ -50,7 +50,7 @@ pub enum ReadError {
     NoUnit {
         /// Name of the file.
         file: String,
-        /// Which column.
+        /// Column.
         axis: Axis,
         /// Largest minus smallest value, in the unit of the file.
         span: f64,
@@ -84,7 +84,7 @@ pub enum ReadError {
         file: String,
         /// Line of the first.
         line: usize,
-        /// How the first reads.
+        /// Text of the first one.
         text: String,
         /// Number of missing points.
         missing: usize,
@@ -118,7 +118,7 @@ pub enum ReadError {
         spacing: f64,
     },
     /// Heights only.
-    #[error("{file}: the heights come without an x column that gives a spacing{hint}")]
+    #[error("{file}: the heights have no x column to give the spacing{hint}")]
     NoSpacing {
         /// Name of the file.
         file: String,
@@ -161,18 +161,18 @@ pub enum ReadError {
     },
     /// A unit that is not a known length.
     #[error(
-        "{file}: the header gives the {axis} in \"{unit}\", which is not one of m, mm, um, nm, inch, mil, uin"
+        "{file}: the header gives the {axis} in \"{unit}\", which is not one of m, mm, um, nm, angstrom, inch, mil, uin"
     )]
     UnknownUnit {
         /// Name of the file.
         file: String,
-        /// Which column.
+        /// Column.
         axis: Axis,
         /// The unit seen.
         unit: String,
     },
     /// The stated separator, decimal sign or encoding does not fit.
-    #[error("{file}: the file does not read with separator {separator}")]
+    #[error("{file}: the file cannot be read with separator {separator}")]
     SeparatorDoesNotFit {
         /// Name of the file.
         file: String,
@@ -180,7 +180,7 @@ pub enum ReadError {
         separator: Separator,
     },
     /// A file that breaks the rules of its own format.
-    #[error("{file}: not a sound {format} file: {what}{}", if seen.is_empty() { String::new() } else { format!(" (\"{seen}\")") })]
+    #[error("{file}: not a valid {format} file: {what}{}", if seen.is_empty() { String::new() } else { format!(" (\"{seen}\")") })]
     Damaged {
         /// Name of the file.
         file: String,
@@ -217,7 +217,7 @@ pub enum ReadError {
     },
     /// An x column of an involute checker, without the base radius that converts it.
     #[error(
-        "{file}: x is a {abscissa} of an involute checker and not the distance along the flank, and the base radius that converts it is not known"
+        "{file}: x is a {abscissa} from a gear inspection machine, not the distance along the flank, and the base radius needed to convert it is not known"
     )]
     RollLength {
         /// Name of the file.
@@ -283,7 +283,7 @@ impl ReadError {
     /// let heights: String = (0..200).map(|i| format!("{}.5\n", i % 7)).collect();
     /// let options = ReadOptions { z_unit: Some("um".parse()?), ..ReadOptions::default() };
     /// let error = read_bytes("flank.txt", heights.as_bytes(), &options).unwrap_err();
-    /// assert_eq!(error.remedy().to_string(), "Set dx, as 0.5 um");
+    /// assert_eq!(error.remedy().to_string(), "Set dx, e.g. 0.5 um");
     /// assert!(matches!(
     ///     error.remedy().actions(),
     ///     [Action::Set { settings, .. }] if settings[..] == [Setting::Spacing]
@@ -300,7 +300,7 @@ impl ReadError {
             Self::NoUnit { axis, .. } => {
                 Remedy::set(axis.setting(), Value::OneOf("um | nm | mm".into()))
             }
-            Self::NotMonotone { .. } => Remedy::act("remove the doubled part")
+            Self::NotMonotone { .. } => Remedy::act("remove the repeated part")
                 .or_set(Setting::Columns, Value::Any)
                 .because("if x is another column"),
             Self::TooFewPoints { .. } => Remedy::act("export the whole trace"),
@@ -312,7 +312,7 @@ impl ReadError {
             Self::FormatNotRead { format, .. } => Remedy::act(format.remedy()),
             Self::UnevenSpacing { .. } => {
                 Remedy::set(Setting::Uneven, Value::This("resample".into()))
-                    .because("to resample it by straight lines")
+                    .because("to interpolate linearly onto an even grid")
             }
             Self::RollLength { .. } => {
                 Remedy::set(Setting::BaseRadius, Value::Like("50 mm".into()))
@@ -399,7 +399,7 @@ impl CellRemedy {
     }
 }
 
-/// How an unreadable file starts.
+/// First line of an unreadable file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FirstLine(pub Option<String>);
 
@@ -424,7 +424,7 @@ pub enum SpacingHint {
     FirstLine(f64),
     /// Surfcom: nominal length and number of points; the length is wrong for an aborted trace.
     NominalLength {
-        /// As the header says.
+        /// As stated in the header.
         length: Length,
         /// Points.
         points: usize,
@@ -438,11 +438,11 @@ impl std::fmt::Display for SpacingHint {
             Self::XCounts => write!(f, " (x counts the points)"),
             Self::FirstLine(value) => write!(
                 f,
-                "; line 1 reads {value} and is written unlike the rest, as the spacing in an NPL text profile (um) or a length is"
+                "; line 1 reads {value} and is written differently from the rest, like the spacing of an NPL text profile (um) or a length"
             ),
             Self::NominalLength { length, points } => write!(
                 f,
-                "; this is a Surfcom text profile, whose header gives the nominal length {length} and {points} points. If the trace was not aborted the spacing is {:.4} um (the .tx3 file tells)",
+                "; this is a Surfcom text profile, whose header gives the nominal length {length} and {points} points. If the trace was not aborted the spacing is {:.4} um (see the .tx3 file)",
                 length.si() * 1e6 / points as f64
             ),
         }

@@ -22,7 +22,7 @@ const NOTICEABLE: f64 = 0.02;
 /// Steps that are longer than this many spacings are no unevenness but missing points.
 const LONGEST_STEP: f64 = 10.0;
 
-/// How the spacing was found.
+/// Origin of the spacing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -47,7 +47,7 @@ pub(super) struct Spacing {
     pub unevenness: Option<Unevenness>,
 }
 
-/// How far a column of x is from an even grid.
+/// Deviation of a column of x from an even grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Unevenness {
     /// Largest distance of a point from the grid over the spacing.

@@ -12,7 +12,7 @@ use super::text::Line;
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum FilterState {
-    /// The file does not say.
+    /// Not stated in the file.
     #[default]
     Unknown,
     /// Primary or unfiltered profile.

@@ -26,7 +26,7 @@ impl std::fmt::Display for Dialect {
     }
 }
 
-/// How a table of text is written.
+/// Dialect of a text table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct TableLayout {

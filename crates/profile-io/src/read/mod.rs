@@ -74,7 +74,7 @@ use trace::Trace;
 const MOST_BYTES: u64 = 4 << 30;
 /// Bytes of what comes through standard input and is held.
 const MOST_HELD: u64 = 1 << 30;
-/// The path that stands for standard input.
+/// The path that means standard input.
 const STANDARD_INPUT: &str = "-";
 
 /// Reads the profile in the file at `path`; `-` is standard input, of which at most a gigabyte is held.

@@ -24,7 +24,7 @@ pub struct ReadOptions {
     pub z_unit: Option<LengthUnit>,
     /// Spacing of the points; an x column is then not needed.
     pub dx: Option<Length>,
-    /// Which columns hold x and the heights.
+    /// Columns of x and of the heights.
     pub columns: Option<Columns>,
     /// The decimal sign.
     pub decimal: Option<DecimalSign>,
@@ -34,7 +34,7 @@ pub struct ReadOptions {
     pub encoding: Option<Encoding>,
     /// Treatment of missing points.
     pub gaps: Gaps,
-    /// Which profile of a file that holds several, counted from 1.
+    /// Number of the profile in a file that holds several, counted from 1.
     pub row: Option<usize>,
     /// Meaning of the x column.
     pub abscissa: Option<Abscissa>,
@@ -157,7 +157,7 @@ pub enum Uneven {
     /// refuse the rest.
     #[default]
     Refuse,
-    /// Resample by straight lines to an even grid of as many points, and say so.
+    /// Resample linearly to an even grid of as many points, and report it.
     Resample,
 }
 
@@ -196,7 +196,7 @@ impl fmt::Display for Axis {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Columns {
-    /// Column of x, when there is one.
+    /// Column of x, if there is one.
     pub x: Option<usize>,
     /// Column of the heights.
     pub z: usize,
@@ -251,7 +251,7 @@ pub enum Separator {
 
 choice!(Separator, "semicolon, tab, comma, blank, none": Semicolon "semicolon", Tab "tab", Comma "comma", Blank "blank", None "none");
 
-/// How the bytes of a text file stand for characters.
+/// Character encoding of a text file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
@@ -279,7 +279,7 @@ pub enum Gaps {
     /// Refuse the file.
     #[default]
     Refuse,
-    /// Fill inner gaps linearly, cut outer ones off, and say so.
+    /// Fill inner gaps linearly, cut off outer ones, and report it.
     Interpolate,
 }
 

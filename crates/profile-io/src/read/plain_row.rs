@@ -19,7 +19,7 @@ enum Use {
     None,
 }
 
-/// How plain rows are written, in bytes.
+/// Layout of plain rows, in bytes.
 pub(super) struct Plain {
     columns: Vec<Use>,
     /// Between columns; a blank where any run of blanks and tabs is.

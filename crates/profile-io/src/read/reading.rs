@@ -27,7 +27,7 @@ pub struct Reading {
     pub format: Format,
     /// Character encoding; none for binary formats.
     pub encoding: Option<Encoding>,
-    /// How the table is written; none for formats that are no table.
+    /// Dialect of the table; none for formats without a table.
     pub table: Option<TableLayout>,
     /// Unit of x; none when the spacing was stated and no x column was needed.
     pub x_unit: Option<LengthUnit>,
@@ -35,7 +35,7 @@ pub struct Reading {
     pub z_unit: LengthUnit,
     /// Distance between points.
     pub spacing: Length,
-    /// How the spacing was found.
+    /// Origin of the spacing.
     pub spacing_source: SpacingSource,
     /// Length of the trace, (n − 1)·dx.
     pub length: Length,

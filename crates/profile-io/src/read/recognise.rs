@@ -29,7 +29,7 @@ const MAGIC: &[(&[u8], Format)] = &[
     (b"BM6", Format::Document),
 ];
 
-/// Names that tell a binary file's maker, and two text formats without telling lines.
+/// File names that identify the maker of a binary file, and two text formats without distinctive lines.
 const EXTENSIONS: &[(&str, Format)] = &[
     ("x3p", Format::X3p),
     ("xlsx", Format::Excel),

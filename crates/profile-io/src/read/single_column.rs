@@ -1,6 +1,6 @@
 //! One column of heights under a header number: NPL text profiles.
 //!
-//! NPL text gives the spacing in um on line 1. A first line that is such a number is told by its decimals:
+//! NPL text gives the spacing in um on line 1. A first line that is such a number is recognised by its decimals:
 //! instruments write all heights with the same number of them.
 
 use super::error::{ReadError, SpacingHint};

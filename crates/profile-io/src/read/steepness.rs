@@ -1,4 +1,4 @@
-//! Heights that no flank has, told by their slopes: a wrong unit, or a mark for a missing point.
+//! Heights that no flank has, recognised by their slopes: a wrong unit, or a marker for a missing point.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|

@@ -1,4 +1,4 @@
-//! Which columns of a sniffed table are read, and what is wrong with a cell or row that does not read.
+//! Choice of the columns of a detected table, and errors of cells and rows.
 
 use super::dialect::{Cell, Sniffed, Stated, sniff};
 use super::error::{CellRemedy, ReadError};
@@ -27,7 +27,7 @@ impl Chosen {
     }
 }
 
-/// Which columns hold x, height and validity: as stated, as labelled, else the first two of two.
+/// Columns of x, height and validity: as stated, as labelled, else the first two of two.
 pub(super) fn choose(
     file: &str,
     count: usize,
@@ -80,7 +80,7 @@ pub(super) fn choose(
 
 /// Refuses a table whose first row is damaged: it would pass for a header and be lost in silence.
 ///
-/// A row is told from a header by cells that all start as numbers do; a single number over several
+/// A row is distinguished from a header by cells that all start as numbers do; a single number over several
 /// columns is a count.
 pub(super) fn check_line_above(
     file: &str,

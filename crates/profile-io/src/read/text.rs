@@ -191,7 +191,7 @@ pub(super) struct Lines<'t, 's> {
     decoder: Decoder,
     raw: Vec<u8>,
     buffer: String,
-    /// Where the next line starts.
+    /// Start of the next line.
     start: usize,
     /// Where the last line ends that is there to its end.
     complete: usize,

@@ -23,7 +23,7 @@ use crate::warning::Warning;
 
 const FORMAT: Format = Format::X3p;
 
-/// How numbers of an axis are stored.
+/// Storage of the numbers of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 enum DataType {
     Int16,
@@ -135,7 +135,7 @@ pub(super) fn read(
     })
 }
 
-/// Takes what a leaf of `main.xml` says.
+/// Takes the content of a leaf of `main.xml`.
 fn take(main: &mut Main, leaf: &Leaf<'_>, row: Option<usize>) -> bool {
     let text = leaf.text;
     let axis = match leaf.parent() {
@@ -321,7 +321,7 @@ fn archive_name(archive: &Archive<'_>, folder: &str, link: &str) -> String {
     archive.find(last).unwrap_or(relative)
 }
 
-/// Which points of the row are valid: one bit a point, lowest first, or one byte a point.
+/// Validity of the points of the row: one bit per point, lowest first, or one byte per point.
 fn mask(
     file: &str,
     archive: &mut Archive<'_>,

@@ -1,6 +1,6 @@
-//! Why a profile cannot be written.
+//! Errors in writing a profile.
 
-/// Why a profile cannot be written.
+/// Errors in writing a profile.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum WriteError {

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-/// How an axis runs.
+/// Scale of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Scale {
@@ -19,7 +19,7 @@ pub struct Axis {
     pub label: String,
     /// Its unit; empty for a pure number.
     pub unit: String,
-    /// How it runs.
+    /// Scale.
     pub scale: Scale,
     /// Whether zero must be seen.
     pub zero: bool,
@@ -135,7 +135,7 @@ pub(super) struct Range {
 }
 
 impl Range {
-    /// Where `value` stands, 0 at the low end and 1 at the high end.
+    /// Position of `value` on the axis, 0 at the low end and 1 at the high end.
     pub fn share(&self, value: f64) -> f64 {
         match self.scale {
             Scale::Linear => (value - self.low) / (self.high - self.low),

@@ -23,7 +23,7 @@ pub(super) struct Canvas {
     text: String,
 }
 
-/// Where a text is held.
+/// Anchor of a text.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Anchor {
     Start,

@@ -3,7 +3,7 @@
 /// Colours and lines of charts, for the page and for files; Okabe and Ito's palette.
 pub const STYLE: &str = include_str!("chart.css");
 
-/// Where a chart is shown.
+/// Place in which a chart is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dress {
     /// In a page that gives title, legend and style.

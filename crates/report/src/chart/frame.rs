@@ -82,7 +82,7 @@ impl Frame {
         canvas.upright("name", [14.0, 0.5 * (self.top + self.bottom)], &y.text());
     }
 
-    /// Data of the script to draw the same axes anew.
+    /// Data from which the script redraws the same axes.
     pub fn data(&self, x: &Axis, y: &Axis) -> serde_json::Value {
         serde_json::json!({
             "box": [self.left, self.top, self.right, self.bottom],

@@ -23,7 +23,7 @@ pub struct Slice {
 pub struct PieChart {
     /// Name for links.
     pub id: String,
-    /// What it shows.
+    /// Title.
     pub title: String,
     /// The table it was drawn from.
     pub source: String,

@@ -17,7 +17,7 @@ const ZOOM_COLUMNS: usize = 3000;
 /// Colours of curves before they repeat.
 const COLOURS: usize = 6;
 
-/// How a curve is drawn.
+/// Line style of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Line {
     /// A full line.
@@ -35,7 +35,7 @@ pub enum Line {
 pub struct Series {
     /// Its name in the legend.
     pub name: String,
-    /// How it is drawn.
+    /// Line style.
     pub line: Line,
     /// Points in the units of the axes; one that is not finite breaks the line.
     pub points: Vec<[f64; 2]>,
@@ -55,7 +55,7 @@ impl Series {
 /// A named place on the horizontal axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mark {
-    /// Where.
+    /// Position on the axis.
     pub at: f64,
     /// Its name.
     pub label: String,
@@ -64,7 +64,7 @@ pub struct Mark {
 /// A named value on the vertical axis, dashed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Level {
-    /// Where.
+    /// Position on the axis.
     pub at: f64,
     /// Its name.
     pub label: String,

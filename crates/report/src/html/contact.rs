@@ -22,7 +22,7 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup,
     Ok(html! {
         p {
             "Position " (contact.position) " of " (count)
-            @if count > 1 { ", the one with the highest pressure unless another was asked for" }
+            @if count > 1 { ", the one with the highest pressure unless another was chosen" }
             ", at " (format!("{:.3}", row.path_fraction))
             " of the way from A to E; first offset of the traces."
         }
@@ -272,7 +272,7 @@ fn load_error(
     } else {
         // The last error is one of rounding, which a log axis would blow up.
         (
-            "Load still missing along the load path",
+            "Load still missing along the loading path",
             Axis::new("|F − F_target|/F_target", "").from_zero(),
             choice(result, model.tolerance, "model.tolerance")?,
         )

@@ -22,7 +22,7 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
         .flatten()
         .collect();
     if drawings.is_empty() {
-        return html! { p { "The flanks are given by roughness values: there are no traces to show." } };
+        return html! { p { "The flanks are given by roughness values alone: there are no traces to show." } };
     }
     html! {
         (parameters(result))
@@ -145,7 +145,7 @@ fn psd(rows: &[SpectrumRow], body: &str, source: &str) -> Drawing {
     Drawing::Curves(chart)
 }
 
-/// How a length is taken from the parameters.
+/// Function that takes a length from the parameters.
 type OfLength = fn(&Parameters) -> Option<Length>;
 
 const LENGTHS: &[(&str, OfLength)] = &[
@@ -161,7 +161,7 @@ const LENGTHS: &[(&str, OfLength)] = &[
     ("Rvk", |found| Some(found.material.rvk)),
 ];
 
-/// How a material ratio is taken from the parameters.
+/// Function that takes a material ratio from the parameters.
 type OfRatio = fn(&Parameters) -> f64;
 
 const RATIOS: &[(&str, OfRatio)] = &[

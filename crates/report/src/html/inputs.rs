@@ -10,7 +10,7 @@ use crate::error::ReportError;
 pub(super) fn section(result: &RunResult) -> Result<Markup, ReportError> {
     let rows = keys(result)?;
     Ok(html! {
-        p { "Values marked " span.default { "default" } " were not in the case file." }
+        p { "Values marked " span.default { "default" } " were not given in the case file." }
         div.scroll { table.inputs {
             thead { tr { th { "key" } th { "value" } th { "from" } } }
             tbody {
@@ -98,14 +98,14 @@ fn film_constants(result: &RunResult) -> Markup {
     let sure = |constant: &FilmConstant| match constant.mark {
         Mark::Seen => "seen in its source",
         Mark::Calibrated => "calibrated here",
-        Mark::Memory => "from memory, source not reached",
+        Mark::Memory => "from memory, source not available",
         Mark::Judged => "judgement",
     };
     html! {
         @if !result.film_constants.is_empty() {
-            h3 { "Oil in the film" }
+            h3 { "Film friction of the oil" }
             div.scroll { table {
-                thead { tr { th { "constant" } th { "value" } th { "band" } th { "how sure" } th { "source" } } }
+                thead { tr { th { "constant" } th { "value" } th { "band" } th { "confidence" } th { "source" } } }
                 tbody { @for constant in &result.film_constants { tr {
                     th scope="row" { code { (constant.name) } }
                     td { (constant.value) } td { (band(constant)) } td { (sure(constant)) } td { (constant.source) }

@@ -6,7 +6,7 @@ use asperity::result::RunResult;
 use crate::chart::{Axis, Chart, Contour, Drawing, Line, Mark, Series};
 use crate::page_tables::PageTables;
 
-/// The line load along the path, of the map and of the cells that stand for it.
+/// The line load along the path, of the map and of its cells.
 pub(super) fn along_the_path(result: &RunResult, axis: Axis, points: &[Mark]) -> Drawing {
     let rows = &result.load.path;
     let s: Vec<f64> = rows.iter().map(|row| row.s_mm).collect();

@@ -38,7 +38,7 @@ pub struct FilmFrame {
     pub film: Vec<f64>,
 }
 
-/// Share of the load on films not above one.
+/// Share of the load carried below a film thickness.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SharePoint {
     /// The film \[nm\].
@@ -49,7 +49,7 @@ pub struct SharePoint {
     pub standard_error: Option<f64>,
 }
 
-/// What the page of a lubricated contact shows.
+/// Contents of the page of a lubricated contact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LubricatedContact {
     /// Title of the page.
@@ -102,7 +102,7 @@ fn numbers(contact: &LubricatedContact) -> Markup {
 }
 
 fn across() -> Axis {
-    Axis::new("distance from the middle over the half-width", "")
+    Axis::new("distance from the middle, in half-widths", "")
 }
 
 fn films(contact: &LubricatedContact) -> Markup {
@@ -190,7 +190,7 @@ fn shares(contact: &LubricatedContact) -> Option<Drawing> {
     let axis = Axis::new("film", "nm").log();
     let chart = Chart::new(
         "load-below",
-        "Share of the load on films not above one",
+        "Share of the load carried below a film thickness",
         "this page",
         axis,
         Axis::new("share of the load", "").from_zero(),
@@ -335,12 +335,12 @@ fn player(contact: &LubricatedContact) -> Markup {
     let height = TOP + 2.0 * PANEL + GAP + 30.0;
     let ends = [low, 0.5 * (low + high), high].map(|x| (place(x) / 10.0, format!("{x:.2}")));
     html! {
-        p { "Surfaces move from left to right through the contact; dashed: smooth surfaces." }
+        p { "The surfaces move from left to right through the contact; dashed: smooth surfaces." }
         div.player {
             button type="button" data-player="play" { "Play" }
             input type="range" min="0" max=(contact.frames.len() - 1) value="0" aria-label="Frame" data-player="frame" {}
             output data-player="travel" { (format!("{:.2}", first.travel)) } " half-widths travelled"
-            svg.chart viewBox={ "0 0 " (WIDTH) " " (height) } role="img" aria-label="Pressure and film of one moment" {
+            svg.chart viewBox={ "0 0 " (WIDTH) " " (height) } role="img" aria-label="Pressure and film at one instant" {
                 @for panel in &panels { (panel.frame()) }
                 @for (x, label) in &ends { text.tick x=(x) y=(height - 12.0) text-anchor="middle" { (label) } }
                 g transform="scale(0.1)" {

@@ -173,7 +173,7 @@ fn parts(result: &RunResult) -> Vec<Tile> {
     ]
 }
 
-/// How the numbers were come by.
+/// Evidence behind the numbers.
 fn evidence(result: &RunResult) -> Vec<Tile> {
     let s = &result.summary;
     let energy = result.running_in.energy_per_engagement_j;

@@ -35,7 +35,7 @@ fn records(result: &RunResult) -> Markup {
         |value: f64, error: f64, digits: usize| format!("{value:.digits$} ± {error:.digits$}");
     html! {
         h3 { "Records of mixed lubrication" }
-        p { "Means over the travel with their standard errors; between them the path is interpolated." }
+        p { "Means over the travel with their standard errors; values are interpolated between the records." }
         div.wide {
             table {
                 thead {
@@ -85,7 +85,7 @@ fn points(result: &RunResult) -> Vec<Mark> {
     points.to_vec()
 }
 
-/// How a value is taken from a row; none where it is not known.
+/// Function that takes a value from a row; none where it is not known.
 type Value = fn(&PositionRow) -> Option<f64>;
 
 /// A chart along the path.
@@ -100,7 +100,7 @@ struct Along {
 const CHARTS: &[Along] = &[
     Along {
         id: "load-share",
-        title: "Share of the tooth force on one pair",
+        title: "Share of the normal force on one tooth pair",
         axis: ["share", "-"],
         curves: &[("share", |row| Some(row.load_share))],
     },
@@ -130,7 +130,7 @@ const CHARTS: &[Along] = &[
     },
     Along {
         id: "lambda-star",
-        title: "Lambda*: film over reduced peaks",
+        title: "Lambda*: film thickness over reduced peak height",
         axis: ["Λ*", ""],
         curves: &[("Λ*", |row| row.lambda_star)],
     },

@@ -35,7 +35,7 @@ pub struct LoadPointRow {
     pub y_mm: f64,
     /// Load per length of contact line \[N/mm\].
     pub load_n_per_mm: f64,
-    /// Contact line that the point stands for in a mean over the mesh cycle \[mm\].
+    /// Contact line that the point represents in a mean over the mesh cycle \[mm\].
     pub weight_mm: f64,
 }
 

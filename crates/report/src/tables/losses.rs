@@ -60,7 +60,7 @@ pub fn losses(result: &RunResult) -> Vec<LossRow> {
 pub struct FrictionLawRow<'a> {
     /// Name of the law.
     pub law: &'a str,
-    /// Whether asperities are in its coefficient.
+    /// Whether its coefficient includes asperity friction.
     pub includes_asperities: bool,
     /// Whether all inputs lie inside what it was fitted to.
     pub inside_its_range: bool,

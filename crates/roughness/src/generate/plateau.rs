@@ -18,7 +18,7 @@ pub struct PlateauHoned {
     pub coarse: SelfAffine,
     /// The fine process, which leaves the plateau; same points and spacing.
     pub fine: SelfAffine,
-    /// How far the mean of the fine process lies below that of the coarse one.
+    /// Depth of the mean of the fine process below that of the coarse one.
     pub depth: Length,
 }
 

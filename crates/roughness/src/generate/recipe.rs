@@ -40,7 +40,7 @@ pub struct Recipe {
     /// Scratches added.
     #[serde(default)]
     pub scratches: Option<Scratches>,
-    /// Whether the result is run from its other end.
+    /// Whether the result is reversed.
     #[serde(default)]
     pub mirrored: bool,
 }

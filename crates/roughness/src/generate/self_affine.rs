@@ -22,7 +22,7 @@ use serde::{Deserialize, Serialize};
 use super::random::Random;
 use super::scaling::{check_points, scaled};
 
-/// How the waves of a recipe get their amplitudes.
+/// Amplitudes of the waves of a recipe.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]

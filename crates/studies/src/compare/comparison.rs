@@ -144,7 +144,7 @@ fn finish_result(
     })
 }
 
-/// Fewest pairs that a correlation is told from.
+/// Fewest pairs for which a correlation is given.
 const FEWEST_PAIRS: usize = 5;
 
 fn correlations(finishes: &[FinishResult]) -> Vec<Correlation> {

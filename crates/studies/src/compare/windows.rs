@@ -24,7 +24,7 @@ pub(crate) struct WindowRoughness {
     pub rvk_composite_um: f64,
 }
 
-/// How a parameter is taken from a window.
+/// Function that takes a parameter from a window.
 pub(super) type Value = fn(&WindowRoughness) -> f64;
 
 /// Names and values of the parameters that are compared with the loss.

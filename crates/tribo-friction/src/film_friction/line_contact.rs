@@ -49,7 +49,7 @@ const fn range(name: &'static str, low: f64, high: f64, unit: &'static str) -> F
     }
 }
 
-/// Where the law was looked at beside measured gears.
+/// Range in which the law was compared with measured gears.
 const RANGES: [FittedRange; 4] = [
     range("bulk temperature", -30.0, 120.0, "°C"),
     range("viscosity", 2.0, 5000.0, "mPa s"),
@@ -76,7 +76,7 @@ pub struct FilmLineContact {
     pub bodies: [Material; 2],
 }
 
-/// Which heat the film friction knows of.
+/// Heating included in the film friction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub enum FilmHeat {
     /// Film and surfaces are heated by the friction.
@@ -86,12 +86,12 @@ pub enum FilmHeat {
     Isothermal,
 }
 
-/// How the integral over the contact is computed.
+/// Quadrature over the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct FilmSettings {
     /// Gauss-Legendre nodes over half the contact: 16 give 4·10⁻⁶ of the coefficient or better.
     pub nodes: NonZeroUsize,
-    /// Which heat counts.
+    /// Heating included.
     pub heat: FilmHeat,
 }
 

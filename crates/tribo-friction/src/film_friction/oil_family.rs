@@ -20,7 +20,7 @@ use crate::error::FrictionError;
 
 const DATA: &str = include_str!("../../data/oil_families.json");
 
-/// How sure a number is.
+/// Confidence in a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Mark {
@@ -46,7 +46,7 @@ pub struct MarkedValue {
     /// Upper end of the band, where one is known.
     #[serde(default)]
     pub high: Option<f64>,
-    /// How sure it is.
+    /// Confidence.
     pub mark: Mark,
     /// Key of the source.
     pub source: String,

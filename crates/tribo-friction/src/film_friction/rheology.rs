@@ -51,7 +51,7 @@ const STRESS_TOLERANCE: f64 = 1e-8;
 /// Above this ln(η γ̇/τ₀) the hyperbolic sine is its exponential to 3e-11 of the stress.
 const STEEP: f64 = 12.0;
 
-/// How shear stress follows shear rate, below the limiting stress.
+/// Law of shear stress against shear rate, below the limiting stress.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
@@ -65,7 +65,7 @@ pub enum ShearLaw {
     Newton,
 }
 
-/// How viscosity follows pressure in the film.
+/// Law of viscosity against pressure in the film.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]

@@ -2,7 +2,8 @@
 //!
 //! Cubic Hermite interpolation of ln η₀ through values and exact slopes, half a kelvin apart: the
 //! interpolation error is h⁴/384 of the fourth derivative, below 10⁻⁹ in ln η₀ for mineral and
-//! synthetic oils above -20 °C, 10⁻¹¹ at working temperatures. Beyond the ends the last slope is kept, and the caller is told.
+//! synthetic oils above -20 °C, 10⁻¹¹ at working temperatures. Beyond the ends the last slope is kept, and
+//! this is reported to the caller.
 
 use asperity_core::lubricant::Lubricant;
 use asperity_core::quantity::{DynamicViscosity, PerKelvin, Temperature};

@@ -1,0 +1,227 @@
+//! `asperity case from-rexs`: a case from a REXS gearbox file.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use asperity_rexs::{
+    CaseText, Flanks, Model, OperatingPoint, RexsError, Stage, StageKind, case_text,
+    operating_points, stages,
+};
+use serde_json::{Value, json};
+
+use crate::args::{Common, FromRexsArgs};
+use crate::failure::Failure;
+use crate::output::{beside, note, print_json, print_text, save};
+
+/// `asperity case from-rexs`
+pub fn from_rexs(args: &FromRexsArgs, common: &Common) -> Result<(), Failure> {
+    let path = &args.file;
+    let refused = |error: &dyn std::fmt::Display, code: &'static str| {
+        Failure::new(code, format!("{}: {error}", path.display()))
+    };
+    let bytes = std::fs::read(path).map_err(|error| refused(&error, "E101"))?;
+    let wrong = |error: RexsError| refused(&error, code_of(&error));
+    let model = Model::read(&bytes).map_err(wrong)?;
+    if args.stage.is_none() && args.output.is_none() {
+        return list(&model, common).map_err(|failure| match failure {
+            Listing::Rexs(error) => wrong(error),
+            Listing::Output(failure) => failure,
+        });
+    }
+    let output = args.output.as_deref().unwrap_or(Path::new("-"));
+    let flank = |file: &Option<PathBuf>| file.as_deref().map(|file| named_from(output, file));
+    let flanks = Flanks {
+        pinion: flank(&args.pinion),
+        wheel: flank(&args.wheel),
+    };
+    let file = path.file_name().unwrap_or_default().to_string_lossy();
+    let number = args.stage.unwrap_or(1);
+    let case = case_text(&model, &file, number, args.load_case, &flanks).map_err(wrong)?;
+    if common.json && args.output.is_none() {
+        return print_json(&json!({ "case": case.toml, "notes": case.notes }));
+    }
+    written(&case, output, number, common)
+}
+
+fn written(case: &CaseText, output: &Path, number: usize, common: &Common) -> Result<(), Failure> {
+    let quiet = beside(output, common)?;
+    save(output, case.toml.as_bytes())?;
+    if !common.quiet {
+        for text in &case.notes {
+            note(text);
+        }
+    }
+    let name = output.display();
+    if common.json {
+        return print_json(&json!({ "file": output, "stage": number, "notes": case.notes }));
+    }
+    print_text(
+        &quiet,
+        &format!("wrote {name}: stage {number}\nnext: asperity check {name}\n"),
+    )
+}
+
+/// A flank as the case in `output` shall name it: by its path where the case lies elsewhere.
+fn named_from(output: &Path, flank: &Path) -> String {
+    let beside = output
+        .parent()
+        .is_none_or(|folder| folder.as_os_str().is_empty());
+    let name = if beside {
+        flank.to_owned()
+    } else {
+        std::path::absolute(flank).unwrap_or_else(|_| flank.to_owned())
+    };
+    name.to_string_lossy().into_owned()
+}
+
+fn code_of(error: &RexsError) -> &'static str {
+    match error {
+        RexsError::NoStage { .. }
+        | RexsError::NoLoadCase { .. }
+        | RexsError::NotCylindrical { .. } => "E133",
+        _ => "E132",
+    }
+}
+
+enum Listing {
+    Rexs(RexsError),
+    Output(Failure),
+}
+
+impl From<RexsError> for Listing {
+    fn from(error: RexsError) -> Self {
+        Self::Rexs(error)
+    }
+}
+
+/// Stages, lubricants and operating points of a file.
+fn list(model: &Model, common: &Common) -> Result<(), Listing> {
+    let stages = stages(model)?;
+    let mut text = format!("REXS {} by {}\n", model.version, model.program);
+    let mut rows = Vec::new();
+    for stage in &stages {
+        let points = operating_points(model, stage)?;
+        let _ = writeln!(text, "stage {}: {}", stage.number, described(model, stage));
+        for point in &points {
+            let _ = writeln!(text, "  {}", told(point));
+        }
+        rows.push(row(model, stage, &points));
+    }
+    if stages.is_empty() {
+        text.push_str("no stage of gears\n");
+    }
+    let oils: Vec<_> = model
+        .components
+        .values()
+        .filter(|component| component.kind == "lubricant")
+        .collect();
+    for oil in &oils {
+        let at = |key: &str| oil.attributes.get(key).map_or("?", |value| &value.text);
+        let _ = writeln!(
+            text,
+            "lubricant {}: {} / {} mm2/s at 40 / 100 °C",
+            oil.name,
+            at("viscosity_at_40_degree_celsius"),
+            at("viscosity_at_100_degree_celsius")
+        );
+    }
+    if oils.is_empty() {
+        text.push_str("no lubricant\n");
+    }
+    if common.json {
+        let oils: Vec<&str> = oils.iter().map(|oil| oil.name.as_str()).collect();
+        let listed = json!({
+            "version": model.version, "program": model.program, "stages": rows, "lubricants": oils,
+        });
+        return print_json(&listed).map_err(Listing::Output);
+    }
+    print_text(common, &text).map_err(Listing::Output)
+}
+
+fn gears_of(stage: &Stage) -> Vec<&str> {
+    match &stage.kind {
+        StageKind::Pair { pinion, wheel, .. } => vec![pinion, wheel],
+        StageKind::Planetary {
+            sun, planet, ring, ..
+        } => vec![sun, planet, ring],
+        _ => Vec::new(),
+    }
+}
+
+fn teeth_of(model: &Model, stage: &Stage) -> Vec<String> {
+    gears_of(stage)
+        .iter()
+        .filter_map(|id| model.components.get(*id))
+        .filter_map(|gear| gear.attributes.get("number_of_teeth"))
+        .map(|teeth| teeth.text.clone())
+        .collect()
+}
+
+fn described(model: &Model, stage: &Stage) -> String {
+    let teeth = teeth_of(model, stage).join("/");
+    let kind = match &stage.kind {
+        StageKind::Pair { is_ring: false, .. } => format!("{teeth} teeth"),
+        StageKind::Pair { .. } => format!("{teeth} teeth, the wheel a ring"),
+        StageKind::Planetary { planets, .. } => {
+            format!("planetary set of {teeth} teeth, {planets} planets")
+        }
+        StageKind::Other { kind } => format!("{kind}, not modelled"),
+        _ => String::new(),
+    };
+    match stage.name.trim() {
+        "" => kind,
+        name => format!("{name}, {kind}"),
+    }
+}
+
+fn told(point: &OperatingPoint) -> String {
+    let name = match &point.load_case {
+        Some(id) => format!("load case {id}"),
+        None => "operating point".to_owned(),
+    };
+    let values = [
+        (point.share, "% of the time"),
+        (point.torque.as_ref().map(|found| found.0), "N m"),
+        (point.speed.as_ref().map(|found| found.0), "1/min"),
+        (point.temperature.as_ref().map(|found| found.0), "°C"),
+    ];
+    let values: Vec<String> = values
+        .iter()
+        .filter_map(|(value, unit)| value.map(|value| format!("{value:.5} {unit}")))
+        .collect();
+    match values.is_empty() {
+        true => format!("{name}: nothing known"),
+        false => format!("{name}: {}", values.join(", ")),
+    }
+}
+
+fn row(model: &Model, stage: &Stage, points: &[OperatingPoint]) -> Value {
+    let kind = match &stage.kind {
+        StageKind::Pair { is_ring: false, .. } => "pair",
+        StageKind::Pair { .. } => "ring pair",
+        StageKind::Planetary { .. } => "planetary",
+        StageKind::Other { kind } => kind,
+        _ => "",
+    };
+    let teeth: Vec<Option<f64>> = teeth_of(model, stage)
+        .iter()
+        .map(|text| text.parse().ok())
+        .collect();
+    let value = |found: &Option<(f64, String)>| found.as_ref().map(|found| found.0);
+    let points: Vec<Value> = points
+        .iter()
+        .map(|point| {
+            json!({
+                "load_case": point.load_case,
+                "share_percent": point.share,
+                "torque_nm": value(&point.torque),
+                "speed_rpm": value(&point.speed),
+                "temperature_c": value(&point.temperature),
+            })
+        })
+        .collect();
+    json!({
+        "stage": stage.number, "name": stage.name, "kind": kind, "teeth": teeth,
+        "operating_points": points,
+    })
+}

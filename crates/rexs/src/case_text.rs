@@ -1,0 +1,703 @@
+//! A case for a pair of gears, as commented TOML.
+
+use std::fmt::Write as _;
+
+use crate::error::RexsError;
+use crate::model::{Component, Model};
+use crate::operating_points::{OperatingPoint, operating_points};
+use crate::set_text;
+use crate::stages::{Stage, StageKind, stages, teeth};
+use crate::units::Unit;
+
+/// Oil and temperature of a case whose file has none.
+const OIL: &str = "m100";
+const TEMPERATURE: f64 = 60.0;
+/// Centre distances that differ by more disagree \[mm\].
+const CENTRE_DISTANCE: f64 = 0.01;
+
+/// Files with the traces of the flanks, as the case shall name them.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Flanks {
+    /// Trace of the pinion, or of the sun.
+    pub pinion: Option<String>,
+    /// Trace of the wheel, or of a planet.
+    pub wheel: Option<String>,
+}
+
+/// A case in TOML, and what its reader should know.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub struct CaseText {
+    /// The case.
+    pub toml: String,
+    /// Notes on contradictions in the file and on what it leaves out.
+    pub notes: Vec<String>,
+}
+
+/// The case of stage `number` (from 1) at load case `load_case` (from 1); `file` is the name of the REXS file.
+///
+/// # Errors
+/// When there is no such stage or load case, the stage is not of cylindrical gears, or an attribute that a case
+/// needs is missing or cannot be read.
+pub fn case_text(
+    model: &Model,
+    file: &str,
+    number: usize,
+    load_case: usize,
+    flanks: &Flanks,
+) -> Result<CaseText, RexsError> {
+    let stages = stages(model)?;
+    let stage = number.checked_sub(1).and_then(|index| stages.get(index));
+    let Some(stage) = stage else {
+        return Err(RexsError::NoStage {
+            wanted: number,
+            count: stages.len(),
+        });
+    };
+    let mut case = Text::new(model, file, stage);
+    match &stage.kind {
+        StageKind::Pair {
+            stage: mesh,
+            pinion,
+            wheel,
+            is_ring,
+        } => {
+            let gears = [pinion, wheel].map(|id| &model.components[id]);
+            pair(&mut case, &model.components[mesh], gears, *is_ring)?;
+            case.operation(stage, load_case, "pinion")?;
+            case.lubricant()?;
+            case.material(&[("pinion", gears[0]), ("wheel", gears[1])])?;
+            case.surface(&[
+                ("pinion", gears[0], flanks.pinion.as_deref()),
+                ("wheel", gears[1], flanks.wheel.as_deref()),
+            ])?;
+        }
+        StageKind::Planetary {
+            stage: mesh,
+            sun,
+            planet,
+            ring,
+            planets,
+            ..
+        } => {
+            let gears = [sun, planet, ring].map(|id| &model.components[id]);
+            set_text::gears(&mut case, &model.components[mesh], gears, *planets)?;
+            case.operation(stage, load_case, "sun")?;
+            case.lubricant()?;
+            case.material(&[("sun", gears[0]), ("planet", gears[1]), ("ring", gears[2])])?;
+            case.surface(&[
+                ("sun", gears[0], flanks.pinion.as_deref()),
+                ("planet", gears[1], flanks.wheel.as_deref()),
+                ("ring", gears[2], None),
+            ])?;
+        }
+        StageKind::Other { kind } => {
+            return Err(RexsError::NotCylindrical {
+                stage: number,
+                kind: kind.clone(),
+            });
+        }
+    }
+    Ok(case.done())
+}
+
+fn pair(
+    case: &mut Text<'_>,
+    mesh: &Component,
+    gears: [&Component; 2],
+    is_ring: bool,
+) -> Result<(), RexsError> {
+    let z = [teeth(gears[0])?, teeth(gears[1])?];
+    case.line("\n[gears]");
+    let sign = if is_ring { "-" } else { "" };
+    case.say(
+        &format!("teeth = [{}, {sign}{}]", z[0], z[1]),
+        &source(&gears, "number_of_teeth"),
+    );
+    case.shared_geometry(&gears)?;
+    let widths = case.all(&gears, "face_width", Unit::Millimetre)?;
+    case.say(
+        &format!("face_width = [{}]", quantities(&widths, "mm")),
+        &source(&gears, "face_width"),
+    );
+    let shifts = case.shifts(&gears)?;
+    case.centre_distance(mesh, shifts.is_some())?;
+    case.tips(&gears, &z.map(f64::from))?;
+    if !is_ring {
+        case.check_distance(mesh, &gears, &z.map(f64::from), shifts.as_deref())?;
+    }
+    for (name, gear) in ["pinion", "wheel"].into_iter().zip(gears) {
+        case.chamfer(name, gear)?;
+    }
+    Ok(())
+}
+
+/// Sources of numbers of several components.
+pub fn source(components: &[&Component], attribute: &str) -> String {
+    let ids: Vec<&str> = components.iter().map(|of| of.id.as_str()).collect();
+    format!("{} {}: {attribute}", components[0].kind, ids.join(", "))
+}
+
+/// `"1 mm", "2 mm"`
+pub fn quantities(values: &[f64], unit: &str) -> String {
+    let texts: Vec<String> = values
+        .iter()
+        .map(|value| format!("\"{value} {unit}\""))
+        .collect();
+    texts.join(", ")
+}
+
+/// A case while it is written.
+pub struct Text<'a> {
+    model: &'a Model,
+    toml: String,
+    notes: Vec<String>,
+}
+
+impl<'a> Text<'a> {
+    fn new(model: &'a Model, file: &str, stage: &Stage) -> Self {
+        let one_line = |text: &str| -> String {
+            let shown = |c: char| if c.is_control() { ' ' } else { c };
+            text.chars().map(shown).collect()
+        };
+        let (file, program) = (one_line(file), one_line(&model.program));
+        let name = one_line(stage.name.trim());
+        let mut toml = format!(
+            "# Stage {} of {file}: REXS {} by {program}.\n# Behind each number is the attribute it came from.\n",
+            stage.number, model.version
+        );
+        let title = format!("{file}, stage {}: {name}", stage.number);
+        let title = title.trim_end_matches([':', ' ']);
+        let _ = writeln!(toml, "title = {}", quoted(title));
+        Self {
+            model,
+            toml,
+            notes: Vec::new(),
+        }
+    }
+
+    fn done(self) -> CaseText {
+        CaseText {
+            toml: self.toml,
+            notes: self.notes,
+        }
+    }
+
+    /// A line of the case.
+    pub fn line(&mut self, text: &str) {
+        self.toml.push_str(text);
+        self.toml.push('\n');
+    }
+
+    /// A line of the case with its source.
+    pub fn say(&mut self, text: &str, from: &str) {
+        self.line(&format!("{text}  # {from}"));
+    }
+
+    /// Something that the reader of the case should know.
+    pub fn note(&mut self, text: String) {
+        self.notes.push(text);
+    }
+
+    /// An attribute that all of these need.
+    pub fn all(
+        &self,
+        components: &[&Component],
+        attribute: &'static str,
+        unit: Unit,
+    ) -> Result<Vec<f64>, RexsError> {
+        components
+            .iter()
+            .map(|component| component.needed(attribute, unit))
+            .collect()
+    }
+
+    /// Flank of a gear: that of 1.0 or that of later versions.
+    fn flank(&self, gear: &Component) -> Option<&'a Component> {
+        let relation = self
+            .model
+            .related("flank")
+            .find(|relation| relation.role("gear") == Some(&gear.id))?;
+        let side = relation.role("left").or_else(|| relation.role("right"))?;
+        self.model.components.get(side)
+    }
+
+    /// Module, helix and pressure angle, which all gears of a stage share.
+    pub fn shared_geometry(&mut self, gears: &[&Component]) -> Result<(), RexsError> {
+        let modules = self.all(gears, "normal_module", Unit::Millimetre)?;
+        self.agree(gears, "normal_module", &modules)?;
+        self.say(
+            &format!("module = \"{} mm\"", modules[0]),
+            &source(gears, "normal_module"),
+        );
+        let helix = self.all(gears, "helix_angle_reference_diameter", Unit::Degree)?;
+        let sizes: Vec<f64> = helix.iter().map(|angle| angle.abs()).collect();
+        self.agree(gears, "helix_angle_reference_diameter", &sizes)?;
+        if sizes[0] > 0.0 {
+            let from = source(gears, "helix_angle_reference_diameter");
+            self.say(
+                &format!("helix = \"{} deg\"", sizes[0]),
+                &format!("{from}, without sign"),
+            );
+        }
+        let mut angles = Vec::new();
+        for gear in gears {
+            if let Some(flank) = self.flank(gear)
+                && let Some(angle) = flank.number("normal_pressure_angle", Unit::Degree)?
+            {
+                angles.push((angle, format!("{} {}", flank.kind, flank.id)));
+            }
+        }
+        if let Some((angle, from)) = angles.first().cloned() {
+            let all: Vec<f64> = angles.iter().map(|(angle, _)| *angle).collect();
+            self.agree(gears, "normal_pressure_angle", &all)?;
+            self.say(
+                &format!("pressure_angle = \"{angle} deg\""),
+                &format!("{from}: normal_pressure_angle"),
+            );
+        } else {
+            self.line("# pressure_angle: not in the file, 20 deg by default");
+            self.note("the file has no normal_pressure_angle: 20 deg".into());
+        }
+        Ok(())
+    }
+
+    fn agree(
+        &self,
+        gears: &[&Component],
+        attribute: &'static str,
+        values: &[f64],
+    ) -> Result<(), RexsError> {
+        const SAME: f64 = 1e-6;
+        for (gear, value) in gears.iter().zip(values).skip(1) {
+            if (value - values[0]).abs() > SAME * values[0].abs().max(1.0) {
+                return Err(gear.refused(attribute, "which is not that of its mating gear"));
+            }
+        }
+        Ok(())
+    }
+
+    /// Profile shift coefficients, where every gear has one.
+    pub fn shifts(&mut self, gears: &[&Component]) -> Result<Option<Vec<f64>>, RexsError> {
+        let mut shifts = Vec::new();
+        let mut from = Vec::new();
+        for gear in gears {
+            if let Some(flank) = self.flank(gear)
+                && let Some(x) = flank.number("addendum_modification_coefficient", Unit::None)?
+            {
+                shifts.push(x);
+                from.push(flank);
+            }
+        }
+        if shifts.len() < gears.len() {
+            self.note("not every gear has an addendum_modification_coefficient".into());
+            return Ok(None);
+        }
+        let texts: Vec<String> = shifts.iter().map(|x| rounded(*x)).collect();
+        self.say(
+            &format!("profile_shift = [{}]", texts.join(", ")),
+            &source(&from, "addendum_modification_coefficient"),
+        );
+        Ok(Some(shifts))
+    }
+
+    /// Centre distance, needed where the profile shifts are not known.
+    pub fn centre_distance(&mut self, mesh: &Component, shifts: bool) -> Result<(), RexsError> {
+        let distance = mesh.number("center_distance", Unit::Millimetre)?;
+        match distance {
+            // The shifts decide: the distance of a file is often rounded.
+            Some(distance) if shifts => {
+                self.line(&format!(
+                    "# centre_distance = \"{distance} mm\"  # {}, follows from the shifts",
+                    source(&[mesh], "center_distance")
+                ));
+            }
+            Some(distance) => {
+                self.say(
+                    &format!("centre_distance = \"{distance} mm\""),
+                    &source(&[mesh], "center_distance"),
+                );
+            }
+            None if shifts => {}
+            None => {
+                return Err(RexsError::Missing {
+                    component: mesh.called(),
+                    attribute: "center_distance",
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Notes a centre distance that disagrees with the profile shifts.
+    fn check_distance(
+        &mut self,
+        mesh: &Component,
+        gears: &[&Component],
+        z: &[f64],
+        shifts: Option<&[f64]>,
+    ) -> Result<(), RexsError> {
+        let stated = mesh.number("center_distance", Unit::Millimetre)?;
+        let (Some(stated), Some(shifts)) = (stated, shifts) else {
+            return Ok(());
+        };
+        let module = gears[0].needed("normal_module", Unit::Millimetre)?;
+        let helix = gears[0].needed("helix_angle_reference_diameter", Unit::Degree)?;
+        let flank = self.flank(gears[0]);
+        let angle = flank.map_or(Ok(None), |flank| {
+            flank.number("normal_pressure_angle", Unit::Degree)
+        })?;
+        let distance = working_distance(
+            z.iter().sum(),
+            shifts.iter().sum(),
+            module,
+            helix.to_radians(),
+            angle.unwrap_or(20.0).to_radians(),
+        );
+        if distance.is_none_or(|distance| (distance - stated).abs() > CENTRE_DISTANCE) {
+            let ours = distance.map_or("none".into(), |distance| format!("{distance:.4} mm"));
+            self.note(format!(
+                "{}: center_distance is {stated} mm, the profile shifts give {ours}; the shifts are used",
+                mesh.called()
+            ));
+        }
+        Ok(())
+    }
+
+    /// Tip diameters, where every gear has one that can be.
+    pub fn tips(&mut self, gears: &[&Component], z: &[f64]) -> Result<(), RexsError> {
+        let mut tips = Vec::new();
+        for (gear, z) in gears.iter().zip(z) {
+            let Some(tip) = gear.number("tip_diameter", Unit::Millimetre)? else {
+                continue;
+            };
+            let module = gear.needed("normal_module", Unit::Millimetre)?;
+            let helix = gear.needed("helix_angle_reference_diameter", Unit::Degree)?;
+            let reference = z * module / helix.to_radians().cos();
+            let tip = tip.abs();
+            let is_ring = gear.kind == "ring_gear";
+            // A positive shift lowers the teeth of a ring, a negative one may lower those of a gear a little.
+            let most_off = 2.0 * module;
+            let fits = if is_ring {
+                (reference - 4.0 * module..reference + most_off).contains(&tip)
+            } else {
+                (reference - most_off..reference + 6.0 * module).contains(&tip)
+            };
+            if fits {
+                tips.push(tip);
+            } else {
+                self.note(format!(
+                    "{}: tip_diameter {tip} mm on a reference diameter of {reference:.3} mm is ignored",
+                    gear.called()
+                ));
+            }
+        }
+        if tips.len() == gears.len() {
+            self.say(
+                &format!("tip_diameter = [{}]", quantities(&tips, "mm")),
+                &source(gears, "tip_diameter"),
+            );
+        } else {
+            self.line(
+                "# tip_diameter: not in the file for every gear, an addendum of 1 by default",
+            );
+            self.note("not every gear has a plausible tip_diameter: addendum of 1 module".into());
+        }
+        Ok(())
+    }
+
+    /// Tip chamfer of a gear, in a line of its own table.
+    pub fn chamfer(&mut self, name: &str, gear: &Component) -> Result<(), RexsError> {
+        if let Some(flank) = self.flank(gear)
+            && let Some(chamfer) = flank.number("tooth_tip_chamfer", Unit::Millimetre)?
+            && chamfer > 0.0
+        {
+            let from = source(&[flank], "tooth_tip_chamfer");
+            self.say(&format!("{name}.tip_chamfer = \"{chamfer} mm\""), &from);
+        }
+        Ok(())
+    }
+
+    fn operation(&mut self, stage: &Stage, wanted: usize, first: &str) -> Result<(), RexsError> {
+        let points = operating_points(self.model, stage)?;
+        let point = wanted.checked_sub(1).and_then(|index| points.get(index));
+        let Some(point) = point else {
+            return Err(RexsError::NoLoadCase {
+                wanted,
+                count: points.len(),
+            });
+        };
+        self.line("\n[operation]");
+        for other in points.iter().filter(|other| *other != point) {
+            self.line(&format!("# {}", summary(other)));
+        }
+        let named = [
+            ("torque", "N m", &point.torque),
+            ("speed", "1/min", &point.speed),
+        ];
+        for (key, unit, found) in named {
+            if let Some((value, from)) = found {
+                self.say(
+                    &format!("{key} = \"{} {unit}\"", rounded(*value)),
+                    &format!("{first}; {from}"),
+                );
+            } else {
+                self.line(&format!(
+                    "# {key} = \"... {unit}\"  # of the {first}: not in the file"
+                ));
+                self.note(format!(
+                    "the file has no {key} of the {first}: write operation.{key}"
+                ));
+            }
+        }
+        if let Some((value, from)) = &point.temperature {
+            self.say(&format!("temperature = \"{value} °C\""), from);
+        } else {
+            self.say(
+                &format!("temperature = \"{TEMPERATURE} °C\""),
+                "default: the file has no temperature_lubricant",
+            );
+            self.note(format!(
+                "the file has no temperature of the oil: {TEMPERATURE} °C"
+            ));
+        }
+        Ok(())
+    }
+
+    fn lubricant(&mut self) -> Result<(), RexsError> {
+        self.line("\n[lubricant]");
+        let mut oils = self.model.of_kind("lubricant");
+        let Some(oil) = oils.next() else {
+            self.say(
+                &format!("oil = \"{OIL}\""),
+                "default: the file has no lubricant",
+            );
+            self.note(format!("the file has no lubricant: {OIL}"));
+            return Ok(());
+        };
+        let several = oils.next().is_some();
+        if several {
+            self.note(format!(
+                "the file has several lubricants: {} is used",
+                oil.called()
+            ));
+        }
+        let viscosity = |attribute| oil.needed(attribute, Unit::SquareMillimetrePerSecond);
+        let cold = viscosity("viscosity_at_40_degree_celsius")?;
+        let hot = viscosity("viscosity_at_100_degree_celsius")?;
+        let from = source(&[oil], "viscosity_at_40_degree_celsius, _at_100_");
+        self.say(
+            &format!(
+                "viscosity = {{ law = \"astm-d341\", at_40 = \"{cold} mm2/s\", at_100 = \"{hot} mm2/s\" }}"
+            ),
+            &from,
+        );
+        let density = "density_at_15_degree_celsius";
+        let rho = oil.needed(density, Unit::KilogramPerCubicMetre)?;
+        self.say(
+            &format!("density = \"{} kg/m3\"", rounded(rho)),
+            &source(&[oil], density),
+        );
+        let optional = [
+            (
+                "pressure_viscosity_coefficient_at_38_degrees_celsius",
+                "pressure_viscosity",
+                Unit::SquareMillimetrePerNewton,
+                "mm2/N",
+            ),
+            (
+                "thermal_capacity",
+                "heat_capacity",
+                Unit::JoulePerKilogramKelvin,
+                "J/(kg K)",
+            ),
+            (
+                "thermal_conductivity",
+                "thermal_conductivity",
+                Unit::WattPerMetreKelvin,
+                "W/(m K)",
+            ),
+        ];
+        for (attribute, key, unit, written) in optional {
+            if let Some(value) = oil.number(attribute, unit)? {
+                self.say(
+                    &format!("{key} = \"{value} {written}\""),
+                    &source(&[oil], attribute),
+                );
+            }
+        }
+        self.say(
+            "assume_base_oil = \"mineral\"",
+            "assumed: REXS does not name the base oil",
+        );
+        self.note("the base oil is assumed to be mineral".into());
+        Ok(())
+    }
+
+    fn material(&mut self, gears: &[(&str, &Component)]) -> Result<(), RexsError> {
+        let mut lines = Vec::new();
+        for (name, gear) in gears {
+            let Some(steel) = self.model.referenced(gear, "material") else {
+                continue;
+            };
+            let wanted = [
+                ("elastic_modulus", "young", Unit::Megapascal, " MPa"),
+                ("poisson_ratio", "poisson", Unit::None, ""),
+                ("density", "density", Unit::KilogramPerCubicMetre, " kg/m3"),
+            ];
+            for (attribute, key, unit, written) in wanted {
+                if let Some(value) = steel.number(attribute, unit)? {
+                    let value = rounded(value);
+                    let value = match written {
+                        "" => value,
+                        unit => format!("\"{value}{unit}\""),
+                    };
+                    let from = source(&[steel], attribute);
+                    lines.push((format!("{name}.{key} = {value}"), from));
+                }
+            }
+            let hardness = steel.number("surface_hardness_vickers", Unit::Vickers)?;
+            if let Some(hardness) = hardness.filter(|hardness| *hardness > 0.0) {
+                // Indentation hardness is a pressure in kgf/mm².
+                let pressure = rounded(hardness * 9.806_65);
+                let from = source(&[steel], "surface_hardness_vickers");
+                lines.push((
+                    format!("{name}.flow_pressure = \"{pressure} MPa\""),
+                    format!("{from}, {hardness} HV"),
+                ));
+            }
+        }
+        if !lines.is_empty() {
+            self.line("\n[material]");
+        }
+        for (text, from) in lines {
+            self.say(&text, &from);
+        }
+        Ok(())
+    }
+
+    fn surface(&mut self, gears: &[(&str, &Component, Option<&str>)]) -> Result<(), RexsError> {
+        self.line("\n[surface]");
+        let [(first, ..), (second, ..), ..] = gears else {
+            return Ok(());
+        };
+        let mut open = false;
+        for (name, gear, file) in gears {
+            if let Some(file) = file {
+                self.line(&format!("{name}.file = {}", quoted(file)));
+                continue;
+            }
+            let values = roughness(gear)?;
+            for (key, value, from) in &values {
+                self.say(&format!("{name}.{key} = \"{value} um\""), from);
+            }
+            open |= values.is_empty() && name != &"ring";
+        }
+        if open {
+            self.line("# The measured flanks; the file holds none:");
+            self.line(&format!("# {first}.file = \"{first}.csv\""));
+            self.line(&format!("# {second}.file = \"{second}.csv\""));
+            self.note(format!(
+                "the file has no measured flank: write surface.{first}.file and surface.{second}.file"
+            ));
+        }
+        Ok(())
+    }
+}
+
+/// Roughness values of a gear, with the keys of a case.
+fn roughness(gear: &Component) -> Result<Vec<(&'static str, f64, String)>, RexsError> {
+    let attributes = [
+        ("ra", "arithmetic_mean_roughness_flank_iso_4287_1997"),
+        // Spelt so in some versions.
+        ("ra", "arithmentic_mean_roughness_flank_iso_4287_1997"),
+        ("rz", "mean_peak_to_valley_roughness_flank_iso_4287_1997"),
+        (
+            "rq",
+            "root_mean_square_roughness_at_filter_cutoff_of_wavelength_agma_925_2003",
+        ),
+    ];
+    let mut values: Vec<(&'static str, f64, String)> = Vec::new();
+    for (key, attribute) in attributes {
+        if values.iter().any(|(known, ..)| *known == key) {
+            continue;
+        }
+        if let Some(value) = gear.number(attribute, Unit::Micrometre)?
+            && value > 0.0
+        {
+            values.push((key, value, source(&[gear], attribute)));
+        }
+    }
+    Ok(values)
+}
+
+/// Working centre distance \[mm\] of an external pair; none where the shifts allow none.
+fn working_distance(
+    teeth: f64,
+    shift: f64,
+    module: f64,
+    helix: f64,
+    pressure_angle: f64,
+) -> Option<f64> {
+    let transverse = (pressure_angle.tan() / helix.cos()).atan();
+    let involute = |angle: f64| angle.tan() - angle;
+    let wanted = involute(transverse) + 2.0 * shift * pressure_angle.tan() / teeth;
+    if wanted <= 0.0 {
+        return None;
+    }
+    // inv grows with the angle: bisection to the last digit.
+    let (mut low, mut high) = (0.0_f64, 1.4_f64);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if involute(middle) < wanted {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    let reference = 0.5 * module * teeth / helix.cos();
+    Some(reference * transverse.cos() / low.cos())
+}
+
+fn summary(point: &OperatingPoint) -> String {
+    let mut text = format!("load case {}", point.load_case.as_deref().unwrap_or("none"));
+    if let Some(share) = point.share {
+        let _ = write!(text, " ({share} %)");
+    }
+    let values = [
+        ("torque", &point.torque, "N m"),
+        ("speed", &point.speed, "1/min"),
+        ("temperature", &point.temperature, "°C"),
+    ];
+    for (name, value, unit) in values {
+        if let Some((value, _)) = value {
+            let _ = write!(text, ", {name} {} {unit}", rounded(*value));
+        }
+    }
+    text
+}
+
+/// A number that was converted, without the digits of rounding.
+fn rounded(value: f64) -> String {
+    let text = format!("{value:.9e}");
+    text.parse::<f64>().map_or(text, |value| value.to_string())
+}
+
+/// A basic string of TOML.
+fn quoted(text: &str) -> String {
+    let mut out = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => {
+                out.push('\\');
+                out.push(c);
+            }
+            c if c.is_control() => {
+                let _ = write!(out, "\\u{:04X}", u32::from(c));
+            }
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
+}

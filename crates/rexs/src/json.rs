@@ -1,0 +1,131 @@
+//! REXS as JSON.
+
+use std::collections::BTreeMap;
+
+use serde_json::{Map, Value};
+
+use crate::error::RexsError;
+use crate::model::{Attribute, Component, LoadCase, Model, Relation};
+
+type Object = Map<String, Value>;
+
+/// Reads a REXS model from JSON.
+pub fn read(bytes: &[u8]) -> Result<Model, RexsError> {
+    let value: Value = serde_json::from_slice(bytes).map_err(|error| RexsError::Malformed {
+        place: format!("line {}", error.line()),
+        what: error.to_string(),
+    })?;
+    let model = value
+        .get("model")
+        .and_then(Value::as_object)
+        .ok_or_else(|| wrong("model", "is missing"))?;
+    let program = ["applicationId", "applicationVersion"].map(|key| text(model.get(key)));
+    let relations = list(model, "model", "relations")?;
+    let spectrum = model.get("load_spectrum").and_then(Value::as_object);
+    let load_cases = match spectrum {
+        Some(spectrum) => list(spectrum, "model.load_spectrum", "load_cases")?
+            .iter()
+            .enumerate()
+            .map(|(k, case)| {
+                let place = format!("model.load_spectrum.load_cases[{k}]");
+                let case = object(case, &place)?;
+                Ok(LoadCase {
+                    id: text(case.get("id")),
+                    components: components(case, &place)?,
+                })
+            })
+            .collect::<Result<_, RexsError>>()?,
+        None => Vec::new(),
+    };
+    Ok(Model {
+        version: text(model.get("version")),
+        program: program.join(" ").trim().to_owned(),
+        components: components(model, "model")?,
+        relations: relations
+            .iter()
+            .enumerate()
+            .map(|(k, value)| relation(value, &format!("model.relations[{k}]")))
+            .collect::<Result<_, _>>()?,
+        load_cases,
+    })
+}
+
+fn relation(value: &Value, place: &str) -> Result<Relation, RexsError> {
+    let found = object(value, place)?;
+    let role = |value: &Value| -> Result<(String, String), RexsError> {
+        let role = object(value, &format!("{place}.refs"))?;
+        Ok((text(role.get("role")), text(role.get("id"))))
+    };
+    let roles = list(found, place, "refs")?;
+    Ok(Relation {
+        id: text(found.get("id")),
+        kind: text(found.get("type")),
+        roles: roles.iter().map(role).collect::<Result<_, _>>()?,
+    })
+}
+
+fn components(of: &Object, place: &str) -> Result<BTreeMap<String, Component>, RexsError> {
+    let mut components = BTreeMap::new();
+    for (k, value) in list(of, place, "components")?.iter().enumerate() {
+        let component = component(value, &format!("{place}.components[{k}]"))?;
+        let id = component.id.clone();
+        if components.insert(id.clone(), component).is_some() {
+            return Err(RexsError::Twice { id });
+        }
+    }
+    Ok(components)
+}
+
+fn component(value: &Value, place: &str) -> Result<Component, RexsError> {
+    let found = object(value, place)?;
+    let mut attributes = BTreeMap::new();
+    for value in list(found, place, "attributes")? {
+        let attribute = object(value, &format!("{place}.attributes"))?;
+        // The value stands under the name of its type.
+        let types = ["floating_point", "integer", "string", "enum", "boolean"];
+        let value = types.iter().find_map(|key| attribute.get(*key));
+        attributes.insert(
+            text(attribute.get("id")),
+            Attribute {
+                unit: text(attribute.get("unit")),
+                text: text(value),
+            },
+        );
+    }
+    Ok(Component {
+        id: text(found.get("id")),
+        kind: text(found.get("type")),
+        name: text(found.get("name")),
+        attributes,
+    })
+}
+
+fn object<'a>(value: &'a Value, place: &str) -> Result<&'a Object, RexsError> {
+    value
+        .as_object()
+        .ok_or_else(|| wrong(place, "is no object"))
+}
+
+/// A list; empty where it is missing.
+fn list<'a>(of: &'a Object, place: &str, key: &str) -> Result<&'a [Value], RexsError> {
+    match of.get(key) {
+        None | Some(Value::Null) => Ok(&[]),
+        Some(Value::Array(list)) => Ok(list),
+        Some(_) => Err(wrong(&format!("{place}.{key}"), "is no list")),
+    }
+}
+
+fn text(value: Option<&Value>) -> String {
+    match value {
+        Some(Value::String(text)) => text.clone(),
+        Some(value @ (Value::Number(_) | Value::Bool(_))) => value.to_string(),
+        _ => String::new(),
+    }
+}
+
+fn wrong(place: &str, what: &str) -> RexsError {
+    RexsError::Malformed {
+        place: place.to_owned(),
+        what: what.to_owned(),
+    }
+}

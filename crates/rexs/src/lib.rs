@@ -1,0 +1,25 @@
+//! Gear cases from REXS gearbox files.
+//!
+//! REXS (Reusable Engineering EXchange Standard, FVA) describes gearboxes as components with attributes and
+//! relations between them. This crate reads versions 1.0 to 2.0 as XML, JSON or zip, lists the stages, and writes
+//! a case for one of them.
+//!
+//! Names of components, attributes and units: the public REXS model, schema 2.0.0, and files of three
+//! programs. A flank is called `flank_geometry` in 1.0 and 1.1, `cylindrical_gear_flank` from 1.2 on.
+
+mod case_text;
+mod error;
+mod json;
+mod model;
+mod operating_points;
+mod read;
+mod set_text;
+mod stages;
+mod units;
+mod xml;
+
+pub use case_text::{CaseText, Flanks, case_text};
+pub use error::RexsError;
+pub use model::{Attribute, Component, LoadCase, Model, Relation};
+pub use operating_points::{OperatingPoint, operating_points};
+pub use stages::{Stage, StageKind, stages};

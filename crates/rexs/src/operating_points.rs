@@ -1,0 +1,203 @@
+//! Torque, speed and temperature of a stage in every load case.
+
+use std::collections::{BTreeMap, VecDeque};
+
+use crate::error::RexsError;
+use crate::model::{Component, LoadCase, Model};
+use crate::stages::{Stage, StageKind, stages, teeth};
+use crate::units::Unit;
+
+/// An operating point of the pinion or the sun of a stage.
+#[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
+pub struct OperatingPoint {
+    /// Number of the load case; none for what the components say themselves.
+    pub load_case: Option<String>,
+    /// Share of the time \[%\].
+    pub share: Option<f64>,
+    /// Torque \[N m\], without sign, of a gearbox without losses, and where it came from.
+    pub torque: Option<(f64, String)>,
+    /// Speed \[1/min\], without sign, and where it came from.
+    pub speed: Option<(f64, String)>,
+    /// Temperature of the oil \[°C\] and where it came from.
+    pub temperature: Option<(f64, String)>,
+}
+
+/// The operating points of a stage: one per load case, or the one that the components themselves have.
+///
+/// Speed and torque are known at some shafts of the file; the ratios of the stages between take them to the
+/// stage. Torque is taken where a single shaft has one: where power is split it is left out.
+///
+/// # Errors
+/// When a number or a unit cannot be read.
+pub fn operating_points(model: &Model, stage: &Stage) -> Result<Vec<OperatingPoint>, RexsError> {
+    let (gear, mesh) = match &stage.kind {
+        StageKind::Pair { pinion, stage, .. } => (pinion, stage),
+        StageKind::Planetary { sun, stage, .. } => (sun, stage),
+        StageKind::Other { .. } => return Ok(Vec::new()),
+    };
+    let none = LoadCase::default();
+    let cases = match model.load_cases.as_slice() {
+        [] => std::slice::from_ref(&none),
+        cases => cases,
+    };
+    cases
+        .iter()
+        .map(|case| Point { model, case }.of(gear, mesh))
+        .collect()
+}
+
+struct Point<'a> {
+    model: &'a Model,
+    case: &'a LoadCase,
+}
+
+impl Point<'_> {
+    fn of(&self, gear: &str, mesh: &str) -> Result<OperatingPoint, RexsError> {
+        let turns = match shaft_of(self.model, gear) {
+            Some(shaft) => turns(self.model, shaft)?,
+            None => BTreeMap::new(),
+        };
+        let mut share = None;
+        for unit in self.model.of_kind("gear_unit") {
+            share = self.number(unit, "load_duration_fraction", Unit::Percent)?;
+        }
+        Ok(OperatingPoint {
+            load_case: (!self.case.id.is_empty()).then(|| self.case.id.clone()),
+            share: share.map(|(value, _)| value),
+            torque: self.torque(gear, mesh, &turns)?,
+            speed: self.speed(&turns)?,
+            temperature: self.temperature(mesh)?,
+        })
+    }
+
+    /// An attribute in the load case, else that of the component itself, with its place.
+    fn number(
+        &self,
+        component: &Component,
+        attribute: &'static str,
+        unit: Unit,
+    ) -> Result<Option<(f64, String)>, RexsError> {
+        if let Some(in_case) = self.case.components.get(&component.id)
+            && let Some(value) = in_case.number(attribute, unit)?
+        {
+            let place = format!("{} {}: {attribute}", component.kind, component.id);
+            return Ok(Some((
+                value,
+                format!("load case {}, {place}", self.case.id),
+            )));
+        }
+        let place = format!("{} {}: {attribute}", component.kind, component.id);
+        Ok(component
+            .number(attribute, unit)?
+            .map(|value| (value, place)))
+    }
+
+    fn speed(&self, turns: &BTreeMap<String, f64>) -> Result<Option<(f64, String)>, RexsError> {
+        let mut found: Option<(f64, String)> = None;
+        for shaft in self.model.of_kind("shaft") {
+            let known = self.number(shaft, "rotational_speed", Unit::PerMinute)?;
+            if let (Some((speed, from)), Some(ratio)) = (known, turns.get(&shaft.id))
+                && speed != 0.0
+                // The shaft of the gear itself before others.
+                && (found.is_none() || *ratio == 1.0)
+            {
+                found = Some(((speed / ratio).abs(), through(from, *ratio)));
+            }
+        }
+        Ok(found)
+    }
+
+    fn torque(
+        &self,
+        gear: &str,
+        mesh: &str,
+        turns: &BTreeMap<String, f64>,
+    ) -> Result<Option<(f64, String)>, RexsError> {
+        for relation in self.model.related("stage_gear_data") {
+            let is_ours =
+                relation.role("gear") == Some(gear) && relation.role("stage") == Some(mesh);
+            let data = relation.role("stage_gear_data");
+            if let Some(data) = data.filter(|_| is_ours)
+                && let Some(data) = self.model.components.get(data)
+                && let Some((torque, from)) = self.number(data, "torque", Unit::NewtonMetre)?
+            {
+                return Ok(Some((torque.abs(), from)));
+            }
+        }
+        let mut known = Vec::new();
+        for load in self.model.of_kind("external_load") {
+            let torque = self.number(load, "torque_around_u_axis", Unit::NewtonMetre)?;
+            if let Some((torque, from)) = torque.filter(|(torque, _)| *torque != 0.0)
+                && let Some(ratio) = shaft_of(self.model, &load.id).and_then(|of| turns.get(of))
+            {
+                known.push(((torque * ratio).abs(), through(from, *ratio)));
+            }
+        }
+        Ok((known.len() == 1).then(|| known.swap_remove(0)))
+    }
+
+    fn temperature(&self, mesh: &str) -> Result<Option<(f64, String)>, RexsError> {
+        let meshes = self.model.components.get(mesh);
+        for component in meshes
+            .into_iter()
+            .chain(self.model.of_kind("gear_casing"))
+            .chain(self.model.of_kind("gear_unit"))
+        {
+            let found = self.number(component, "temperature_lubricant", Unit::Celsius)?;
+            if found.is_some() {
+                return Ok(found);
+            }
+        }
+        Ok(None)
+    }
+}
+
+fn through(from: String, ratio: f64) -> String {
+    if ratio == 1.0 {
+        from
+    } else {
+        format!("{from}, through the ratios of the stages")
+    }
+}
+
+/// The shaft that a gear or a load sits on.
+fn shaft_of<'a>(model: &'a Model, part: &str) -> Option<&'a str> {
+    model
+        .related("assembly")
+        .filter(|relation| relation.role("part") == Some(part))
+        .filter_map(|relation| model.components.get(relation.role("assembly")?))
+        .find(|component| component.kind == "shaft")
+        .map(|shaft| shaft.id.as_str())
+}
+
+/// Turns of every shaft for one turn of `first`, over the pairs of gears between.
+fn turns(model: &Model, first: &str) -> Result<BTreeMap<String, f64>, RexsError> {
+    let mut links: Vec<[(String, f64); 2]> = Vec::new();
+    for stage in stages(model)? {
+        if let StageKind::Pair { pinion, wheel, .. } = &stage.kind {
+            let gears = [pinion, wheel].map(|id| &model.components[id]);
+            let ends = gears.map(|gear| shaft_of(model, &gear.id));
+            if let [Some(a), Some(b)] = ends {
+                links.push([
+                    (a.to_owned(), f64::from(teeth(gears[0])?)),
+                    (b.to_owned(), f64::from(teeth(gears[1])?)),
+                ]);
+            }
+        }
+    }
+    let mut turns = BTreeMap::from([(first.to_owned(), 1.0)]);
+    let mut next = VecDeque::from([first.to_owned()]);
+    while let Some(shaft) = next.pop_front() {
+        let own = turns[&shaft];
+        for [a, b] in &links {
+            for (here, there) in [(a, b), (b, a)] {
+                if here.0 == shaft && !turns.contains_key(&there.0) {
+                    turns.insert(there.0.clone(), own * here.1 / there.1);
+                    next.push_back(there.0.clone());
+                }
+            }
+        }
+    }
+    Ok(turns)
+}

@@ -1,0 +1,95 @@
+//! A file of any of the three kinds.
+
+use std::io::{Cursor, Read};
+
+use zip::ZipArchive;
+
+use crate::error::RexsError;
+use crate::model::Model;
+use crate::{json, xml};
+
+/// Bytes that a file may hold, unpacked: the largest gearboxes seen have 1 MB.
+const MOST: u64 = 64 << 20;
+const MIB: u64 = 1 << 20;
+/// Start of a zip file.
+const ZIP: &[u8] = b"PK\x03\x04";
+
+impl Model {
+    /// Reads a REXS file: XML, JSON, or a zip that holds one of either.
+    ///
+    /// # Errors
+    /// When it is none of these, is damaged, or of an unknown version.
+    ///
+    /// ```
+    /// let xml = r#"<model version="1.4"><relations/><components>
+    ///   <component id="1" type="gear_casing" name="Casing"/>
+    /// </components></model>"#;
+    /// let model = asperity_rexs::Model::read(xml.as_bytes())?;
+    /// assert_eq!(model.components["1"].kind, "gear_casing");
+    /// # Ok::<(), asperity_rexs::RexsError>(())
+    /// ```
+    pub fn read(bytes: &[u8]) -> Result<Self, RexsError> {
+        if bytes.len() as u64 > MOST {
+            return Err(too_large());
+        }
+        let model = if bytes.starts_with(ZIP) {
+            text(&unpacked(bytes)?)?
+        } else {
+            text(bytes)?
+        };
+        let known = ["1", "2"].iter().any(|major| {
+            let rest = model.version.strip_prefix(major);
+            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+        });
+        if known {
+            Ok(model)
+        } else {
+            Err(RexsError::Version(model.version))
+        }
+    }
+}
+
+fn too_large() -> RexsError {
+    RexsError::TooLarge {
+        most_mib: MOST / MIB,
+    }
+}
+
+fn text(bytes: &[u8]) -> Result<Model, RexsError> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    match bytes.iter().find(|byte| !byte.is_ascii_whitespace()) {
+        Some(b'<') => xml::read(bytes),
+        Some(b'{') => json::read(bytes),
+        _ => Err(RexsError::NotRexs),
+    }
+}
+
+/// The one REXS file in a zip; `.rexs` where it holds `.rexsj` beside it.
+fn unpacked(bytes: &[u8]) -> Result<Vec<u8>, RexsError> {
+    let damaged = |error: zip::result::ZipError| RexsError::Zip(format!("is damaged: {error}"));
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(damaged)?;
+    let names: Vec<String> = (0..archive.len())
+        .filter_map(|index| {
+            let entry = archive.by_index_raw(index).ok()?;
+            entry.name().ok().map(std::borrow::Cow::into_owned)
+        })
+        .collect();
+    let ending = |ending: &str| -> Vec<&String> {
+        let fits = |name: &&String| name.to_ascii_lowercase().ends_with(ending);
+        names.iter().filter(fits).collect()
+    };
+    let found = [".rexs", ".rexsj"].map(ending);
+    let name = match found.iter().find(|names| !names.is_empty()) {
+        Some(names) if names.len() == 1 => names[0].clone(),
+        Some(_) => return Err(RexsError::Zip("holds several REXS files".into())),
+        None => return Err(RexsError::Zip("holds no .rexs or .rexsj file".into())),
+    };
+    let entry = archive.by_name(&name).map_err(damaged)?;
+    let mut content = Vec::new();
+    let read = entry.take(MOST + 1).read_to_end(&mut content);
+    read.map_err(|error| RexsError::Zip(format!("is damaged: {error}")))?;
+    if content.len() as u64 > MOST {
+        return Err(too_large());
+    }
+    Ok(content)
+}

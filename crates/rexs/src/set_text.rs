@@ -1,0 +1,43 @@
+//! The gears of a planetary set, as commented TOML.
+
+use crate::case_text::{Text, quantities, source};
+use crate::error::RexsError;
+use crate::model::Component;
+use crate::stages::teeth;
+use crate::units::Unit;
+
+/// Writes the table `[planetary]` of sun, planet and ring.
+pub fn gears(
+    case: &mut Text<'_>,
+    mesh: &Component,
+    gears: [&Component; 3],
+    planets: usize,
+) -> Result<(), RexsError> {
+    let z = [teeth(gears[0])?, teeth(gears[1])?, teeth(gears[2])?];
+    case.line("\n[planetary]");
+    case.say(
+        &format!("teeth = [{}, {}, -{}]", z[0], z[1], z[2]),
+        &format!("sun, planet, ring {}", source(&gears, "number_of_teeth")),
+    );
+    case.say(
+        &format!("planets = {planets}"),
+        "gears that mesh with the ring",
+    );
+    case.shared_geometry(&gears)?;
+    let widths = case.all(&gears, "face_width", Unit::Millimetre)?;
+    case.say(
+        &format!("face_width = [{}]", quantities(&widths, "mm")),
+        &source(&gears, "face_width"),
+    );
+    let shifts = case.shifts(&gears)?;
+    case.centre_distance(mesh, shifts.is_some())?;
+    case.tips(&gears, &z.map(f64::from))?;
+    for (name, gear) in ["sun", "planet", "ring"].into_iter().zip(gears) {
+        case.chamfer(name, gear)?;
+    }
+    case.note(
+        "the ring is taken as held and the sun as driven: write planetary.ring_speed if it turns"
+            .into(),
+    );
+    Ok(())
+}

@@ -1,0 +1,184 @@
+//! REXS as XML.
+
+use quick_xml::Reader;
+use quick_xml::events::{BytesStart, Event};
+
+use crate::error::RexsError;
+use crate::model::{Attribute, Component, LoadCase, Model, Relation};
+
+/// Elements that are open while a file is read.
+#[derive(Default)]
+struct Open {
+    component: Option<Component>,
+    attribute: Option<(String, Attribute)>,
+    relation: Option<Relation>,
+    load_case: Option<LoadCase>,
+    /// Elements inside the attribute: an array or a matrix.
+    nested: usize,
+}
+
+/// Reads a REXS model from XML.
+pub fn read(bytes: &[u8]) -> Result<Model, RexsError> {
+    let mut reader = Reader::from_reader(bytes);
+    let mut buffer = Vec::new();
+    let mut model: Option<Model> = None;
+    let mut open = Open::default();
+    let mut depth = 0_usize;
+    loop {
+        buffer.clear();
+        let at = usize::try_from(reader.buffer_position()).unwrap_or(bytes.len());
+        let wrong = |what: String| malformed(bytes, at, what);
+        let event = reader
+            .read_event_into(&mut buffer)
+            .map_err(|error| wrong(error.to_string()))?;
+        match event {
+            Event::Start(element) | Event::Empty(element) if model.is_none() => {
+                if element.name().as_ref() != "model" {
+                    let name = element.name().as_ref().to_owned();
+                    return Err(wrong(format!("expected <model>, found <{name}>")));
+                }
+                model = Some(head(&element).map_err(wrong)?);
+                depth = 1;
+            }
+            Event::Start(element) => {
+                depth += 1;
+                started(&element, &mut open).map_err(wrong)?;
+            }
+            Event::Empty(element) => {
+                started(&element, &mut open).map_err(wrong)?;
+                let name = element.name();
+                if let Some(model) = &mut model {
+                    ended(name.as_ref(), &mut open, model)?;
+                }
+            }
+            Event::End(element) => {
+                depth = depth.saturating_sub(1);
+                if let Some(model) = &mut model {
+                    ended(element.name().as_ref(), &mut open, model)?;
+                }
+            }
+            Event::Text(text) => {
+                if let Some((_, attribute)) = open.attribute.as_mut().filter(|_| open.nested == 0) {
+                    attribute.text.push_str(text.trim());
+                }
+            }
+            Event::Eof => break,
+            _ => {}
+        }
+    }
+    let end = |what: &str| malformed(bytes, bytes.len(), what.to_owned());
+    if depth > 0 {
+        return Err(end("the file ends inside of an element"));
+    }
+    model.ok_or_else(|| end("there is no <model>"))
+}
+
+fn head(element: &BytesStart<'_>) -> Result<Model, String> {
+    let program = [
+        value(element, "applicationId")?,
+        value(element, "applicationVersion")?,
+    ];
+    Ok(Model {
+        version: value(element, "version")?,
+        program: program.join(" ").trim().to_owned(),
+        ..Model::default()
+    })
+}
+
+fn started(element: &BytesStart<'_>, open: &mut Open) -> Result<(), String> {
+    if open.attribute.is_some() {
+        open.nested += 1;
+        return Ok(());
+    }
+    match element.name().as_ref() {
+        "component" => {
+            open.component = Some(Component {
+                id: value(element, "id")?,
+                kind: value(element, "type")?,
+                name: value(element, "name")?,
+                ..Component::default()
+            });
+        }
+        "attribute" => {
+            let attribute = Attribute {
+                unit: value(element, "unit")?,
+                text: String::new(),
+            };
+            open.attribute = Some((value(element, "id")?, attribute));
+        }
+        "relation" => {
+            open.relation = Some(Relation {
+                id: value(element, "id")?,
+                kind: value(element, "type")?,
+                roles: Vec::new(),
+            });
+        }
+        "ref" => {
+            let role = (value(element, "role")?, value(element, "id")?);
+            if let Some(relation) = &mut open.relation {
+                relation.roles.push(role);
+            }
+        }
+        "load_case" => {
+            open.load_case = Some(LoadCase {
+                id: value(element, "id")?,
+                ..LoadCase::default()
+            });
+        }
+        _ => {}
+    }
+    Ok(())
+}
+
+fn ended(name: &str, open: &mut Open, model: &mut Model) -> Result<(), RexsError> {
+    if open.nested > 0 {
+        open.nested -= 1;
+        return Ok(());
+    }
+    match name {
+        "attribute" => {
+            if let (Some((id, attribute)), Some(component)) =
+                (open.attribute.take(), &mut open.component)
+            {
+                component.attributes.insert(id, attribute);
+            }
+        }
+        "component" => {
+            if let Some(component) = open.component.take() {
+                let components = match &mut open.load_case {
+                    Some(case) => &mut case.components,
+                    None => &mut model.components,
+                };
+                let id = component.id.clone();
+                if components.insert(id.clone(), component).is_some() {
+                    return Err(RexsError::Twice { id });
+                }
+            }
+        }
+        "relation" => model.relations.extend(open.relation.take()),
+        "load_case" => model.load_cases.extend(open.load_case.take()),
+        _ => {}
+    }
+    Ok(())
+}
+
+/// An XML attribute; empty where it is missing.
+fn value(element: &BytesStart<'_>, name: &str) -> Result<String, String> {
+    let found = element
+        .try_get_attribute(name)
+        .map_err(|error| error.to_string())?;
+    let Some(found) = found else {
+        return Ok(String::new());
+    };
+    let text = quick_xml::escape::unescape(&found.value).map_err(|error| error.to_string())?;
+    Ok(text.into_owned())
+}
+
+fn malformed(bytes: &[u8], at: usize, what: String) -> RexsError {
+    let before = &bytes[..at.min(bytes.len())];
+    let line = 1 + before.iter().filter(|byte| **byte == b'\n').count();
+    RexsError::Malformed {
+        place: format!("line {line}"),
+        what,
+    }
+}
