@@ -6,8 +6,6 @@ use asperity_gear::{FlankPoint, Gear, GearError, GearPair};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::input::FlankInput;
-
 /// End of the flank at which a trace begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
@@ -77,6 +75,15 @@ impl From<GearError> for PlaceError {
     }
 }
 
+/// What the keys of a flank tell of the place of its trace.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Told {
+    pub from: Option<TraceStart>,
+    pub at: Option<FlankPlaceInput>,
+    /// Whether `mirrored` is given.
+    pub is_mirrored: bool,
+}
+
 /// Direction and place of a trace as read.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ReadPlace {
@@ -90,13 +97,13 @@ pub(super) struct ReadPlace {
 
 /// The place of a trace; `arc_of_first` is what a roll length of its file says. None where no key tells of it.
 pub(super) fn read_place(
-    input: &FlankInput,
+    input: Told,
     gears: &GearPair,
     gear: Gear,
     arc_of_first: Option<Length>,
 ) -> Result<Option<ReadPlace>, PlaceError> {
     let told = input.at.is_some() || input.from.is_some();
-    if told && input.mirrored.is_some() {
+    if told && input.is_mirrored {
         return Err(PlaceError::Rule(
             "says how the trace lies on the flank, so mirrored is not asked for; leave mirrored out",
         ));
@@ -127,7 +134,7 @@ pub(super) fn read_place(
         (None, None) => None,
     };
     // A file of roll lengths alone changes nothing where the case says mirrored.
-    if input.mirrored.is_some() {
+    if input.is_mirrored {
         return Ok(None);
     }
     Ok(Some(ReadPlace {

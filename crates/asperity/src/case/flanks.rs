@@ -23,7 +23,7 @@ use super::defaults::DefaultUsed;
 use super::domain::domain;
 use super::error::CaseError;
 use super::files::{Content, FILE_OF_PINION, FILE_OF_WHEEL, Files};
-use super::flank_place::{PlaceError, ReadPlace, read_place};
+use super::flank_place::{PlaceError, ReadPlace, Told, read_place};
 use super::input::FlankInput;
 use super::key_names::key_of;
 use super::resolve::Case;
@@ -319,7 +319,12 @@ fn place_of(
         Gear::Wheel => "surface.wheel.at",
     };
     let gear = gear_of(key.trim_end_matches(".at"));
-    read_place(input, gears, gear, arc).map_err(|error| match error {
+    let told = Told {
+        from: input.from,
+        at: input.at,
+        is_mirrored: input.mirrored.is_some(),
+    };
+    read_place(told, gears, gear, arc).map_err(|error| match error {
         PlaceError::Rule(rule) => CaseError::Conflict {
             place: given.source.place_of(key),
             key,

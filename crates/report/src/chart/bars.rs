@@ -36,10 +36,16 @@ pub struct BarChart {
 impl BarChart {
     /// The chart as SVG.
     pub fn svg(&self, dress: Dress) -> String {
-        const LEFT: f64 = 150.0;
+        const LEAST_LEFT: f64 = 150.0;
+        const MOST_LEFT: f64 = 290.0;
+        /// Width of a letter of a name.
+        const LETTER: f64 = 6.6;
         const RIGHT: f64 = WIDTH - 130.0;
         const PITCH: f64 = 34.0;
         const THICK: f64 = 20.0;
+        let letters = self.bars.iter().map(|bar| bar.name.chars().count());
+        let widest = letters.max().unwrap_or(0) as f64;
+        let left = (12.0 + LETTER * widest).clamp(LEAST_LEFT, MOST_LEFT);
         let top = if dress == Dress::Alone { 36.0 } else { 10.0 };
         let bottom = top + PITCH * self.bars.len() as f64 + 4.0;
         let height = bottom + 46.0;
@@ -48,7 +54,7 @@ impl BarChart {
                 .map(|value| bar.spread.map_or(value, |[_, high]| value.max(high)))
         });
         let range = self.axis.clone().from_zero().range(ends);
-        let place = |value: f64| LEFT + range.share(value) * (RIGHT - LEFT);
+        let place = |value: f64| left + range.share(value) * (RIGHT - left);
         let mut canvas = Canvas::default();
         for (value, label) in range.ticks(5) {
             canvas.line("grid", [place(value), top], [place(value), bottom]);
@@ -62,11 +68,11 @@ impl BarChart {
         for (index, bar) in self.bars.iter().enumerate() {
             let y = top + 8.0 + PITCH * index as f64;
             let middle = y + 0.5 * THICK;
-            canvas.label("name", [LEFT - 8.0, middle + 4.0], Anchor::End, &bar.name);
-            let mut end = LEFT;
+            canvas.label("name", [left - 8.0, middle + 4.0], Anchor::End, &bar.name);
+            let mut end = left;
             if let Some(value) = bar.value {
                 end = place(value);
-                canvas.rect("bar", [LEFT, y], [(end - LEFT).max(0.0), THICK]);
+                canvas.rect("bar", [left, y], [(end - left).max(0.0), THICK]);
                 if let Some([low, high]) = bar.spread {
                     let ends = [place(low.max(0.0)), place(high)];
                     whisker(&mut canvas, ends, [y + 4.0, y + THICK - 4.0]);
@@ -75,8 +81,8 @@ impl BarChart {
             }
             canvas.label("name", [end + 7.0, middle + 4.0], Anchor::Start, &bar.text);
         }
-        canvas.line("axis", [LEFT, top], [LEFT, bottom]);
-        let middle = 0.5 * (LEFT + RIGHT);
+        canvas.line("axis", [left, top], [left, bottom]);
+        let middle = 0.5 * (left + RIGHT);
         canvas.label(
             "name",
             [middle, height - 8.0],
