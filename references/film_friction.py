@@ -18,6 +18,8 @@ OILS = {
     "M100": (96.0, 10.6, 882.0, "mineral"),
     "PAO100": (94.1, 14.0, 840.0, "pao"),
 }
+# Factor and exponent of Gold's pressure-viscosity coefficient.
+GOLD = {"mineral": (9.904, 0.1390), "pao": (7.382, 0.1335)}
 E_STAR = 210e9 / (2 * 0.91)
 STEEL = dict(k=45.0, rho=7830.0, c=465.0)
 TAU_L0 = 2e6
@@ -31,6 +33,7 @@ class Oil:
         self.b = (w[0] - w[1]) / (t[1] - t[0])
         self.a = w[0] + self.b * t[0]
         row = next(row for row in FAMILIES if row["name"] == family)
+        self.gold = GOLD[family]
         self.of = {key: value["value"] for key, value in row.items() if isinstance(value, dict)}
 
     def nu(self, t):
@@ -41,8 +44,8 @@ class Oil:
 
     def alpha(self, t):
         """Gold's value at 80 deg C, elsewhere by the same power of the dynamic viscosity."""
-        at, power = 353.15, self.of["gold_exponent"]
-        return 1e-9 * self.of["gold_factor"] * self.nu(at) ** power * (self.eta(t) / self.eta(at)) ** power
+        at, (factor, power) = 353.15, self.gold
+        return 1e-9 * factor * self.nu(at) ** power * (self.eta(t) / self.eta(at)) ** power
 
     def stress(self, p, t, rate):
         viscosity = self.eta(t) * np.exp(min(self.alpha(t) * p, 40.0))

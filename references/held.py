@@ -15,6 +15,7 @@ NUMBER = re.compile(r"-?\b\d[\d_]*(?:\.[\d_]+)?(?:[eE][+-]?\d+)?")
 
 checked = 0
 failed = 0
+largest = {}
 
 
 @lru_cache(maxsize=None)
@@ -45,7 +46,19 @@ def agree(what, value, expected, tolerance):
         print(f"DIFFERS {what}: {value!r} is not {expected!r}")
 
 
+def compare(kind, what, value, expected, tolerance, floor=0.0):
+    """Whether two numbers agree to the relative `tolerance` or the absolute `floor`; `report` tells the largest
+    deviation of each kind."""
+    off = abs(value - expected)
+    relative = off / abs(expected) if expected else (0.0 if off <= floor else math.inf)
+    if not relative <= largest.get(kind, (-1.0, ""))[0]:
+        largest[kind] = (relative, what)
+    agree(f"{kind} of {what}", value, expected, max(tolerance, floor / abs(expected)) if expected else tolerance)
+
+
 def report():
     """Prints the count; the exit status tells whether all agree."""
+    for kind, (off, what) in largest.items():
+        print(f"  {kind}: largest deviation {off:.1e} ({what})")
     print(f"{Path(sys.argv[0]).name}: {checked - failed} of {checked} numbers agree")
     sys.exit(1 if failed else 0)

@@ -397,3 +397,17 @@ fn deviation(values: &[f64]) -> Option<f64> {
     let squares: f64 = values.iter().map(|value| (value - middle).powi(2)).sum();
     Some((squares / (n - 1) as f64).sqrt())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{deviation, median};
+
+    #[test]
+    fn medians_and_deviations_of_few_values() {
+        assert_eq!(median(vec![]), None);
+        assert_eq!(median(vec![4.0, 1.0, 8.0]), Some(4.0));
+        assert_eq!(median(vec![8.0, 1.0, 4.0, 2.0]), Some(3.0));
+        assert_eq!(deviation(&[1.0]), None);
+        assert_eq!(deviation(&[1.0, 4.0, 7.0]), Some(3.0));
+    }
+}

@@ -1,4 +1,5 @@
-//! The solver against closed forms, a dense solution and independent programs.
+//! The solver against closed forms, a dense solution and independent programs (`references/half_plane.py`,
+//! `references/rough_contact.py`).
 #![allow(clippy::unwrap_used, reason = "a test that cannot set up has failed")]
 
 mod common;

@@ -1,4 +1,4 @@
-//! Energies of a contact that sweeps the flank.
+//! Energies of a contact that sweeps the flank; `references/swept.py` computes those of the three gears.
 
 #![allow(
     clippy::unwrap_used,

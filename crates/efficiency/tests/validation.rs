@@ -1,5 +1,6 @@
 //! Against hand calculations and the reference case (Rodríguez 2022, Table 2: 285 N m at
-//! 3000 1/min, 50/120 teeth, 1.3 mm, 30°, face 50 mm), evaluated independently in double precision.
+//! 3000 1/min, 50/120 teeth, 1.3 mm, 30°, face 50 mm), evaluated independently in double precision
+//! (`references/table_2.py`).
 
 use asperity_core::quantity::{
     AngularSpeed, Length, LineEnergy, LineLoad, Power, Pressure, Speed, Time, Torque,

@@ -3,7 +3,7 @@
 //! The reference case is a pair of helical gears (module 1.3 mm, 50/120 teeth, 285 N m,
 //! 3000 1/min) at four positions of the path of contact: its start A, midway to the pitch point,
 //! the pitch point C and its end E. The expected numbers were computed independently in Python
-//! from the published formulas and are typed in to all printed digits; 1e-12 is what differently
+//! (`references/table_2.py`) from the published formulas and are typed in to all printed digits; 1e-12 is what differently
 //! ordered double arithmetic leaves.
 
 #![allow(

@@ -1,4 +1,5 @@
-//! Published and independently computed numbers of lubricated line contacts.
+//! Published and independently computed numbers of lubricated line contacts; `references/smooth_film.py`
+//! computes the steady smooth ones.
 
 mod common;
 

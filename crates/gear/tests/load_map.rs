@@ -1,4 +1,5 @@
-//! The load map against an independent program, `tests/golden/load_map.json`, and closed forms.
+//! The load map against an independent program, `tests/golden/load_map.json` (computed anew by
+//! `references/load_map.py`), and closed forms.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 

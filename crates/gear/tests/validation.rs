@@ -1,7 +1,7 @@
 //! Against closed forms, the reference case, and a measured gear pair.
 //!
 //! "Table 2" is the case of Rodríguez 2022, Table 2, with the module read as the normal module; its
-//! numbers were evaluated independently in double precision by a Python program.
+//! numbers were evaluated independently in double precision by `references/table_2.py`.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 

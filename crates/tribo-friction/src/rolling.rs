@@ -12,7 +12,7 @@
 //!
 //! Source: P. G. Goksem and R. A. Hargreaves, ASME J. Lubr. Technol. 100 (1978) 346, whose
 //! inlet solution the power law fits. It lies within 5 % of an independent numerical Grubin
-//! inlet solution, F = ½ ∫ (h − h₀) dp, in five cases with G U from 10⁻⁷ to 1.1·10⁻⁶. A force
+//! inlet solution (`references/table_2.py`), F = ½ ∫ (h − h₀) dp, in five cases with G U from 10⁻⁷ to 1.1·10⁻⁶. A force
 //! on one surface: the pair loses F_r (u₁ + u₂) = 2 F_r V_e. [`goksem_factor`] is the longer form
 //! of the same fit, with its own thermal factor, as an open bearing dynamics code has it.
 

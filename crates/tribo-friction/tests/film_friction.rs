@@ -1,4 +1,4 @@
-//! The film law against independent programs, its limits, and what must hold whatever the numbers.
+//! The film law against independent programs (`references/film_friction.py`), its limits, and what must hold whatever the numbers.
 //!
 //! | what must hold | test |
 //! |---|---|

@@ -1,7 +1,7 @@
 //! Friction, rolling and flash temperature against computed and published numbers.
 //!
-//! Expected numbers of the reference case come from an independent Python computation and are
-//! typed in to all printed digits; 1e-12 is what differently ordered double arithmetic leaves.
+//! Expected numbers of the reference case come from an independent Python computation
+//! (`references/table_2.py`) and are typed in to all printed digits; 1e-12 is what differently ordered double arithmetic leaves.
 
 #![allow(
     clippy::unwrap_used,

@@ -1,5 +1,5 @@
-//! The load share against an independent program, and what must hold whatever the numbers: single windows here,
-//! drawn ones in `properties`, whole flanks that run in in `run_in`.
+//! The load share against an independent program (`references/load_share.py` computes its windows anew), and
+//! what must hold whatever the numbers: single windows here, drawn ones in `properties`, whole flanks that run in in `run_in`.
 
 #![allow(
     clippy::unwrap_used,

@@ -33,19 +33,22 @@ pub struct BarChart {
     pub bars: Vec<Bar>,
 }
 
+/// Room for names of this many letters left of the bars.
+fn room(letters: usize) -> f64 {
+    const LEAST: f64 = 150.0;
+    const MOST: f64 = 0.5 * WIDTH;
+    const LETTER: f64 = 7.0;
+    (20.0 + LETTER * letters as f64).clamp(LEAST, MOST)
+}
+
 impl BarChart {
     /// The chart as SVG.
     pub fn svg(&self, dress: Dress) -> String {
-        const LEAST_LEFT: f64 = 150.0;
-        const MOST_LEFT: f64 = 290.0;
-        /// Width of a letter of a name.
-        const LETTER: f64 = 6.6;
         const RIGHT: f64 = WIDTH - 130.0;
         const PITCH: f64 = 34.0;
         const THICK: f64 = 20.0;
-        let letters = self.bars.iter().map(|bar| bar.name.chars().count());
-        let widest = letters.max().unwrap_or(0) as f64;
-        let left = (12.0 + LETTER * widest).clamp(LEAST_LEFT, MOST_LEFT);
+        let names = self.bars.iter().map(|bar| bar.name.chars().count());
+        let left = room(names.max().unwrap_or(0));
         let top = if dress == Dress::Alone { 36.0 } else { 10.0 };
         let bottom = top + PITCH * self.bars.len() as f64 + 4.0;
         let height = bottom + 46.0;

@@ -14,7 +14,8 @@
 //! line source (its largest value is Blok's 1.11); it needs Péclet numbers u a/(2 κ) above 1, so that
 //! slower surfaces enter with the speed 2 κ/a.
 //!
-//! Checked against two independent programs in fourteen conditions. The ranges noted are those over
+//! Checked against two independent programs in fourteen conditions (one is
+//! `references/film_friction.py`). The ranges noted are those over
 //! which the law was looked at beside measured gears: own choice.
 
 use std::borrow::Cow;

@@ -1,6 +1,7 @@
 //! A pair of helical gears (module 1.3 mm, 50/120 teeth, 285 N m, 3000 1/min, oil of 97.5 mPa s)
 //! at four positions of the path of contact: its start A, midway to the pitch point, the pitch
-//! point C and its end E. The numbers were computed independently in Python.
+//! point C and its end E. The numbers were computed independently
+//! by `references/table_2.py`.
 
 #![allow(dead_code, reason = "each test binary reads a part")]
 
