@@ -434,3 +434,72 @@ fn the_shipped_case_of_the_paper_warns_as_its_documents_say() {
         assert!(said.contains(says), "{said}");
     }
 }
+
+/// A bench whose flanks lie at these roll lengths [mm].
+fn placed(pinion: &str, wheel: &str) -> Bench {
+    let bench = bench_with(
+        "pinion",
+        &format!("pinion = {{ file = \"pinion.csv\", at = {{ roll_length = \"{pinion} mm\" }} }}"),
+    );
+    let text = std::fs::read_to_string(bench.path("case.toml")).unwrap();
+    let placed =
+        format!("wheel = {{ file = \"wheel.csv\", at = {{ roll_length = \"{wheel} mm\" }} }}");
+    bench.write(
+        "case.toml",
+        text.replace("wheel = { file = \"wheel.csv\", mirrored = true }", &placed),
+    );
+    bench
+}
+
+#[test]
+fn what_is_doubtful_about_the_places_of_traces_is_said() {
+    // Arcs 0.5 to 3.5 mm and 3.6 to 6.6 mm of 0.34 to 3.66 mm and 3.39 to 6.84 mm in contact.
+    let most = placed("4.579", "21.126");
+    let says = [
+        "the traces cover",
+        "% of the loss along the path of contact",
+    ];
+    warns(&most, &["--set", "model.positions=16"], "W417", &says);
+    let one = bench_with(
+        "pinion",
+        "pinion = { file = \"pinion.csv\", at = { diameter = \"43 mm\" } }",
+    );
+    let says = [
+        "not known of the trace of the wheel",
+        "any place of their flanks",
+    ];
+    warns(&one, &[], "W418", &says);
+    let beside = placed("12", "21.126");
+    run_is_refused(
+        &beside,
+        &[],
+        2,
+        "E123",
+        &["the traces cover", "at least 30 % are needed"],
+    );
+    let both = ["--set", "surface.pinion.mirrored=true"];
+    run_is_refused(
+        &most,
+        &both,
+        2,
+        "E205",
+        &["surface.pinion.at: says how the trace lies"],
+    );
+    let two = ["--set", "surface.pinion.at.radius=22 mm"];
+    run_is_refused(
+        &most,
+        &two,
+        2,
+        "E205",
+        &["needs exactly one of position, roll_length"],
+    );
+    let below = placed("4.579", "21.126");
+    let low = ["--set", "surface.pinion.at={ radius = \"20 mm\" }"];
+    run_is_refused(
+        &below,
+        &low,
+        2,
+        "E209",
+        &["must not be below the base radius"],
+    );
+}

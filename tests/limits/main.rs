@@ -6,6 +6,7 @@ mod band;
 mod constant_friction;
 mod equations_used;
 mod friction_laws;
+mod placement;
 mod positions;
 mod regime;
 mod sampling;

@@ -62,10 +62,8 @@ impl Traces {
             asperity_radius: None,
             ..given.clone()
         };
-        let of_wheel = surface.wheel.clone().unwrap_or_else(|| FlankInput {
-            mirrored: Some(!surface.pinion.mirrored.unwrap_or(false)),
-            ..surface.pinion.clone()
-        });
+        let of_wheel = surface.wheel.clone();
+        let of_wheel = of_wheel.unwrap_or_else(|| surface.pinion.for_wheel());
         surface.pinion = on_file(&surface.pinion, &self.pinion);
         surface.wheel = self.wheel.as_deref().map(|file| on_file(&of_wheel, file));
     }

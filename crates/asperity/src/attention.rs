@@ -18,6 +18,7 @@ use crate::full_film::{FullFilmRow, NOTED_DEVIATION};
 use crate::load_report::LoadReport;
 use crate::local_roughness::FEW_ASPERITIES;
 use crate::message::Warning;
+use crate::placement::FULL_COVERAGE;
 use crate::position::Position;
 use crate::referee::LARGEST_ROUGHNESS;
 use crate::result::{RecordRow, Regime, Summary};
@@ -427,6 +428,7 @@ fn roughness(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warnin
         ));
     }
     short_traces(loaded, positions, found);
+    covered(loaded, positions, found);
 }
 
 /// Text of W408: the law that replaces one that needs the rough contact, and the film ratio used.
@@ -467,6 +469,21 @@ fn short_traces(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<War
                 "the window of the contact can move {:.0} um along the shorter trace, less than the {:.0} um that an interval needs: this is one window, and its sampling error is not known",
                 1e6 * way.si(),
                 1e6 * needed.si(),
+            ),
+        ));
+    }
+}
+
+/// W417: contacts beside the ends of placed traces.
+fn covered(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warning>) {
+    let stations = positions.iter().map(|position| &position.station);
+    let coverage = loaded.surfaces.coverage(stations);
+    if let Some(coverage) = coverage.filter(|coverage| *coverage < FULL_COVERAGE) {
+        found.push(Warning::new(
+            "W417",
+            format!(
+                "the traces cover {:.0} % of the loss along the path of contact; elsewhere the nearest window on them stands",
+                100.0 * coverage
             ),
         ));
     }

@@ -25,7 +25,7 @@ use crate::surfaces::{Surfaces, Texture};
 pub struct ContactTables {
     fingerprint: Vec<u64>,
     load: KeptLoad,
-    rows: BTreeMap<[u64; 2], Vec<KeptContact>>,
+    rows: BTreeMap<[u64; 3], Vec<KeptContact>>,
 }
 
 /// The load over the teeth and all that it follows from.
@@ -78,7 +78,7 @@ pub(crate) struct KeptContact {
     pub first_touch: Option<Length>,
     pub roughness: Roughness,
     /// First points of the window on both traces, and its points.
-    pub starts: [usize; 2],
+    pub starts: [isize; 2],
     pub points: usize,
 }
 
@@ -176,9 +176,14 @@ impl ContactTables {
     }
 }
 
-/// Load and radius decide the contact of a window.
-fn key(station: &Station) -> [u64; 2] {
-    [station.load.si(), station.motion.radius.si()].map(f64::to_bits)
+/// Load and radius decide the contact of a window, the place which one it is.
+fn key(station: &Station) -> [u64; 3] {
+    [
+        station.load.si(),
+        station.motion.radius.si(),
+        station.s.si(),
+    ]
+    .map(f64::to_bits)
 }
 
 /// Bits of everything else that the contacts depend on.
@@ -196,6 +201,13 @@ fn fingerprint(case: &Case, surfaces: &Surfaces) -> Vec<u64> {
     bits.push(case.model.offsets as u64);
     let noise = case.preparation.lambda_s.map_or(0.0, |cutoff| cutoff.si());
     bits.push(noise.to_bits());
+    if let Some(placement) = surfaces.placement() {
+        let places = placement.traces.iter();
+        bits.extend(places.flat_map(|placed| {
+            [placed.first_arc, placed.direction, placed.base_radius].map(f64::to_bits)
+        }));
+        bits.push(placement.misplaced.to_bits());
+    }
     for texture in surfaces.textures() {
         if let Texture::Trace(profile) = texture {
             bits.push(profile.spacing().si().to_bits());

@@ -6,6 +6,7 @@ use asperity_core::quantity::Length;
 
 use crate::error::PositionError;
 use crate::local_roughness::Roughness;
+use crate::placement::reflected;
 use crate::station::{Resolution, Station};
 use crate::surfaces::{Surfaces, Texture};
 
@@ -58,8 +59,9 @@ pub struct Encounter {
     pub x: Vec<f64>,
     /// Distance of the points.
     pub spacing: Length,
-    /// First point of the window on the traces of pinion and wheel.
-    pub starts: [usize; 2],
+    /// First point of the window on the traces of pinion and wheel; negative where a placed trace begins within
+    /// the window.
+    pub starts: [isize; 2],
     /// Heights of pinion and wheel under the contact \[m\].
     pub heights: [Vec<f64>; 2],
     /// Undeformed gap x²/2R − z₁ − z₂ \[m\].
@@ -96,11 +98,22 @@ impl Encounter {
         }
         let reach = (window * points).ceil() as usize;
         let n = 2 * reach + 1;
-        // Evenly along the pinion; along the wheel in another order, so that the pairs differ.
-        let along = (k as f64 + 0.5) / count as f64;
-        let across = (0.5 + k as f64 * GOLDEN_SECTION).fract();
-        let [(pinion, start_1), (wheel, start_2)] =
-            [part(first, n, along)?, part(second, n, across)?];
+        let [(pinion, start_1), (wheel, start_2)] = match surfaces.placement() {
+            Some(placement) => {
+                let points = [first.len(), second.len()];
+                let (middles, _) = placement.middles(station, points, spacing);
+                [
+                    around(first, middles[0], reach)?,
+                    around(second, middles[1], reach)?,
+                ]
+            }
+            None => {
+                // Evenly along the pinion; along the wheel in another order, so that the pairs differ.
+                let along = (k as f64 + 0.5) / count as f64;
+                let across = (0.5 + k as f64 * GOLDEN_SECTION).fract();
+                [part(first, n, along)?, part(second, n, across)?]
+            }
+        };
         let flanks = [pinion, wheel];
         let dx = spacing.si();
         let x: Vec<f64> = (0..n).map(|i| (i as f64 - reach as f64) * dx).collect();
@@ -137,7 +150,7 @@ impl Encounter {
 
 /// Window of `n` neighbouring points of `profile`, from the fraction `place` of where they can start, and its
 /// first point.
-fn part(profile: &Profile, n: usize, place: f64) -> Result<(Profile, usize), PositionError> {
+fn part(profile: &Profile, n: usize, place: f64) -> Result<(Profile, isize), PositionError> {
     let free = profile
         .len()
         .checked_sub(n)
@@ -147,5 +160,17 @@ fn part(profile: &Profile, n: usize, place: f64) -> Result<(Profile, usize), Pos
         })?;
     let start = (place * free as f64).round() as usize;
     let window = profile.heights()[start..start + n].to_vec();
+    Ok((Profile::new(profile.spacing(), window)?, start as isize))
+}
+
+/// Window of `reach` points to each side of the point `middle`, and its first point; beyond the ends of the
+/// trace its mirror image.
+fn around(
+    profile: &Profile,
+    middle: usize,
+    reach: usize,
+) -> Result<(Profile, isize), PositionError> {
+    let start = middle as isize - reach as isize;
+    let window = reflected(profile.heights(), start, 2 * reach + 1);
     Ok((Profile::new(profile.spacing(), window)?, start))
 }

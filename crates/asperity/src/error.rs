@@ -30,6 +30,15 @@ pub enum PositionError {
     /// The lubricated contact has no solution, or did not converge.
     #[error(transparent)]
     Ehl(#[from] asperity_ehl::EhlError),
+    /// Traces that lie beside the contact.
+    #[error(
+        "the traces cover {:.0} % of the loss along the path of contact where they are placed, at least 30 % are needed",
+        100.0 * coverage
+    )]
+    NotCovered {
+        /// Share of the loss at places that both traces cover.
+        coverage: f64,
+    },
     /// Contact tables of other gears, flanks or loads.
     #[error("the contact tables were made for another {differs}")]
     OtherTables {
@@ -299,6 +308,7 @@ impl PositionError {
         match self.reason() {
             Self::TooCoarse { .. } => "E121",
             Self::TraceTooShort { .. } => "E122",
+            Self::NotCovered { .. } => "E123",
             Self::NoProfile => "E303",
             Self::Impossible { .. } => "E308",
             Self::Marching { .. } => "E304",

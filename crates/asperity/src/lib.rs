@@ -60,6 +60,7 @@ mod losses;
 pub mod message;
 pub mod physical_sense;
 pub mod pipeline;
+pub mod placement;
 pub mod planetary;
 mod position;
 pub mod prelude;

@@ -63,6 +63,9 @@ pub struct BandParameter {
 pub enum SamplingPart {
     /// Windows of traces whose place on the flank is not known.
     Windows(WindowSampling),
+    /// One pair of traces at known places, which has no sampling error: the change of the loss \[W\] where each is
+    /// misplaced by two half-widths of the contact against the other, to either side.
+    OnePair([f64; 2]),
     /// There is no interval; why.
     None(String),
 }

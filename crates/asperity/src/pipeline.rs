@@ -25,6 +25,7 @@ use crate::error::{Error, PositionError};
 use crate::formulation;
 use crate::kept_fields::{Keeper, KeptFields};
 use crate::physical_sense::{check_position, check_station};
+use crate::placement::check_coverage;
 use crate::position::Position;
 use crate::provenance;
 use crate::records::{self, PathRecords};
@@ -284,6 +285,9 @@ impl Mesh {
                 Some(map) => (map.clone(), stations_under(&loaded.case, laws, map)?),
                 None => stations_with(&loaded.case, laws)?,
             };
+            if let Some(coverage) = loaded.surfaces.coverage(stations.iter()) {
+                check_coverage(coverage)?;
+            }
             let (records, record_count) = records::of_case(loaded, laws, &stations, progress)?;
             Ok(Self {
                 map,

@@ -84,7 +84,7 @@ impl<'a> RoughFilm<'a> {
         kept: &KeptContact,
         meet: impl FnOnce() -> Result<Encounter, PositionError>,
     ) -> Result<Checked<LoadShareSolution>, PositionError> {
-        let rms = self.traces.window_rms(kept.starts, kept.points)?;
+        let rms = self.traces.reflected_rms(kept.starts, kept.points)?;
         if let Some(table) = kept.table() {
             return Ok(self.film.share(table, rms)?);
         }
@@ -110,7 +110,7 @@ impl<'a> RoughFilm<'a> {
     ) -> Result<(Checked<LoadShareSolution>, FoundContact), PositionError> {
         let rms = self
             .traces
-            .window_rms(encounter.starts, encounter.x.len())?;
+            .reflected_rms(encounter.starts, encounter.x.len())?;
         let (composite, spacing) = (encounter.composite(), encounter.spacing);
         let mut contact = rough_contact(self.case, &self.contact, &composite, spacing)?;
         let first_touch = contact.first_touch_gap();

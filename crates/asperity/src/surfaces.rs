@@ -13,6 +13,8 @@ use serde::Serialize;
 
 use crate::error::PositionError;
 use crate::local_roughness::{Roughness, peaks};
+use crate::placement::Placement;
+use crate::station::Station;
 
 /// λs at which summits are measured when no noise filter was asked for: the usual stylus filter.
 const SUMMIT_WINDOW: Length = Length::from_si(2.5e-6);
@@ -43,6 +45,7 @@ impl PartialEq for Surfaces {
         self.textures == other.textures
             && self.noise_cutoff == other.noise_cutoff
             && self.rz == other.rz
+            && self.placement == other.placement
             && self.same_trace == other.same_trace
     }
 }
@@ -56,6 +59,8 @@ pub struct Surfaces {
     noise_cutoff: Option<Length>,
     /// Rz of the traces as roughness parameters; where it is not known, windows have the range of their heights.
     rz: [Option<Length>; 2],
+    /// Where the traces lie on their flanks; none where that is not known of both.
+    placement: Option<Placement>,
     /// Both flanks come from the same trace.
     pub same_trace: bool,
 }
@@ -69,6 +74,7 @@ impl Surfaces {
             spectra: Arc::new(OnceLock::new()),
             noise_cutoff,
             rz: [None; 2],
+            placement: None,
             same_trace,
         }
     }
@@ -78,6 +84,28 @@ impl Surfaces {
     #[must_use]
     pub fn with_rz(self, rz: [Option<Length>; 2]) -> Self {
         Self { rz, ..self }
+    }
+
+    /// The same with the traces at their places on the flanks.
+    #[must_use]
+    pub fn placed(self, placement: Option<Placement>) -> Self {
+        Self { placement, ..self }
+    }
+
+    /// Where the traces lie on their flanks; none where that is not known of both.
+    #[must_use]
+    pub fn placement(&self) -> Option<&Placement> {
+        self.placement.as_ref()
+    }
+
+    /// Share of the loss at places that both traces cover; none where they are not placed.
+    pub(crate) fn coverage<'a>(&self, stations: impl Iterator<Item = &'a Station>) -> Option<f64> {
+        let [Texture::Trace(first), Texture::Trace(second)] = &self.textures else {
+            return None;
+        };
+        let points = [first.len(), second.len()];
+        let placement = self.placement.as_ref()?;
+        Some(placement.coverage(stations, points, first.spacing()))
     }
 
     fn rz_of(&self, body: usize, window: Length) -> f64 {
@@ -91,6 +119,7 @@ impl Surfaces {
             self.noise_cutoff,
             self.same_trace,
         )
+        .placed(self.placement)
     }
 
     /// Pinion and wheel.
@@ -119,9 +148,13 @@ impl Surfaces {
             .all(|texture| matches!(texture, Texture::Trace(_)))
     }
 
-    /// Number of offsets computed when `wanted` are requested: one where a flank was not measured.
+    /// Number of offsets computed when `wanted` are requested: one where a flank was not measured, or where the windows
+    /// follow from the mesh.
     pub(crate) fn offsets(&self, wanted: usize) -> usize {
-        if self.are_measured() { wanted } else { 1 }
+        match self.are_measured() && self.placement.is_none() {
+            true => wanted,
+            false => 1,
+        }
     }
 
     /// Roughness of the windows that meet.

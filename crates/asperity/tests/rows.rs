@@ -23,7 +23,7 @@ fn close(value: f64, expected: f64) {
 
 #[test]
 fn the_loss_of_a_position_is_friction_times_load_times_sliding() {
-    for row in result(6).positions {
+    for row in result(6).path {
         let load = 1e3 * row.line_load_n_per_mm;
         close(
             row.sliding_w_per_m,

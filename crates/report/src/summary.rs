@@ -81,9 +81,13 @@ fn write_losses(text: &mut String, result: &RunResult) -> std::fmt::Result {
             watts(s.power_in_w),
         )?,
     }
+    let part = |power: f64| match &result.band {
+        Some(band) => part(power, band),
+        None => watts(power),
+    };
     let mut parts = vec![
-        format!("sliding {}", watts(s.sliding_w)),
-        format!("rolling {}", watts(s.rolling_w)),
+        format!("sliding {}", part(s.sliding_w)),
+        format!("rolling {}", part(s.rolling_w)),
     ];
     let [pinion, wheel] = s.deformation_w;
     if pinion != 0.0 || wheel != 0.0 {
@@ -100,10 +104,26 @@ fn write_losses(text: &mut String, result: &RunResult) -> std::fmt::Result {
     writeln!(
         text,
         "  sliding in film {}, lubricated asperities {}, boundary layer {}",
-        watts(s.film_w),
-        watts(s.lubricated_asperity_w),
-        watts(s.boundary_w),
+        part(s.film_w),
+        part(s.lubricated_asperity_w),
+        part(s.boundary_w),
     )
+}
+
+/// A part of the loss, with the digits that the band of the whole leaves.
+fn part(power: f64, band: &LossBand) -> String {
+    let text = rounded(power, band.half_width_w());
+    let is_lost = text.chars().all(|c| "0.".contains(c)) && power > 0.0;
+    match is_lost {
+        true => format!("below {} W", rounded_step(band.half_width_w())),
+        false => format!("{text} W"),
+    }
+}
+
+/// The last place that [`rounded`] leaves.
+fn rounded_step(half_width: f64) -> String {
+    let decimals = (1 - half_width.log10().floor() as i32).min(4);
+    format!("{:.*}", decimals.max(0) as usize, 10f64.powi(-decimals))
 }
 
 fn write_regime(text: &mut String, result: &RunResult) -> std::fmt::Result {
@@ -223,6 +243,12 @@ fn headline(s: &Summary, band: &LossBand) -> String {
     )
 }
 
+/// A change with its sign and two digits.
+fn signed(change: f64) -> String {
+    let sign = if change > 0.0 { "+" } else { "" };
+    format!("{sign}{}", rounded(change, change.abs()))
+}
+
 /// What the band is made of, and what other laws give.
 fn band_text(band: &LossBand) -> String {
     const INDENT: &str = "  ";
@@ -235,6 +261,11 @@ fn band_text(band: &LossBand) -> String {
             found.effective_windows,
             found.offsets,
         ),
+        SamplingPart::OnePair([down, up]) => format!(
+            "one pair of traces, {} and {} W where they lie two half-widths off",
+            signed(*down),
+            signed(*up),
+        ),
         SamplingPart::None(why) => format!("sampling of the flanks: {why}"),
         _ => String::new(),
     };
@@ -245,11 +276,9 @@ fn band_text(band: &LossBand) -> String {
     text.push('\n');
     let mut parameters: Vec<_> = band.parameters.iter().collect();
     parameters.sort_by(|a, b| b.effect_w.abs().total_cmp(&a.effect_w.abs()));
-    let effects = parameters.iter().map(|parameter| {
-        let effect = rounded(parameter.effect_w, parameter.effect_w.abs());
-        let sign = if parameter.effect_w > 0.0 { "+" } else { "" };
-        format!("{} {sign}{effect} W", parameter.name)
-    });
+    let effects = parameters
+        .iter()
+        .map(|parameter| format!("{} {} W", parameter.name, signed(parameter.effect_w)));
     let effects: Vec<String> = effects.collect();
     if !effects.is_empty() {
         let line = format!("  from low to high end: {}", effects.join(", "));

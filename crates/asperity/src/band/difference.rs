@@ -52,14 +52,53 @@ pub fn difference(first: &DrawnLosses, other: &DrawnLosses) -> PairedDifference 
         .collect();
     let nominal = delta(first, other, first.nominal(), other.nominal(), shared);
     let both_sampled = first.effective_windows().and(other.effective_windows());
+    let moves = moves(first, other, shared);
+    let (deltas, shares) = (
+        moved(&deltas, &moves, 1.0),
+        moved(&shares, &moves, base(first)),
+    );
     PairedDifference {
         nominal_w: nominal.value,
         quantiles_w: five_to_ninety_five(&deltas),
         parameter_quantiles_w: five_to_ninety_five(&exact),
         sampling_half_width_w: both_sampled.map(|_| half_width(&nominal)),
-        nominal_share: nominal.value / mean(first.nominal()),
+        nominal_share: nominal.value / base(first),
         share_quantiles: five_to_ninety_five(&shares),
     }
+}
+
+fn base(first: &DrawnLosses) -> f64 {
+    mean(first.nominal())
+}
+
+/// Changes of the difference by where placed traces lie; flanks in common lie where they lie.
+fn moves(first: &DrawnLosses, other: &DrawnLosses, shared: bool) -> Vec<f64> {
+    if shared {
+        return vec![0.0];
+    }
+    let changes = other.places().into_iter();
+    let against = first.places();
+    changes
+        .flat_map(|change| {
+            against
+                .iter()
+                .map(move |by| change - by)
+                .collect::<Vec<_>>()
+        })
+        .collect()
+}
+
+/// Every draw with every change, over `scale`.
+fn moved(draws: &[Drawn], moves: &[f64], scale: f64) -> Vec<Drawn> {
+    let with = |drawn: &Drawn| {
+        let drawn = *drawn;
+        let moved = move |change: &f64| Drawn {
+            value: drawn.value + change / scale,
+            ..drawn
+        };
+        moves.iter().map(moved).collect::<Vec<_>>()
+    };
+    draws.iter().flat_map(with).collect()
 }
 
 fn half_width(drawn: &Drawn) -> f64 {

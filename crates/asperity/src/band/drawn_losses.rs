@@ -15,6 +15,8 @@ pub struct DrawnLosses {
     nominal: Vec<f64>,
     draws: Vec<Vec<f64>>,
     effective: Option<f64>,
+    /// Changes by a misplacement of placed traces \[W\].
+    pub(super) misplaced: Vec<f64>,
     surfaces: Surfaces,
 }
 
@@ -33,6 +35,7 @@ impl DrawnLosses {
                 .map(|found| at_offsets(&found.offsets))
                 .collect(),
             effective: independent(loaded, nominal.len(), path),
+            misplaced: Vec::new(),
             surfaces: loaded.surfaces.clone(),
         }
     }
@@ -85,7 +88,24 @@ impl DrawnLosses {
     /// The mean loss of every draw with its sampling error.
     pub(super) fn with_sampling(&self) -> Vec<Drawn> {
         let draws = self.draws().iter();
-        draws.map(|losses| self.drawn(losses)).collect()
+        let drawn = draws.map(|losses| self.drawn(losses));
+        let places = self.places();
+        drawn
+            .flat_map(|drawn| {
+                let moved = move |change: f64| Drawn {
+                    value: drawn.value + change,
+                    ..drawn
+                };
+                places.iter().copied().map(moved).collect::<Vec<_>>()
+            })
+            .collect()
+    }
+
+    /// Changes by where placed traces lie, none among them \[W\].
+    pub(super) fn places(&self) -> Vec<f64> {
+        std::iter::once(0.0)
+            .chain(self.misplaced.iter().copied())
+            .collect()
     }
 
     /// The mean of `losses`, one at each offset, with its sampling error.

@@ -35,6 +35,14 @@ pub const EQUATIONS: &[Equation] = &[
         &[MCKAY_1979],
     ),
     Equation::new(
+        "Flank-window",
+        "Window of a contact on a placed trace",
+        "i = ±(ρ²/(2 r_b) − l₀)/dx",
+        "crates/asperity/src/placement.rs",
+        "a_contact_finds_its_window_by_the_arc",
+        &[],
+    ),
+    Equation::new(
         "Paired-difference",
         "Difference of two finishes by the same draws",
         "δ_j = P_other(θ_j) − P_first(θ_j), SE_j² = SE_other² + SE_first²",

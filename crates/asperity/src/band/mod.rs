@@ -36,6 +36,7 @@ use crate::error::Error;
 use crate::kept_fields::KeptFields;
 use crate::loss_band::{AlternativeRow, BandParameter, LossBand, SamplingPart, Trust};
 use crate::pipeline::{Progress, run_keeping_contacts};
+use crate::placement::Placement;
 use crate::provenance;
 use crate::result::{Losses, Outcome, PositionRow, RunResult};
 
@@ -125,7 +126,8 @@ fn band(
             .map(|found| found.summary.loss_w),
     });
     let rows = &outcome.result.path;
-    let drawn = DrawnLosses::new(loaded, &outcome.offsets, rows, &draws.losses);
+    let mut drawn = DrawnLosses::new(loaded, &outcome.offsets, rows, &draws.losses);
+    drawn.misplaced = misplaced(loaded, outcome.result.summary.loss_w)?;
     let summary = &outcome.result.summary;
     let quantiles_w = drawn.quantiles();
     let [low, high] = quantiles_w.map(|loss| 1.0 - loss / summary.power_in_w);
@@ -161,6 +163,28 @@ fn band(
     Ok((band, drawn))
 }
 
+/// Changes of the loss where placed traces are misplaced by two half-widths against each other; none where they are
+/// not placed.
+fn misplaced(loaded: &LoadedCase, nominal: f64) -> Result<Vec<f64>, Error> {
+    const HALF_WIDTHS: f64 = 2.0;
+    let Some(placement) = loaded.surfaces.placement() else {
+        return Ok(Vec::new());
+    };
+    let change = |misplaced: f64| {
+        let mut other = loaded.clone();
+        let placement = Placement {
+            misplaced,
+            ..*placement
+        };
+        other.surfaces = other.surfaces.placed(Some(placement));
+        Ok(evaluated(&other, None)?.summary.loss_w - nominal)
+    };
+    [-HALF_WIDTHS, HALF_WIDTHS]
+        .into_iter()
+        .map(change)
+        .collect()
+}
+
 fn trust(loaded: &LoadedCase) -> Trust {
     let law = loaded.case.load_share();
     match (loaded.surfaces.are_measured(), law.supply()) {
@@ -187,6 +211,9 @@ impl DrawnLosses {
     /// What the sampling of the flanks adds, or why there is no interval.
     fn sampling(&self, loaded: &LoadedCase) -> SamplingPart {
         let nominal = self.nominal();
+        if let [down, up] = self.misplaced[..] {
+            return SamplingPart::OnePair([down, up]);
+        }
         match window_sampling(nominal, self.effective_windows().unwrap_or(0.0)) {
             Some(found) => SamplingPart::Windows(found),
             None if !loaded.surfaces.are_measured() => {

@@ -6,6 +6,7 @@ use asperity_core::provenance::Provenance;
 use asperity_core::quantity::Length;
 use asperity_core::remedy::Remedy;
 use asperity_core::{DomainError, Profile};
+use asperity_gear::Gear;
 use asperity_profile_io::Warning as ReadWarning;
 use asperity_profile_io::read::steepness::implausible;
 use asperity_profile_io::read::{
@@ -13,6 +14,7 @@ use asperity_profile_io::read::{
 };
 use asperity_roughness::Parameters;
 use asperity_roughness::composite::resampled;
+use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::preparation::{Preparation, prepare};
 use sha2::{Digest, Sha256};
@@ -23,11 +25,13 @@ use super::error::CaseError;
 use super::files::{
     Content, FILE_OF_COAST_PINION, FILE_OF_COAST_WHEEL, FILE_OF_PINION, FILE_OF_WHEEL, Files,
 };
+use super::flank_place::{PlaceError, ReadPlace, Told, read_place};
 use super::input::{FlankInput, Side};
 use super::key_names::key_of;
 use super::resolve::Case;
 use super::source::Source;
 use crate::message::Warning;
+use crate::placement::{PlacedTrace, Placement};
 use crate::surfaces::{FlankReport, Surfaces, Texture};
 
 /// Both flanks, how each was read and prepared, and the warnings on the way.
@@ -57,6 +61,8 @@ struct Flank {
     raw: Option<Profile>,
     /// Roughness values that follow from others.
     assumed: Vec<DefaultUsed>,
+    /// Place on the flank, where it is known.
+    placed: Option<PlacedTrace>,
 }
 
 /// Reads and prepares the flanks that `case` names.
@@ -78,10 +84,8 @@ fn both(case: &Case, source: &Source, files: &Files) -> Result<Flanks, CaseError
     let mut warnings = Vec::new();
     let (pinion_input, own_wheel, side) = case.input.surface.loaded(case.torque);
     // Flanks face each other: without a trace of its own the wheel is the pinion's, mirrored.
-    let wheel_input = own_wheel.cloned().unwrap_or(FlankInput {
-        mirrored: Some(!pinion_input.mirrored.unwrap_or(false)),
-        ..pinion_input.clone()
-    });
+    let wheel_input = own_wheel.cloned();
+    let wheel_input = wheel_input.unwrap_or_else(|| pinion_input.for_wheel());
     let [of_pinion, of_wheel] = keys_of(side, own_wheel.is_some());
     let pinion = flank(pinion_input, of_pinion, given, &mut warnings)?;
     let wheel = flank(&wheel_input, of_wheel, given, &mut warnings)?;
@@ -114,11 +118,14 @@ fn both(case: &Case, source: &Source, files: &Files) -> Result<Flanks, CaseError
         warnings.retain(|warning| seen.insert(warning.to_string()));
     }
     let textures = on_common_spacing([pinion.texture, wheel.texture], &mut warnings)?;
+    let placement = placement([pinion.placed, wheel.placed], &mut warnings);
+    let rz = [0, 1].map(|body: usize| {
+        let parameters = reports[body].parameters.as_ref();
+        parameters.map(|found| found.heights.rz)
+    });
+    let surfaces = Surfaces::new(textures, noise_cutoff, same_trace).with_rz(rz);
     Ok(Flanks {
-        surfaces: Surfaces::new(textures, noise_cutoff, same_trace).with_rz([0, 1].map(|body| {
-            let parameters = reports[body].parameters.as_ref();
-            parameters.map(|found| found.heights.rz)
-        })),
+        surfaces: surfaces.placed(placement),
         reports,
         warnings,
         assumed,
@@ -181,7 +188,7 @@ fn flank(
             rule: "give file, the trace of the flank, or rq (ra or rz) when there is none",
         }),
         (None, Some(_)) => values(input, key, source),
-        (Some(file), _) => trace(input, file, named, given, warnings),
+        (Some(file), _) => trace(input, file, [key, named], given, warnings),
     }
 }
 
@@ -234,20 +241,25 @@ fn values(input: &FlankInput, key: &'static str, source: &Source) -> Result<Flan
         report: FlankReport::default(),
         raw: None,
         assumed,
+        placed: None,
     })
 }
 
 fn trace(
     input: &FlankInput,
     file: &Path,
-    key: &'static str,
+    [of_flank, key]: [&'static str; 2],
     given: Given<'_>,
     warnings: &mut Vec<Warning>,
 ) -> Result<Flank, CaseError> {
     // As the case names it: that is what the user looks for.
     let name = file.display().to_string();
-    let read = read_trace(input, file, key, given)?;
-    let mirrored = input.mirrored.unwrap_or(false);
+    let mut read = read_trace(input, file, key, given)?;
+    let place = place_of(input, &mut read, of_flank, given)?;
+    let mirrored = match &place {
+        Some(place) => place.turned,
+        None => input.mirrored.unwrap_or(false),
+    };
     let raw = if mirrored {
         read.profile.mirrored()
     } else {
@@ -257,7 +269,10 @@ fn trace(
         file: name.clone(),
         source,
     };
-    let filters = Filters::of(given.case, &name, read.reading.as_ref());
+    let mut filters = Filters::of(given.case, &name, read.reading.as_ref());
+    if let Some(place) = place.filter(|place| place.reference.is_some()) {
+        filters.keep_ends(given.case, of_flank, &place);
+    }
     let preparation = &filters.preparation;
     let prepared = prepare(&raw, preparation).map_err(refused)?;
     // Without a cut-off the whole trace is one evaluation of five sections, and nothing is filtered twice.
@@ -280,6 +295,14 @@ fn trace(
         warn(warning.code(), warning, warning.remedy());
     }
     warnings.extend(filters.overridden);
+    let gear = gear_of(of_flank);
+    let placed = place.and_then(|place| {
+        Some(PlacedTrace {
+            first_arc: place.first_arc(raw.len(), raw.spacing(), prepared.first_index)?,
+            direction: given.case.gears.arc_direction(gear),
+            base_radius: given.case.gears.base_radius[gear as usize].si().abs(),
+        })
+    });
     let report = FlankReport {
         trace: Some(read.profile.clone()),
         file: Some(name),
@@ -294,7 +317,73 @@ fn trace(
         report,
         raw: Some(read.profile),
         assumed: filters.stated,
+        placed,
     })
+}
+
+/// The gear that a flank's keys are of.
+fn gear_of(key: &str) -> Gear {
+    match key {
+        "surface.wheel" | "surface.coast.wheel" => Gear::Wheel,
+        _ => Gear::Pinion,
+    }
+}
+
+/// Where a trace lies on its flank. Deviations over roll lengths count along the transverse base tangent and are
+/// turned into heights normal to the flank.
+fn place_of(
+    input: &FlankInput,
+    read: &mut ReadTrace,
+    key: &'static str,
+    given: Given<'_>,
+) -> Result<Option<ReadPlace>, CaseError> {
+    let gears = &given.case.gears;
+    let arc = read.reading.as_ref().and_then(|r| r.metadata.arc_from_base);
+    if arc.is_some() {
+        let normal = gears.base_helix.si().cos();
+        let heights = read.profile.heights().iter().map(|z| z * normal).collect();
+        read.profile =
+            Profile::new(read.profile.spacing(), heights).map_err(domain(given.source, key))?;
+    }
+    let key = match gear_of(key) {
+        Gear::Pinion => "surface.pinion.at",
+        Gear::Wheel => "surface.wheel.at",
+    };
+    let gear = gear_of(key.trim_end_matches(".at"));
+    let told = Told {
+        from: input.from,
+        at: input.at,
+        is_mirrored: input.mirrored.is_some(),
+    };
+    read_place(told, gears, gear, arc).map_err(|error| match error {
+        PlaceError::Rule(rule) => CaseError::Conflict {
+            place: given.source.place_of(key),
+            key,
+            rule,
+        },
+        PlaceError::Domain(error) => domain(given.source, key)(error),
+    })
+}
+
+/// Places of both traces; one alone is told and not used.
+fn placement(placed: [Option<PlacedTrace>; 2], warnings: &mut Vec<Warning>) -> Option<Placement> {
+    match placed {
+        [Some(pinion), Some(wheel)] => Some(Placement {
+            traces: [pinion, wheel],
+            misplaced: 0.0,
+        }),
+        [None, None] => None,
+        [pinion, _] => {
+            let other = if pinion.is_some() { "wheel" } else { "pinion" };
+            warnings.push(Warning::new(
+                "W418",
+                format!(
+                    "the place on the flank is not known of the trace of the {other}: windows do not follow from the mesh, both traces stand for any place of their flanks"
+                ),
+            ));
+            None
+        }
+    }
 }
 
 /// Filters of one trace: those of the case, else those its file states, else the defaults.
@@ -307,6 +396,25 @@ struct Filters {
 }
 
 impl Filters {
+    /// Filters that lose nothing at the ends of a placed trace, unless the case says how they are treated.
+    fn keep_ends(&mut self, case: &Case, key: &'static str, place: &ReadPlace) {
+        if case.input.surface.ends.is_none() {
+            self.preparation.ends = Ends::Reg1;
+            self.stated.push(DefaultUsed {
+                key: "surface.ends".into(),
+                value: "\"reg1\"".to_owned(),
+                source: Some("a placed trace keeps its ends".into()),
+            });
+        }
+        if place.assumed_from {
+            self.stated.push(DefaultUsed {
+                key: format!("{key}.from").into(),
+                value: "\"root\"".to_owned(),
+                source: None,
+            });
+        }
+    }
+
     fn of(case: &Case, file: &str, reading: Option<&Reading>) -> Self {
         /// Cut-offs that differ by less are the same as printed.
         const SAME: f64 = 1e-6;

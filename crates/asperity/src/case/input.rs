@@ -25,6 +25,7 @@ use serde::de::value::{SeqAccessDeserializer, StrDeserializer};
 use serde::de::{IntoDeserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
+use super::flank_place::{FlankPlaceInput, TraceStart};
 use super::gear_input::{EndReliefInput, GearFlankInput};
 use super::law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
 use crate::load_share::SpotSpeed;
@@ -306,8 +307,15 @@ pub(super) enum Side {
 pub struct FlankInput {
     /// File of the trace, relative to the case file.
     pub file: Option<PathBuf>,
-    /// Read the trace from its other end (flanks face each other).
+    /// Read the trace from its other end (flanks face each other); not with `from` or `at`, which tell it.
     pub mirrored: Option<bool>,
+    /// End of the flank at which the trace begins: `root` (default where the trace is placed) or `tip`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub from: Option<TraceStart>,
+    /// A point of the trace whose place on the flank is known: `{ diameter = "49 mm", x = "0.5 mm" }`. Files over
+    /// roll lengths or roll angles need none. With both flanks placed, every contact takes the windows that meet there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at: Option<FlankPlaceInput>,
     /// Unit of the positions, if the file does not state it.
     pub x_unit: Option<LengthUnit>,
     /// Unit of the heights, if the file does not state it.
@@ -344,6 +352,20 @@ pub struct FlankInput {
     pub rpk: Option<Length>,
     /// Mean tip radius of the asperities of a flank without a file.
     pub asperity_radius: Option<Length>,
+}
+
+impl FlankInput {
+    /// The keys of a wheel that runs on the pinion's trace: facing it, at a place of its own that is not known.
+    #[must_use]
+    pub fn for_wheel(&self) -> Self {
+        let told = self.at.is_some() || self.from.is_some();
+        Self {
+            mirrored: (!told).then(|| !self.mirrored.unwrap_or(false)),
+            from: told.then(|| self.from.unwrap_or_default()),
+            at: None,
+            ..self.clone()
+        }
+    }
 }
 
 /// Choices of the model.

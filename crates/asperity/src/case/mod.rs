@@ -18,6 +18,7 @@ mod defaults;
 mod domain;
 mod error;
 mod files;
+mod flank_place;
 mod flanks;
 mod gear_input;
 mod gears;
@@ -44,6 +45,7 @@ pub use builder::CaseBuilder;
 pub use check::{Findings, check};
 pub use defaults::DefaultUsed;
 pub use error::CaseError;
+pub use flank_place::{FlankPlaceInput, TraceStart};
 pub use gear_input::{EndReliefInput, GearFlankInput, ReliefInput};
 pub use input::{
     BodyInput, CaseInput, CoastInput, EhlInput, FlankInput, Formulation, GearsInput, MapInput,

@@ -5,6 +5,7 @@ use asperity_core::quantity::Length;
 use asperity_ehl_regime::TraceSpectrum;
 
 use super::error::LoadShareError;
+use crate::placement::reflected;
 
 /// Two prepared traces, attenuated for one contact, from which windows are cut.
 #[derive(Debug, Clone)]
@@ -42,14 +43,36 @@ impl AttenuatedTraces {
                     available,
                 })
         };
-        let (first, second) = (part(0)?, part(1)?);
-        let (mut sum, mut squares) = (0.0, 0.0);
-        for (a, b) in first.iter().zip(second) {
-            let z = a + b;
-            sum += z;
-            squares += z * z;
-        }
-        let (mean, n) = (sum / points as f64, points as f64);
-        Ok(Length::from_si((squares / n - mean * mean).max(0.0).sqrt()))
+        Ok(deviation(part(0)?, part(1)?))
     }
+
+    /// The same of windows that may reach beyond the ends of their traces, where these are mirrored.
+    pub(crate) fn reflected_rms(
+        &self,
+        starts: [isize; 2],
+        points: usize,
+    ) -> Result<Length, LoadShareError> {
+        let inside = |k: usize| {
+            let start = usize::try_from(starts[k]).ok()?;
+            (start + points <= self.heights[k].len()).then_some(start)
+        };
+        if let (Some(first), Some(second)) = (inside(0), inside(1)) {
+            return self.window_rms([first, second], points);
+        }
+        let part = |k: usize| reflected(&self.heights[k], starts[k], points);
+        Ok(deviation(&part(0), &part(1)))
+    }
+}
+
+/// Standard deviation of the sum of two windows.
+fn deviation(first: &[f64], second: &[f64]) -> Length {
+    let (mut sum, mut squares) = (0.0, 0.0);
+    for (a, b) in first.iter().zip(second) {
+        let z = a + b;
+        sum += z;
+        squares += z * z;
+    }
+    let n = first.len() as f64;
+    let mean = sum / n;
+    Length::from_si((squares / n - mean * mean).max(0.0).sqrt())
 }

@@ -211,12 +211,14 @@ impl Found<'_> {
         let (mut heights, gaps_filled) = grid::heights(name, z, gaps, &mut place, &mut warnings)?;
         let gaps_filled = gaps_filled + left_out;
         let mut measured = self.measure(x.as_deref(), &heights, column, &special, &mut warnings)?;
+        let mut arc_from_base = None;
         match (x, base_radius, measured.x_unit) {
             (Some(mut x), Some(base_radius), Some(unit)) => {
                 if unit != LengthUnit::Metre {
                     x.iter_mut().for_each(|x| *x = unit.metres(*x));
                 }
                 let found = roll_length::along_involute(name, &x, &heights, base_radius)?;
+                arc_from_base = Some(Length::from_si(found.start));
                 (heights, measured.spacing) = (found.heights, found.spacing);
                 warnings.push(Warning::RollLengthConverted {
                     abscissa,
@@ -257,7 +259,10 @@ impl Found<'_> {
                 decimal: self.sniffed.dialect.decimal,
                 columns: self.chosen.columns(),
             }),
-            metadata: self.metadata(),
+            metadata: Metadata {
+                arc_from_base,
+                ..self.metadata()
+            },
             x_unit: measured.x_unit,
             z_unit: measured.z_unit,
             spacing: profile.spacing(),

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::decimal;
 use super::options::LengthUnit;
 
-/// Facts about a measurement as the file states them; nothing here is computed.
+/// Facts about a measurement as the file states them.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Metadata {
     /// Maker, model or program that wrote the file.
@@ -23,6 +23,10 @@ pub struct Metadata {
     pub lambda_s: Option<Length>,
     /// Radius of the stylus tip.
     pub stylus_radius: Option<Length>,
+    /// Distance along the involute from the base circle to the first point, of a file over roll lengths or roll
+    /// angles.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub arc_from_base: Option<Length>,
     /// Results the instrument printed into the file.
     pub printed: Vec<PrintedParameter>,
 }

@@ -27,6 +27,8 @@ pub(super) struct AlongInvolute {
     pub heights: Vec<f64>,
     /// Spacing [m].
     pub spacing: f64,
+    /// Distance of the first point from the base circle [m].
+    pub start: f64,
 }
 
 /// L `[m]` of the x column, which holds `abscissa`; roll lengths in metres stay as they are.
@@ -85,7 +87,11 @@ pub(super) fn along_involute(
         cubic(&s[first..first + 4], &z[first..first + 4], position)
     };
     let heights = (0..=intervals as usize).map(value).collect();
-    Ok(AlongInvolute { heights, spacing })
+    Ok(AlongInvolute {
+        heights,
+        spacing,
+        start: s[0],
+    })
 }
 
 /// The cubic through four points, by Lagrange's formula.

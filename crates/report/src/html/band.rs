@@ -3,7 +3,6 @@
 use asperity::loss_band::{BandParameter, LossBand, SamplingPart, rounded};
 use maud::{Markup, html};
 
-use super::page::figure;
 use crate::chart::{Axis, Bar, BarChart, Drawing};
 
 pub(super) fn section(band: &LossBand) -> Markup {
@@ -33,6 +32,10 @@ pub(super) fn section(band: &LossBand) -> Markup {
                             }
                             td.number { (format!("±{} W (95 %)", rounded(found.half_width_w, found.half_width_w))) }
                         }
+                        SamplingPart::OnePair([down, up]) => {
+                            td colspan="3" { "one pair of placed traces; each two half-widths off against the other" }
+                            td.number { (format!("{down:+.1} and {up:+.1} W")) }
+                        }
                         SamplingPart::None(why) => { td colspan="3" { (why) } td.number { "-" } }
                         _ => { td colspan="4" { "-" } }
                     }
@@ -42,7 +45,6 @@ pub(super) fn section(band: &LossBand) -> Markup {
         @if !band.held.is_empty() {
             p { "Not drawn, because the case states it: " (band.held.join(", ")) "." }
         }
-        div.charts { (figure(&beside(band))) }
     }
 }
 
@@ -59,7 +61,7 @@ fn values(parameter: &BandParameter) -> [String; 3] {
 }
 
 /// The nominal loss with its band, and the other laws.
-fn beside(band: &LossBand) -> Drawing {
+pub(super) fn beside(band: &LossBand) -> Drawing {
     let whole = |power: f64| rounded(power, band.half_width_w());
     let [low, high] = band.quantiles_w;
     let nominal = Bar {

@@ -13,7 +13,9 @@ pub(super) fn section(result: &RunResult) -> Markup {
         ("tiles", parts(result)),
         ("tiles last", evidence(result)),
     ];
-    let charts = [losses(result), laws(result), super::path::strip(result)];
+    let beside = result.band.as_ref().map(super::band::beside);
+    let others = [losses(result), laws(result), super::path::strip(result)];
+    let charts: Vec<Drawing> = beside.into_iter().chain(others).collect();
     html! {
         @for (class, tiles) in &rows {
             dl class=(class) {
@@ -136,20 +138,20 @@ fn headline(result: &RunResult) -> Vec<Tile> {
     ]
 }
 
+/// A part of the loss, with the digits that the band of the whole leaves.
+fn part(result: &RunResult, power: f64) -> String {
+    match &result.band {
+        Some(band) => format!("{} W", rounded(power, band.half_width_w())),
+        None => format!("{power:.1} W"),
+    }
+}
+
 /// Parts of the loss, and what goes in and out.
 fn parts(result: &RunResult) -> Vec<Tile> {
     let s = &result.summary;
     vec![
-        (
-            "sliding",
-            format!("{:.1} W", s.sliding_w),
-            "summary.sliding_w",
-        ),
-        (
-            "rolling",
-            format!("{:.2} W", s.rolling_w),
-            "summary.rolling_w",
-        ),
+        ("sliding", part(result, s.sliding_w), "summary.sliding_w"),
+        ("rolling", part(result, s.rolling_w), "summary.rolling_w"),
         (
             "equivalent friction μ_eq",
             format!("{:.4}", s.mu_equivalent),

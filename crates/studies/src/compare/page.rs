@@ -84,6 +84,7 @@ fn made_of(comparison: &Comparison) -> Markup {
                 tr { th scope="row" { "sampling of the flanks, ± 95 %" } @for (_, band) in &banded { td.number {
                     @match &band.sampling {
                         SamplingPart::Windows(found) => (format!("{:.1} W", found.half_width_w)),
+                        SamplingPart::OnePair([down, up]) => (format!("one pair, {down:+.1} and {up:+.1} W misplaced")),
                         SamplingPart::None(why) => (why),
                         _ => "-",
                     }

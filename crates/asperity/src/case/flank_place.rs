@@ -1,0 +1,158 @@
+//! Keys that tell where a trace lies on its flank, and the place that follows from them.
+
+use asperity_core::DomainError;
+use asperity_core::quantity::{Angle, Length};
+use asperity_gear::{FlankPoint, Gear, GearError, GearPair};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// End of the flank at which a trace begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum TraceStart {
+    /// From the root towards the tip.
+    #[default]
+    Root,
+    /// From the tip towards the root.
+    Tip,
+}
+
+/// A point of a trace whose place on the flank is known, by one of five coordinates.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FlankPlaceInput {
+    /// Coordinate on the path of contact from T1 at which the point is in contact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub position: Option<Length>,
+    /// Roll length.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub roll_length: Option<Length>,
+    /// Radius.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub radius: Option<Length>,
+    /// Diameter.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub diameter: Option<Length>,
+    /// Roll angle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub roll_angle: Option<Angle>,
+    /// Distance of the point from the first one of the trace; default 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub x: Option<Length>,
+}
+
+impl FlankPlaceInput {
+    /// The point of the flank; none unless exactly one coordinate is given.
+    fn point(&self) -> Option<FlankPoint> {
+        let given = [
+            self.position.map(FlankPoint::Position),
+            self.roll_length.map(FlankPoint::RollLength),
+            self.radius.map(FlankPoint::Radius),
+            self.diameter.map(|d| FlankPoint::Radius(d * 0.5)),
+            self.roll_angle.map(FlankPoint::RollAngle),
+        ];
+        let mut given = given.into_iter().flatten();
+        let first = given.next()?;
+        given.next().is_none().then_some(first)
+    }
+}
+
+/// Why the keys of a place contradict each other.
+#[derive(Debug)]
+pub(super) enum PlaceError {
+    /// A rule that the keys break.
+    Rule(&'static str),
+    /// A coordinate that no point of the flank has.
+    Domain(DomainError),
+}
+
+impl From<GearError> for PlaceError {
+    fn from(error: GearError) -> Self {
+        match error {
+            GearError::Domain(error) => Self::Domain(error),
+            _ => Self::Rule("has no place on this flank"),
+        }
+    }
+}
+
+/// What the keys of a flank tell of the place of its trace.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Told {
+    pub from: Option<TraceStart>,
+    pub at: Option<FlankPlaceInput>,
+    /// Whether `mirrored` is given.
+    pub is_mirrored: bool,
+}
+
+/// Direction and place of a trace as read.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ReadPlace {
+    /// Whether the trace must be run from its other end so that it goes along x, towards the pinion's tip.
+    pub turned: bool,
+    /// Arc of the trace's first point as read, from the base circle \[m\], and its growth along the trace.
+    pub reference: Option<[f64; 2]>,
+    /// Direction by default.
+    pub assumed_from: bool,
+}
+
+/// The place of a trace; `arc_of_first` is what a roll length of its file says. None where no key tells of it.
+pub(super) fn read_place(
+    input: Told,
+    gears: &GearPair,
+    gear: Gear,
+    arc_of_first: Option<Length>,
+) -> Result<Option<ReadPlace>, PlaceError> {
+    let told = input.at.is_some() || input.from.is_some();
+    if told && input.is_mirrored {
+        return Err(PlaceError::Rule(
+            "says how the trace lies on the flank, so mirrored is not asked for; leave mirrored out",
+        ));
+    }
+    // A trace over roll lengths is read by rising ones.
+    let from = match (arc_of_first, input.from) {
+        (Some(_), _) => TraceStart::Root,
+        (None, from) => from.unwrap_or_default(),
+    };
+    if arc_of_first.is_some() && input.at.is_some() {
+        return Err(PlaceError::Rule(
+            "is told by the roll lengths of the file already; leave it out",
+        ));
+    }
+    let growth = match from {
+        TraceStart::Root => 1.0,
+        TraceStart::Tip => -1.0,
+    };
+    let reference = match (arc_of_first, &input.at) {
+        (Some(arc), _) => Some(arc.si()),
+        (None, Some(at)) => {
+            let rule = "needs exactly one of position, roll_length, radius, diameter, roll_angle";
+            let point = at.point().ok_or(PlaceError::Rule(rule))?;
+            let arc = gears.arc_of(gear, point)?.si();
+            Some(arc - growth * at.x.unwrap_or_default().si())
+        }
+        (None, None) if !told => return Ok(None),
+        (None, None) => None,
+    };
+    // A file of roll lengths alone changes nothing where the case says mirrored.
+    if input.is_mirrored {
+        return Ok(None);
+    }
+    Ok(Some(ReadPlace {
+        turned: growth != gears.arc_direction(gear),
+        reference: reference.map(|arc| [arc, growth]),
+        assumed_from: input.from.is_none() && arc_of_first.is_none(),
+    }))
+}
+
+impl ReadPlace {
+    /// Arc of the first point of a prepared trace \[m\], of `points` points as read, `spacing` apart, of which
+    /// `dropped` were cut off at each end.
+    pub(super) fn first_arc(&self, points: usize, spacing: Length, dropped: usize) -> Option<f64> {
+        let [arc, growth] = self.reference?;
+        let index = match self.turned {
+            false => dropped,
+            true => points - 1 - dropped,
+        };
+        Some(arc + growth * spacing.si() * index as f64)
+    }
+}

@@ -1,0 +1,159 @@
+//! Traces at known places of their flanks: however they were exported, the same points meet.
+
+use std::collections::BTreeMap;
+
+use asperity::case::{LoadedCase, from_text};
+use asperity_tests::assert_close;
+
+/// Base radii of the pair below \[m\].
+const BASE: [f64; 2] = [0.020_966_415_8, 0.061_987_664_2];
+/// Arcs from the base circle that the traces cover \[m\], more than those in contact.
+const ARCS: [[f64; 2]; 2] = [[0.2e-3, 3.9e-3], [3.2e-3, 7.0e-3]];
+/// cos β_b of the pair.
+const COS_BASE_HELIX: f64 = 0.927_752_144_885_6;
+
+/// Height normal to a flank at an arc \[m\]: waves of many lengths, relief towards the tip.
+fn height(body: usize, arc: f64) -> f64 {
+    let seed = 1.0 + body as f64;
+    let waves = (0..40).map(|k| {
+        let length = 12e-6 * 1.08_f64.powi(k);
+        let phase = (f64::from(k) * 2.399 + seed).sin() * 9.0;
+        0.35e-6 * (length / 250e-6).sqrt() * (std::f64::consts::TAU * arc / length + phase).sin()
+    });
+    let [root, tip] = ARCS[body];
+    let along = (arc - root) / (tip - root);
+    waves.sum::<f64>() * 0.45 - 4e-6 * along * along
+}
+
+/// A way to export a trace.
+#[derive(Clone, Copy, PartialEq)]
+enum Export {
+    Arc,
+    RollLength,
+    RollDegrees,
+}
+
+/// File and keys of a flank exported one way, from the root or from the tip.
+fn exported(body: usize, export: Export, from_tip: bool) -> (String, String) {
+    let [low, high] = ARCS[body];
+    let base = BASE[body];
+    let roll = |arc: f64| (2.0 * base * arc).sqrt();
+    let count = match export {
+        Export::Arc => ((high - low) / 0.5e-6).round() as usize,
+        _ => 12_000,
+    };
+    let at = |i: usize| i as f64 / count as f64;
+    let mut rows: Vec<(f64, f64)> = (0..=count)
+        .map(|i| match export {
+            Export::Arc => {
+                let along = (high - low) * at(i);
+                let arc = if from_tip { high - along } else { low + along };
+                (along * 1e6, height(body, arc))
+            }
+            _ => {
+                let rho = roll(low) + (roll(high) - roll(low)) * at(i);
+                // A checker's deviation counts along the transverse base tangent.
+                let z = height(body, rho * rho / (2.0 * base)) / COS_BASE_HELIX;
+                let x = match export {
+                    Export::RollLength => rho * 1e3,
+                    _ => (rho / base).to_degrees(),
+                };
+                (x, z)
+            }
+        })
+        .collect();
+    if from_tip && export != Export::Arc {
+        rows.reverse();
+    }
+    let (label, keys) = match export {
+        Export::Arc => {
+            let (start, place) = if from_tip {
+                ("tip", high)
+            } else {
+                ("root", low)
+            };
+            let rho = roll(place) * 1e3;
+            let at = format!("from = \"{start}\", at = {{ roll_length = \"{rho:.9} mm\" }}");
+            ("x [um]", at)
+        }
+        Export::RollLength => ("roll length [mm]", format!("base_radius = \"{} m\"", base)),
+        Export::RollDegrees => ("roll angle [deg]", format!("base_radius = \"{} m\"", base)),
+    };
+    let lines = rows.iter().map(|(x, z)| format!("{x:.9},{:.9}\n", z * 1e6));
+    let text = format!("{label},z [um]\n{}", lines.collect::<String>());
+    (text, keys)
+}
+
+fn case(export: Export, from_tip: bool, swapped: bool) -> LoadedCase {
+    let flanks = [0, 1].map(|body| exported(body, export, from_tip));
+    let order = if swapped { [1, 0] } else { [0, 1] };
+    let [(_, first), (_, second)] = order.map(|body: usize| flanks[body].clone());
+    let (teeth, torque, speed) = match swapped {
+        false => ("[23, 68]", 145.0, 9000.0),
+        true => ("[68, 23]", 145.0 * 68.0 / 23.0, 9000.0 * 23.0 / 68.0),
+    };
+    let text = format!(
+        "gears = {{ teeth = {teeth}, module = \"1.8 mm\", helix = \"23.4 deg\", face_width = \"32 mm\" }}\n\
+         operation = {{ torque = \"{torque} N m\", speed = \"{speed} 1/min\", temperature = \"90 °C\" }}\n\
+         lubricant = {{ viscosity = {{ law = \"astm-d341\", at_40 = \"30.8 mm2/s\", at_100 = \"5.9 mm2/s\" }}, \
+         density = \"845 kg/m3\", base_oil = \"pao\" }}\n\
+         [surface]\ncutoff = \"0.25 mm\"\n\
+         pinion = {{ file = \"{}\", {first} }}\nwheel = {{ file = \"{}\", {second} }}\n",
+        order[0], order[1],
+    );
+    let files: BTreeMap<String, String> = (0..2)
+        .map(|body| (body.to_string(), flanks[body].0.clone()))
+        .collect();
+    from_text("case.toml", &text, &|name| match files.get(name) {
+        Some(file) => Ok(file.clone().into_bytes()),
+        None => Err(std::io::ErrorKind::NotFound.into()),
+    })
+    .unwrap()
+}
+
+fn loss(case: &LoadedCase) -> f64 {
+    assert!(case.surfaces.placement().is_some());
+    let summary = asperity::losses(case, &|_, _| ()).unwrap().summary;
+    assert!(
+        summary.boundary_w > 20.0,
+        "the flanks must touch: {summary:?}"
+    );
+    summary.loss_w
+}
+
+#[test]
+fn a_flank_loses_the_same_however_it_was_exported() {
+    let expected = loss(&case(Export::Arc, false, false));
+    for (export, name) in [
+        (Export::Arc, "arc"),
+        (Export::RollLength, "roll length"),
+        (Export::RollDegrees, "roll angle"),
+    ] {
+        for from_tip in [false, true] {
+            let found = loss(&case(export, from_tip, false));
+            println!("{name}, from the tip {from_tip}: {found:.3} W");
+            assert_close(&format!("{name} {from_tip}"), found, expected, 0.01);
+        }
+    }
+}
+
+#[test]
+fn pinion_and_wheel_can_change_places() {
+    let expected = loss(&case(Export::Arc, false, false));
+    let swapped = loss(&case(Export::Arc, true, true));
+    println!("{expected:.3} W, swapped {swapped:.3} W");
+    assert_close("swapped", swapped, expected, 0.005);
+}
+
+#[test]
+fn a_trace_that_lies_the_other_way_round_loses_something_else() {
+    let right = case(Export::Arc, false, false);
+    let [start, end] = ARCS[0].map(|arc| (2.0 * BASE[0] * arc).sqrt() * 1e3);
+    let wrong = right.with_key("surface.pinion.from", "tip").unwrap();
+    let wrong = wrong
+        .with_key("surface.pinion.at.roll_length", &format!("{end:.9} mm"))
+        .unwrap();
+    assert!(start < end);
+    let change = loss(&wrong) / loss(&right) - 1.0;
+    assert!(change.abs() > 1e-4, "{change}");
+}
