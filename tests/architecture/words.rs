@@ -50,7 +50,7 @@ fn options(text: &str) -> impl Iterator<Item = &str> {
 }
 
 /// Texts that are of the command although a library writes them.
-const OF_THE_COMMAND: [&str; 2] = [
+const OF_THE_COMMAND: [&str; 3] = [
     // A page of the documents, which tells how the command takes a case.
     "crates/asperity/src/case/page.rs",
     // The heading of the page docs/EQUATIONS.md.
