@@ -70,7 +70,7 @@ fn unreadable() -> Vec<Bad> {
         bad("ragged.csv", with_row(50, "25.0,0.1,9"), &[], "E111", &["ragged.csv:52: 3 columns where other rows have 2", "\"25.0,0.1,9\""]),
         bad("three.csv", format!("a,b,c\n{}", rows(500, |i, z| format!("{i},{z:.4},{z:.4}"))), &[], "E112", &["three.csv: 3 columns", "Pass --columns, e.g. --columns 1,2"]),
         bad("commas.csv", rows(500, |i, z| format!("{i},5,0,{}", (100.0 * z.abs()) as u32)), &[], "E113", &["commas.csv:1: \"0,5,0,", "Pass --separator and --decimal"]),
-        bad("volt.csv", trace("x [um],z [V]", 500), &[], "E114", &["volt.csv: the header gives the heights in \"V\"", "m, mm, um, nm, inch"]),
+        bad("volt.csv", trace("x [um],z [V]", 500), &[], "E114", &["volt.csv: the header gives the heights in \"V\"", "m, mm, um, nm, angstrom, inch"]),
         bad("turned.csv", trace("x_um,z_um", 500), &["--dx", "-1um"], "E116", &["turned.csv: spacing is", "which no profile has"]),
         bad("short.csv", trace("x_um,z_um", 200), &[], "E120", &["short.csv: the profile is", "needs at least 800 um"]),
         bad("coarse.csv", format!("x_um,z_um\n{}", rows(500, |i, z| format!("{},{z:.4}", 20 * i))), &[], "E120", &["coarse.csv: cut-off", "shorter than the spacing"]),

@@ -104,7 +104,10 @@ fn pair(
     );
     let shifts = case.shifts(&gears)?;
     case.centre_distance(mesh, shifts.is_some())?;
-    case.tips(&gears, &z.map(f64::from))?;
+    let has_tips = case.tips(&gears, &z.map(f64::from))?;
+    if shifts.is_none() && !has_tips {
+        case.default_shifts(mesh, &gears, &z.map(f64::from))?;
+    }
     if !is_ring {
         case.check_distance(mesh, &gears, &z.map(f64::from), shifts.as_deref())?;
     }

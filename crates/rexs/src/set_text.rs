@@ -31,7 +31,10 @@ pub fn gears(
     );
     let shifts = case.shifts(&gears)?;
     case.centre_distance(mesh, shifts.is_some())?;
-    case.tips(&gears, &z.map(f64::from))?;
+    let has_tips = case.tips(&gears, &z.map(f64::from))?;
+    if shifts.is_none() && !has_tips {
+        case.default_shifts(mesh, &gears, &z.map(f64::from))?;
+    }
     for (name, gear) in ["sun", "planet", "ring"].into_iter().zip(gears) {
         case.chamfer(name, gear)?;
     }

@@ -259,7 +259,7 @@ impl<'a> Text<'a> {
     }
 
     /// Tip diameters, where every gear has one that can be.
-    pub fn tips(&mut self, gears: &[&Component], z: &[f64]) -> Result<(), RexsError> {
+    pub fn tips(&mut self, gears: &[&Component], z: &[f64]) -> Result<bool, RexsError> {
         let mut tips = Vec::new();
         for (gear, z) in gears.iter().zip(z) {
             let Some(tip) = gear.number("tip_diameter", Unit::Millimetre)? else {
@@ -297,6 +297,51 @@ impl<'a> Text<'a> {
             );
             self.note("not every gear has a plausible tip_diameter: addendum of 1 module".into());
         }
+        Ok(tips.len() == gears.len())
+    }
+
+    /// Profile shifts that follow from the centre distance alone, where the file has neither them nor tips. Of an
+    /// external pair their sum is split evenly; with a ring they are known where the distance is that of no shift.
+    pub fn default_shifts(
+        &mut self,
+        mesh: &Component,
+        gears: &[&Component],
+        z: &[f64],
+    ) -> Result<(), RexsError> {
+        let distance = mesh.needed("center_distance", Unit::Millimetre)?;
+        let module = gears[0].needed("normal_module", Unit::Millimetre)?;
+        let helix = gears[0].needed("helix_angle_reference_diameter", Unit::Degree)?;
+        let flank = self.flank(gears[0]);
+        let angle = flank.map_or(Ok(None), |flank| {
+            flank.number("normal_pressure_angle", Unit::Degree)
+        })?;
+        let (helix, angle) = (helix.to_radians(), angle.unwrap_or(20.0).to_radians());
+        let scale = 0.5 * module / helix.cos();
+        let shifts = if gears.iter().any(|gear| gear.kind == "ring_gear") {
+            let last = z.len() - 1;
+            let off = (scale * (z[last] - z[last - 1]) - distance).abs();
+            let outer = match z {
+                [sun, planet, _] => (scale * (sun + planet) - distance).abs(),
+                _ => 0.0,
+            };
+            (off.max(outer) < CENTRE_DISTANCE).then(|| vec![0.0; z.len()])
+        } else {
+            let sum = shift_sum(z.iter().sum(), distance / scale, helix, angle);
+            sum.map(|sum| vec![0.5 * sum; 2])
+        };
+        let Some(shifts) = shifts else {
+            self.note(
+                "the profile shifts do not follow from the centre distance: write profile_shift"
+                    .into(),
+            );
+            return Ok(());
+        };
+        let texts: Vec<String> = shifts.iter().map(|x| rounded(*x)).collect();
+        self.say(
+            &format!("profile_shift = [{}]", texts.join(", ")),
+            "default: from the centre distance, split evenly",
+        );
+        self.note("the profile shifts are taken from the centre distance, split evenly".into());
         Ok(())
     }
 
@@ -578,6 +623,16 @@ fn summary(point: &OperatingPoint) -> String {
         }
     }
     text
+}
+
+/// Sum of the profile shift coefficients of an external pair, from its working distance in halves of the transverse
+/// module; none where the flanks cannot meet at it.
+fn shift_sum(teeth: f64, distance: f64, helix: f64, pressure_angle: f64) -> Option<f64> {
+    let transverse = (pressure_angle.tan() / helix.cos()).atan();
+    let involute = |angle: f64| angle.tan() - angle;
+    let cosine = teeth * transverse.cos() / distance;
+    let working = (0.0..1.0).contains(&cosine).then(|| cosine.acos())?;
+    Some(teeth * (involute(working) - involute(transverse)) / (2.0 * pressure_angle.tan()))
 }
 
 /// A number that was converted, without the digits of rounding.
