@@ -4,8 +4,7 @@ use crate::error::RexsError;
 use crate::model::{Component, Model};
 use crate::set_text;
 use crate::stages::{StageKind, stages, teeth};
-use crate::units::Unit;
-use crate::writer::{CaseText, Text, quantities, source};
+use crate::writer::{CaseText, Text, source};
 
 /// Files with the traces of the flanks, as the case shall name them.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -96,18 +95,7 @@ fn pair(
         &format!("teeth = [{}, {sign}{}]", z[0], z[1]),
         &source(&gears, "number_of_teeth"),
     );
-    case.shared_geometry(&gears)?;
-    let widths = case.all(&gears, "face_width", Unit::Millimetre)?;
-    case.say(
-        &format!("face_width = [{}]", quantities(&widths, "mm")),
-        &source(&gears, "face_width"),
-    );
-    let shifts = case.shifts(&gears)?;
-    case.centre_distance(mesh, shifts.is_some())?;
-    let has_tips = case.tips(&gears, &z.map(f64::from))?;
-    if shifts.is_none() && !has_tips {
-        case.default_shifts(mesh, &gears, &z.map(f64::from))?;
-    }
+    let shifts = case.geometry(mesh, &gears, &z.map(f64::from))?;
     if !is_ring {
         case.check_distance(mesh, &gears, &z.map(f64::from), shifts.as_deref())?;
     }

@@ -3,8 +3,7 @@
 use crate::error::RexsError;
 use crate::model::Component;
 use crate::stages::teeth;
-use crate::units::Unit;
-use crate::writer::{Text, quantities, source};
+use crate::writer::{Text, source};
 
 /// Writes the table `[planetary]` of sun, planet and ring.
 pub fn gears(
@@ -23,18 +22,7 @@ pub fn gears(
         &format!("planets = {planets}"),
         "gears that mesh with the ring",
     );
-    case.shared_geometry(&gears)?;
-    let widths = case.all(&gears, "face_width", Unit::Millimetre)?;
-    case.say(
-        &format!("face_width = [{}]", quantities(&widths, "mm")),
-        &source(&gears, "face_width"),
-    );
-    let shifts = case.shifts(&gears)?;
-    case.centre_distance(mesh, shifts.is_some())?;
-    let has_tips = case.tips(&gears, &z.map(f64::from))?;
-    if shifts.is_none() && !has_tips {
-        case.default_shifts(mesh, &gears, &z.map(f64::from))?;
-    }
+    case.geometry(mesh, &gears, &z.map(f64::from))?;
     for (name, gear) in ["sun", "planet", "ring"].into_iter().zip(gears) {
         case.chamfer(name, gear)?;
     }

@@ -31,7 +31,7 @@ pub fn source(components: &[&Component], attribute: &str) -> String {
 }
 
 /// `"1 mm", "2 mm"`
-pub fn quantities(values: &[f64], unit: &str) -> String {
+fn quantities(values: &[f64], unit: &str) -> String {
     let texts: Vec<String> = values
         .iter()
         .map(|value| format!("\"{value} {unit}\""))
@@ -94,7 +94,7 @@ impl<'a> Text<'a> {
     }
 
     /// An attribute that all of these need.
-    pub fn all(
+    fn all(
         &self,
         components: &[&Component],
         attribute: &'static str,
@@ -116,8 +116,30 @@ impl<'a> Text<'a> {
         self.model.components.get(side)
     }
 
+    /// What the gears of every kind of stage have; returns their profile shifts where the file has all of them.
+    pub fn geometry(
+        &mut self,
+        mesh: &Component,
+        gears: &[&Component],
+        z: &[f64],
+    ) -> Result<Option<Vec<f64>>, RexsError> {
+        self.shared_geometry(gears)?;
+        let widths = self.all(gears, "face_width", Unit::Millimetre)?;
+        self.say(
+            &format!("face_width = [{}]", quantities(&widths, "mm")),
+            &source(gears, "face_width"),
+        );
+        let shifts = self.shifts(gears)?;
+        self.centre_distance(mesh, shifts.is_some())?;
+        let has_tips = self.tips(gears, z)?;
+        if shifts.is_none() && !has_tips {
+            self.default_shifts(mesh, gears, z)?;
+        }
+        Ok(shifts)
+    }
+
     /// Module, helix and pressure angle, which all gears of a stage share.
-    pub fn shared_geometry(&mut self, gears: &[&Component]) -> Result<(), RexsError> {
+    fn shared_geometry(&mut self, gears: &[&Component]) -> Result<(), RexsError> {
         let modules = self.all(gears, "normal_module", Unit::Millimetre)?;
         self.agree(gears, "normal_module", &modules)?;
         self.say(
@@ -172,7 +194,7 @@ impl<'a> Text<'a> {
     }
 
     /// Profile shift coefficients, where every gear has one.
-    pub fn shifts(&mut self, gears: &[&Component]) -> Result<Option<Vec<f64>>, RexsError> {
+    fn shifts(&mut self, gears: &[&Component]) -> Result<Option<Vec<f64>>, RexsError> {
         let mut shifts = Vec::new();
         let mut from = Vec::new();
         for gear in gears {
@@ -196,7 +218,7 @@ impl<'a> Text<'a> {
     }
 
     /// Centre distance, needed where the profile shifts are not known.
-    pub fn centre_distance(&mut self, mesh: &Component, shifts: bool) -> Result<(), RexsError> {
+    fn centre_distance(&mut self, mesh: &Component, shifts: bool) -> Result<(), RexsError> {
         let distance = mesh.number("center_distance", Unit::Millimetre)?;
         match distance {
             // The shifts decide: the distance of a file is often rounded.
@@ -259,7 +281,7 @@ impl<'a> Text<'a> {
     }
 
     /// Tip diameters, where every gear has one that can be.
-    pub fn tips(&mut self, gears: &[&Component], z: &[f64]) -> Result<bool, RexsError> {
+    fn tips(&mut self, gears: &[&Component], z: &[f64]) -> Result<bool, RexsError> {
         let mut tips = Vec::new();
         for (gear, z) in gears.iter().zip(z) {
             let Some(tip) = gear.number("tip_diameter", Unit::Millimetre)? else {
@@ -302,7 +324,7 @@ impl<'a> Text<'a> {
 
     /// Profile shifts that follow from the centre distance alone, where the file has neither them nor tips. Of an
     /// external pair their sum is split evenly; with a ring they are known where the distance is that of no shift.
-    pub fn default_shifts(
+    fn default_shifts(
         &mut self,
         mesh: &Component,
         gears: &[&Component],

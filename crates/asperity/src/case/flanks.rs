@@ -345,11 +345,13 @@ fn place_of(
         read.profile =
             Profile::new(read.profile.spacing(), heights).map_err(domain(given.source, key))?;
     }
-    let key = match gear_of(key) {
-        Gear::Pinion => "surface.pinion.at",
-        Gear::Wheel => "surface.wheel.at",
+    let gear = gear_of(key);
+    let at = match key {
+        "surface.wheel" => "surface.wheel.at",
+        "surface.coast.pinion" => "surface.coast.pinion.at",
+        "surface.coast.wheel" => "surface.coast.wheel.at",
+        _ => "surface.pinion.at",
     };
-    let gear = gear_of(key.trim_end_matches(".at"));
     let told = Told {
         from: input.from,
         at: input.at,
@@ -357,11 +359,11 @@ fn place_of(
     };
     read_place(told, gears, gear, arc).map_err(|error| match error {
         PlaceError::Rule(rule) => CaseError::Conflict {
-            place: given.source.place_of(key),
-            key,
+            place: given.source.place_of(at),
+            key: at,
             rule,
         },
-        PlaceError::Domain(error) => domain(given.source, key)(error),
+        PlaceError::Domain(error) => domain(given.source, at)(error),
     })
 }
 
