@@ -485,6 +485,19 @@ fn what_is_doubtful_about_the_places_of_traces_is_said() {
         "E205",
         &["surface.pinion.at: says how the trace lies"],
     );
+    let coast = [
+        "--set",
+        "operation.torque=-145 N m",
+        "--set",
+        "surface.coast={ pinion = { file = \"pinion.csv\" }, wheel = { file = \"wheel.csv\", mirrored = true, from = \"tip\" } }",
+    ];
+    run_is_refused(
+        &most,
+        &coast,
+        2,
+        "E205",
+        &["surface.coast.wheel.at: says how the trace lies"],
+    );
     let two = ["--set", "surface.pinion.at.radius=22 mm"];
     run_is_refused(
         &most,
