@@ -5,8 +5,8 @@ use super::workspace::{Level, Task, Workspace};
 use super::{active_set, projected_gradient};
 
 /// Certificate of a coarser grid over that of its start: the next grid halves the cells, and its
-/// start is about as much better.
-const GAIN: f64 = 0.1;
+/// start is hardly better for more (0.1 costs a tenth of a solution on 10⁵ points).
+const GAIN: f64 = 0.5;
 
 /// Improves `work.pressure` until its certificate is within the tolerance or no progress is left;
 /// returns the iterations.
