@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 mod band;
+mod bulk;
 mod constant_friction;
 mod equations_used;
 mod friction_laws;

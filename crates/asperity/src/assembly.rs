@@ -2,7 +2,7 @@
 
 use asperity_efficiency::{LossKind, MeshEfficiency, equivalent_friction};
 
-use crate::case::Case;
+use crate::case::{BulkReport, Case, CaseInput};
 use crate::comparison::published_laws;
 use crate::deformation_losses::of_all_offsets;
 use crate::error::PositionError;
@@ -29,6 +29,7 @@ impl Solved<'_> {
             path: self.path()?,
             offsets: offset_rows(&self.meshes),
             run_in: None,
+            bulk: bulk_report(&self.loaded.case),
             equations: Vec::new(),
         })
     }
@@ -60,6 +61,7 @@ impl Solved<'_> {
             points: self.points(points)?,
             records,
             band: None,
+            bulk: bulk_report(case),
             running_in: running_in(case, &self.meshes),
             run_in: None,
             summary,
@@ -68,7 +70,7 @@ impl Solved<'_> {
             gears: case.gears.clone(),
             lubricant: case.oil,
             film_constants: film_constants(case)?,
-            inputs: case.input.clone(),
+            inputs: inputs(case),
             defaults: case.defaults.clone(),
             equations: Vec::new(),
             references: Vec::new(),
@@ -412,4 +414,17 @@ mod tests {
         assert_eq!(deviation(&[1.0]), None);
         assert_eq!(deviation(&[1.0, 4.0, 7.0]), Some(3.0));
     }
+}
+
+fn bulk_report(case: &Case) -> Option<BulkReport> {
+    case.found_bulk.as_ref().map(|found| found.report.clone())
+}
+
+/// The case as read, with the operation as it was before the bulk temperature was found.
+fn inputs(case: &Case) -> CaseInput {
+    let mut inputs = case.input.clone();
+    if let Some(found) = &case.found_bulk {
+        inputs.operation = found.operation;
+    }
+    inputs
 }

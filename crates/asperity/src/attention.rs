@@ -34,6 +34,7 @@ pub(crate) fn warnings(
     for note in &loaded.case.oil_notes {
         found.push(Warning::new("W401", note.to_string()));
     }
+    bulk(loaded, &mut found);
     ranges(positions, &mut found);
     let equivalent = equivalent_friction(summary.efficiency, summary.loss_factor_local)?;
     if !equivalent.outside.is_empty() {
@@ -57,6 +58,20 @@ pub(crate) fn warnings(
     roughness(loaded, positions, &mut found);
     full_film(positions, &mut found);
     Ok(found)
+}
+
+/// W426: a second bulk temperature.
+fn bulk(loaded: &LoadedCase, found: &mut Vec<Warning>) {
+    let report = loaded.case.found_bulk.as_ref().map(|found| &found.report);
+    if let Some((report, hotter)) = report.and_then(|report| Some((report, report.hotter_c?))) {
+        found.push(Warning::new(
+            "W426",
+            format!(
+                "the flanks keep up {:.0} °C, and {hotter:.0} °C as well if they once get that hot; all numbers are of the lower one",
+                report.bulk_c
+            ),
+        ));
+    }
 }
 
 /// What left its range, each once: W401, W402, W403 and W405 with correlation and input.

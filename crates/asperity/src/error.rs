@@ -3,6 +3,7 @@
 use asperity_contact::ContactError;
 use asperity_core::DomainError;
 use asperity_core::remedy::{Remedy, Setting, Value};
+use asperity_efficiency::EfficiencyError;
 
 use crate::case::{CaseError, Place, Source};
 use crate::load_share::LoadShareError;
@@ -64,7 +65,7 @@ pub enum PositionError {
     },
     /// Losses cannot be summed.
     #[error(transparent)]
-    Efficiency(#[from] asperity_efficiency::EfficiencyError),
+    Efficiency(#[from] EfficiencyError),
     /// A number outside its domain.
     #[error(transparent)]
     Domain(#[from] DomainError),
@@ -206,6 +207,12 @@ pub enum Error {
     Whole(#[from] Box<PositionError>),
 }
 
+impl From<EfficiencyError> for Error {
+    fn from(error: EfficiencyError) -> Self {
+        Self::Whole(Box::new(error.into()))
+    }
+}
+
 impl From<CaseError> for Error {
     fn from(error: CaseError) -> Self {
         Self::Case(Box::new(error))
@@ -324,6 +331,7 @@ impl PositionError {
             })) => "E302",
             Self::LoadShare(LoadShareError::FlowPressureTooLow { .. }) => "E306",
             Self::Ehl(error) if error.is_unconverged() => "E307",
+            Self::Efficiency(EfficiencyError::BulkNotSettled { .. }) => "E311",
             _ => "E305",
         }
     }

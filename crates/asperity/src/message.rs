@@ -120,6 +120,7 @@ explanations! {
     "E307" "the lubricated contact did not converge": "Newton's method found no solution of the lubricated contact, or a time step failed at its smallest length. No result is reported." => "Use more cells or smoother profiles, give a flow pressure if the surfaces yield, or choose another viscosity law.";
     "E308" "a state beyond physical sense": "Pressure, film, speed, friction or flash temperature at a mesh position are beyond what is physically possible, so that no efficiency would mean anything." => "Check the values in the case, starting with the unusual ones.";
     "E309" "cases of a study are missing": "Some cases of a study are in no finished part, because a shard was not run or was stopped." => "Run the missing shards; finished cases are not run again.";
+    "E311" "the bulk temperature does not settle": "The loss at a bulk temperature makes another one, step after step, so that no temperature keeps itself up." => "Check operation.bulk and the oil, or give the bulk temperature as operation.temperature without bulk.";
     "E401" "a result cannot be written": "The system refused to write, or the place is taken by something that is not a result." => "Choose another place or name, create its folder, or free some space.";
     "E402" "not a result": "The file or folder named is not the result of a run, or lacks what was asked for." => "Name a result folder, e.g. results/e-drive, or its result.json.";
     "E501" "internal fault": "A consistency check within the program failed. This is a fault of the program, not of the input." => "Please report it with the case file.";
@@ -166,6 +167,7 @@ explanations! {
     "W423" "load over the teeth did not settle": "The load map used up its iterations before the loads settled." => "Try another model.load_distribution, and please report the case.";
     "W424" "stiffness from ISO 6336-1": "The root of a tooth is undercut or cannot be drawn from the rack, so its compliance cannot be computed from its outline." => "Check gears.pinion.dedendum and gears.wheel.dedendum, or choose model.load_distribution = \"iso-stiffness\".";
     "W425" "tips may foul": "A ring with fewer than ten teeth more than its pinion may foul its tips away from the line of action, which is not checked." => "Check the tip clearance on the drawing.";
+    "W426" "two bulk temperatures": "Friction that rises with the temperature can keep up a hotter state beside the one found: started 60 K above the oil, the mesh settles elsewhere." => "Look at the loss over operation.temperature; a better cooled mesh has one.";
 }
 
 #[cfg(test)]

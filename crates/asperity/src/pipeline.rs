@@ -1,6 +1,6 @@
 //! The one file that knows the order of the model, the paper's Fig. 2.
 //!
-//! The load over the flanks and the cells of the path; then at every mesh position, in parallel: motion and load,
+//! Where the case asks for it, the bulk temperature that the loss keeps up first ([`bulk`]). The load over the flanks and the cells of the path; then at every mesh position, in parallel: motion and load,
 //! Hertz contact, smooth film; then at every
 //! offset of the traces: roughness under the contact, Λ* and with it the regime, the rough contact and from it
 //! the load share, friction in film, lubricated asperities and boundary layer. That is all that the losses
@@ -16,6 +16,7 @@ use asperity_core::provenance::Provenance;
 use asperity_gear::LoadMap;
 use rayon::prelude::*;
 
+use crate::bulk;
 use crate::case::LoadedCase;
 use crate::chosen_laws::ChosenLaws;
 use crate::contact_tables::{ContactTables, KeptContact};
@@ -179,6 +180,8 @@ fn losses_of(
     tables: Option<&ContactTables>,
     progress: Progress<'_>,
 ) -> Result<Losses, Error> {
+    let settled = bulk::settled(loaded, tables)?;
+    let loaded = settled.as_ref();
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
     let kept = tables.and_then(|tables| tables.load_map(&loaded.case));
@@ -199,6 +202,8 @@ fn outcome(
     kept: &KeptFields,
     progress: Progress<'_>,
 ) -> Result<(Outcome, Option<ContactTables>), Error> {
+    let settled = bulk::settled(loaded, None)?;
+    let loaded = settled.as_ref();
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
     let mesh = Mesh::of(loaded, &laws, None, progress, &used)?;

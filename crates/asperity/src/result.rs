@@ -8,6 +8,7 @@ pub use asperity_ehl_regime::Regime;
 use asperity_gear::{GearPair, LoadMap};
 use serde::{Deserialize, Serialize};
 
+pub use crate::case::BulkReport;
 use crate::case::{CaseInput, DefaultUsed, Formulation};
 pub use crate::film_constants::FilmConstant;
 use crate::flank_record::FlankRecord;
@@ -49,6 +50,9 @@ pub struct RunResult {
     /// Band of the loss; absent where the run was made without, or the model has none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub band: Option<LossBand>,
+    /// The bulk temperature found from the loss; absent where it is given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bulk: Option<BulkReport>,
     /// Plastic work of the first engagement.
     pub running_in: RunningIn,
     /// The mesh with flanks that have run in, where the case asks for it; all else is of the flanks as measured.
@@ -473,6 +477,9 @@ pub struct Losses {
     /// Losses with flanks that have run in, where the case asks for them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub run_in: Option<RunInFlanks>,
+    /// The bulk temperature found from the loss; absent where it is given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bulk: Option<BulkReport>,
     /// What left the range of its correlation or of lubricated steel, each once: code, correlation, input.
     pub outside: Vec<String>,
     /// Equations used.

@@ -5,6 +5,7 @@ use asperity_ns_film::{FluidModel, pressure_difference_across};
 use serde::Serialize;
 
 use crate::assembly::median;
+use crate::bulk;
 use crate::case::LoadedCase;
 use crate::chosen_laws::ChosenLaws;
 use crate::decision::decide;
@@ -51,7 +52,8 @@ pub struct RegimeRow {
 /// # Errors
 /// When an equation refuses the numbers at a position.
 pub fn survey(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, Error> {
-    rows(loaded).map_err(|error| Error::Whole(Box::new(error)))
+    let settled = bulk::settled(loaded, None)?;
+    rows(&settled).map_err(|error| Error::Whole(Box::new(error)))
 }
 
 fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
@@ -147,7 +149,8 @@ pub struct FilmSurvey {
 /// # Errors
 /// When an equation refuses the numbers there.
 pub fn film(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, Error> {
-    film_rows(loaded, place).map_err(|error| Error::Whole(Box::new(error)))
+    let settled = bulk::settled(loaded, None)?;
+    film_rows(&settled, place).map_err(|error| Error::Whole(Box::new(error)))
 }
 
 fn film_rows(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, PositionError> {

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use crate::wrap::{COLUMNS, wrapped};
 use asperity::loss_band::{LossBand, SamplingPart, Trust, rounded};
 use asperity::message::Warning;
-use asperity::result::{PositionRow, PublishedOutcome, RunResult, Summary};
+use asperity::result::{BulkReport, PositionRow, PublishedOutcome, RunResult, Summary};
 
 /// Under the text of a message, behind its code.
 const INDENT: &str = "     ";
@@ -48,8 +48,8 @@ const LARGE_LOAD_ERROR: f64 = 0.011;
 const SHOWN_NOTES: usize = 2;
 /// Codes of warnings that put the efficiency in doubt and name a remedy, the most important first.
 const MATTERS: &[&str] = &[
-    "W402", "W412", "W415", "W405", "W201", "W124", "W128", "W112", "W118", "W111", "W125", "W117",
-    "W113", "W408", "W404", "W410",
+    "W402", "W426", "W412", "W415", "W405", "W201", "W124", "W128", "W112", "W118", "W111", "W125",
+    "W117", "W113", "W408", "W404", "W410",
 ];
 
 fn note(warning: &Warning) -> String {
@@ -63,9 +63,23 @@ fn numbers(result: &RunResult) -> String {
     if let Some(band) = &result.band {
         text.push_str(&band_text(band));
     }
+    if let Some(bulk) = &result.bulk {
+        text.push_str(&bulk_text(bulk));
+    }
     let _ = write_regime(&mut text, result);
     let _ = write_run_in(&mut text, result);
     text
+}
+
+/// The bulk temperature found from the loss, and how.
+fn bulk_text(bulk: &BulkReport) -> String {
+    let gears = bulk.gears_c.map_or(String::new(), |[pinion, wheel]| {
+        format!(": pinion {pinion:.0}, wheel {wheel:.0}")
+    });
+    format!(
+        "bulk    {:.0} °C{gears}; oil {:.0} °C, rise by the loss ({})\n",
+        bulk.bulk_c, bulk.oil_c, bulk.law
+    )
 }
 
 fn write_losses(text: &mut String, result: &RunResult) -> std::fmt::Result {

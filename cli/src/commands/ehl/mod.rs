@@ -9,6 +9,7 @@ mod smooth;
 
 use std::path::Path;
 
+use asperity::bulk;
 use asperity::ehl::RecordSettings;
 use asperity::ehl::traction::Heat;
 use asperity::referee::{RefereeContact, RefereeSettings, shares};
@@ -31,7 +32,8 @@ pub fn ehl(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
 }
 
 fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> {
-    let loaded = load_case(path, &args.set, None)?;
+    let given = load_case(path, &args.set, None)?;
+    let loaded = bulk::settled(&given, None)?;
     let place = on_the_path(&loaded, args.position)?.unwrap_or(loaded.case.model.position);
     let settings = RefereeSettings {
         record: record_settings(args),

@@ -30,6 +30,7 @@ use std::collections::BTreeSet;
 
 use asperity_core::provenance::Provenance;
 
+use crate::bulk;
 use crate::case::{Formulation, FullFilmName, LoadShareName, LoadedCase};
 use crate::contact_tables::ContactTables;
 use crate::error::Error;
@@ -84,6 +85,8 @@ pub fn run_and_draw(
     kept: &KeptFields,
     progress: Progress<'_>,
 ) -> Result<(Outcome, DrawnLosses), Error> {
+    let settled = bulk::settled(loaded, None)?;
+    let loaded = settled.as_ref();
     let (mut outcome, tables) = run_keeping_contacts(loaded, kept, progress)?;
     if !has_band(loaded) {
         let rows = &outcome.result.path;

@@ -123,6 +123,7 @@ impl OperationInput {
             torque,
             speed,
             temperature,
+            bulk: None,
         }
     }
 }

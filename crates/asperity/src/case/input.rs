@@ -25,6 +25,7 @@ use serde::de::value::{SeqAccessDeserializer, StrDeserializer};
 use serde::de::{IntoDeserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
+use super::bulk::BulkInput;
 use super::flank_place::{FlankPlaceInput, TraceStart};
 use super::gear_input::{EndReliefInput, GearFlankInput};
 use super::law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
@@ -212,8 +213,11 @@ pub struct OperationInput {
     pub torque: Torque,
     /// Speed of the pinion.
     pub speed: AngularSpeed,
-    /// Bulk temperature of the flanks, taken as the temperature of the oil at the inlet.
+    /// Bulk temperature of the flanks; with `bulk` the temperature of the oil, from which that follows.
     pub temperature: Temperature,
+    /// Bulk temperature from the loss; default: as given by `temperature`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bulk: Option<BulkInput>,
 }
 
 /// Reach of the default axes of a map.

@@ -13,6 +13,7 @@
 //! | another case | [`LoadedCase::with`], [`LoadedCase::with_key`] |
 
 mod builder;
+mod bulk;
 mod check;
 mod defaults;
 mod domain;
@@ -42,6 +43,7 @@ mod steel;
 mod trace;
 
 pub use builder::CaseBuilder;
+pub use bulk::{BulkInput, BulkLaw, BulkModel, BulkReport, FoundBulk, Lubrication};
 pub use check::{Findings, check};
 pub use defaults::DefaultUsed;
 pub use error::CaseError;

@@ -10,6 +10,7 @@ use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::preparation::Preparation;
 use asperity_tribo_friction::{FilmRheology, FrictionError, TractionConstants};
 
+use super::bulk::{BulkModel, FoundBulk, bulk_model};
 use super::defaults::{DefaultUsed, Defaults};
 use super::domain::domain;
 use super::error::CaseError;
@@ -49,8 +50,12 @@ pub struct Case {
     pub torque: Torque,
     /// Speed of the pinion.
     pub speed: AngularSpeed,
-    /// Bulk temperature.
+    /// Bulk temperature of the flanks; that of the oil where `bulk` has still to be found.
     pub temperature: Temperature,
+    /// Law of the bulk temperature, where it has still to be found: [`settled`](crate::bulk::settled).
+    pub bulk: Option<BulkModel>,
+    /// The bulk temperature found from the loss, where that was asked for.
+    pub found_bulk: Option<FoundBulk>,
     /// The oil.
     pub lubricant: Lubricant,
     /// The oil at the bulk temperature.
@@ -109,6 +114,7 @@ pub(super) fn resolve_checked(
     refuse_stiff_oil(&oil.value, source)?;
     let preparation = preparation(&input, source, &mut defaults)?;
     let model = model(&input.model, formulation, &gears, source, &mut defaults)?;
+    let bulk = bulk_model(operation.bulk.as_ref(), formulation, &model, source)?;
     let is_elastic = model.load_distribution.is_elastic();
     let load_settings = load_settings(&input, is_elastic, &mut defaults);
     let mesh = LoadConditions {
@@ -151,6 +157,8 @@ pub(super) fn resolve_checked(
         torque: operation.torque,
         speed: operation.speed,
         temperature: operation.temperature,
+        bulk,
+        found_bulk: None,
         lubricant,
         oil: oil_state,
         rheology,

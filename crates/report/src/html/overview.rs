@@ -179,7 +179,7 @@ fn parts(result: &RunResult) -> Vec<Tile> {
 fn evidence(result: &RunResult) -> Vec<Tile> {
     let s = &result.summary;
     let energy = result.running_in.energy_per_engagement_j;
-    vec![
+    let mut tiles = vec![
         (
             "H_V by Ohlendorf",
             format!("{:.4}", s.loss_factor),
@@ -205,7 +205,12 @@ fn evidence(result: &RunResult) -> Vec<Tile> {
             format!("{:.1e}", s.worst_load_error),
             "summary.worst_load_error",
         ),
-    ]
+    ];
+    if let Some(bulk) = &result.bulk {
+        let found = format!("{:.0} °C, oil {:.0} °C", bulk.bulk_c, bulk.oil_c);
+        tiles.insert(0, ("bulk temperature by the loss", found, "bulk.bulk_c"));
+    }
+    tiles
 }
 
 /// Parts of the loss as bars.

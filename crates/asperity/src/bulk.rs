@@ -1,0 +1,178 @@
+//! The bulk temperature that the loss of the mesh keeps up.
+//!
+//! Film and friction see the flanks' bulk temperature; where a case gives that of the oil instead, the loss makes
+//! the rise and the rise changes the loss. The rough contacts are solved once: a further temperature costs film
+//! laws only. All properties of the oil are those at the bulk temperature, its density included.
+
+use std::borrow::Cow;
+
+use asperity_core::provenance::Provenance;
+use asperity_core::quantity::{Power, Temperature};
+use asperity_efficiency::EfficiencyError;
+use asperity_efficiency::bulk_temperature::{self, BulkTemperature, iso_rise};
+
+use crate::case::{BulkModel, LoadedCase, Lubrication};
+pub use crate::case::{BulkReport, FoundBulk};
+use crate::contact_tables::ContactTables;
+use crate::error::{Error, PositionError};
+use crate::pipeline::{contact_tables, losses_with, stations};
+
+/// Rise over the oil \[K\] beyond which no bulk temperature is looked for: hardened steel has long lost its hardness.
+const MOST_RISE: f64 = 200.0;
+
+/// A case at the bulk temperature that its loss keeps up, itself where that is given.
+///
+/// ```
+/// use asperity::{bulk, case, pipeline};
+/// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+/// let case = case::load_with(file, &|input| {
+///     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+/// })?;
+/// let given = bulk::settled(&case, None)?;
+/// assert!(given.case.found_bulk.is_none());
+/// let asked = case.with_key("operation.bulk", r#"{ law = "iso", lubrication = "jet" }"#)?;
+/// let settled = bulk::settled(&asked, None)?;
+/// let found = settled.case.found_bulk.as_ref().ok_or("it was asked for")?;
+/// assert!(found.report.bulk_c > found.report.oil_c + 5.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// As [`losses`](crate::losses), and when the temperature does not settle.
+pub fn settled<'a>(
+    loaded: &'a LoadedCase,
+    tables: Option<&ContactTables>,
+) -> Result<Cow<'a, LoadedCase>, Error> {
+    let Some(model) = loaded.case.bulk else {
+        return Ok(Cow::Borrowed(loaded));
+    };
+    let made;
+    let tables = match tables {
+        Some(tables) => tables,
+        None => {
+            made = contact_tables(loaded)?;
+            &made
+        }
+    };
+    let used = Provenance::new();
+    let law = used.collect(|| Law::of(loaded, model)).map_err(Box::new)?;
+    let oil = loaded.case.input.operation.temperature;
+    let mut steps = 0;
+    let made = |bulk: Temperature| {
+        steps += 1;
+        let losses = losses_with(tables, &at(loaded, bulk)?, &|_, _| {})?;
+        let [pinion, wheel] = law
+            .rises(Power::from_si(losses.summary.loss_w))
+            .map_err(Box::new)?;
+        let made = Temperature::from_si(oil.si() + 0.5 * (pinion + wheel));
+        if (bulk - oil).si() > MOST_RISE {
+            return Err(Error::from(EfficiencyError::BulkNotSettled {
+                temperature: bulk,
+                residual: (made - bulk).si(),
+                steps,
+            }));
+        }
+        Ok(made)
+    };
+    let found = used.collect(|| bulk_temperature::fixed_point(oil, made))?;
+    let mut settled = at(loaded, found.temperature)?;
+    settled.provenance.include(&used);
+    settled.case.found_bulk = Some(FoundBulk {
+        operation: loaded.case.input.operation,
+        report: law.report(oil, &found),
+    });
+    Ok(Cow::Owned(settled))
+}
+
+/// The case with its flanks at a temperature.
+fn at(loaded: &LoadedCase, bulk: Temperature) -> Result<LoadedCase, Error> {
+    loaded.with(|input| {
+        input.operation.temperature = bulk;
+        input.operation.bulk = None;
+    })
+}
+
+/// A law with what it needs of the case.
+struct Law<'a> {
+    loaded: &'a LoadedCase,
+    model: BulkModel,
+    /// Share of the heat that goes into the pinion.
+    pinion: f64,
+}
+
+impl<'a> Law<'a> {
+    fn of(loaded: &'a LoadedCase, model: BulkModel) -> Result<Self, PositionError> {
+        let pinion = match model {
+            BulkModel::Iso(_) => 0.5,
+            BulkModel::Network(_) => pinion_share(loaded)?,
+        };
+        Ok(Self {
+            loaded,
+            model,
+            pinion,
+        })
+    }
+
+    /// Rises of pinion and wheel over the oil \[K\].
+    fn rises(&self, loss: Power) -> Result<[f64; 2], PositionError> {
+        Ok(match self.model {
+            BulkModel::Iso(lubrication) => {
+                let gears = &self.loaded.case.gears;
+                let (distance, width) = (gears.centre_distance, gears.face_width);
+                [iso_rise(loss, distance, width, lubrication.factor())?; 2]
+            }
+            BulkModel::Network(network) => network.rises(loss, self.pinion)?,
+        })
+    }
+
+    fn report(&self, oil: Temperature, found: &BulkTemperature) -> BulkReport {
+        let celsius = |temperature: Temperature| temperature.si() - 273.15;
+        let is_network = matches!(self.model, BulkModel::Network(_));
+        // The rises are in proportion to the loss, so that their ratio is known from any.
+        let rises = self.rises(Power::from_si(1.0)).ok();
+        let rise = found.temperature.si() - oil.si();
+        let split = rises.map(|[a, b]| [a, b].map(|one| celsius(oil) + rise * 2.0 * one / (a + b)));
+        BulkReport {
+            law: match self.model {
+                BulkModel::Iso(lubrication) => format!("iso, {}", words(lubrication)),
+                BulkModel::Network(_) => "network".to_owned(),
+            },
+            oil_c: celsius(oil),
+            bulk_c: celsius(found.temperature),
+            gears_c: split.filter(|_| is_network),
+            pinion_heat_share: is_network.then_some(self.pinion),
+            residual_k: found.residual,
+            steps: found.steps,
+            hotter_c: found.hotter.map(celsius),
+        }
+    }
+}
+
+const fn words(lubrication: Lubrication) -> &'static str {
+    match lubrication {
+        Lubrication::Jet => "jet",
+        Lubrication::Dip => "dip",
+        Lubrication::JetAndDip => "jet and dip",
+        Lubrication::Submerged => "submerged",
+    }
+}
+
+/// Mean over the path of the share of the frictional heat that goes into the pinion: each flank takes heat by the
+/// square root of conductivity, density, heat capacity and its speed through the contact.
+fn pinion_share(loaded: &LoadedCase) -> Result<f64, PositionError> {
+    let materials = &loaded.case.materials;
+    let effusivity = [0, 1].map(|body| {
+        let steel = &materials[body];
+        (steel.conductivity.si() * steel.density.si() * steel.heat_capacity.si()).sqrt()
+    });
+    let stations = stations(&loaded.case)?;
+    let shares = stations.iter().map(|station| {
+        let speeds = [station.motion.u1, station.motion.u2].map(|u| u.si().abs().sqrt());
+        let [pinion, wheel] = [0, 1].map(|body| effusivity[body] * speeds[body]);
+        (pinion / (pinion + wheel), station.weight)
+    });
+    let (sum, weight) = shares.fold((0.0, 0.0), |(sum, all), (share, weight)| {
+        (sum + share * weight, all + weight)
+    });
+    Ok(sum / weight)
+}

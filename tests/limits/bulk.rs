@@ -1,0 +1,95 @@
+//! The bulk temperature that the loss keeps up: its balance, its words, its refusals.
+
+use std::path::Path;
+
+use asperity::case::{LoadedCase, load_with};
+use asperity::quantity::Temperature;
+use asperity::{bulk, losses, pipeline};
+
+fn case(name: &str, law: &str) -> LoadedCase {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../fixtures/cases")
+        .join(name);
+    let case = load_with(&file, &|input| {
+        (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+    })
+    .unwrap();
+    case.with_key("operation.bulk", law).unwrap()
+}
+
+fn celsius(temperature: Temperature) -> f64 {
+    temperature.si() - 273.15
+}
+
+#[test]
+fn the_rise_is_that_of_the_loss_at_the_temperature_found() {
+    for (lubrication, factor) in [("jet", 1.2), ("dip", 1.0), ("submerged", 0.2)] {
+        let law = format!("{{ law = \"iso\", lubrication = \"{lubrication}\" }}");
+        let case = case("e-drive.toml", &law);
+        let found = losses(&case, &|_, _| {}).unwrap();
+        let report = found.bulk.as_ref().unwrap();
+        let gears = &case.case.gears;
+        let specific = 1e-3 * found.summary.loss_w
+            / (1e6 * gears.centre_distance.si() * gears.face_width.si());
+        let rise = 7400.0 * specific.powf(0.72) * factor / 1.2;
+        let residual = report.bulk_c - report.oil_c - rise;
+        assert!(residual.abs() < 0.01, "{lubrication}: {residual} K");
+        assert_eq!(report.oil_c, celsius(case.case.input.operation.temperature));
+        // The loss is that of flanks given at this temperature.
+        let settled = bulk::settled(&case, None).unwrap();
+        let given = case
+            .with(|input| {
+                input.operation.temperature = settled.case.temperature;
+                input.operation.bulk = None;
+            })
+            .unwrap();
+        let given = losses(&given, &|_, _| {}).unwrap();
+        assert_eq!(given.summary, found.summary);
+        assert!(given.bulk.is_none());
+    }
+}
+
+#[test]
+fn two_gears_shed_the_heat_that_the_mesh_makes() {
+    let law = r#"{ law = "network", pinion_to_oil = "12 W/K", wheel_to_oil = "18 W/K", between = "3 W/K" }"#;
+    let case = case("e-drive.toml", law);
+    let found = losses(&case, &|_, _| {}).unwrap();
+    let report = found.bulk.unwrap();
+    let [pinion, wheel] = report.gears_c.unwrap().map(|t| t - report.oil_c);
+    let shed = 12.0 * pinion + 18.0 * wheel;
+    // Both gears follow within the 0.01 K of the fixed point.
+    assert!((shed - found.summary.loss_w).abs() < 0.5, "{shed} W");
+    let mean = 0.5 * (pinion + wheel) + report.oil_c;
+    assert!((mean - report.bulk_c).abs() < 1e-9);
+    // The pinion's flank slides past faster below the pitch point, slower above: near a half in all.
+    let share = report.pinion_heat_share.unwrap();
+    assert!((0.45..0.55).contains(&share), "{share}");
+}
+
+#[test]
+fn a_run_tells_the_oil_it_was_given_and_the_flanks_it_found() {
+    let case = case("e-drive.toml", r#"{ law = "iso", lubrication = "jet" }"#);
+    let run = pipeline::run(&case, &|_, _| {}).unwrap().result;
+    let report = run.bulk.unwrap();
+    assert_eq!(run.inputs, case.case.input);
+    let at_bulk = case
+        .case
+        .lubricant
+        .at(Temperature::from_si(report.bulk_c + 273.15))
+        .unwrap();
+    let ratio = run.lubricant.dynamic_viscosity / at_bulk.value.dynamic_viscosity;
+    assert!((ratio - 1.0).abs() < 1e-9);
+    for tag in ["Bulk-iso", "Bulk-fixed-point"] {
+        assert!(run.equations.iter().any(|used| used.tag == tag), "{tag}");
+    }
+}
+
+#[test]
+fn tables_made_before_give_the_same_temperature() {
+    let case = case("e-drive.toml", r#"{ law = "iso", lubrication = "dip" }"#);
+    let tables = pipeline::contact_tables(&case).unwrap();
+    let kept = pipeline::losses_with(&tables, &case, &|_, _| {}).unwrap();
+    let anew = losses(&case, &|_, _| {}).unwrap();
+    assert_eq!(kept.bulk, anew.bulk);
+    assert_eq!(kept.summary, anew.summary);
+}
