@@ -101,7 +101,7 @@ impl Failure {
     /// The exit status: 2 bad input, 3 not converged, 4 outside the model, 5 internal fault.
     fn status(&self) -> u8 {
         match self.code {
-            "E301" | "E304" | "E307" | "E309" => 3,
+            "E301" | "E304" | "E307" | "E309" | "E311" => 3,
             "E302" | "E303" | "E305" | "E306" | "E308" => 4,
             "E501" => 5,
             _ => 2,

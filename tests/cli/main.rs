@@ -9,6 +9,7 @@
 
 mod bench;
 
+mod bulk;
 mod case_commands;
 mod case_messages;
 mod codes;

@@ -60,18 +60,18 @@ pub(crate) fn warnings(
     Ok(found)
 }
 
-/// W426: a second bulk temperature.
+/// W426: a hotter state beside the bulk temperature found.
 fn bulk(loaded: &LoadedCase, found: &mut Vec<Warning>) {
-    let report = loaded.case.found_bulk.as_ref().map(|found| &found.report);
-    if let Some((report, hotter)) = report.and_then(|report| Some((report, report.hotter_c?))) {
-        found.push(Warning::new(
-            "W426",
-            format!(
-                "the flanks keep up {:.0} °C, and {hotter:.0} °C as well if they once get that hot; all numbers are of the lower one",
-                report.bulk_c
-            ),
-        ));
-    }
+    let Some(report) = loaded.case.found_bulk.as_ref().map(|found| &found.report) else {
+        return;
+    };
+    let hot = match (report.hotter_c, report.runs_away_from_c) {
+        (Some(hotter), _) => format!("once hotter they keep up {hotter:.0} °C as well"),
+        (None, Some(from)) => format!("once at {from:.0} °C their loss heats them on and on"),
+        (None, None) => return,
+    };
+    let text = format!("the flanks keep up {:.0} °C, but {hot}", report.bulk_c);
+    found.push(Warning::new("W426", text));
 }
 
 /// What left its range, each once: W401, W402, W403 and W405 with correlation and input.

@@ -8,17 +8,15 @@ use std::borrow::Cow;
 
 use asperity_core::provenance::Provenance;
 use asperity_core::quantity::{Power, Temperature};
-use asperity_efficiency::EfficiencyError;
-use asperity_efficiency::bulk_temperature::{self, BulkTemperature, iso_rise};
+use asperity_efficiency::bulk_temperature::{
+    self, BulkTemperature, HOTTER_START, HotterStart, iso_rise,
+};
 
 use crate::case::{BulkModel, LoadedCase, Lubrication};
 pub use crate::case::{BulkReport, FoundBulk};
 use crate::contact_tables::ContactTables;
 use crate::error::{Error, PositionError};
 use crate::pipeline::{contact_tables, losses_with, stations};
-
-/// Rise over the oil \[K\] beyond which no bulk temperature is looked for: hardened steel has long lost its hardness.
-const MOST_RISE: f64 = 200.0;
 
 /// A case at the bulk temperature that its loss keeps up, itself where that is given.
 ///
@@ -57,22 +55,12 @@ pub fn settled<'a>(
     let used = Provenance::new();
     let law = used.collect(|| Law::of(loaded, model)).map_err(Box::new)?;
     let oil = loaded.case.input.operation.temperature;
-    let mut steps = 0;
     let made = |bulk: Temperature| {
-        steps += 1;
         let losses = losses_with(tables, &at(loaded, bulk)?, &|_, _| {})?;
         let [pinion, wheel] = law
             .rises(Power::from_si(losses.summary.loss_w))
             .map_err(Box::new)?;
-        let made = Temperature::from_si(oil.si() + 0.5 * (pinion + wheel));
-        if (bulk - oil).si() > MOST_RISE {
-            return Err(Error::from(EfficiencyError::BulkNotSettled {
-                temperature: bulk,
-                residual: (made - bulk).si(),
-                steps,
-            }));
-        }
-        Ok(made)
+        Ok::<_, Error>(Temperature::from_si(oil.si() + 0.5 * (pinion + wheel)))
     };
     let found = used.collect(|| bulk_temperature::fixed_point(oil, made))?;
     let mut settled = at(loaded, found.temperature)?;
@@ -143,7 +131,14 @@ impl<'a> Law<'a> {
             pinion_heat_share: is_network.then_some(self.pinion),
             residual_k: found.residual,
             steps: found.steps,
-            hotter_c: found.hotter.map(celsius),
+            hotter_c: match found.hotter {
+                HotterStart::Elsewhere(hotter) => Some(celsius(hotter)),
+                _ => None,
+            },
+            runs_away_from_c: match found.hotter {
+                HotterStart::Nowhere => Some(celsius(oil) + HOTTER_START),
+                _ => None,
+            },
         }
     }
 }

@@ -122,8 +122,19 @@ pub struct BulkTemperature {
     pub residual: f64,
     /// Steps taken.
     pub steps: usize,
-    /// A hotter temperature that keeps itself up too.
-    pub hotter: Option<Temperature>,
+    /// Where a start 60 K above the oil ends.
+    pub hotter: HotterStart,
+}
+
+/// Where a hot start of the fixed point ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum HotterStart {
+    /// At the same temperature.
+    Same,
+    /// At a hotter one, which keeps itself up too.
+    Elsewhere(Temperature),
+    /// Nowhere: the loss heats the gears on, or the laws refuse the state.
+    Nowhere,
 }
 
 /// The bulk temperature above that of the oil at which `made`, the temperature that the loss there makes, is the
@@ -133,44 +144,58 @@ pub struct BulkTemperature {
 /// ϑ ← (ϑ + g(ϑ))/2 until |g(ϑ) − ϑ| < 0.01 K                              [Bulk-fixed-point]
 /// ```
 ///
-/// The lowest is given; a start 60 K hotter tells whether there is another.
+/// The lowest is given; a start 60 K above the oil tells whether there is another, or none.
 ///
 /// # Errors
-/// What `made` refuses, and that the temperature did not settle in 50 steps.
+/// What `made` refuses at the temperature of the oil, and that the temperature did not settle in 50 steps or left
+/// what `made` accepts.
 pub fn fixed_point<E: From<EfficiencyError>>(
     oil: Temperature,
     mut made: impl FnMut(Temperature) -> Result<Temperature, E>,
 ) -> Result<BulkTemperature, E> {
     cite!("Bulk-fixed-point");
+    let not_settled = |at: f64, residual: f64, steps| {
+        E::from(EfficiencyError::BulkNotSettled {
+            temperature: Temperature::from_si(at),
+            residual: residual.abs(),
+            steps,
+        })
+    };
     let mut settle = |start: f64| -> Result<BulkTemperature, E> {
         let (mut at, mut residual) = (start, f64::INFINITY);
         for steps in 1..=MOST_STEPS {
-            residual = made(Temperature::from_si(at))?.si() - at;
+            residual = match made(Temperature::from_si(at)) {
+                Ok(next) => next.si() - at,
+                // A state refused on the way: the temperature before was still moving.
+                Err(_) if steps > 1 => {
+                    return Err(not_settled(at - 0.5 * residual, residual, steps - 1));
+                }
+                Err(error) => return Err(error),
+            };
             if residual.abs() < SETTLED {
                 return Ok(BulkTemperature {
                     temperature: Temperature::from_si(at + 0.5 * residual),
                     residual: residual.abs(),
                     steps,
-                    hotter: None,
+                    hotter: HotterStart::Same,
                 });
             }
             at += 0.5 * residual;
         }
-        Err(E::from(EfficiencyError::BulkNotSettled {
-            temperature: Temperature::from_si(at),
-            residual: residual.abs(),
-            steps: MOST_STEPS,
-        }))
+        Err(not_settled(at, residual, MOST_STEPS))
     };
     let lowest = settle(oil.si())?;
-    // A hotter start that finds no end, or a state that the laws refuse, is no second solution.
-    let hotter = settle(oil.si() + HOTTER_START).ok();
-    let other = hotter.map(|found| found.temperature);
-    let differs = |found: &Temperature| (*found - lowest.temperature).si().abs() > 10.0 * SETTLED;
-    Ok(BulkTemperature {
-        hotter: other.filter(differs),
-        ..lowest
-    })
+    let hotter = match settle(oil.si() + HOTTER_START) {
+        Err(_) => HotterStart::Nowhere,
+        Ok(found) => {
+            let away = (found.temperature - lowest.temperature).si().abs();
+            match away > 10.0 * SETTLED {
+                true => HotterStart::Elsewhere(found.temperature),
+                false => HotterStart::Same,
+            }
+        }
+    };
+    Ok(BulkTemperature { hotter, ..lowest })
 }
 
 #[cfg(test)]
@@ -225,7 +250,7 @@ mod tests {
         let found = fixed_point(celsius(90.0), made).unwrap();
         // 107.41783 °C by an independent computation.
         assert!((found.temperature - celsius(107.41783)).si().abs() < 0.01);
-        assert!(found.residual < 0.01 && found.steps == 12 && found.hotter.is_none());
+        assert!(found.residual < 0.01 && found.steps == 12 && found.hotter == HotterStart::Same);
     }
 
     #[test]
@@ -236,7 +261,9 @@ mod tests {
         };
         let found = fixed_point(celsius(90.0), made).unwrap();
         assert!((found.temperature - celsius(100.0)).si().abs() < 0.01);
-        let hotter = found.hotter.unwrap();
+        let HotterStart::Elsewhere(hotter) = found.hotter else {
+            panic!("{found:?}");
+        };
         assert!((hotter - celsius(140.0)).si().abs() < 0.01);
     }
 

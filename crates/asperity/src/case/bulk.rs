@@ -101,6 +101,9 @@ pub struct BulkReport {
     /// A hotter temperature that keeps itself up too \[°C\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hotter_c: Option<f64>,
+    /// Temperature from which none keeps itself up any more \[°C\], where the flanks run away from there.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub runs_away_from_c: Option<f64>,
 }
 
 /// What a case at its bulk temperature was before: the operation as given, and the temperature found.
