@@ -13,6 +13,7 @@
 //! | another case | [`LoadedCase::with`], [`LoadedCase::with_key`] |
 
 mod builder;
+mod calibration;
 mod check;
 mod defaults;
 mod domain;
@@ -42,6 +43,8 @@ mod steel;
 mod trace;
 
 pub use builder::CaseBuilder;
+pub(crate) use calibration::cholesky;
+pub use calibration::{Calibrated, CalibratedName, CalibrationInput, CorrelationInput};
 pub use check::{Findings, check};
 pub use defaults::DefaultUsed;
 pub use error::CaseError;

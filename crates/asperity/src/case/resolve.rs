@@ -10,6 +10,7 @@ use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::preparation::Preparation;
 use asperity_tribo_friction::{FilmRheology, FrictionError, TractionConstants};
 
+use super::calibration::{self, CalibrationInput};
 use super::defaults::{DefaultUsed, Defaults};
 use super::domain::domain;
 use super::error::CaseError;
@@ -108,7 +109,14 @@ pub(super) fn resolve_checked(
         .map_err(lubricant_at(source))?;
     refuse_stiff_oil(&oil.value, source)?;
     let preparation = preparation(&input, source, &mut defaults)?;
-    let model = model(&input.model, formulation, &gears, source, &mut defaults)?;
+    let given = match &input.calibration {
+        None => input.model.clone(),
+        Some(calibration) => {
+            calibration::check(calibration, &input.model, formulation, source)?;
+            calibration.put_into(&input.model)
+        }
+    };
+    let model = model(&given, formulation, &gears, source, &mut defaults)?;
     let is_elastic = model.load_distribution.is_elastic();
     let load_settings = load_settings(&input, is_elastic, &mut defaults);
     let mesh = LoadConditions {
@@ -125,8 +133,13 @@ pub(super) fn resolve_checked(
     let rheology = match model.film_friction.shear_law().is_some() || model.shears_its_film() {
         false => None,
         true => {
-            let rheology =
-                rheology(&lubricant, &model, operation.temperature).map_err(rheology_at(source))?;
+            let rheology = rheology(
+                &lubricant,
+                &model,
+                operation.temperature,
+                input.calibration.as_ref(),
+            )
+            .map_err(rheology_at(source))?;
             // One film in the whole run: as thick as the film friction has it.
             let state = rheology
                 .state(operation.temperature)
@@ -168,6 +181,7 @@ fn rheology(
     lubricant: &Lubricant,
     model: &Model,
     bulk: Temperature,
+    calibration: Option<&CalibrationInput>,
 ) -> Result<FilmRheology, RheologyError> {
     let family = lubricant
         .base_oil()
@@ -176,6 +190,12 @@ fn rheology(
     let mut constants = TractionConstants::of(family)?;
     if let Some(given) = lubricant.given_thermal_conductivity() {
         constants.conductivity = given;
+    }
+    if let Some(found) = calibration.and_then(|found| found.limiting_shear) {
+        constants.limiting_shear = found.value;
+    }
+    if let Some(found) = calibration.and_then(|found| found.eyring_stress) {
+        constants.eyring_stress = found.value;
     }
     let rheology = match lubricant.given_pressure_viscosity() {
         Some(alpha) => FilmRheology::with_alpha(lubricant, constants, alpha, bulk)?,
