@@ -28,6 +28,7 @@ mod assembly;
 mod attention;
 pub mod band;
 mod branch;
+mod calibration_equations;
 pub mod case;
 mod chosen_laws;
 mod comparison;

@@ -1,7 +1,8 @@
 //! Residuals of a rig's points and of the priors, by response surfaces.
 //!
 //! ```text
-//! L = s_a (S(θ, δT) + ρ R(δT)) + q ω + c |M| ω,  r = (ln L_measured − ln L)/(σ/L_measured)
+//! L = s_a (S(θ, δT) + ρ R(δT)) + q ω + c |M| ω
+//! r = (ln L_measured − ln L)/(σ/L_measured)                                  [Rig-residual]
 //! ```
 //!
 //! | symbol | meaning | unit |
@@ -16,6 +17,7 @@
 //!
 //! The nuisance terms are counted in standard deviations of their priors; every prior adds a residual.
 
+use asperity_core::cite;
 use nalgebra::{DMatrix, DVector};
 
 use crate::least_squares::Residuals;
@@ -187,6 +189,7 @@ impl<'a> Problem<'a> {
 
 impl Residuals for Problem<'_> {
     fn at(&self, x: &DVector<f64>) -> (DVector<f64>, DMatrix<f64>) {
+        cite!("Rig-residual");
         let (points, variables, n) = (self.observations.len(), self.variables(), self.parameters());
         let mut residuals = DVector::zeros(points + variables + n);
         let mut slopes = DMatrix::zeros(points + variables + n, variables);
@@ -213,5 +216,84 @@ impl Residuals for Problem<'_> {
             }
         }
         (residuals, slopes)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn surface(axes: usize, seed: f64) -> Response {
+        let count = 1 + 2 * axes + axes * (axes - 1) / 2;
+        let values: Vec<f64> = (0..count)
+            .map(|k| 3.0 + 0.1 * (seed + 1.7 * k as f64).sin())
+            .collect();
+        Response::through(axes, &values)
+    }
+
+    #[test]
+    fn slopes_of_the_residuals_are_their_differences() {
+        let region = Region {
+            centre: vec![0.1, -0.2, 0.5],
+            half_width: vec![0.4, 0.3, 4.0],
+        };
+        let surfaces = [1.0, 2.0].map(|seed| PointSurfaces {
+            sliding: surface(3, seed),
+            rolling: surface(3, 10.0 * seed),
+        });
+        let seen = |point, assembly, bearing_torque| Observation {
+            point,
+            assembly,
+            log_loss: 3.4,
+            sigma: 0.03,
+            omega: 120.0,
+            bearing_torque,
+        };
+        let observations = vec![seen(0, 0, 0.0), seen(1, 1, 60.0), seen(0, 1, 60.0)];
+        let problem = Problem::new(&surfaces, &region, &[0.5, 0.3], observations);
+        // Inside the box, and one parameter beyond the reach of its surface.
+        for first in [0.2, 0.95] {
+            let mut x = DVector::from_fn(problem.variables(), |k, _| 0.3 * (k as f64 - 2.0).sin());
+            x[0] = first;
+            let slopes = problem.at(&x).1;
+            for k in 0..problem.variables() {
+                const STEP: f64 = 1e-6;
+                let (mut up, mut down) = (x.clone(), x.clone());
+                up[k] += STEP;
+                down[k] -= STEP;
+                let difference = (problem.at(&up).0 - problem.at(&down).0) / (2.0 * STEP);
+                let error = (difference - slopes.column(k)).amax();
+                assert!(
+                    error < 1e-6 * slopes.column(k).amax().max(1.0),
+                    "{k}: {error}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn measurements_that_the_model_gives_have_no_residual() {
+        let region = Region {
+            centre: vec![0.0, 0.0],
+            half_width: vec![0.4, 4.0],
+        };
+        let surfaces = [PointSurfaces {
+            sliding: surface(2, 1.0),
+            rolling: surface(2, 5.0),
+        }];
+        let mut seen = Observation {
+            point: 0,
+            assembly: 0,
+            log_loss: 0.0,
+            sigma: 0.03,
+            omega: 100.0,
+            bearing_torque: 0.0,
+        };
+        let problem = Problem::new(&surfaces, &region, &[0.5], vec![seen]);
+        let x = DVector::zeros(problem.variables());
+        seen.log_loss = problem.predicted(&x, &seen).0;
+        let problem = problem.with(vec![seen]);
+        assert_eq!(problem.of_measurements(&x), [0.0]);
+        assert_eq!(problem.at(&x).0.amax(), 0.0);
     }
 }
