@@ -16,7 +16,7 @@ use asperity::case::PathPoint;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-pub use calibrate::{CalibrateArgs, ParameterArg};
+pub use calibrate::CalibrateArgs;
 pub use ehl::{EhlArgs, ViscosityLawArg};
 pub use finish::FinishArg;
 pub use from_rexs::{CaseCommand, FromRexsArgs};

@@ -9,6 +9,7 @@
 
 mod bench;
 
+mod calibrate;
 mod case_commands;
 mod case_messages;
 mod codes;

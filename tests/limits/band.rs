@@ -206,7 +206,12 @@ fn a_calibrated_case_has_the_same_loss_and_a_narrower_band() {
 fn constants_of_a_calibrated_case_are_told_with_their_source() {
     let outcome = run_with_band(&calibrated(), &KEPT, &|_, _| {}).unwrap();
     let constants = outcome.result.film_constants;
-    for name in ["boundary_friction", "boundary_layer_m", "limiting_shear", "eyring_stress_pa"] {
+    for name in [
+        "boundary_friction",
+        "boundary_layer_m",
+        "limiting_shear",
+        "eyring_stress_pa",
+    ] {
         let found: Vec<_> = constants.iter().filter(|one| one.name == name).collect();
         assert_eq!(found.len(), 1, "{name}");
         assert_eq!(found[0].source, "made up for a test");

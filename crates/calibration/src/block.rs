@@ -15,7 +15,7 @@ pub fn block(source: &str, parameters: &[FittedParameter], correlations: &[Vec<f
     let found: Vec<(usize, &FittedParameter)> = parameters
         .iter()
         .enumerate()
-        .filter(|(_, parameter)| parameter.verdict != Verdict::NotFound)
+        .filter(|(_, parameter)| is_told(parameter))
         .collect();
     let mut text = String::from("[calibration]\n");
     let quoted = source.replace('\\', "/").replace('"', "'");
@@ -45,6 +45,16 @@ pub fn block(source: &str, parameters: &[FittedParameter], correlations: &[Vec<f
         text.push_str("]\n");
     }
     text
+}
+
+/// Whether a parameter goes into the block: the points find it, or leave less of its range than a case has without.
+fn is_told(parameter: &FittedParameter) -> bool {
+    let width = |[low, high]: [f64; 2]| (high / low).ln();
+    match parameter.verdict {
+        Verdict::Found => true,
+        Verdict::Partly => width(parameter.band) < width(parameter.default_range),
+        Verdict::NotFound => false,
+    }
 }
 
 /// A value as a case has it.

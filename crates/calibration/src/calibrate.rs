@@ -12,7 +12,7 @@ use crate::bootstrap::{bootstrap, middle_95};
 use crate::error::CalibrationError;
 use crate::fit::Fit;
 use crate::information::correlations;
-use crate::least_squares::{Residuals as _, minimum};
+use crate::least_squares::minimum;
 use crate::parameters::{ASSEMBLY, BEARINGS, ROLLING, TEMPERATURE};
 use crate::problem::{Observation, Problem};
 use crate::result::{
@@ -49,7 +49,7 @@ const FEW_ASSEMBLIES: usize = 5;
 /// content `text` is signed for the record.
 ///
 /// ```text
-/// read, check -> contacts of every torque -> share refused? -> information -> outliers -> stages, fit -> bands
+/// read, check -> contacts of every torque -> share refused? -> outliers -> information -> stages, fit -> bands
 /// ```
 ///
 /// # Errors
@@ -82,9 +82,9 @@ pub fn calibrate(
     let observations = rig.observations(&rig.table.rows);
     let priors = rig.priors();
     let problem = Problem::new(&first.1, &first.0, &priors, observations.clone());
+    rig.check_outliers(&problem)?;
     let found = rig.identifiability(&problem, &told)?;
     (watch.before_the_fit)(&found);
-    rig.check_outliers(&problem)?;
     let fit = rig.fit(observations, first, &told)?;
     let evaluations = done.load(Ordering::Relaxed);
     report(&rig, &fit, found, text, evaluations)
@@ -127,7 +127,7 @@ fn report(
             "assemblies"
         }
     );
-    let warnings = warnings(rig, chi_squared, freedom, &residuals);
+    let warnings = warnings(rig, fit, [chi_squared, freedom], &residuals);
     Ok(Calibration {
         schema_version: SCHEMA_VERSION,
         program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
@@ -245,7 +245,7 @@ impl Rig {
 /// Measurements less what the variables took from them: the trace of the influence of the measurements.
 fn freedom(problem: &Problem<'_>, fit: &Fit) -> f64 {
     let count = problem.observations.len();
-    let slopes: DMatrix<f64> = problem.at(&fit.minimum.x).1.rows(0, count).into_owned();
+    let slopes: DMatrix<f64> = problem.slopes(&fit.minimum.x).rows(0, count).into_owned();
     let taken = (&slopes * &fit.covariance).component_mul(&slopes).sum();
     count as f64 - taken
 }
@@ -354,8 +354,17 @@ fn points(rig: &Rig, problem: &Problem<'_>, fit: &Fit, residuals: &[f64]) -> Vec
 /// Share of a normal distribution's chi square that few fits exceed: mean and three standard deviations.
 const WIDE: f64 = 3.0;
 
-fn warnings(rig: &Rig, chi_squared: f64, freedom: f64, residuals: &[f64]) -> Vec<Warning> {
+fn warnings(
+    rig: &Rig,
+    fit: &Fit,
+    [chi_squared, freedom]: [f64; 2],
+    residuals: &[f64],
+) -> Vec<Warning> {
     let mut found = Vec::new();
+    if !fit.is_settled {
+        let text = "the optimum lies far outside the usual ranges of the parameters and was not reached; check case, scope and units";
+        found.push(Warning::new("W419", text));
+    }
     let ratio = chi_squared / freedom;
     if freedom > 0.0 && ratio > 1.0 + WIDE * (2.0 / freedom).sqrt() {
         let factor = ratio.sqrt();
@@ -375,7 +384,7 @@ fn warnings(rig: &Rig, chi_squared: f64, freedom: f64, residuals: &[f64]) -> Vec
         found.push(Warning::new(
             "W420",
             format!(
-                "{assemblies} {}: their scatter is that of the prior, {:.0} %, and a bootstrap of so few says little",
+                "{assemblies} {}: the scatter of assemblies is taken from the prior, {:.0} %, and a bootstrap of so few says little",
                 if assemblies == 1 { "assembly" } else { "assemblies" },
                 100.0 * ASSEMBLY
             ),

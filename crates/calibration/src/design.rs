@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 use crate::error::CalibrationError;
 use crate::identifiability::{check_share, swept};
 use crate::information::{covariance, deviation_without_prior, information};
-use crate::least_squares::Residuals as _;
 use crate::optimal_design::d_optimal;
 use crate::parameters::Parameter;
 use crate::problem::{Observation, Problem};
@@ -256,7 +255,7 @@ fn of_priors(problem: &Problem<'_>) -> DMatrix<f64> {
         assemblies: problem.assemblies,
         ..none
     };
-    information(&none.at(&DVector::zeros(problem.variables())).1)
+    information(&none.slopes(&DVector::zeros(problem.variables())))
 }
 
 fn chosen(problem: &Problem<'_>, candidates: usize, count: usize, nominal: &[Parts]) -> Vec<usize> {
@@ -271,8 +270,16 @@ fn chosen(problem: &Problem<'_>, candidates: usize, count: usize, nominal: &[Par
     let of_ends: DMatrix<f64> = ends.iter().fold(of_priors(problem), |sum, point| {
         sum + information(&each[*point])
     });
+    // Points that lie apart also tell whether the model holds, which repeats do not: a point is repeated only where
+    // there are fewer candidates than points.
+    let repeats = count.div_ceil(candidates.max(1));
+    let others: Vec<usize> = (0..candidates)
+        .filter(|point| !ends.contains(point))
+        .collect();
+    let of_others: Vec<DMatrix<f64>> = others.iter().map(|point| each[*point].clone()).collect();
     let rest = count.saturating_sub(ends.len());
-    ends.extend(d_optimal(&each, rest, problem.parameters(), &of_ends));
+    let best = d_optimal(&of_others, (rest, repeats), problem.parameters(), &of_ends);
+    ends.extend(best.into_iter().map(|k| others[k]));
     ends
 }
 
@@ -282,7 +289,7 @@ fn expected(
     measured: Vec<Observation>,
 ) -> Vec<ExpectedParameter> {
     let part = problem.with(measured);
-    let whole = information(&part.at(&DVector::zeros(part.variables())).1);
+    let whole = information(&part.slopes(&DVector::zeros(part.variables())));
     let spread = covariance(&whole);
     let one = |(k, parameter): (usize, &Parameter)| {
         let deviation = deviation_without_prior(&whole, k, parameter.prior());

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::error::CalibrationError;
 use crate::information::{covariance, information};
-use crate::least_squares::{Minimum, Residuals as _, minimum};
+use crate::least_squares::{Minimum, minimum};
 use crate::parameters::TEMPERATURE;
 use crate::problem::{Observation, PointSurfaces, Problem};
 use crate::profile_likelihood::{ProfileBand, profile_band};
@@ -39,6 +39,8 @@ pub struct Fit {
     pub stages: Vec<StageRow>,
     /// Surfaces made one after the other.
     pub rounds: usize,
+    /// Whether the optimum stayed well inside the last of them.
+    pub is_settled: bool,
 }
 
 impl Fit {
@@ -90,7 +92,7 @@ impl Rig {
         told: Told<'_>,
     ) -> Result<Fit, CalibrationError> {
         /// Surfaces that are made at most.
-        const MOST_ROUNDS: usize = 6;
+        const MOST_ROUNDS: usize = 8;
         let priors = self.priors();
         let (mut region, mut made) = first;
         let mut rounds = 1;
@@ -108,8 +110,8 @@ impl Rig {
             let all: Vec<usize> = (0..problem.variables()).collect();
             let found = minimum(&problem, &begin, &all)?;
             let covariance = spread(&problem, &found)?;
-            let next = next_region(&region, &found.x, &covariance);
-            if (rounds > 1 && is_settled(&region, &found.x, &covariance)) || rounds == MOST_ROUNDS {
+            let is_settled = rounds > 1 && is_settled(&region, &found.x, &covariance);
+            if is_settled || rounds == MOST_ROUNDS {
                 return Ok(Fit {
                     region,
                     surfaces: made,
@@ -119,8 +121,10 @@ impl Rig {
                     covariance,
                     stages,
                     rounds,
+                    is_settled,
                 });
             }
+            let next = next_region(&region, &found.x, &covariance);
             region = next;
             made = surfaces(&self.model, &region, told)?;
             start = Some(found.x);
@@ -193,7 +197,7 @@ pub(crate) fn spread(
     found: &Minimum,
 ) -> Result<DMatrix<f64>, CalibrationError> {
     // Every variable has a prior, so that only rounding could make this singular.
-    covariance(&information(&problem.at(&found.x).1)).ok_or_else(|| {
+    covariance(&information(&problem.slopes(&found.x))).ok_or_else(|| {
         CalibrationError::NotConverged {
             reason: "the information of the fit is singular".to_owned(),
         }
@@ -210,7 +214,8 @@ fn places(region: &Region, x: &DVector<f64>, covariance: &DMatrix<f64>) -> Vec<[
     (0..=n).map(place).collect()
 }
 
-/// The box about the optimum, as wide as its uncertainty; no wider than the last, and within it.
+/// The box about the optimum, as wide as its uncertainty; where the optimum lies beyond the last box, a step towards
+/// it as wide as that.
 fn next_region(region: &Region, x: &DVector<f64>, covariance: &DMatrix<f64>) -> Region {
     /// Standard deviations of half a box, and its least share of the last.
     const WIDTH: f64 = 2.5;
@@ -226,7 +231,12 @@ fn next_region(region: &Region, x: &DVector<f64>, covariance: &DMatrix<f64>) -> 
             .map(|([at, _], (centre, width))| at.clamp(centre - width, centre + width))
             .collect(),
         half_width: axes()
-            .map(|([_, deviation], (_, width))| (WIDTH * deviation).clamp(LEAST * width, *width))
+            .map(
+                |([at, deviation], (centre, width))| match (at - centre).abs() > *width {
+                    true => *width,
+                    false => (WIDTH * deviation).clamp(LEAST * width, *width),
+                },
+            )
             .collect(),
     }
 }

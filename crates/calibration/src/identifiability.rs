@@ -5,7 +5,6 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::error::CalibrationError;
 use crate::information::{correlations, covariance, deviation_without_prior, information};
-use crate::least_squares::Residuals as _;
 use crate::parameters::Parameter;
 use crate::problem::{Observation, Problem};
 use crate::result::{HelpfulPoint, Identifiability, IdentifiedParameter, Verdict};
@@ -127,7 +126,7 @@ impl Rig {
         told: Told<'_>,
     ) -> Result<Identifiability, CalibrationError> {
         let start = DVector::zeros(problem.variables());
-        let whole = information(&problem.at(&start).1);
+        let whole = information(&problem.slopes(&start));
         let verdict = |k: usize, parameter: &Parameter| {
             let deviation = deviation_without_prior(&whole, k, parameter.prior());
             IdentifiedParameter {
@@ -298,7 +297,10 @@ mod tests {
         let all = layer();
         let ratios = [0.2, 0.6, 1.0, 1.6];
         let error = check_share("rig.csv", &all, &points(&[89.0, 91.0], &ratios)).unwrap_err();
-        assert!(error.to_string().contains("temperature: 90 °C only"), "{error}");
+        assert!(
+            error.to_string().contains("temperature: 90 °C only"),
+            "{error}"
+        );
         assert!(!error.to_string().contains("speed range"), "{error}");
         assert!(check_share("rig.csv", &all, &points(&[40.0, 90.0], &ratios)).is_ok());
     }

@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 
 use crate::information::information;
 
-/// Numbers of the `count` candidates that find the first `interest` variables best, a candidate as often as it pays.
+/// Numbers of the `count` candidates that find the first `interest` variables best, each at most `repeats` times.
 ///
 /// ```text
 /// max ln det (I_11 − I_12 I_22⁻¹ I_21),  I = I_prior + Σ J_kᵀ J_k             [D-optimal]
@@ -21,14 +21,14 @@ use crate::information::information;
 /// // A straight line over -1 .. 1: half of the points at either end.
 /// let row = |t: f64| DMatrix::from_row_slice(1, 2, &[1.0, t]);
 /// let candidates: Vec<_> = (0..=20).map(|k| row(-1.0 + 0.1 * f64::from(k))).collect();
-/// let mut chosen = d_optimal(&candidates, 6, 2, &DMatrix::zeros(2, 2));
+/// let mut chosen = d_optimal(&candidates, (6, 6), 2, &DMatrix::zeros(2, 2));
 /// chosen.sort();
 /// assert_eq!(chosen, [0, 0, 0, 20, 20, 20]);
 /// ```
 #[must_use]
 pub fn d_optimal(
     candidates: &[DMatrix<f64>],
-    count: usize,
+    (count, repeats): (usize, usize),
     interest: usize,
     prior: &DMatrix<f64>,
 ) -> Vec<usize> {
@@ -50,16 +50,17 @@ pub fn d_optimal(
             .fold(f64::MIN_POSITIVE, f64::max);
     let base = prior + DMatrix::identity(size, size) * whiff;
     let value = |whole: &DMatrix<f64>| log_determinant(whole, interest);
-    let best = |whole: &DMatrix<f64>| {
-        let values = each.iter().map(|one| value(&(whole + one)));
-        let ranked = values.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
-        ranked.unwrap_or((0, f64::NEG_INFINITY))
+    let best = |whole: &DMatrix<f64>, taken: &[usize]| {
+        let free = (0..each.len()).filter(|k| taken[*k] < repeats);
+        let ranked = free.map(|k| (k, value(&(whole + &each[k]))));
+        ranked.max_by(|a, b| a.1.total_cmp(&b.1))
     };
     let mut whole = base;
     let mut chosen = Vec::with_capacity(count);
-    for _ in 0..count {
-        let (k, _) = best(&whole);
+    let mut taken = vec![0; each.len()];
+    while let Some((k, _)) = best(&whole, &taken).filter(|_| chosen.len() < count) {
         whole += &each[k];
+        taken[k] += 1;
         chosen.push(k);
     }
     for _ in 0..MOST_ROUNDS {
@@ -67,12 +68,14 @@ pub fn d_optimal(
         for place in &mut chosen {
             let before = value(&whole);
             let without = &whole - &each[*place];
-            let (k, after) = best(&without);
-            if after > before + LEAST_GAIN {
+            taken[*place] -= 1;
+            let better = best(&without, &taken).filter(|(_, after)| *after > before + LEAST_GAIN);
+            if let Some((k, _)) = better {
                 whole = without + &each[k];
                 *place = k;
                 has_changed = true;
             }
+            taken[*place] += 1;
         }
         if !has_changed {
             break;
@@ -111,7 +114,7 @@ mod tests {
     fn a_parabola_is_measured_at_its_ends_and_its_middle() {
         let row = |t: f64| DMatrix::from_row_slice(1, 3, &[1.0, t, t * t]);
         let candidates: Vec<_> = (0..=40).map(|k| row(-1.0 + 0.05 * f64::from(k))).collect();
-        let mut chosen = d_optimal(&candidates, 6, 3, &DMatrix::zeros(3, 3));
+        let mut chosen = d_optimal(&candidates, (6, 6), 3, &DMatrix::zeros(3, 3));
         chosen.sort_unstable();
         assert_eq!(chosen, [0, 0, 20, 20, 40, 40]);
     }
@@ -121,11 +124,15 @@ mod tests {
         // Interest in the slope alone; with a known offset any end would do.
         let row = |t: f64| DMatrix::from_row_slice(1, 2, &[t, 1.0]);
         let candidates: Vec<_> = (0..=10).map(|k| row(0.1 * f64::from(k))).collect();
-        let mut chosen = d_optimal(&candidates, 4, 1, &DMatrix::zeros(2, 2));
+        let mut chosen = d_optimal(&candidates, (4, 4), 1, &DMatrix::zeros(2, 2));
         chosen.sort_unstable();
         assert_eq!(chosen, [0, 0, 10, 10]);
         let known = DMatrix::from_row_slice(2, 2, &[0.0, 0.0, 0.0, 1e9]);
-        assert_eq!(d_optimal(&candidates, 2, 1, &known), [10, 10]);
-        assert!(d_optimal(&[], 2, 1, &known).is_empty());
+        assert_eq!(d_optimal(&candidates, (2, 2), 1, &known), [10, 10]);
+        // Without repeats the next best.
+        let mut apart = d_optimal(&candidates, (2, 1), 1, &known);
+        apart.sort_unstable();
+        assert_eq!(apart, [9, 10]);
+        assert!(d_optimal(&[], (2, 2), 1, &known).is_empty());
     }
 }

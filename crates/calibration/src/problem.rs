@@ -178,6 +178,13 @@ impl<'a> Problem<'a> {
         (loss.ln(), slope / loss)
     }
 
+    /// Derivatives of the residuals of measurements and priors, a row each, without what holds a fit near its box.
+    #[must_use]
+    pub fn slopes(&self, x: &DVector<f64>) -> DMatrix<f64> {
+        let rows = self.observations.len() + self.variables();
+        self.at(x).1.rows(0, rows).into_owned()
+    }
+
     /// Residuals of the measurements alone.
     #[must_use]
     pub fn of_measurements(&self, x: &DVector<f64>) -> Vec<f64> {

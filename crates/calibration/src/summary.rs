@@ -101,11 +101,16 @@ pub fn summary(found: &Calibration) -> String {
     }
     let _ = writeln!(
         text,
-        "fit  chi squared {:.1} of {:.1} expected ({} points, {} assemblies)",
+        "fit  chi squared {:.1} of {:.1} expected ({} points, {} {})",
         found.chi_squared,
         found.freedom,
         found.points.len(),
-        found.assemblies.len()
+        found.assemblies.len(),
+        if found.assemblies.len() == 1 {
+            "assembly"
+        } else {
+            "assemblies"
+        }
     );
     for held in &found.held_out {
         let _ = writeln!(

@@ -72,10 +72,21 @@ mod tests {
     fn calibrated_draws_have_the_band_and_the_correlation_of_the_case() {
         let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
         let given = CalibrationInput {
-            boundary_friction: Some(Calibrated { value: 0.09, low: 0.08, high: 0.12 }),
-            limiting_shear: Some(Calibrated { value: 0.035, low: 0.033, high: 0.037 }),
+            boundary_friction: Some(Calibrated {
+                value: 0.09,
+                low: 0.08,
+                high: 0.12,
+            }),
+            limiting_shear: Some(Calibrated {
+                value: 0.035,
+                low: 0.033,
+                high: 0.037,
+            }),
             correlations: Some(vec![CorrelationInput {
-                between: [CalibratedName::BoundaryFriction, CalibratedName::LimitingShear],
+                between: [
+                    CalibratedName::BoundaryFriction,
+                    CalibratedName::LimitingShear,
+                ],
                 value: -0.9,
             }]),
             ..CalibrationInput::default()
@@ -83,9 +94,15 @@ mod tests {
         let case = crate::case::load_with(file, &|input| input.calibration = Some(given.clone()));
         let case = case.unwrap();
         let (all, _) = parameters(&case).unwrap();
-        let of = |name| all.iter().find(|(_, one)| one.calibrated == Some(name)).unwrap();
-        let (friction, shear) =
-            (of(CalibratedName::BoundaryFriction), of(CalibratedName::LimitingShear));
+        let of = |name| {
+            all.iter()
+                .find(|(_, one)| one.calibrated == Some(name))
+                .unwrap()
+        };
+        let (friction, shear) = (
+            of(CalibratedName::BoundaryFriction),
+            of(CalibratedName::LimitingShear),
+        );
         let draws: Vec<Vec<f64>> = latin_hypercube(2000, AXES.len())
             .into_iter()
             .map(|place| calibrated_places(&case, place, &all))
@@ -98,7 +115,10 @@ mod tests {
         for (values, [low, high]) in [(&first, [0.08, 0.12]), (&other, [0.033, 0.037])] {
             let below = values.iter().filter(|value| **value < low).count();
             let above = values.iter().filter(|value| **value > high).count();
-            assert!((40..=60).contains(&below) && (40..=60).contains(&above), "{below} {above}");
+            assert!(
+                (40..=60).contains(&below) && (40..=60).contains(&above),
+                "{below} {above}"
+            );
         }
         let half = first.iter().filter(|value| **value < 0.09).count();
         assert_eq!(half, 1000);
@@ -107,7 +127,11 @@ mod tests {
         let correlation = pearson(&logs(&first), &logs(&other));
         assert!((-0.93..-0.85).contains(&correlation), "{correlation}");
         // An axis without calibration stays even.
-        let layer = all.iter().find(|(_, one)| one.calibrated.is_none()).unwrap().0;
+        let layer = all
+            .iter()
+            .find(|(_, one)| one.calibrated.is_none())
+            .unwrap()
+            .0;
         assert!(draws.iter().all(|place| (0.0..1.0).contains(&place[layer])));
     }
 }
