@@ -198,6 +198,7 @@ impl RigTable {
             .collect();
         let columns = columns(name, &names)?;
         let cells = Cells {
+            lines: Lines::new(text),
             columns: &columns,
             has_decimal_comma: separator == Some(b';'),
         };
@@ -302,14 +303,46 @@ fn columns(
     }
 }
 
+/// Begin and text of every line.
+struct Lines<'a>(Vec<(usize, &'a str)>);
+
+impl<'a> Lines<'a> {
+    fn new(text: &'a str) -> Self {
+        let mut begin = 0;
+        let line = |line: &'a str| {
+            let here = begin;
+            begin += line.len();
+            (here, line)
+        };
+        Self(text.split_inclusive('\n').map(line).collect())
+    }
+
+    /// Number of the line of a row that a reader found at `byte`, which may be that of a blank line before it.
+    fn of(&self, byte: usize) -> usize {
+        let first = self
+            .0
+            .partition_point(|(begin, _)| *begin <= byte)
+            .saturating_sub(1);
+        let is_row = |(_, line): &&(usize, &str)| !line.trim().is_empty() && !line.starts_with('#');
+        let skipped = self.0[first..]
+            .iter()
+            .take_while(|line| !is_row(line))
+            .count();
+        1 + first + skipped
+    }
+}
+
 struct Cells<'a> {
+    lines: Lines<'a>,
     columns: &'a BTreeMap<&'static str, usize>,
     has_decimal_comma: bool,
 }
 
 impl Cells<'_> {
     fn row(&self, record: &csv::StringRecord) -> Result<RigRow, RowFault> {
-        let line = record.position().map_or(0, |place| place.line() as usize);
+        let line = record
+            .position()
+            .map_or(0, |place| self.lines.of(place.byte() as usize));
         let text = |column: &'static str| {
             let cell = self.columns.get(column).and_then(|k| record.get(*k));
             cell.filter(|text| !text.is_empty()).map(str::to_owned)
