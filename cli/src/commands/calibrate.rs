@@ -78,9 +78,7 @@ fn cases(
     table: &RigTable,
     beside: Option<&PathBuf>,
 ) -> Result<Vec<RigCase>, Failure> {
-    let mut names: Vec<Option<String>> = table.rows.iter().map(|row| row.case.clone()).collect();
-    names.sort();
-    names.dedup();
+    let names = table.case_names();
     let mut found = Vec::with_capacity(names.len());
     for name in names {
         let path = match (&name, beside) {

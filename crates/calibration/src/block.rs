@@ -3,11 +3,15 @@
 use std::fmt::Write as _;
 
 use asperity::case::CalibratedName;
+use nalgebra::DMatrix;
 
 use crate::result::{FittedParameter, Verdict};
 
-/// Largest correlation that is written: a case refuses those of no distribution.
-const MOST: f64 = 0.995;
+/// Factors on the correlations, the first of which that leaves a distribution after rounding is taken: a case refuses
+/// correlations that contradict each other.
+const FACTORS: [f64; 5] = [1.0, 0.995, 0.99, 0.97, 0.9];
+/// Square of the smallest pivot of such correlations.
+const LEAST_PIVOT: f64 = 1e-3;
 
 /// The block of the parameters that were found; `correlations` are those of all `parameters`.
 #[must_use]
@@ -18,7 +22,13 @@ pub fn block(source: &str, parameters: &[FittedParameter], correlations: &[Vec<f
         .filter(|(_, parameter)| is_told(parameter))
         .collect();
     let mut text = String::from("[calibration]\n");
-    let quoted = source.replace('\\', "/").replace('"', "'");
+    let plain = |letter: char| match letter {
+        '\\' => '/',
+        '"' => '\'',
+        letter if letter.is_control() => ' ',
+        letter => letter,
+    };
+    let quoted: String = source.chars().map(plain).collect();
     // Writing into a string cannot fail.
     let _ = writeln!(text, "source = \"{quoted}\"");
     for (_, parameter) in &found {
@@ -30,11 +40,13 @@ pub fn block(source: &str, parameters: &[FittedParameter], correlations: &[Vec<f
             parameter.key
         );
     }
+    let numbers: Vec<usize> = found.iter().map(|(number, _)| *number).collect();
+    let written = rounded(&numbers, correlations);
     if found.len() > 1 {
         text.push_str("correlations = [\n");
-        for (place, (i, first)) in found.iter().enumerate() {
-            for (j, other) in &found[place + 1..] {
-                let value = correlations[*i][*j].clamp(-MOST, MOST);
+        for (i, (_, first)) in found.iter().enumerate() {
+            for (j, (_, other)) in found.iter().enumerate().skip(i + 1) {
+                let value = written[(i, j)];
                 let _ = writeln!(
                     text,
                     "  {{ between = [\"{}\", \"{}\"], value = {value:.3} }},",
@@ -45,6 +57,30 @@ pub fn block(source: &str, parameters: &[FittedParameter], correlations: &[Vec<f
         text.push_str("]\n");
     }
     text
+}
+
+/// Correlations of the parameters numbered, with the digits that are written.
+fn rounded(numbers: &[usize], correlations: &[Vec<f64>]) -> DMatrix<f64> {
+    /// Steps of a correlation as written.
+    const STEPS: f64 = 1000.0;
+    let count = numbers.len();
+    let scaled = |factor: f64| {
+        DMatrix::from_fn(count, count, |i, j| match i == j {
+            true => 1.0,
+            false => (STEPS * factor * correlations[numbers[i]][numbers[j]]).round() / STEPS,
+        })
+    };
+    let holds = |matrix: &DMatrix<f64>| {
+        let pivots = matrix
+            .clone()
+            .cholesky()
+            .map(|found| found.l().diagonal().map(|d| d * d).min());
+        pivots.is_some_and(|least| least > LEAST_PIVOT)
+    };
+    let mut tried = FACTORS.into_iter().map(scaled);
+    tried
+        .find(holds)
+        .unwrap_or_else(|| DMatrix::identity(count, count))
 }
 
 /// Whether a parameter goes into the block: the points find it, or leave less of its range than a case has without.
@@ -106,7 +142,7 @@ mod tests {
             found("limiting_shear", 0.04, Verdict::NotFound),
             found("eyring_stress", 4.321e6, Verdict::Found),
         ];
-        let correlations = vec![vec![-0.9; 4]; 4];
+        let correlations = vec![vec![-0.3; 4]; 4];
         let text = block("rig.csv \"first\"", &all, &correlations);
         let head = "gears = { teeth = [23, 68], module = \"2 mm\", face_width = \"30 mm\" }\n\
                     operation = { torque = \"100 N m\", speed = \"3000 1/min\", temperature = \"60 °C\" }\n\
@@ -119,5 +155,18 @@ mod tests {
         assert!(read.limiting_shear.is_none());
         assert_eq!(read.eyring_stress.unwrap().value.si(), 4.321e6);
         assert_eq!(read.correlations.unwrap().len(), 3);
+    }
+
+    #[test]
+    fn correlations_stay_those_of_a_distribution_when_they_are_rounded() {
+        // Singular: the third is the sum of the others.
+        let r = 0.5f64.sqrt();
+        let all = vec![vec![1.0, 0.0, r], vec![0.0, 1.0, r], vec![r, r, 1.0]];
+        let written = rounded(&[0, 1, 2], &all);
+        assert!(written.clone().cholesky().is_some());
+        assert!((written[(0, 2)] - r).abs() < 0.012, "{written}");
+        assert_eq!(rounded(&[0, 1], &all)[(0, 1)], 0.0);
+        let plain = vec![vec![1.0, -0.9126], vec![-0.9126, 1.0]];
+        assert_eq!(rounded(&[0, 1], &plain)[(1, 0)], -0.913);
     }
 }

@@ -14,6 +14,14 @@ pub enum CalibrationError {
         /// Cause.
         source: csv::Error,
     },
+    /// The table cannot be opened.
+    #[error("{file}: cannot be opened: {reason}")]
+    Open {
+        /// Name of the table.
+        file: String,
+        /// Cause.
+        reason: std::io::Error,
+    },
     /// A column is missing, or has another unit.
     #[error("{file}:1: {rule}")]
     Column {
@@ -98,6 +106,7 @@ impl CalibrationError {
             Self::Csv { .. } | Self::Column { .. } | Self::Rows { .. } | Self::NoCase { .. } => {
                 "E134"
             }
+            Self::Open { .. } => "E103",
             Self::Outliers { .. } => "E135",
             Self::Share { .. } => "E310",
             Self::NoParameter { .. } => "E205",

@@ -19,6 +19,7 @@ pub mod bootstrap;
 mod calibrate;
 pub mod design;
 mod error;
+mod files;
 pub mod fit;
 mod held_out;
 pub mod identifiability;
@@ -44,6 +45,7 @@ pub use block::block;
 pub use calibrate::{Watch, calibrate};
 pub use design::{Design, Limits, plan};
 pub use error::CalibrationError;
+pub use files::calibrate_files;
 pub use result::{
     Calibration, Evidence, FittedParameter, FittedPoint, HeldOut, HelpfulPoint, Identifiability,
     IdentifiedParameter, NuisanceRow, SCHEMA_VERSION, StageRow, Verdict,

@@ -248,6 +248,15 @@ impl RigTable {
         }
     }
 
+    /// Names of the cases that rows name, each once; none for rows that name none.
+    #[must_use]
+    pub fn case_names(&self) -> Vec<Option<String>> {
+        let mut names: Vec<Option<String>> = self.rows.iter().map(|row| row.case.clone()).collect();
+        names.sort();
+        names.dedup();
+        names
+    }
+
     /// Names of the assemblies, in the order of their first rows.
     #[must_use]
     pub fn assemblies(&self) -> Vec<String> {

@@ -201,3 +201,84 @@ fn one_temperature_is_refused_for_the_share_and_not_without_it() {
     assert_eq!(found.parameters.len(), 3);
     assert!(found.held_out.is_empty());
 }
+
+/// Standard deviations of the logarithms by the points at these temperatures, before any fit.
+fn deviations(temperatures: &[f64]) -> Vec<f64> {
+    let mut table = measured(&simulated(&[0.0; 4], SIGMA, 1), SIGMA);
+    table
+        .rows
+        .retain(|row| temperatures.contains(&row.temperature_c));
+    let rig = Rig::new(table, &cases(), &[], &|_| {}).unwrap();
+    let (region, surfaces) = rig.first_surfaces(&|_| {}).unwrap();
+    let priors = rig.priors();
+    let seen = rig.observations(&rig.table.rows);
+    let problem = asperity_calibration::problem::Problem::new(&surfaces, &region, &priors, seen);
+    let found = rig.identifiability(&problem, &|_| {}).unwrap();
+    assert_eq!(found.helpful.len(), 3);
+    let of =
+        |one: &asperity_calibration::IdentifiedParameter| one.deviation.unwrap_or(f64::INFINITY);
+    found.parameters.iter().map(of).collect()
+}
+
+#[test]
+fn three_temperatures_tell_the_film_constants_apart_and_one_does_not() {
+    let (one, three) = (deviations(&[90.0]), deviations(&[40.0, 65.0, 90.0]));
+    println!("one {one:?} three {three:?}");
+    // An independent computation on the same gears, six speeds, without nuisance terms: limiting shear 45 and 3.7 %,
+    // Eyring stress 30 and 4.6 %, boundary friction 9 and 4.8 %, boundary layer 89 and 25 %.
+    let [boundary, layer, shear, eyring] = [0, 1, 2, 3].map(|k| [one[k], three[k]]);
+    assert!(shear[0] > 0.15 && shear[1] < 0.06, "{shear:?}");
+    assert!(
+        eyring[0] > 2.0 * eyring[1] && eyring[1] < 0.09,
+        "{eyring:?}"
+    );
+    assert!(boundary[1] < 0.06, "{boundary:?}");
+    assert!(
+        (0.15..0.45).contains(&layer[1]) && layer[0] > layer[1],
+        "{layer:?}"
+    );
+}
+
+#[test]
+fn files_are_calibrated_as_tables_are_and_bearings_are_taken_off() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let cases = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases");
+    let case = std::fs::read_to_string(cases.join("fzg-c.toml")).unwrap();
+    let profiles = cases.join("../profiles").canonicalize().unwrap();
+    let case = case.replace("../profiles", profiles.to_str().unwrap());
+    let case = format!("{case}\n[model]\npositions = 4\noffsets = 2\n");
+    std::fs::write(folder.join("bearings.toml"), case).unwrap();
+    let head =
+        "# SIMULATED\ntorque_nm,speed_rpm,temperature_c,loss_w,sigma_w,includes,assembly,case\n";
+    let losses = simulated(&[0.0; 4], SIGMA, 11);
+    let rows = table().rows.into_iter().zip(losses).map(|(row, loss)| {
+        // The bearings take 0.25 % of the torque, half a standard deviation above the prior.
+        let loss = loss + 0.0025 * row.torque_nm * row.omega();
+        let sigma = SIGMA * loss;
+        let at = format!("{},{},{}", row.torque_nm, row.speed_rpm, row.temperature_c);
+        format!(
+            "{at},{loss},{sigma},mesh+bearings,{},bearings.toml\n",
+            row.assembly
+        )
+    });
+    let text = head.to_owned() + &rows.collect::<String>();
+    let file = folder.join("bearings.csv");
+    std::fs::write(&file, text).unwrap();
+    let found = asperity_calibration::calibrate_files(&file, None, &[], &Watch::SILENT).unwrap();
+    let bearings = found
+        .nuisance
+        .iter()
+        .find(|row| row.name.contains("bearings"))
+        .unwrap();
+    assert!(bearings.deviation < bearings.prior, "{bearings:?}");
+    assert!(
+        (bearings.value - 0.0025).abs() < 3.0 * bearings.deviation,
+        "{bearings:?}"
+    );
+    for one in &found.parameters {
+        assert!(
+            (one.value / one.default).ln().abs() < 4.0 * one.deviation,
+            "{one:?}"
+        );
+    }
+}
