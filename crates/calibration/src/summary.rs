@@ -142,13 +142,14 @@ fn row(parameter: &FittedParameter) -> String {
         crate::result::Verdict::Found => String::new(),
         other => format!("   {}", other.text()),
     };
-    format!(
-        "{:<18} {:>11}   {:<16}   {:<13}{open}{verdict}\n",
+    let text = format!(
+        "{:<18} {:>11}   {:<16}   {:<13}{open}{verdict}",
         parameter.name,
         shown(key, parameter.value),
         range(key, parameter.band),
         range(key, parameter.default_range),
-    )
+    );
+    format!("{}\n", text.trim_end())
 }
 
 /// The points of a design and what they would find.
