@@ -1,6 +1,16 @@
 //! Errors of a calibration, each with a code.
 
-use crate::rig_table::RowFault;
+/// A row that cannot be used.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{line}: {column}: {rule}")]
+pub struct RowFault {
+    /// Its line.
+    pub line: usize,
+    /// Its column.
+    pub column: &'static str,
+    /// Seen and expected.
+    pub rule: String,
+}
 
 /// Why there is no calibration, or no design.
 #[derive(Debug, thiserror::Error)]

@@ -44,13 +44,13 @@ mod write;
 pub use block::block;
 pub use calibrate::{Watch, calibrate};
 pub use design::{Design, Limits, plan};
-pub use error::CalibrationError;
+pub use error::{CalibrationError, RowFault};
 pub use files::calibrate_files;
 pub use result::{
     Calibration, Evidence, FittedParameter, FittedPoint, HeldOut, HelpfulPoint, Identifiability,
     IdentifiedParameter, NuisanceRow, SCHEMA_VERSION, StageRow, Verdict,
 };
 pub use rig::{Rig, RigCase};
-pub use rig_table::{RigRow, RigTable, RowFault, Scope};
+pub use rig_table::{RigRow, RigTable, Scope};
 pub use summary::{before_the_fit, design_summary, summary};
 pub use write::{check_place, write, write_design};

@@ -3,12 +3,12 @@
 use asperity::LoadedCase;
 use asperity::case::CalibratedName;
 
-use crate::error::CalibrationError;
+use crate::error::{CalibrationError, RowFault};
 use crate::parameters::Parameter;
 use crate::problem::{Observation, PointSurfaces};
 use crate::response::Region;
 use crate::rig_model::{Parts, RigModel, Told, Wanted};
-use crate::rig_table::{RigRow, RigTable, RowFault};
+use crate::rig_table::{RigRow, RigTable};
 use crate::surfaces::{first_region, surfaces};
 
 /// Cases of a table: one for every name in its column `case`.

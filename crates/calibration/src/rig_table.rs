@@ -18,7 +18,7 @@ use std::f64::consts::PI;
 
 use serde::{Deserialize, Serialize};
 
-use crate::error::CalibrationError;
+use crate::error::{CalibrationError, RowFault};
 
 /// What a measured loss includes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -103,18 +103,6 @@ impl RigRow {
     pub fn relative_sigma(&self) -> f64 {
         self.sigma_w / self.loss_w
     }
-}
-
-/// A row that cannot be used.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{line}: {column}: {rule}")]
-pub struct RowFault {
-    /// Its line.
-    pub line: usize,
-    /// Its column.
-    pub column: &'static str,
-    /// Seen and expected.
-    pub rule: String,
 }
 
 /// A table of measured points.

@@ -1,5 +1,7 @@
 //! Tables of a rig: what is read, and what is refused with its line.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests may panic")]
+
 use asperity_calibration::{CalibrationError, RigTable, Scope};
 
 const HEAD: &str = "torque_nm,speed_rpm,temperature_c,loss_w,sigma_w,includes";

@@ -13,6 +13,7 @@
 //! | another case | [`LoadedCase::with`], [`LoadedCase::with_key`] |
 
 mod builder;
+mod calibrated;
 mod calibration;
 mod check;
 mod defaults;

@@ -10,7 +10,8 @@ use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::preparation::Preparation;
 use asperity_tribo_friction::{FilmRheology, FrictionError, TractionConstants};
 
-use super::calibration::{self, CalibrationInput};
+use super::calibrated;
+use super::calibration::CalibrationInput;
 use super::defaults::{DefaultUsed, Defaults};
 use super::domain::domain;
 use super::error::CaseError;
@@ -112,8 +113,8 @@ pub(super) fn resolve_checked(
     let given = match &input.calibration {
         None => input.model.clone(),
         Some(calibration) => {
-            calibration::check(calibration, &input.model, formulation, source)?;
-            calibration.put_into(&input.model)
+            calibrated::check(calibration, &input.model, formulation, source)?;
+            calibrated::put_into(calibration, &input.model)
         }
     };
     let model = model(&given, formulation, &gears, source, &mut defaults)?;
