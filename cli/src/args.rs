@@ -1,5 +1,6 @@
 //! The command line.
 
+mod calibrate;
 mod ehl;
 mod finish;
 mod from_rexs;
@@ -15,6 +16,7 @@ use asperity::case::PathPoint;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+pub use calibrate::CalibrateArgs;
 pub use ehl::{EhlArgs, ViscosityLawArg};
 pub use finish::FinishArg;
 pub use from_rexs::{CaseCommand, FromRexsArgs};
@@ -116,6 +118,17 @@ pub enum Command {
     /// Run many cases: crossed axes and samples of the inputs, in shards
     #[command(subcommand)]
     Sweep(SweepCommand),
+    /// Boundary friction, boundary layer and film traction from losses measured on a rig, or a design for that
+    #[command(
+        after_help = "Examples:\n  asperity calibrate rig.csv case.toml -o results/rig\n  \
+        asperity calibrate rig.csv case.toml --hold boundary-layer\n  \
+        asperity calibrate --design case.toml --hours 8 --torque 60,180 --speed 30..3000:8:log\n\n\
+        The table has a row for each measured point: torque_nm, speed_rpm, temperature_c, loss_w (or\n\
+        torque_loss_nm), sigma_w, includes (mesh or mesh+bearings), and where known assembly, run, order,\n\
+        flank_state, case. What the points can find is printed before the fit. calibration.toml in the result\n\
+        holds the table [calibration] for the case."
+    )]
+    Calibrate(CalibrateArgs),
     /// Draw the figures of the 2022 paper, each with its table of values
     #[command(after_help = "Example:\n  asperity figures -o docs/figures")]
     Figures(FiguresArgs),

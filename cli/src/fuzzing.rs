@@ -1,6 +1,7 @@
 //! Parsers of the command, for fuzz targets and their deterministic twins in the tests: whatever they are given, they
 //! return. No part of the interface.
 
+use asperity_calibration::{RigRow, RigTable};
 use clap::Parser;
 
 use crate::args::Cli;
@@ -27,4 +28,24 @@ pub fn gap(bytes: &[u8]) -> bool {
 pub fn arguments(text: &str) -> bool {
     let arguments = std::iter::once("asperity").chain(text.lines());
     Cli::try_parse_from(arguments).is_ok()
+}
+
+/// Reads the table of a rig; every number of one that is read is finite, and every loss has its weight.
+///
+/// # Panics
+/// When a number is not, or a refusal says nothing.
+pub fn rig_table(text: &str) -> bool {
+    match RigTable::read("rig.csv", text) {
+        Ok(table) => {
+            let holds = |row: &RigRow| {
+                row.loss_w.ln().is_finite() && row.relative_sigma() > 0.0 && row.omega() > 0.0
+            };
+            assert!(table.rows.iter().all(holds));
+            true
+        }
+        Err(error) => {
+            assert!(!error.to_string().is_empty() && error.code() == "E134");
+            false
+        }
+    }
 }

@@ -58,8 +58,18 @@ const ALLOWED: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "crates/calibration",
+        &[
+            "asperity-storage",
+            "asperity-report",
+            "asperity",
+            "asperity-core",
+        ],
+    ),
+    (
         "cli",
         &[
+            "asperity-calibration",
             "asperity-storage",
             "asperity-rexs",
             "asperity-studies",

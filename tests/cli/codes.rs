@@ -85,6 +85,7 @@ fn every_code_in_the_sources_is_explained_and_no_other() {
             "crates/profile-io/src",
             "crates/roughness/src",
             "crates/asperity/src",
+            "crates/calibration/src",
             "cli/src",
         ],
         "message.rs",

@@ -10,6 +10,7 @@
 mod bench;
 
 mod bulk;
+mod calibrate;
 mod case_commands;
 mod case_messages;
 mod codes;

@@ -158,6 +158,19 @@ fn damaged_gaps_are_read_or_refused() {
 }
 
 #[test]
+fn damaged_tables_of_a_rig_are_read_or_refused() {
+    let commas = "# SIMULATED\ntorque_nm,speed_rpm,temperature_c,loss_w,sigma_w,includes,assembly,order,case\n\
+                  183.4,2166,90,300,9,mesh,A,1,a.toml\n60,25,40,2.5,0.1,mesh+bearings,B,2,\n";
+    let semicolons = "Torque_Nm;Speed_rpm;Temperature_C;torque_loss_nm;sigma_w;includes\n\
+                      183,4;3000;90;1,5;12;mesh\n60;2,5e1;-4,0;0,9;0,1;mesh\n";
+    hold(
+        &[commas, semicolons],
+        4000,
+        text(asperity_cli::fuzzing::rig_table),
+    );
+}
+
+#[test]
 fn damaged_command_lines_are_read_or_refused() {
     let seeds = [
         "compare\ncase.toml\n--finish\nground=a.csv,b.csv\n--finish\nhoned=c.csv\n--offsets\n8",

@@ -162,3 +162,58 @@ fn the_paper_has_no_band() {
     let outcome = run_with_band(&case, &KEPT, &|_, _| {}).unwrap();
     assert!(outcome.result.band.is_none());
 }
+
+/// A rig's calibration: the defaults with narrow bands, boundary friction and layer correlated.
+const CALIBRATION: &str = r#"
+[calibration]
+source = "made up for a test"
+boundary_friction = { value = 0.08, low = 0.074, high = 0.087 }
+boundary_layer = { value = "10 nm", low = "8 nm", high = "13 nm" }
+limiting_shear = { value = 0.035, low = 0.034, high = 0.036 }
+eyring_stress = { value = "4 MPa", low = "3.8 MPa", high = "4.2 MPa" }
+correlations = [{ between = ["boundary_layer", "boundary_friction"], value = -0.8 }]
+"#;
+
+fn calibrated() -> LoadedCase {
+    let given: asperity::case::CalibrationInput = {
+        let table: toml::Table = CALIBRATION.parse().unwrap();
+        table["calibration"].clone().try_into().unwrap()
+    };
+    let given = &given;
+    case("e-drive.toml")
+        .with(|input| input.calibration = Some(given.clone()))
+        .unwrap()
+}
+
+#[test]
+fn a_calibrated_case_has_the_same_loss_and_a_narrower_band() {
+    let (plain, narrow) = (band(&case("e-drive.toml")), band(&calibrated()));
+    // The values are the defaults.
+    assert_eq!(plain.nominal_w, narrow.nominal_w);
+    let width = |[low, high]: [f64; 2]| high - low;
+    let ratio = width(narrow.parameter_quantiles_w) / width(plain.parameter_quantiles_w);
+    assert!(ratio < 0.5, "{ratio}");
+    let names: Vec<(&str, bool)> = narrow
+        .parameters
+        .iter()
+        .map(|one| (one.name.as_str(), one.is_calibrated))
+        .collect();
+    assert!(names.contains(&("boundary friction", true)) && names.contains(&("lay", false)));
+    assert!(plain.parameters.iter().all(|one| !one.is_calibrated));
+}
+
+#[test]
+fn constants_of_a_calibrated_case_are_told_with_their_source() {
+    let outcome = run_with_band(&calibrated(), &KEPT, &|_, _| {}).unwrap();
+    let constants = outcome.result.film_constants;
+    for name in [
+        "boundary_friction",
+        "boundary_layer_m",
+        "limiting_shear",
+        "eyring_stress_pa",
+    ] {
+        let found: Vec<_> = constants.iter().filter(|one| one.name == name).collect();
+        assert_eq!(found.len(), 1, "{name}");
+        assert_eq!(found[0].source, "made up for a test");
+    }
+}

@@ -1,6 +1,7 @@
 //! One file per command.
 
 mod bibtex;
+pub mod calibrate;
 pub mod check;
 pub mod compare;
 pub mod completions;

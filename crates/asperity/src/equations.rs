@@ -17,6 +17,7 @@ pub fn all() -> Vec<&'static Equation> {
         .chain(crate::load_share::equations::EQUATIONS)
         .chain(crate::band::equations::EQUATIONS)
         .chain(crate::records::equations::EQUATIONS)
+        .chain(crate::calibration_equations::EQUATIONS)
         .collect();
     equations
         .sort_by_key(|equation| (paper_number(equation.tag).unwrap_or(u32::MAX), equation.tag));

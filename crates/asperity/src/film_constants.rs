@@ -9,7 +9,7 @@ use asperity_tribo_friction::film_friction::{Mark, family_source};
 use asperity_tribo_friction::{FrictionError, OilFamily};
 use serde::{Deserialize, Serialize};
 
-use crate::case::Case;
+use crate::case::{CalibratedName, Case};
 
 /// A constant of the oil's family, with what is known of it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -37,7 +37,11 @@ pub(crate) fn film_constants(case: &Case) -> Result<Vec<FilmConstant>, FrictionE
     let given_conductivity = case.lubricant.given_thermal_conductivity().is_some();
     let given_alpha = case.lubricant.given_pressure_viscosity().is_some();
     // What the case gives is among its inputs.
+    let calibration = case.input.calibration.as_ref();
+    let is_calibrated = |name| calibration.is_some_and(|found| found.of(name).is_some());
     let used = |name: &str| match name {
+        "limiting_shear" => !is_calibrated(CalibratedName::LimitingShear),
+        "eyring_stress_pa" => !is_calibrated(CalibratedName::EyringStress),
         "conductivity_w_per_m_k" => !given_conductivity,
         "gold_factor_per_gpa" => !given_alpha,
         _ => true,
@@ -54,7 +58,34 @@ pub(crate) fn film_constants(case: &Case) -> Result<Vec<FilmConstant>, FrictionE
             .unwrap_or_default()
             .to_owned(),
     });
-    Ok(of_oil.chain(of_boundary(case)).collect())
+    Ok(of_oil
+        .chain(calibrated(case))
+        .chain(of_boundary(case))
+        .collect())
+}
+
+/// What a rig has found, with its 95 % band.
+fn calibrated(case: &Case) -> impl Iterator<Item = FilmConstant> + '_ {
+    let calibration = case.input.calibration.iter();
+    calibration.flat_map(|calibration| {
+        CalibratedName::ALL.into_iter().filter_map(|name| {
+            let found = calibration.of(name)?;
+            let unit = match name {
+                CalibratedName::BoundaryLayer => "_m",
+                CalibratedName::EyringStress => "_pa",
+                _ => "",
+            };
+            let source = calibration.source.clone();
+            Some(FilmConstant {
+                name: format!("{}{unit}", name.key()),
+                value: found.value,
+                low: Some(found.low),
+                high: Some(found.high),
+                mark: Mark::Calibrated,
+                source: source.unwrap_or_else(|| "calibration of the case".to_owned()),
+            })
+        })
+    })
 }
 
 /// Defaults of the boundary layer and of hysteresis, where the case gives no other.
@@ -87,7 +118,15 @@ fn of_boundary(case: &Case) -> impl Iterator<Item = FilmConstant> {
             "share of cycled elastic energy that steel loses; from memory",
         ),
     ];
-    let defaults = rows.into_iter().filter(|row| row.1 == row.2);
+    let calibration = case.input.calibration.clone().unwrap_or_default();
+    let is_calibrated = [
+        calibration.boundary_friction.is_some(),
+        calibration.boundary_layer.is_some(),
+        false,
+    ];
+    let rows = rows.into_iter().zip(is_calibrated);
+    let defaults = rows.filter(|(row, is_calibrated)| row.1 == row.2 && !is_calibrated);
+    let defaults = defaults.map(|(row, _)| row);
     defaults.map(|(name, value, _, [low, high], mark, source)| FilmConstant {
         name: name.to_owned(),
         value,

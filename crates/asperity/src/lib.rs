@@ -29,6 +29,7 @@ mod attention;
 pub mod band;
 mod branch;
 pub mod bulk;
+mod calibration_equations;
 pub mod case;
 mod chosen_laws;
 mod comparison;

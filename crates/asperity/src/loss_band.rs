@@ -52,6 +52,9 @@ pub struct BandParameter {
     pub unit: String,
     /// Whether the logarithm is drawn evenly.
     pub is_logarithmic: bool,
+    /// Whether the case calibrates it: the range is then the 95 % band of that, and draws are normal about the value.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub is_calibrated: bool,
     /// Change of the loss from the lower to the upper end, by the plane through all draws \[W\].
     pub effect_w: f64,
 }

@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::pipeline::{losses, losses_with};
 use crate::result::Losses;
 
+use super::calibrated::calibrated_places;
 use super::hypercube::latin_hypercube;
 use super::parameters::{AXES, OnAxis};
 
@@ -38,13 +39,17 @@ impl Draws {
         count: usize,
     ) -> Result<Self, Error> {
         let count = if parameters.is_empty() { 0 } else { count };
-        let places = latin_hypercube(count, AXES.len());
+        let places: Vec<Vec<f64>> = latin_hypercube(count, AXES.len())
+            .into_iter()
+            .map(|place| calibrated_places(loaded, place, parameters))
+            .collect();
         let mut drawn = loaded.clone();
         let mut found = Vec::with_capacity(count);
         for place in &places {
             for (axis, ranged) in parameters {
                 let value = ranged.at(place[*axis]);
                 ranged
+                    .kind
                     .set(&mut drawn, value)
                     .map_err(|error| Error::Whole(Box::new(error)))?;
             }

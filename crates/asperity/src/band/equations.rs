@@ -35,6 +35,14 @@ pub const EQUATIONS: &[Equation] = &[
         &[MCKAY_1979],
     ),
     Equation::new(
+        "Calibrated-draws",
+        "Draws of calibrated parameters with their correlations",
+        "ln v = ln v₀ + s± (L z), z = Φ⁻¹(u), s± = ln(v±/v₀)/1.96",
+        "crates/asperity/src/band/calibrated.rs",
+        "calibrated_draws_have_the_band_and_the_correlation_of_the_case",
+        &[],
+    ),
+    Equation::new(
         "Flank-window",
         "Window of a contact on a placed trace",
         "i = ±(ρ²/(2 r_b) − l₀)/dx",

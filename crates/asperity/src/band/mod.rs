@@ -17,6 +17,7 @@
 //! ```
 
 mod alternatives;
+mod calibrated;
 mod difference;
 mod drawn_losses;
 mod draws;
@@ -44,6 +45,7 @@ use crate::result::{Losses, Outcome, PositionRow, RunResult};
 pub use difference::{PairedDifference, difference};
 pub use drawn_losses::DrawnLosses;
 pub use mixture::{Drawn, five_to_ninety_five, quantile};
+pub use parameters::UncertainParameter;
 pub use sampling::{CONFIDENCE, effective_windows, window_sampling};
 
 use draws::{Draws, evaluated};
@@ -148,6 +150,7 @@ fn band(
                 high: ranged.high,
                 unit: ranged.kind.unit().to_owned(),
                 is_logarithmic: ranged.kind.is_logarithmic(),
+                is_calibrated: ranged.calibrated.is_some(),
                 effect_w: *effect,
             })
             .collect(),

@@ -8,6 +8,9 @@
 //! | limiting shear stress over pressure Λ | ±15 % | evenly in the logarithm |
 //! | Eyring stress τ₀ | the family's band; 3/4 to 11/8 of it where none is known | evenly in the logarithm |
 //!
+//! What the case calibrates ([`CalibrationInput`](crate::case::CalibrationInput)) is drawn from the bands of that
+//! calibration instead: a normal distribution of the logarithms, 95 % of it in the band, with its correlations.
+//!
 //! The ranges are judgement of this project, that of τ₀ of polyalphaolefin is bracketed by measured losses. What the
 //! case states is not drawn: whoever measured it knows better.
 
@@ -16,17 +19,17 @@ use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION_BAND, BOUNDARY_LAYER_BAND};
 use asperity_tribo_friction::{OilFamily, ShearLaw, TractionConstants};
 
-use crate::case::LoadedCase;
+use crate::case::{CalibratedName, LoadedCase};
 use crate::error::PositionError;
 use crate::load_share::InletSupply;
 
 /// Parameters that can be drawn, each along its own axis of the hypercube whatever the others are.
-pub(crate) const AXES: [Kind; 5] = [
-    Kind::BoundaryFriction,
-    Kind::BoundaryLayer,
-    Kind::Lay,
-    Kind::LimitingShear,
-    Kind::EyringStress,
+pub(crate) const AXES: [UncertainParameter; 5] = [
+    UncertainParameter::BoundaryFriction,
+    UncertainParameter::BoundaryLayer,
+    UncertainParameter::Lay,
+    UncertainParameter::LimitingShear,
+    UncertainParameter::EyringStress,
 ];
 
 /// Upper end of the lay of ground and superfinished flanks, whose ridges run across the face.
@@ -36,27 +39,70 @@ const LIMITING_SHEAR: [f64; 2] = [0.85, 1.15];
 /// Eyring stress where the family has no band: that of polyalphaolefin, 3 to 5.5 MPa about 4 MPa.
 const EYRING_STRESS: [f64; 2] = [0.75, 1.375];
 
-/// What is drawn.
+/// A parameter that no case knows well.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub enum UncertainParameter {
+    /// Coefficient of boundary friction μ_b.
     BoundaryFriction,
+    /// Thickness of the boundary layer h_b \[m\].
     BoundaryLayer,
+    /// Lay γ of both flanks.
     Lay,
+    /// Limiting shear stress over pressure Λ.
     LimitingShear,
+    /// Eyring stress τ₀ \[Pa\].
     EyringStress,
 }
 
 /// A parameter with its range in a case.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Ranged {
-    pub kind: Kind,
+    pub kind: UncertainParameter,
     pub value: f64,
     pub low: f64,
     pub high: f64,
+    /// Its name in the table of the case, where that gives value and range.
+    pub calibrated: Option<CalibratedName>,
 }
 
-impl Kind {
-    pub(crate) const fn name(self) -> &'static str {
+impl From<CalibratedName> for UncertainParameter {
+    fn from(name: CalibratedName) -> Self {
+        match name {
+            CalibratedName::BoundaryFriction => Self::BoundaryFriction,
+            CalibratedName::BoundaryLayer => Self::BoundaryLayer,
+            CalibratedName::LimitingShear => Self::LimitingShear,
+            CalibratedName::EyringStress => Self::EyringStress,
+        }
+    }
+}
+
+impl UncertainParameter {
+    /// Its name in the table `calibration` of a case.
+    const fn calibrated_name(self) -> Option<CalibratedName> {
+        match self {
+            Self::BoundaryFriction => Some(CalibratedName::BoundaryFriction),
+            Self::BoundaryLayer => Some(CalibratedName::BoundaryLayer),
+            Self::LimitingShear => Some(CalibratedName::LimitingShear),
+            Self::EyringStress => Some(CalibratedName::EyringStress),
+            Self::Lay => None,
+        }
+    }
+
+    /// The value in a case, and the range that the band draws it from; none where the loss does not hang on it.
+    ///
+    /// # Errors
+    /// When the family of the oil is not known.
+    pub fn range(self, loaded: &LoadedCase) -> Result<Option<(f64, [f64; 2])>, PositionError> {
+        if !self.acts(loaded) {
+            return Ok(None);
+        }
+        let ranged = self.ranged(loaded)?;
+        Ok(ranged.map(|ranged| (ranged.value, [ranged.low, ranged.high])))
+    }
+
+    /// Its name in words.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
         match self {
             Self::BoundaryFriction => "boundary friction",
             Self::BoundaryLayer => "boundary layer",
@@ -66,7 +112,9 @@ impl Kind {
         }
     }
 
-    pub(crate) const fn unit(self) -> &'static str {
+    /// Its unit; "-" for a number.
+    #[must_use]
+    pub const fn unit(self) -> &'static str {
         match self {
             Self::BoundaryLayer => "m",
             Self::EyringStress => "Pa",
@@ -108,12 +156,25 @@ impl Kind {
     fn ranged(self, loaded: &LoadedCase) -> Result<Option<Ranged>, PositionError> {
         let case = &loaded.case;
         let constants = case.rheology.as_ref().map(|rheology| *rheology.constants());
+        let calibration = case.input.calibration.as_ref();
+        if let (Some(given), Some(name)) = (calibration, self.calibrated_name())
+            && let Some(found) = given.of(name)
+        {
+            return Ok(Some(Ranged {
+                kind: self,
+                value: found.value,
+                low: found.low,
+                high: found.high,
+                calibrated: Some(name),
+            }));
+        }
         let range = |value: f64, [low, high]: [f64; 2]| {
             Some(Ranged {
                 kind: self,
                 value,
                 low,
                 high,
+                calibrated: None,
             })
         };
         Ok(match (self, constants) {
@@ -180,18 +241,23 @@ impl Ranged {
             false => self.low + u * (self.high - self.low),
         }
     }
+}
 
-    /// Sets it in a case.
-    pub(crate) fn set(&self, loaded: &mut LoadedCase, value: f64) -> Result<(), PositionError> {
+impl UncertainParameter {
+    /// Sets it in a case, past its input: a change of the case by its keys undoes it.
+    ///
+    /// # Errors
+    /// When the value is outside its domain.
+    pub fn set(self, loaded: &mut LoadedCase, value: f64) -> Result<(), PositionError> {
         let case = &mut loaded.case;
-        match self.kind {
-            Kind::BoundaryFriction => case.model.boundary_friction = value,
-            Kind::BoundaryLayer => case.model.boundary_layer = Length::from_si(value),
-            Kind::Lay => case.model.lay = [Lay::new(value)?; 2],
-            Kind::LimitingShear => set_traction(loaded, |constants| {
+        match self {
+            Self::BoundaryFriction => case.model.boundary_friction = value,
+            Self::BoundaryLayer => case.model.boundary_layer = Length::from_si(value),
+            Self::Lay => case.model.lay = [Lay::new(value)?; 2],
+            Self::LimitingShear => set_traction(loaded, |constants| {
                 constants.limiting_shear = value;
             })?,
-            Kind::EyringStress => set_traction(loaded, |constants| {
+            Self::EyringStress => set_traction(loaded, |constants| {
                 constants.eyring_stress = Pressure::from_si(value);
             })?,
         }

@@ -71,6 +71,7 @@ impl CaseInput {
             lubricant,
             surface: SurfaceInput::new(pinion),
             model: ModelInput::default(),
+            calibration: None,
             map: None,
             vehicle: None,
         }

@@ -26,6 +26,7 @@ use serde::de::{IntoDeserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::bulk::BulkInput;
+use super::calibration::CalibrationInput;
 use super::flank_place::{FlankPlaceInput, TraceStart};
 use super::gear_input::{EndReliefInput, GearFlankInput};
 use super::law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
@@ -53,6 +54,9 @@ pub struct CaseInput {
     /// Choices of the model.
     #[serde(default)]
     pub model: ModelInput,
+    /// Parameters calibrated on a rig, as `asperity calibrate` writes them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub calibration: Option<CalibrationInput>,
     /// Reach of the default axes of `asperity map`; a run leaves it aside.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub map: Option<MapInput>,

@@ -14,6 +14,8 @@
 
 mod builder;
 mod bulk;
+mod calibrated;
+mod calibration;
 mod check;
 mod defaults;
 mod domain;
@@ -44,6 +46,8 @@ mod trace;
 
 pub use builder::CaseBuilder;
 pub use bulk::{BulkInput, BulkLaw, BulkModel, BulkReport, FoundBulk, Lubrication};
+pub(crate) use calibration::cholesky;
+pub use calibration::{Calibrated, CalibratedName, CalibrationInput, CorrelationInput};
 pub use check::{Findings, check};
 pub use defaults::DefaultUsed;
 pub use error::CaseError;

@@ -16,6 +16,7 @@ use asperity_roughness::gaussian_filter::Ends;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::calibration::CalibrationInput;
 use super::check::{completed, readable};
 use super::defaults::{DefaultUsed, Defaults};
 use super::error::CaseError;
@@ -51,6 +52,9 @@ pub struct PlanetaryCaseInput {
     /// Choices of the model, for both meshes.
     #[serde(default)]
     pub model: ModelInput,
+    /// Parameters calibrated on a rig, for both meshes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub calibration: Option<CalibrationInput>,
 }
 
 /// Sun, planets and ring. Three values belong to sun, planet and ring.
@@ -532,6 +536,7 @@ fn mesh_case(input: &PlanetaryCaseInput, mesh: &Mesh) -> CaseInput {
             coast: None,
         },
         model: input.model.clone(),
+        calibration: input.calibration.clone(),
         map: None,
         vehicle: None,
     }

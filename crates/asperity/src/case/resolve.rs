@@ -11,6 +11,8 @@ use asperity_roughness::preparation::Preparation;
 use asperity_tribo_friction::{FilmRheology, FrictionError, TractionConstants};
 
 use super::bulk::{BulkModel, FoundBulk, bulk_model};
+use super::calibrated;
+use super::calibration::CalibrationInput;
 use super::defaults::{DefaultUsed, Defaults};
 use super::domain::domain;
 use super::error::CaseError;
@@ -113,7 +115,14 @@ pub(super) fn resolve_checked(
         .map_err(lubricant_at(source))?;
     refuse_stiff_oil(&oil.value, source)?;
     let preparation = preparation(&input, source, &mut defaults)?;
-    let model = model(&input.model, formulation, &gears, source, &mut defaults)?;
+    let given = match &input.calibration {
+        None => input.model.clone(),
+        Some(calibration) => {
+            calibrated::check(calibration, &input.model, formulation, source)?;
+            calibrated::put_into(calibration, &input.model)
+        }
+    };
+    let model = model(&given, formulation, &gears, source, &mut defaults)?;
     let bulk = bulk_model(operation.bulk.as_ref(), formulation, &model, source)?;
     let is_elastic = model.load_distribution.is_elastic();
     let load_settings = load_settings(&input, is_elastic, &mut defaults);
@@ -131,8 +140,13 @@ pub(super) fn resolve_checked(
     let rheology = match model.film_friction.shear_law().is_some() || model.shears_its_film() {
         false => None,
         true => {
-            let rheology =
-                rheology(&lubricant, &model, operation.temperature).map_err(rheology_at(source))?;
+            let rheology = rheology(
+                &lubricant,
+                &model,
+                operation.temperature,
+                input.calibration.as_ref(),
+            )
+            .map_err(rheology_at(source))?;
             // One film in the whole run: as thick as the film friction has it.
             let state = rheology
                 .state(operation.temperature)
@@ -176,6 +190,7 @@ fn rheology(
     lubricant: &Lubricant,
     model: &Model,
     bulk: Temperature,
+    calibration: Option<&CalibrationInput>,
 ) -> Result<FilmRheology, RheologyError> {
     let family = lubricant
         .base_oil()
@@ -184,6 +199,12 @@ fn rheology(
     let mut constants = TractionConstants::of(family)?;
     if let Some(given) = lubricant.given_thermal_conductivity() {
         constants.conductivity = given;
+    }
+    if let Some(found) = calibration.and_then(|found| found.limiting_shear) {
+        constants.limiting_shear = found.value;
+    }
+    if let Some(found) = calibration.and_then(|found| found.eyring_stress) {
+        constants.eyring_stress = found.value;
     }
     let rheology = match lubricant.given_pressure_viscosity() {
         Some(alpha) => FilmRheology::with_alpha(lubricant, constants, alpha, bulk)?,

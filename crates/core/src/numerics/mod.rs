@@ -3,6 +3,7 @@
 mod convolution;
 mod fft_length;
 mod increasing_root;
+mod normal;
 mod root;
 mod student_t;
 mod sums;
@@ -10,6 +11,7 @@ mod sums;
 pub use convolution::SymmetricToeplitz;
 pub use fft_length::good_fft_length;
 pub use increasing_root::{Solved, newton_root, secant_root};
+pub use normal::standard_normal_quantile;
 pub use root::{Root, RootError, find_root};
 pub use student_t::{student_t_below, student_t_quantile, student_t_within};
 pub use sums::{extremes, sum};

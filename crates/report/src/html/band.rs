@@ -18,7 +18,7 @@ pub(super) fn section(band: &LossBand) -> Markup {
                 @for parameter in &band.parameters {
                     @let [value, low, high] = values(parameter);
                     tr {
-                        th scope="row" { (parameter.name) }
+                        th scope="row" { (parameter.name) @if parameter.is_calibrated { " (calibrated)" } }
                         td.number { (value) } td.number { (low) } td.number { (high) }
                         td.number { (format!("{:+.0} W", parameter.effect_w)) }
                     }

@@ -1,11 +1,12 @@
 //! The cases of a study by their numbers.
 
 use asperity::case::{CaseInput, DefaultUsed, LoadedCase};
+use asperity_core::numerics::standard_normal_quantile;
 use sha2::{Digest, Sha256};
 use toml::Value;
 
 use super::amount::{Amount, text_of, written};
-use super::draws::{DIMENSIONS, Draws, LONGEST, standard_normal_quantile};
+use super::draws::{DIMENSIONS, Draws, LONGEST};
 use super::error::SweepError;
 use super::study::{AxisInput, Distribution, Method, SampleInput, Spacing, Study, identity, short};
 

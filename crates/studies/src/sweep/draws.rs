@@ -103,35 +103,6 @@ fn shuffled(count: usize, mut random: ChaCha8Rng) -> Vec<usize> {
     order
 }
 
-/// z with Φ(z) = p, Φ(z) = erfc(−z/√2)/2, by bisection; p is held off 0 and 1.
-///
-/// ```
-/// use asperity_studies::sweep::standard_normal_quantile;
-/// assert!((standard_normal_quantile(0.975) - 1.959_963_984_540_054).abs() < 1e-12);
-/// assert_eq!(standard_normal_quantile(0.5), 0.0);
-/// ```
-#[must_use]
-pub fn standard_normal_quantile(p: f64) -> f64 {
-    /// Beyond it no number between 0 and 1 is left.
-    const END: f64 = 8.0;
-    /// Halvings of the bracket down to the last digit.
-    const HALVINGS: usize = 60;
-    if p == 0.5 {
-        return 0.0;
-    }
-    let below = |z: f64| 0.5 * libm::erfc(-z / std::f64::consts::SQRT_2) < p;
-    let (mut low, mut high) = (-END, END);
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        if below(middle) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    0.5 * (low + high)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -17,7 +17,8 @@ mod plan;
 mod run;
 mod study;
 
-pub use draws::{Draws, standard_normal_quantile};
+pub use asperity_core::numerics::standard_normal_quantile;
+pub use draws::Draws;
 pub use effects::{Effect, Indices, effects, sobol_indices};
 pub use error::SweepError;
 pub use merge::{merge, write};

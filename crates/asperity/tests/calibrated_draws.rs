@@ -1,0 +1,77 @@
+//! Draws of calibrated parameters.
+
+use asperity::band::UncertainParameter;
+use asperity::case::{Calibrated, CalibratedName, CalibrationInput, CorrelationInput, LoadedCase};
+
+fn case(change: impl Fn(&mut CalibrationInput)) -> Result<LoadedCase, asperity::Error> {
+    let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+    let mut given = CalibrationInput {
+        boundary_friction: Some(Calibrated {
+            value: 0.09,
+            low: 0.08,
+            high: 0.11,
+        }),
+        ..CalibrationInput::default()
+    };
+    change(&mut given);
+    asperity::case::load_with(file, &|input| input.calibration = Some(given.clone()))
+}
+
+#[test]
+fn calibrated_values_take_the_place_of_defaults_and_their_bands_of_the_ranges() {
+    let found = case(|given| {
+        given.eyring_stress = Some(Calibrated {
+            value: "4.4 MPa".parse().unwrap(),
+            low: "4.1 MPa".parse().unwrap(),
+            high: "4.8 MPa".parse().unwrap(),
+        });
+    })
+    .unwrap();
+    assert_eq!(found.case.model.boundary_friction, 0.09);
+    let range = |name: UncertainParameter| name.range(&found).unwrap().unwrap();
+    assert_eq!(
+        range(UncertainParameter::BoundaryFriction),
+        (0.09, [0.08, 0.11])
+    );
+    assert_eq!(
+        range(UncertainParameter::EyringStress),
+        (4.4e6, [4.1e6, 4.8e6])
+    );
+    // What is not calibrated keeps its range.
+    assert_eq!(
+        range(UncertainParameter::BoundaryLayer),
+        (10e-9, [5e-9, 20e-9])
+    );
+    let key = "model.boundary_friction";
+    assert!(found.case.defaults.iter().all(|default| default.key != key));
+}
+
+#[test]
+fn a_band_without_its_value_and_values_given_twice_are_refused() {
+    let refused = |found: Result<LoadedCase, asperity::Error>, part: &str| {
+        let error = found.err().unwrap();
+        assert_eq!(error.code(), "E205");
+        assert!(error.to_string().contains(part), "{error}");
+    };
+    refused(
+        case(|given| given.boundary_friction.as_mut().unwrap().low = 0.095),
+        "0 < low < high",
+    );
+    let pair = |value| CorrelationInput {
+        between: [
+            CalibratedName::BoundaryFriction,
+            CalibratedName::BoundaryLayer,
+        ],
+        value,
+    };
+    refused(
+        case(|given| given.correlations = Some(vec![pair(1.0)])),
+        "contradict each other",
+    );
+    let twice = case(|_| {})
+        .unwrap()
+        .with_key("model.boundary_friction", "0.1");
+    refused(twice, "leave one of the two out");
+    let paper = case(|_| {}).unwrap().with_key("formulation", "paper");
+    refused(paper, "corrected formulation");
+}

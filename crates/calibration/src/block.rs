@@ -1,0 +1,172 @@
+//! The table `calibration` of a case, as text to paste.
+
+use std::fmt::Write as _;
+
+use asperity::case::CalibratedName;
+use nalgebra::DMatrix;
+
+use crate::result::{FittedParameter, Verdict};
+
+/// Factors on the correlations, the first of which that leaves a distribution after rounding is taken: a case refuses
+/// correlations that contradict each other.
+const FACTORS: [f64; 5] = [1.0, 0.995, 0.99, 0.97, 0.9];
+/// Square of the smallest pivot of such correlations.
+const LEAST_PIVOT: f64 = 1e-3;
+
+/// The block of the parameters that were found; `correlations` are those of all `parameters`.
+#[must_use]
+pub fn block(source: &str, parameters: &[FittedParameter], correlations: &[Vec<f64>]) -> String {
+    let found: Vec<(usize, &FittedParameter)> = parameters
+        .iter()
+        .enumerate()
+        .filter(|(_, parameter)| is_told(parameter))
+        .collect();
+    let mut text = String::from("[calibration]\n");
+    let plain = |letter: char| match letter {
+        '\\' => '/',
+        '"' => '\'',
+        letter if letter.is_control() => ' ',
+        letter => letter,
+    };
+    let quoted: String = source.chars().map(plain).collect();
+    // Writing into a string cannot fail.
+    let _ = writeln!(text, "source = \"{quoted}\"");
+    for (_, parameter) in &found {
+        let [value, low, high] = [parameter.value, parameter.band[0], parameter.band[1]]
+            .map(|value| quantity(&parameter.key, value));
+        let _ = writeln!(
+            text,
+            "{} = {{ value = {value}, low = {low}, high = {high} }}",
+            parameter.key
+        );
+    }
+    let numbers: Vec<usize> = found.iter().map(|(number, _)| *number).collect();
+    let written = rounded(&numbers, correlations);
+    if found.len() > 1 {
+        text.push_str("correlations = [\n");
+        for (i, (_, first)) in found.iter().enumerate() {
+            for (j, (_, other)) in found.iter().enumerate().skip(i + 1) {
+                let value = written[(i, j)];
+                let _ = writeln!(
+                    text,
+                    "  {{ between = [\"{}\", \"{}\"], value = {value:.3} }},",
+                    first.key, other.key
+                );
+            }
+        }
+        text.push_str("]\n");
+    }
+    text
+}
+
+/// Correlations of the parameters numbered, with the digits that are written.
+fn rounded(numbers: &[usize], correlations: &[Vec<f64>]) -> DMatrix<f64> {
+    /// Steps of a correlation as written.
+    const STEPS: f64 = 1000.0;
+    let count = numbers.len();
+    let scaled = |factor: f64| {
+        DMatrix::from_fn(count, count, |i, j| match i == j {
+            true => 1.0,
+            false => (STEPS * factor * correlations[numbers[i]][numbers[j]]).round() / STEPS,
+        })
+    };
+    let holds = |matrix: &DMatrix<f64>| {
+        let pivots = matrix
+            .clone()
+            .cholesky()
+            .map(|found| found.l().diagonal().map(|d| d * d).min());
+        pivots.is_some_and(|least| least > LEAST_PIVOT)
+    };
+    let mut tried = FACTORS.into_iter().map(scaled);
+    tried
+        .find(holds)
+        .unwrap_or_else(|| DMatrix::identity(count, count))
+}
+
+/// Whether a parameter goes into the block: the points find it, or leave less of its range than a case has without.
+fn is_told(parameter: &FittedParameter) -> bool {
+    let width = |[low, high]: [f64; 2]| (high / low).ln();
+    match parameter.verdict {
+        Verdict::Found => true,
+        Verdict::Partly => width(parameter.band) < width(parameter.default_range),
+        Verdict::NotFound => false,
+    }
+}
+
+/// A value as a case has it.
+fn quantity(key: &str, value: f64) -> String {
+    match key {
+        key if key == CalibratedName::BoundaryLayer.key() => {
+            format!("\"{} nm\"", digits(1e9 * value))
+        }
+        key if key == CalibratedName::EyringStress.key() => {
+            format!("\"{} MPa\"", digits(1e-6 * value))
+        }
+        _ => digits(value),
+    }
+}
+
+/// Four digits.
+fn digits(value: f64) -> String {
+    let decimals = (3 - value.abs().log10().floor() as i32).clamp(0, 12);
+    format!("{value:.*}", decimals as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use asperity::case::CalibrationInput;
+
+    fn found(key: &str, value: f64, verdict: Verdict) -> FittedParameter {
+        FittedParameter {
+            key: key.to_owned(),
+            name: key.to_owned(),
+            value,
+            band: [0.9 * value, 1.2 * value],
+            profile_band: [0.9 * value, 1.2 * value],
+            is_open: [false; 2],
+            profile: Vec::new(),
+            bootstrap: None,
+            default: value,
+            default_range: [0.5 * value, 2.0 * value],
+            deviation: 0.05,
+            verdict,
+        }
+    }
+
+    #[test]
+    fn the_block_reads_back_as_the_table_of_a_case() {
+        let all = [
+            found("boundary_friction", 0.083_21, Verdict::Found),
+            found("boundary_layer", 11.234e-9, Verdict::Partly),
+            found("limiting_shear", 0.04, Verdict::NotFound),
+            found("eyring_stress", 4.321e6, Verdict::Found),
+        ];
+        let correlations = vec![vec![-0.3; 4]; 4];
+        let text = block("rig.csv \"first\"", &all, &correlations);
+        let head = "gears = { teeth = [23, 68], module = \"2 mm\", face_width = \"30 mm\" }\n\
+                    operation = { torque = \"100 N m\", speed = \"3000 1/min\", temperature = \"60 °C\" }\n\
+                    lubricant = { oil = \"m100\" }\nsurface = { pinion = { rq = \"0.3 um\" } }\n";
+        let case: asperity::CaseInput = format!("{head}{text}").parse().unwrap();
+        let read: CalibrationInput = case.calibration.unwrap();
+        assert_eq!(read.source.as_deref(), Some("rig.csv 'first'"));
+        assert_eq!(read.boundary_friction.unwrap().value, 0.08321);
+        assert!((read.boundary_layer.unwrap().low.si() - 10.11e-9).abs() < 1e-15);
+        assert!(read.limiting_shear.is_none());
+        assert_eq!(read.eyring_stress.unwrap().value.si(), 4.321e6);
+        assert_eq!(read.correlations.unwrap().len(), 3);
+    }
+
+    #[test]
+    fn correlations_stay_those_of_a_distribution_when_they_are_rounded() {
+        // Singular: the third is the sum of the others.
+        let r = 0.5f64.sqrt();
+        let all = vec![vec![1.0, 0.0, r], vec![0.0, 1.0, r], vec![r, r, 1.0]];
+        let written = rounded(&[0, 1, 2], &all);
+        assert!(written.clone().cholesky().is_some());
+        assert!((written[(0, 2)] - r).abs() < 0.012, "{written}");
+        assert_eq!(rounded(&[0, 1], &all)[(0, 1)], 0.0);
+        let plain = vec![vec![1.0, -0.9126], vec![-0.9126, 1.0]];
+        assert_eq!(rounded(&[0, 1], &plain)[(1, 0)], -0.913);
+    }
+}

@@ -1,0 +1,57 @@
+//! Every temperature predicted from the others.
+
+use crate::error::CalibrationError;
+use crate::fit::{Fit, spread};
+use crate::identifiability::temperatures;
+use crate::least_squares::minimum;
+use crate::problem::Observation;
+use crate::result::HeldOut;
+use crate::rig::Rig;
+
+impl Rig {
+    /// Fits the measurements of all temperatures but one and predicts that one, for each of three or more.
+    ///
+    /// # Errors
+    /// When a fit does not converge.
+    pub fn held_out(&self, fit: &Fit) -> Result<Vec<HeldOut>, CalibrationError> {
+        let groups = temperatures(self.wanted.iter().map(|point| point.at[2]));
+        if groups.len() < 3 {
+            return Ok(Vec::new());
+        }
+        let group_of = |seen: &Observation| {
+            let temperature = self.wanted[seen.point].at[2];
+            let far = |k: &usize| (groups[*k] - temperature).abs();
+            (0..groups.len()).min_by(|a, b| far(a).total_cmp(&far(b)))
+        };
+        let problem = fit.problem();
+        let all: Vec<usize> = (0..problem.variables()).collect();
+        let one = |k: usize| -> Result<HeldOut, CalibrationError> {
+            let (held, kept): (Vec<Observation>, Vec<Observation>) = problem
+                .observations
+                .iter()
+                .partition(|seen| group_of(seen) == Some(k));
+            let mut part = problem.with(kept);
+            part.assemblies = problem.assemblies;
+            let found = minimum(&part, &fit.minimum.x, &all)?;
+            let covariance = spread(&part, &found)?;
+            let (mut sum, mut squares, mut expected) = (0.0, 0.0, 0.0);
+            for seen in &held {
+                let (log_loss, slope) = problem.predicted(&found.x, seen);
+                let error = seen.log_loss - log_loss;
+                sum += error;
+                squares += error * error;
+                expected +=
+                    seen.sigma * seen.sigma + (slope.transpose() * &covariance * &slope)[(0, 0)];
+            }
+            let count = held.len() as f64;
+            Ok(HeldOut {
+                temperature_c: groups[k],
+                points: held.len(),
+                mean_error: sum / count,
+                rms_error: (squares / count).sqrt(),
+                expected_error: (expected / count).sqrt(),
+            })
+        };
+        (0..groups.len()).map(one).collect()
+    }
+}

@@ -1,0 +1,332 @@
+//! What the points of a rig can find, and which measurement would help most, before any fit.
+
+use asperity::case::CalibratedName;
+use nalgebra::{DMatrix, DVector};
+
+use crate::error::CalibrationError;
+use crate::information::{correlations, covariance, deviation_without_prior, information};
+use crate::parameters::Parameter;
+use crate::problem::{Observation, Problem};
+use crate::result::{HelpfulPoint, Identifiability, IdentifiedParameter, Verdict};
+use crate::rig::Rig;
+use crate::rig_model::{Told, Wanted};
+use crate::surfaces::{slope_region, tangents};
+
+/// Λ* that the speeds must sweep before a share is fitted: from below the first to above the second.
+pub const SWEEP: [f64; 2] = [0.3, 1.5];
+/// Temperatures closer than this are one \[K\].
+const SAME_TEMPERATURE: f64 = 5.0;
+/// Least span of the temperatures of a fit of the share \[K\].
+const LEAST_SPAN: f64 = 10.0;
+/// Fewest operating points of a fit of the share: those of the parameters, and one to judge by.
+const FEWEST_POINTS: usize = 5;
+
+/// Temperatures \[°C\], those close together as their mean, rising.
+#[must_use]
+pub fn temperatures(all: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut values: Vec<f64> = all.collect();
+    values.sort_by(f64::total_cmp);
+    let mut groups: Vec<Vec<f64>> = Vec::new();
+    for value in values {
+        match groups.last_mut() {
+            Some(group) if value - group[0] <= SAME_TEMPERATURE => group.push(value),
+            _ => groups.push(vec![value]),
+        }
+    }
+    groups
+        .iter()
+        .map(|group| group.iter().sum::<f64>() / group.len() as f64)
+        .collect()
+}
+
+/// Refuses a fit of the boundary layer, which decides the share, where the points cannot tell it: a single
+/// temperature, a few points, or speeds that do not sweep Λ* from below 0.3 to above 1.5.
+///
+/// # Errors
+/// With everything that is missing.
+pub fn check_share(
+    name: &str,
+    parameters: &[Parameter],
+    points: &[([f64; 3], Option<f64>)],
+) -> Result<(), CalibrationError> {
+    let is_fitted = parameters
+        .iter()
+        .any(|parameter| parameter.name == CalibratedName::BoundaryLayer);
+    if !is_fitted {
+        return Ok(());
+    }
+    let mut missing = Vec::new();
+    if points.len() < FEWEST_POINTS {
+        missing.push(format!(
+            "{FEWEST_POINTS} operating points or more are needed"
+        ));
+    }
+    let found = temperatures(points.iter().map(|(at, _)| at[2]));
+    let span = found
+        .last()
+        .zip(found.first())
+        .map_or(0.0, |(high, low)| high - low);
+    if span < LEAST_SPAN {
+        let seen: Vec<String> = found.iter().map(|value| format!("{value:.0} °C")).collect();
+        missing.push(format!(
+            "temperature: {} only; two that lie {LEAST_SPAN:.0} K apart are needed, three are better",
+            seen.join(", ")
+        ));
+    }
+    match swept(points.iter().map(|(_, ratio)| *ratio)) {
+        None => missing.push("Lambda* is not known, because the flanks have no peaks".to_owned()),
+        Some([low, high]) if low > SWEEP[0] || high < SWEEP[1] => missing.push(format!(
+            "speed range: Lambda* from {low:.2} to {high:.2}; from below {} (slow, hot) to above {} (fast, cold) is needed",
+            SWEEP[0], SWEEP[1]
+        )),
+        Some(_) => {}
+    }
+    if missing.is_empty() {
+        return Ok(());
+    }
+    Err(CalibrationError::Share {
+        file: name.to_owned(),
+        points: points.len(),
+        missing,
+    })
+}
+
+/// Smallest and largest Λ*; none where one is not known.
+pub(crate) fn swept(all: impl Iterator<Item = Option<f64>>) -> Option<[f64; 2]> {
+    let known: Option<Vec<f64>> = all.collect();
+    let known = known.filter(|values| !values.is_empty())?;
+    let ends = known
+        .iter()
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+            [low.min(*value), high.max(*value)]
+        });
+    Some(ends)
+}
+
+impl Rig {
+    /// Refuses what [`check_share`] refuses.
+    ///
+    /// # Errors
+    /// With everything that is missing.
+    pub fn check_share(&self) -> Result<(), CalibrationError> {
+        let points = self.wanted.iter().zip(&self.nominal);
+        let points: Vec<_> = points
+            .map(|(point, parts)| (point.at, parts.lambda_star))
+            .collect();
+        check_share(&self.table.name, &self.parameters, &points)
+    }
+
+    /// What the points of `problem` can find with the parameters at their centres.
+    ///
+    /// # Errors
+    /// When the model has no solution at a further point.
+    pub fn identifiability(
+        &self,
+        problem: &Problem<'_>,
+        told: Told<'_>,
+    ) -> Result<Identifiability, CalibrationError> {
+        let start = DVector::zeros(problem.variables());
+        let whole = information(&problem.slopes(&start));
+        let verdict = |k: usize, parameter: &Parameter| {
+            let deviation = deviation_without_prior(&whole, k, parameter.prior());
+            IdentifiedParameter {
+                key: parameter.name.key().to_owned(),
+                name: parameter.words().to_owned(),
+                deviation,
+                prior: parameter.prior(),
+                verdict: verdict(deviation, parameter.prior()),
+            }
+        };
+        let named = self.parameters.iter().enumerate();
+        Ok(Identifiability {
+            points: self.wanted.len(),
+            temperatures_c: temperatures(self.wanted.iter().map(|point| point.at[2])),
+            lambda_star: swept(self.nominal.iter().map(|parts| parts.lambda_star)),
+            parameters: named.map(|(k, parameter)| verdict(k, parameter)).collect(),
+            worst_correlation: worst_correlation(&self.parameters, &whole),
+            helpful: self.helpful(problem, &whole, told)?,
+        })
+    }
+
+    /// Further points and what they would bring, the best first.
+    fn helpful(
+        &self,
+        problem: &Problem<'_>,
+        whole: &DMatrix<f64>,
+        told: Told<'_>,
+    ) -> Result<Vec<HelpfulPoint>, CalibrationError> {
+        /// Points that are told.
+        const TOLD: usize = 3;
+        let candidates = self.candidates();
+        let model = self.model.at_points(&candidates);
+        let region = slope_region(&self.parameters);
+        let planes = tangents(&model, &region, told)?;
+        let sigma = median(problem.observations.iter().map(|seen| seen.sigma).collect());
+        let Some(before) = covariance(whole) else {
+            return Ok(Vec::new());
+        };
+        let other = Problem {
+            surfaces: &planes,
+            region: &region,
+            ..problem.clone()
+        };
+        let start = DVector::zeros(problem.variables());
+        let mut gains: Vec<(f64, HelpfulPoint)> = Vec::new();
+        for (point, wanted) in candidates.iter().enumerate() {
+            let [torque_nm, speed_rpm, temperature_c] = wanted.at;
+            let seen = Observation {
+                point,
+                assembly: 0,
+                log_loss: 0.0,
+                sigma,
+                omega: speed_rpm * std::f64::consts::PI / 30.0,
+                bearing_torque: 0.0,
+            };
+            let slope = other.predicted(&start, &seen).1 / sigma;
+            let Some(after) = covariance(&(whole + &slope * slope.transpose())) else {
+                continue;
+            };
+            let shrunk = |k: usize| (before[(k, k)] / after[(k, k)]).ln();
+            let gain: f64 = (0..self.parameters.len()).map(shrunk).sum();
+            let most = (0..self.parameters.len()).max_by(|a, b| shrunk(*a).total_cmp(&shrunk(*b)));
+            let k = most.unwrap_or_default();
+            let helpful = HelpfulPoint {
+                torque_nm,
+                speed_rpm,
+                temperature_c,
+                gains_most: self.parameters[k].words().to_owned(),
+                deviation: [before[(k, k)].sqrt(), after[(k, k)].sqrt()],
+            };
+            gains.push((gain, helpful));
+        }
+        gains.sort_by(|a, b| b.0.total_cmp(&a.0));
+        Ok(gains
+            .into_iter()
+            .take(TOLD)
+            .map(|(_, helpful)| helpful)
+            .collect())
+    }
+
+    /// Points about those of the table: its least and largest torque, speeds of half to twice its own, three
+    /// temperatures.
+    fn candidates(&self) -> Vec<Wanted> {
+        const SPEEDS: usize = 6;
+        const TEMPERATURES: [f64; 3] = [40.0, 70.0, 100.0];
+        let speeds = self.wanted.iter().map(|point| point.at[1]);
+        let [low, high] = speeds.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], speed| {
+            [low.min(speed), high.max(speed)]
+        });
+        let (low, high) = (0.5 * low, 2.0 * high);
+        let torques = self.model.torques(0);
+        let mut ends: Vec<f64> = torques
+            .first()
+            .into_iter()
+            .chain(torques.last())
+            .copied()
+            .collect();
+        ends.dedup();
+        let mut found = Vec::new();
+        for torque in ends {
+            for temperature in TEMPERATURES {
+                for k in 0..SPEEDS {
+                    let speed = low * (high / low).powf(k as f64 / (SPEEDS - 1) as f64);
+                    found.push(Wanted {
+                        case: 0,
+                        at: [torque, rounded(speed), temperature],
+                    });
+                }
+            }
+        }
+        found
+    }
+}
+
+/// Two digits, as one sets a rig.
+pub(crate) fn rounded(value: f64) -> f64 {
+    let power = 10f64.powf(value.abs().log10().floor() - 1.0);
+    (value / power).round() * power
+}
+
+pub(crate) fn verdict(deviation: Option<f64>, prior: f64) -> Verdict {
+    match deviation {
+        Some(deviation) if deviation <= 0.5 * prior => Verdict::Found,
+        Some(deviation) if deviation <= prior => Verdict::Partly,
+        _ => Verdict::NotFound,
+    }
+}
+
+fn worst_correlation(
+    parameters: &[Parameter],
+    whole: &DMatrix<f64>,
+) -> Option<(String, String, f64)> {
+    let found = correlations(&covariance(whole)?);
+    let n = parameters.len();
+    let pairs = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
+    let worst = pairs.max_by(|a, b| found[*a].abs().total_cmp(&found[*b].abs()))?;
+    let name = |k: usize| parameters[k].words().to_owned();
+    Some((name(worst.0), name(worst.1), found[worst]))
+}
+
+pub(crate) fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn layer() -> Vec<Parameter> {
+        let case =
+            asperity::case::load("../../fixtures/cases/e-drive.toml".as_ref(), None).unwrap();
+        Parameter::of(&case).unwrap()
+    }
+
+    fn points(temperatures: &[f64], ratios: &[f64]) -> Vec<([f64; 3], Option<f64>)> {
+        let of = |t: &f64| {
+            ratios
+                .iter()
+                .map(|r| ([100.0, 100.0 * r, *t], Some(*r)))
+                .collect::<Vec<_>>()
+        };
+        temperatures.iter().flat_map(of).collect()
+    }
+
+    #[test]
+    fn one_temperature_is_named_and_two_that_sweep_are_enough() {
+        let all = layer();
+        let ratios = [0.2, 0.6, 1.0, 1.6];
+        let error = check_share("rig.csv", &all, &points(&[89.0, 91.0], &ratios)).unwrap_err();
+        assert!(
+            error.to_string().contains("temperature: 90 °C only"),
+            "{error}"
+        );
+        assert!(!error.to_string().contains("speed range"), "{error}");
+        assert!(check_share("rig.csv", &all, &points(&[40.0, 90.0], &ratios)).is_ok());
+    }
+
+    #[test]
+    fn two_points_lack_everything_and_a_held_layer_asks_for_nothing() {
+        let all = layer();
+        let few = points(&[90.0], &[0.4, 1.0]);
+        let text = check_share("rig.csv", &all, &few).unwrap_err().to_string();
+        for part in [
+            "5 operating points",
+            "temperature: 90 °C",
+            "Lambda* from 0.40 to 1.00",
+        ] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+        let held: Vec<Parameter> = all
+            .into_iter()
+            .filter(|one| one.name != CalibratedName::BoundaryLayer)
+            .collect();
+        assert!(check_share("rig.csv", &held, &few).is_ok());
+    }
+
+    #[test]
+    fn numbers_of_a_rig_have_two_digits() {
+        assert_eq!(rounded(2166.0), 2200.0);
+        assert!((rounded(0.0347) - 0.035).abs() < 1e-15);
+    }
+}

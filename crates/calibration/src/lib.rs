@@ -1,0 +1,56 @@
+//! From losses measured on a rig to boundary friction, boundary layer and film traction with their bands.
+//!
+//! [`calibrate()`] fits four constants that no data sheet holds to the points of a [`RigTable`]; what it finds goes into
+//! the table `calibration` of a case, and its bands into the band of every later loss. [`plan`] proposes the points
+//! that find them best.
+//!
+//! | step | file |
+//! |---|---|
+//! | the table and its checks | [`rig_table`] |
+//! | the model at the points, by kept contacts | [`rig_model`] |
+//! | response surfaces in place of the model | [`response`], [`surfaces`] |
+//! | what the points can find | [`information`], [`identifiability`] |
+//! | stages and the fit | [`least_squares`], [`problem`], [`fit`] |
+//! | bands | [`profile_likelihood`], [`bootstrap`](mod@bootstrap) |
+//! | a design | [`optimal_design`], [`design`] |
+
+mod block;
+pub mod bootstrap;
+mod calibrate;
+pub mod design;
+mod error;
+mod files;
+pub mod fit;
+mod held_out;
+pub mod identifiability;
+pub mod information;
+pub mod least_squares;
+pub mod optimal_design;
+mod outliers;
+mod page;
+pub mod parameters;
+pub mod problem;
+pub mod profile_likelihood;
+pub mod response;
+mod result;
+pub mod rig;
+pub mod rig_model;
+pub mod rig_table;
+pub mod simulate;
+mod summary;
+pub mod surfaces;
+mod write;
+
+pub use block::block;
+pub use calibrate::{Watch, calibrate};
+pub use design::{Design, Limits, plan};
+pub use error::{CalibrationError, RowFault};
+pub use files::calibrate_files;
+pub use result::{
+    Calibration, Evidence, FittedParameter, FittedPoint, HeldOut, HelpfulPoint, Identifiability,
+    IdentifiedParameter, NuisanceRow, SCHEMA_VERSION, StageRow, Verdict,
+};
+pub use rig::{Rig, RigCase};
+pub use rig_table::{RigRow, RigTable, Scope};
+pub use summary::{before_the_fit, design_summary, summary};
+pub use write::{check_place, write, write_design};

@@ -1,0 +1,138 @@
+//! D-optimal choice of points by exchange.
+
+use asperity_core::cite;
+use nalgebra::DMatrix;
+
+use crate::information::information;
+
+/// Numbers of the `count` candidates that find the first `interest` variables best, each at most `repeats` times.
+///
+/// ```text
+/// max ln det (I_11 − I_12 I_22⁻¹ I_21),  I = I_prior + Σ J_kᵀ J_k             [D-optimal]
+/// ```
+///
+/// A candidate is the derivatives of what it would measure in standard deviations, a row a measurement; the other
+/// variables are nuisance terms. Points are put in one by one and then exchanged as long as that pays (Fedorov), which
+/// ends at a design that no exchange of one point improves.
+///
+/// ```
+/// use asperity_calibration::optimal_design::d_optimal;
+/// use nalgebra::DMatrix;
+/// // A straight line over -1 .. 1: half of the points at either end.
+/// let row = |t: f64| DMatrix::from_row_slice(1, 2, &[1.0, t]);
+/// let candidates: Vec<_> = (0..=20).map(|k| row(-1.0 + 0.1 * f64::from(k))).collect();
+/// let mut chosen = d_optimal(&candidates, (6, 6), 2, &DMatrix::zeros(2, 2));
+/// chosen.sort();
+/// assert_eq!(chosen, [0, 0, 0, 20, 20, 20]);
+/// ```
+#[must_use]
+pub fn d_optimal(
+    candidates: &[DMatrix<f64>],
+    (count, repeats): (usize, usize),
+    interest: usize,
+    prior: &DMatrix<f64>,
+) -> Vec<usize> {
+    cite!("D-optimal");
+    /// Gain below which an exchange is rounding.
+    const LEAST_GAIN: f64 = 1e-9;
+    /// Rounds of exchanges: a handful is usual.
+    const MOST_ROUNDS: usize = 50;
+    if candidates.is_empty() {
+        return Vec::new();
+    }
+    let each: Vec<DMatrix<f64>> = candidates.iter().map(information).collect();
+    let size = prior.nrows();
+    // Before enough points are in, nothing is found: a whiff of a prior ranks them.
+    let whiff = 1e-9
+        * each
+            .iter()
+            .map(DMatrix::trace)
+            .fold(f64::MIN_POSITIVE, f64::max);
+    let base = prior + DMatrix::identity(size, size) * whiff;
+    let value = |whole: &DMatrix<f64>| log_determinant(whole, interest);
+    let best = |whole: &DMatrix<f64>, taken: &[usize]| {
+        let free = (0..each.len()).filter(|k| taken[*k] < repeats);
+        let ranked = free.map(|k| (k, value(&(whole + &each[k]))));
+        ranked.max_by(|a, b| a.1.total_cmp(&b.1))
+    };
+    let mut whole = base;
+    let mut chosen = Vec::with_capacity(count);
+    let mut taken = vec![0; each.len()];
+    while let Some((k, _)) = best(&whole, &taken).filter(|_| chosen.len() < count) {
+        whole += &each[k];
+        taken[k] += 1;
+        chosen.push(k);
+    }
+    for _ in 0..MOST_ROUNDS {
+        let mut has_changed = false;
+        for place in &mut chosen {
+            let before = value(&whole);
+            let without = &whole - &each[*place];
+            taken[*place] -= 1;
+            let better = best(&without, &taken).filter(|(_, after)| *after > before + LEAST_GAIN);
+            if let Some((k, _)) = better {
+                whole = without + &each[k];
+                *place = k;
+                has_changed = true;
+            }
+            taken[*place] += 1;
+        }
+        if !has_changed {
+            break;
+        }
+    }
+    chosen
+}
+
+/// ln det of the information on the first `interest` variables, the others unknown.
+#[must_use]
+pub fn log_determinant(whole: &DMatrix<f64>, interest: usize) -> f64 {
+    let log = |matrix: DMatrix<f64>| {
+        matrix.cholesky().map(|found| {
+            2.0 * found
+                .l_dirty()
+                .diagonal()
+                .iter()
+                .map(|d| d.ln())
+                .sum::<f64>()
+        })
+    };
+    let rest = whole.nrows() - interest;
+    let nuisance = whole.view((interest, interest), (rest, rest)).into_owned();
+    let of_rest = if rest == 0 { Some(0.0) } else { log(nuisance) };
+    match (log(whole.clone()), of_rest) {
+        (Some(all), Some(rest)) => all - rest,
+        _ => f64::NEG_INFINITY,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_parabola_is_measured_at_its_ends_and_its_middle() {
+        let row = |t: f64| DMatrix::from_row_slice(1, 3, &[1.0, t, t * t]);
+        let candidates: Vec<_> = (0..=40).map(|k| row(-1.0 + 0.05 * f64::from(k))).collect();
+        let mut chosen = d_optimal(&candidates, (6, 6), 3, &DMatrix::zeros(3, 3));
+        chosen.sort_unstable();
+        assert_eq!(chosen, [0, 0, 20, 20, 40, 40]);
+    }
+
+    #[test]
+    fn a_nuisance_offset_makes_a_slope_be_measured_at_both_ends() {
+        // Interest in the slope alone; with a known offset any end would do.
+        let row = |t: f64| DMatrix::from_row_slice(1, 2, &[t, 1.0]);
+        let candidates: Vec<_> = (0..=10).map(|k| row(0.1 * f64::from(k))).collect();
+        let mut chosen = d_optimal(&candidates, (4, 4), 1, &DMatrix::zeros(2, 2));
+        chosen.sort_unstable();
+        assert_eq!(chosen, [0, 0, 10, 10]);
+        let known = DMatrix::from_row_slice(2, 2, &[0.0, 0.0, 0.0, 1e9]);
+        assert_eq!(d_optimal(&candidates, (2, 2), 1, &known), [10, 10]);
+        // Without repeats the next best.
+        let mut apart = d_optimal(&candidates, (2, 1), 1, &known);
+        apart.sort_unstable();
+        assert_eq!(apart, [9, 10]);
+        assert!(d_optimal(&[], (2, 2), 1, &known).is_empty());
+    }
+}

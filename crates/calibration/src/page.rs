@@ -1,0 +1,303 @@
+//! The page of a calibration, and that of a design.
+
+use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
+use asperity_report::html::{figure, page};
+use maud::{Markup, html};
+
+use crate::design::Design;
+use crate::result::{Calibration, FittedParameter, FittedPoint};
+use crate::summary::{percent, range, shown};
+
+/// Table that the points are in.
+const POINTS: &str = "points.csv";
+
+pub(crate) fn render(found: &Calibration) -> String {
+    let sections = [
+        ("Parameters", parameters(found)),
+        ("Measured and fitted", measured(found)),
+        ("Residuals", residuals(found)),
+        ("Profiles", profiles(found)),
+        ("What the points can find", identifiability(found)),
+        ("Nuisance terms", nuisance(found)),
+        ("For the case", html! { pre { code { (found.block) } } }),
+        ("Provenance", provenance(found)),
+    ];
+    let kind = if found.is_simulated {
+        "calibration on SIMULATED losses"
+    } else {
+        "calibration"
+    };
+    let subtitle = format!("{} · {kind}, {}", found.program, found.table);
+    page(&found.title, &subtitle, &sections)
+}
+
+fn parameters(found: &Calibration) -> Markup {
+    html! {
+        @if found.is_simulated {
+            p { strong { "The losses of this table are simulated: " } "a rehearsal of a rig, not a measurement." }
+        }
+        div.scroll { table {
+            thead { tr { th { "parameter" } th.number { "value" } th.number { "95 % band" } th.number { "profile likelihood" }
+                th.number { "bootstrap over assemblies" } th.number { "default" } th.number { "range without calibration" } th { "by the points" } } }
+            tbody { @for one in &found.parameters { tr {
+                th scope="row" { (one.name) }
+                td.number { (shown(&one.key, one.value)) }
+                td.number { (range(&one.key, one.band)) }
+                td.number { (range(&one.key, one.profile_band)) @if one.is_open.contains(&true) { " (open)" } }
+                td.number { (one.bootstrap.map_or("-".to_owned(), |band| range(&one.key, band))) }
+                td.number { (shown(&one.key, one.default)) }
+                td.number { (range(&one.key, one.default_range)) }
+                td { (one.verdict.text()) }
+            } } }
+        } }
+        p { "Chi squared " (format!("{:.1}", found.chi_squared)) " of " (format!("{:.1}", found.freedom)) " expected. "
+            "The bands hold scatter and nuisance terms, not the structure of the model: other readings of it stand beside the band of a run." }
+        (correlations(found))
+        (held_out(found))
+        @if !found.warnings.is_empty() {
+            ul { @for warning in &found.warnings { li { (warning.to_string()) } } }
+        }
+    }
+}
+
+fn correlations(found: &Calibration) -> Markup {
+    html! {
+        h3 { "Correlations of the logarithms" }
+        div.scroll { table {
+            thead { tr { th {} @for one in &found.parameters { th.number { (one.name) } } } }
+            tbody { @for (one, row) in found.parameters.iter().zip(&found.correlations) { tr {
+                th scope="row" { (one.name) }
+                @for value in row { td.number { (format!("{value:+.2}")) } }
+            } } }
+        } }
+    }
+}
+
+fn held_out(found: &Calibration) -> Markup {
+    let share = |value: f64| format!("{:.1} %", 100.0 * value);
+    html! { @if !found.held_out.is_empty() {
+        h3 { "Every temperature predicted from the others" }
+        div.scroll { table {
+            thead { tr { th.number { "temperature" } th.number { "points" } th.number { "off by (rms)" } th.number { "expected" } th.number { "mean" } } }
+            tbody { @for one in &found.held_out { tr {
+                td.number { (format!("{:.0} °C", one.temperature_c)) } td.number { (one.points) }
+                td.number { (share(one.rms_error)) } td.number { (share(one.expected_error)) } td.number { (share(one.mean_error)) }
+            } } }
+        } }
+    } }
+}
+
+/// Points by their temperature.
+fn by_temperature<'a>(found: &'a Calibration) -> Vec<(f64, Vec<&'a FittedPoint>)> {
+    let of = |at: f64| {
+        let nearest = |point: &&FittedPoint| {
+            let all = found.identifiability.temperatures_c.iter().copied();
+            let far = |other: f64| (other - point.temperature_c).abs();
+            all.fold(f64::INFINITY, |best, other| {
+                if far(other) < far(best) { other } else { best }
+            }) == at
+        };
+        found
+            .points
+            .iter()
+            .filter(nearest)
+            .collect::<Vec<&'a FittedPoint>>()
+    };
+    found
+        .identifiability
+        .temperatures_c
+        .iter()
+        .map(|at| (*at, of(*at)))
+        .collect()
+}
+
+fn series(found: &Calibration, of: impl Fn(&FittedPoint) -> [f64; 2]) -> Vec<Series> {
+    by_temperature(found)
+        .into_iter()
+        .map(|(at, points)| Series {
+            name: format!("{at:.0} °C"),
+            line: Line::Scatter,
+            points: points.into_iter().map(&of).collect(),
+        })
+        .collect()
+}
+
+fn charted(mut chart: Chart, all: Vec<Series>) -> Markup {
+    chart.series = all;
+    figure(&Drawing::Curves(chart))
+}
+
+fn measured(found: &Calibration) -> Markup {
+    let losses = found
+        .points
+        .iter()
+        .flat_map(|point| [point.measured_w, point.fitted_w]);
+    let [low, high] = losses.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], loss| {
+        [low.min(loss), high.max(loss)]
+    });
+    let mut all = series(found, |point| [point.fitted_w, point.measured_w]);
+    all.push(Series::new(
+        "equal",
+        Line::Dashed,
+        &[low, high],
+        &[low, high],
+    ));
+    let chart = Chart::new(
+        "measured",
+        "Measured against fitted loss",
+        POINTS,
+        Axis::new("fitted loss", "W").log(),
+        Axis::new("measured loss", "W").log(),
+    );
+    html! { div.charts { (charted(chart, all)) } }
+}
+
+fn residuals(found: &Calibration) -> Markup {
+    let over = |id: &str, title: &str, x: Axis, of: fn(&FittedPoint) -> f64| {
+        let y = Axis::new("ln(measured/fitted)", "sigma");
+        let chart = Chart::new(id, title, POINTS, x, y).level(0.0, "");
+        charted(
+            chart,
+            series(found, |point| [of(point), point.residual_sigma]),
+        )
+    };
+    html! { div.charts {
+        (over("over-speed", "Residuals over speed", Axis::new("speed", "1/min").log(), |point| point.speed_rpm))
+        (over("over-torque", "Residuals over torque", Axis::new("torque", "N m"), |point| point.torque_nm))
+        (over("over-temperature", "Residuals over temperature", Axis::new("temperature", "°C"), |point| point.temperature_c))
+    } }
+}
+
+fn profiles(found: &Calibration) -> Markup {
+    let drawn = |one: &FittedParameter| {
+        let factor = match one.key.as_str() {
+            "boundary_layer" => 1e9,
+            "eyring_stress" => 1e-6,
+            _ => 1.0,
+        };
+        let unit = match one.key.as_str() {
+            "boundary_layer" => "nm",
+            "eyring_stress" => "MPa",
+            _ => "",
+        };
+        let x: Vec<f64> = one.profile.iter().map(|[at, _]| factor * at).collect();
+        let y: Vec<f64> = one.profile.iter().map(|[_, rise]| *rise).collect();
+        let chart = Chart::new(
+            &format!("profile-{}", one.key),
+            &format!("Profile of {}", one.name),
+            "calibration.json",
+            Axis::new(&one.name, unit),
+            Axis::new("rise of the sum of squares", "").from_zero(),
+        );
+        let chart = chart.level(crate::profile_likelihood::RISE, "95 %");
+        charted(chart, vec![Series::new(&one.name, Line::Dots, &x, &y)])
+    };
+    html! { div.charts { @for one in &found.parameters { (drawn(one)) } } }
+}
+
+fn identifiability(found: &Calibration) -> Markup {
+    let design = &found.identifiability;
+    html! {
+        p { (design.points) " operating points"
+            @if let Some([low, high]) = design.lambda_star { (format!(", Lambda* from {low:.2} to {high:.2}")) }
+            ". Before the fit, from the slopes of the model alone; each without its own prior." }
+        div.scroll { table {
+            thead { tr { th { "parameter" } th.number { "by the points" } th.number { "prior" } th { "verdict" } } }
+            tbody { @for one in &design.parameters { tr {
+                th scope="row" { (one.name) } td.number { (percent(one.deviation)) } td.number { (percent(Some(one.prior))) } td { (one.verdict.text()) }
+            } } }
+        } }
+        @if !design.helpful.is_empty() {
+            h3 { "Further measurements that would help most" }
+            div.scroll { table {
+                thead { tr { th.number { "torque" } th.number { "speed" } th.number { "temperature" } th { "helps most" } th.number { "from" } th.number { "to" } } }
+                tbody { @for one in &design.helpful { tr {
+                    td.number { (format!("{:.0} N m", one.torque_nm)) } td.number { (format!("{:.0} 1/min", one.speed_rpm)) }
+                    td.number { (format!("{:.0} °C", one.temperature_c)) } td { (one.gains_most) }
+                    td.number { (percent(Some(one.deviation[0]))) } td.number { (percent(Some(one.deviation[1]))) }
+                } } }
+            } }
+        }
+    }
+}
+
+fn nuisance(found: &Calibration) -> Markup {
+    html! { div.scroll { table {
+        thead { tr { th { "term" } th.number { "value" } th.number { "±" } th.number { "prior ±" } th { "unit" } } }
+        tbody { @for row in &found.nuisance { tr {
+            th scope="row" { (row.name) } td.number { (format!("{:.3}", row.value)) } td.number { (format!("{:.3}", row.deviation)) }
+            td.number { (format!("{:.3}", row.prior)) } td { (row.unit) }
+        } } }
+    } } }
+}
+
+fn provenance(found: &Calibration) -> Markup {
+    let evidence = &found.evidence;
+    html! {
+        p { "Table " code { (found.table) } ", SHA-256 " code { (found.sha256) } "." }
+        p { (evidence.evaluations) " evaluations of the model by kept contacts, " (evidence.rounds) " response surfaces; the last one is off the model by "
+            (format!("{:.3} %", 100.0 * evidence.largest_surface_error)) " at most, "
+            (format!("{:.2} sigma", evidence.largest_surface_error_sigma)) ". "
+            (evidence.bootstrap_samples) " samples of the bootstrap." }
+        @for stage in &found.stages {
+            p { "Stage: " (stage.name) " (" (stage.points) " points)." }
+        }
+    }
+}
+
+pub(crate) fn render_design(design: &Design) -> String {
+    let points = &design.points;
+    let mut temperatures: Vec<f64> = points.iter().map(|point| point.temperature_c).collect();
+    temperatures.sort_by(f64::total_cmp);
+    temperatures.dedup();
+    let of = |at: f64| {
+        let kept = points.iter().filter(move |point| point.temperature_c == at);
+        Series {
+            name: format!("{at:.0} °C"),
+            line: Line::Scatter,
+            points: kept
+                .map(|point| [point.speed_rpm, point.torque_nm])
+                .collect(),
+        }
+    };
+    let chart = Chart::new(
+        "design",
+        "Points to measure",
+        "design.csv",
+        Axis::new("speed", "1/min").log(),
+        Axis::new("torque", "N m").from_zero(),
+    );
+    let all = temperatures.into_iter().map(of).collect();
+    let sections = [
+        (
+            "Points",
+            html! { div.charts { (charted(chart, all)) } (design_points(design)) },
+        ),
+        ("Expected bands", design_bands(design)),
+    ];
+    let subtitle = format!("{} · design of a calibration", design.program);
+    page(&design.title, &subtitle, &sections)
+}
+
+fn design_points(design: &Design) -> Markup {
+    html! { div.scroll { table {
+        thead { tr { th.number { "torque" } th.number { "speed" } th.number { "temperature" } th.number { "repeats" } th.number { "loss of the mesh" } th.number { "Λ*" } } }
+        tbody { @for one in &design.points { tr {
+            td.number { (format!("{:.1} N m", one.torque_nm)) } td.number { (format!("{:.0} 1/min", one.speed_rpm)) }
+            td.number { (format!("{:.0} °C", one.temperature_c)) } td.number { (one.repeats) }
+            td.number { (format!("{:.1} W", one.loss_w)) }
+            td.number { (one.lambda_star.map_or("-".to_owned(), |value| format!("{value:.2}"))) }
+        } } }
+    } } }
+}
+
+fn design_bands(design: &Design) -> Markup {
+    html! { div.scroll { table {
+        thead { tr { th { "parameter" } th.number { "by the points" } th.number { "95 % band" } th.number { "range without calibration" } th { "verdict" } } }
+        tbody { @for one in &design.parameters { tr {
+            th scope="row" { (one.identified.name) } td.number { (percent(one.identified.deviation)) }
+            td.number { (range(&one.identified.key, one.band)) } td.number { (range(&one.identified.key, one.default_range)) }
+            td { (one.identified.verdict.text()) }
+        } } }
+    } } }
+}

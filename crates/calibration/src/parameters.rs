@@ -1,0 +1,125 @@
+//! What a calibration fits: four constants of boundary layer and oil, and nuisance terms with priors.
+//!
+//! | symbol | parameter | prior of its logarithm (standard deviation) |
+//! |---|---|---|
+//! | μ_b | boundary friction | 0.5 |
+//! | h_b | boundary layer, which decides the share of the load that rubs on it | 0.7 |
+//! | Λ | limiting shear stress over pressure | 0.3 |
+//! | τ₀ | Eyring stress | 0.4 |
+//!
+//! | nuisance term | prior |
+//! |---|---|
+//! | scale of each assembly | ± 3 % |
+//! | rolling loss | ± 30 % |
+//! | oil temperature, the same offset everywhere | ± 3 K |
+//! | loss torque without load that is left in the measurements | ± 2 % of the median loss torque |
+//! | loss torque of the bearings over the torque, of rows that include them | 0.002 ± 0.001 |
+//!
+//! The priors of the parameters are about twice as wide as the ranges of a case without calibration: they only
+//! hold what a design cannot find. Those of scale, rolling and temperature are those of back-to-back rigs; the last
+//! two are judgement.
+
+use asperity::LoadedCase;
+use asperity::PositionError;
+use asperity::band::UncertainParameter;
+use asperity::case::CalibratedName;
+
+/// A parameter of the fit with its default.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Parameter {
+    /// Its name in the case.
+    pub name: CalibratedName,
+    /// Value about which its prior lies, in SI units: that of the case.
+    pub centre: f64,
+    /// Range from which the band of a case draws it.
+    pub range: [f64; 2],
+}
+
+/// Standard deviation of the prior of a logarithm.
+const fn prior(name: CalibratedName) -> f64 {
+    match name {
+        CalibratedName::BoundaryFriction => 0.5,
+        CalibratedName::BoundaryLayer => 0.7,
+        CalibratedName::LimitingShear => 0.3,
+        CalibratedName::EyringStress => 0.4,
+    }
+}
+
+impl Parameter {
+    /// The parameters that act on the loss of `case`.
+    ///
+    /// # Errors
+    /// When the family of the oil is not known.
+    pub fn of(case: &LoadedCase) -> Result<Vec<Self>, PositionError> {
+        let mut found = Vec::new();
+        for name in CalibratedName::ALL {
+            if let Some((centre, range)) = UncertainParameter::from(name).range(case)? {
+                found.push(Self {
+                    name,
+                    centre,
+                    range,
+                });
+            }
+        }
+        Ok(found)
+    }
+
+    /// Standard deviation of the prior of its logarithm.
+    #[must_use]
+    pub const fn prior(&self) -> f64 {
+        prior(self.name)
+    }
+
+    /// Its name in words.
+    #[must_use]
+    pub const fn words(&self) -> &'static str {
+        words(self.name)
+    }
+
+    /// Its value in the unit that it is shown in.
+    #[must_use]
+    pub fn shown(&self, value: f64) -> f64 {
+        value * self.factor()
+    }
+
+    const fn factor(&self) -> f64 {
+        match self.name {
+            CalibratedName::BoundaryLayer => 1e9,
+            CalibratedName::EyringStress => 1e-6,
+            _ => 1.0,
+        }
+    }
+
+    /// The unit that it is shown in; empty for a number.
+    #[must_use]
+    pub const fn unit(&self) -> &'static str {
+        match self.name {
+            CalibratedName::BoundaryLayer => "nm",
+            CalibratedName::EyringStress => "MPa",
+            _ => "",
+        }
+    }
+}
+
+/// Name of a parameter in words.
+#[must_use]
+pub const fn words(name: CalibratedName) -> &'static str {
+    match name {
+        CalibratedName::BoundaryFriction => "boundary friction",
+        CalibratedName::BoundaryLayer => "boundary layer",
+        CalibratedName::LimitingShear => "limiting shear",
+        CalibratedName::EyringStress => "Eyring stress",
+    }
+}
+
+/// Standard deviation of the scale of an assembly.
+pub const ASSEMBLY: f64 = 0.03;
+/// Standard deviation of the logarithm of the rolling loss over that of the model.
+pub const ROLLING: f64 = 0.30;
+/// Standard deviation of the oil temperature \[K\].
+pub const TEMPERATURE: f64 = 3.0;
+/// Standard deviation of the loss torque without load over the median loss torque.
+pub const NO_LOAD: f64 = 0.02;
+/// Loss torque of the bearings over the torque of the pinion, and its standard deviation.
+pub const BEARINGS: [f64; 2] = [0.002, 0.001];

@@ -1,0 +1,180 @@
+//! A rig's table made ready: its operating points, their assemblies, and the model at them.
+
+use asperity::LoadedCase;
+use asperity::case::CalibratedName;
+
+use crate::error::{CalibrationError, RowFault};
+use crate::parameters::Parameter;
+use crate::problem::{Observation, PointSurfaces};
+use crate::response::Region;
+use crate::rig_model::{Parts, RigModel, Told, Wanted};
+use crate::rig_table::{RigRow, RigTable};
+use crate::surfaces::{first_region, surfaces};
+
+/// Cases of a table: one for every name in its column `case`.
+#[derive(Debug, Clone)]
+pub struct RigCase {
+    /// Name as in the table; none for the case beside it.
+    pub name: Option<String>,
+    /// The case.
+    pub case: LoadedCase,
+}
+
+/// A table made ready for its fit.
+pub struct Rig {
+    /// The table.
+    pub table: RigTable,
+    /// The parameters that are fitted.
+    pub parameters: Vec<Parameter>,
+    /// The model at every operating point.
+    pub model: RigModel,
+    /// The operating points.
+    pub wanted: Vec<Wanted>,
+    /// Number of the operating point of every row.
+    pub point_of: Vec<usize>,
+    /// The model with the parameters at their centres, at every operating point.
+    pub nominal: Vec<Parts>,
+    /// Title of the first case.
+    pub title: String,
+}
+
+impl Rig {
+    /// Solves the contacts of every torque of `table` and evaluates the model once at every operating point.
+    /// `held` are parameters that stay at the values of the case.
+    ///
+    /// # Errors
+    /// When a row has no case, or the model no solution at a point.
+    pub fn new(
+        table: RigTable,
+        cases: &[RigCase],
+        held: &[CalibratedName],
+        told: Told<'_>,
+    ) -> Result<Self, CalibrationError> {
+        let first = cases.first().ok_or_else(|| CalibrationError::NoCase {
+            file: table.name.clone(),
+        })?;
+        let parameters = parameters(&first.case, held)?;
+        let mut wanted: Vec<Wanted> = Vec::new();
+        let mut point_of = Vec::with_capacity(table.rows.len());
+        for row in &table.rows {
+            let case = cases.iter().position(|case| case.name == row.case);
+            let case = case.ok_or_else(|| CalibrationError::NoCase {
+                file: table.name.clone(),
+            })?;
+            let point = Wanted {
+                case,
+                at: [row.torque_nm, row.speed_rpm, row.temperature_c],
+            };
+            let known = wanted.iter().position(|other| *other == point);
+            point_of.push(known.unwrap_or(wanted.len()));
+            if known.is_none() {
+                wanted.push(point);
+            }
+        }
+        let all: Vec<LoadedCase> = cases.iter().map(|case| case.case.clone()).collect();
+        let model = RigModel::new(&all, &parameters, &wanted)?;
+        let centre = vec![0.0; parameters.len() + 1];
+        let nominal = model
+            .evaluate(&[centre], told)?
+            .into_iter()
+            .flatten()
+            .collect();
+        let title = first.case.case.title.clone();
+        Ok(Self {
+            table,
+            parameters,
+            model,
+            wanted,
+            point_of,
+            nominal,
+            title,
+        })
+    }
+
+    /// The first response surfaces, about the centres of the parameters.
+    ///
+    /// # Errors
+    /// When the model has no solution at a point.
+    pub fn first_surfaces(
+        &self,
+        told: Told<'_>,
+    ) -> Result<(Region, Vec<PointSurfaces>), CalibrationError> {
+        let region = first_region(&self.parameters);
+        let made = surfaces(&self.model, &region, told)?;
+        Ok((region, made))
+    }
+
+    /// The measurements of `rows`, which are those of the table but for their losses.
+    #[must_use]
+    pub fn observations(&self, rows: &[RigRow]) -> Vec<Observation> {
+        let assemblies = self.table.assemblies();
+        let number = |row: &RigRow| assemblies.iter().position(|name| *name == row.assembly);
+        rows.iter()
+            .zip(&self.point_of)
+            .map(|(row, point)| Observation::of(row, *point, number(row).unwrap_or_default()))
+            .collect()
+    }
+
+    /// Standard deviations of the priors of the parameters.
+    #[must_use]
+    pub fn priors(&self) -> Vec<f64> {
+        self.parameters.iter().map(Parameter::prior).collect()
+    }
+
+    /// Refuses rows whose loss is several times that of the model, or a small part of it.
+    ///
+    /// # Errors
+    /// When there are such rows.
+    pub fn check_size(&self) -> Result<(), CalibrationError> {
+        /// Beyond it a unit is wrong: no set of parameters moves a loss as far.
+        const FACTOR: f64 = 5.0;
+        let rows = self.table.rows.iter().zip(&self.point_of);
+        let faults: Vec<RowFault> = rows
+            .filter_map(|(row, point)| {
+                let parts = &self.nominal[*point];
+                let model = parts.sliding_w + parts.rolling_w;
+                let ratio = row.loss_w / model;
+                let holds = (FACTOR.recip()..=FACTOR).contains(&ratio);
+                (!holds).then(|| RowFault {
+                    line: row.line,
+                    column: "loss_w",
+                    rule: format!(
+                        "{:.4} W is {ratio:.2} times the {model:.1} W of the model; a unit, the scope or the case is wrong",
+                        row.loss_w
+                    ),
+                })
+            })
+            .collect();
+        match faults.is_empty() {
+            true => Ok(()),
+            false => Err(CalibrationError::Rows {
+                file: self.table.name.clone(),
+                faults,
+            }),
+        }
+    }
+}
+
+/// The parameters of a case that are not held.
+///
+/// # Errors
+/// When there is none.
+pub fn parameters(
+    case: &LoadedCase,
+    held: &[CalibratedName],
+) -> Result<Vec<Parameter>, CalibrationError> {
+    let of_case = Parameter::of(case).map_err(|error| CalibrationError::Model {
+        place: case.case.title.clone(),
+        source: Box::new(asperity::Error::Whole(Box::new(error))),
+    })?;
+    let free: Vec<Parameter> = of_case
+        .into_iter()
+        .filter(|parameter| !held.contains(&parameter.name))
+        .collect();
+    match free.is_empty() {
+        true => Err(CalibrationError::NoParameter {
+            case: case.case.title.clone(),
+        }),
+        false => Ok(free),
+    }
+}

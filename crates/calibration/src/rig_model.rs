@@ -1,0 +1,283 @@
+//! The model at the points of a rig, by kept contacts.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use asperity::band::UncertainParameter;
+use asperity::pipeline::{contact_tables, losses_with};
+use asperity::{ContactTables, LoadedCase};
+use asperity_core::quantity::{AngularSpeed, Temperature, Torque};
+use rayon::prelude::*;
+
+use crate::error::CalibrationError;
+use crate::parameters::Parameter;
+
+/// Torques that lie within this share of each other take one contact, and the sliding loss is scaled with the torque.
+const SAME_TORQUE: f64 = 0.02;
+const CELSIUS: f64 = 273.15;
+
+/// Told after each evaluation: how many were made.
+pub type Told<'a> = &'a (dyn Fn(usize) + Sync);
+
+/// An operating point of a case.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wanted {
+    /// Number of the case.
+    pub case: usize,
+    /// Torque \[N m\], speed \[1/min\], temperature \[°C\].
+    pub at: [f64; 3],
+}
+
+/// What the mesh loses at a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Parts {
+    /// Sliding loss \[W\].
+    pub sliding_w: f64,
+    /// Rolling loss \[W\].
+    pub rolling_w: f64,
+    /// Share of the load on the boundary layer.
+    pub boundary_share: f64,
+    /// Median of Λ* over the path; none where the flanks have no peaks.
+    pub lambda_star: Option<f64>,
+}
+
+/// A gear pair at one torque with its contacts.
+struct Group {
+    /// Number of the case.
+    of: usize,
+    case: LoadedCase,
+    tables: ContactTables,
+    torque: f64,
+}
+
+/// A point with the group whose contacts it takes.
+#[derive(Debug, Clone, Copy)]
+struct Place {
+    group: usize,
+    /// Torque of the point over that of its group.
+    torque_factor: f64,
+    speed: AngularSpeed,
+    temperature_c: f64,
+}
+
+/// The model at a list of operating points.
+pub struct RigModel {
+    groups: Arc<[Group]>,
+    places: Vec<Place>,
+    parameters: Vec<Parameter>,
+    evaluations: AtomicUsize,
+}
+
+impl RigModel {
+    /// Solves the contacts of every torque.
+    ///
+    /// # Errors
+    /// When a contact has no solution.
+    pub fn new(
+        cases: &[LoadedCase],
+        parameters: &[Parameter],
+        points: &[Wanted],
+    ) -> Result<Self, CalibrationError> {
+        let nodes = torque_nodes(points);
+        let groups = nodes.iter().map(|(case_number, torque)| {
+            let changed = cases[*case_number].with(|input| {
+                input.operation.torque = Torque::from_si(*torque);
+                input.model.run_in = None;
+            });
+            let made = changed.and_then(|case| Ok((contact_tables(&case)?, case)));
+            let (tables, case) = made.map_err(|source| at(&format!("{torque:.1} N m"), source))?;
+            Ok(Group {
+                of: *case_number,
+                case,
+                tables,
+                torque: *torque,
+            })
+        });
+        let groups = groups.collect::<Result<Vec<Group>, CalibrationError>>()?;
+        Ok(Self {
+            places: places(&groups, points),
+            groups: groups.into(),
+            parameters: parameters.to_vec(),
+            evaluations: AtomicUsize::new(0),
+        })
+    }
+
+    /// The same contacts at other points; each takes those of the nearest torque of its case.
+    #[must_use]
+    pub fn at_points(&self, points: &[Wanted]) -> Self {
+        Self {
+            places: places(&self.groups, points),
+            groups: Arc::clone(&self.groups),
+            parameters: self.parameters.clone(),
+            evaluations: AtomicUsize::new(0),
+        }
+    }
+
+    /// Torques of the contacts of a case \[N m\], rising.
+    #[must_use]
+    pub fn torques(&self, case: usize) -> Vec<f64> {
+        let of_case = self.groups.iter().filter(|group| group.of == case);
+        of_case.map(|group| group.torque).collect()
+    }
+
+    /// Number of points.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.places.len()
+    }
+
+    /// Whether there is no point.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.places.is_empty()
+    }
+
+    /// The parameters, in the order in which values are taken.
+    #[must_use]
+    pub fn parameters(&self) -> &[Parameter] {
+        &self.parameters
+    }
+
+    /// Evaluations of the model so far.
+    #[must_use]
+    pub fn evaluations(&self) -> usize {
+        self.evaluations.load(Ordering::Relaxed)
+    }
+
+    /// Every point at every one of `settings`: the parameters' logarithms over their centres, and last an offset of
+    /// the temperature \[K\]. Point by point.
+    ///
+    /// # Errors
+    /// When the model has no solution at a point.
+    pub fn evaluate(
+        &self,
+        settings: &[Vec<f64>],
+        told: Told<'_>,
+    ) -> Result<Vec<Vec<Parts>>, CalibrationError> {
+        let count = settings.len();
+        let all: Vec<Result<Parts, CalibrationError>> = (0..self.places.len() * count)
+            .into_par_iter()
+            .map(|k| {
+                let found = self.at(&self.places[k / count], &settings[k % count]);
+                told(self.evaluations.fetch_add(1, Ordering::Relaxed) + 1);
+                found
+            })
+            .collect();
+        let all = all
+            .into_iter()
+            .collect::<Result<Vec<Parts>, CalibrationError>>()?;
+        Ok(all.chunks(count.max(1)).map(<[Parts]>::to_vec).collect())
+    }
+
+    fn at(&self, place: &Place, setting: &[f64]) -> Result<Parts, CalibrationError> {
+        let group = &self.groups[place.group];
+        let named = |source: asperity::Error| {
+            let text = format!(
+                "{:.1} N m, {:.0} 1/min, {:.1} °C",
+                group.torque * place.torque_factor,
+                place.speed.si() * 30.0 / std::f64::consts::PI,
+                place.temperature_c
+            );
+            at(&text, source)
+        };
+        let (offset, logarithms) = setting
+            .split_last()
+            .map_or((0.0, setting), |(last, rest)| (*last, rest));
+        let changed = group.case.with(|input| {
+            input.operation.speed = place.speed;
+            input.operation.temperature =
+                Temperature::from_si(place.temperature_c + offset + CELSIUS);
+        });
+        let mut case = changed.map_err(named)?;
+        for (parameter, logarithm) in self.parameters.iter().zip(logarithms) {
+            let value = parameter.centre * logarithm.exp();
+            let set = UncertainParameter::from(parameter.name).set(&mut case, value);
+            set.map_err(|error| named(asperity::Error::Whole(Box::new(error))))?;
+        }
+        let found = losses_with(&group.tables, &case, &|_, _| {}).map_err(named)?;
+        let mut ratios: Vec<f64> = found
+            .path
+            .iter()
+            .filter_map(|row| row.lambda_star)
+            .collect();
+        ratios.sort_by(f64::total_cmp);
+        Ok(Parts {
+            sliding_w: found.summary.sliding_w * place.torque_factor,
+            rolling_w: found.summary.rolling_w,
+            boundary_share: found.summary.boundary_share,
+            lambda_star: ratios.get(ratios.len() / 2).copied(),
+        })
+    }
+}
+
+fn places(groups: &[Group], points: &[Wanted]) -> Vec<Place> {
+    let place = |point: &Wanted| {
+        let [torque, speed_rpm, temperature_c] = point.at;
+        let far = |k: &usize| (groups[*k].torque - torque).abs();
+        let of_case = (0..groups.len()).filter(|k| groups[*k].of == point.case);
+        let group = of_case.min_by(|a, b| far(a).total_cmp(&far(b)));
+        let group = group.unwrap_or_default();
+        Place {
+            group,
+            torque_factor: torque / groups[group].torque,
+            speed: AngularSpeed::from_si(speed_rpm * std::f64::consts::PI / 30.0),
+            temperature_c,
+        }
+    };
+    points.iter().map(place).collect()
+}
+
+fn at(place: &str, source: asperity::Error) -> CalibrationError {
+    CalibrationError::Model {
+        place: place.to_owned(),
+        source: Box::new(source),
+    }
+}
+
+/// Cases and torques of which contacts are made: the mean of those that lie close together.
+fn torque_nodes(points: &[Wanted]) -> Vec<(usize, f64)> {
+    let mut wanted: Vec<(usize, f64)> = points
+        .iter()
+        .map(|point| (point.case, point.at[0]))
+        .collect();
+    wanted.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    wanted.dedup();
+    let mut nodes: Vec<(usize, Vec<f64>)> = Vec::new();
+    for (case, torque) in wanted {
+        match nodes.last_mut() {
+            Some((of, torques))
+                if *of == case && (torque - torques[0]).abs() <= SAME_TORQUE * torque.abs() =>
+            {
+                torques.push(torque);
+            }
+            _ => nodes.push((case, vec![torque])),
+        }
+    }
+    let mean = |torques: &[f64]| torques.iter().sum::<f64>() / torques.len() as f64;
+    nodes
+        .iter()
+        .map(|(case, torques)| (*case, mean(torques)))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn torques_close_together_share_their_contacts() {
+        let point = |case, torque| Wanted {
+            case,
+            at: [torque, 100.0, 90.0],
+        };
+        let points = [
+            point(0, 100.0),
+            point(1, 100.0),
+            point(0, 101.0),
+            point(0, 140.0),
+        ];
+        let nodes = torque_nodes(&points);
+        assert_eq!(nodes, [(0, 100.5), (0, 140.0), (1, 100.0)]);
+    }
+}

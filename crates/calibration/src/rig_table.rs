@@ -1,0 +1,457 @@
+//! The table of a rig: one row a measured point.
+//!
+//! | column | meaning |
+//! |---|---|
+//! | `torque_nm`, `speed_rpm` | torque and speed of the pinion |
+//! | `temperature_c` | temperature of the oil at the mesh |
+//! | `loss_w` or `torque_loss_nm` | what was lost, as power or as torque at the pinion |
+//! | `sigma_w` | standard deviation of that power |
+//! | `includes` | `mesh`, `mesh+bearings` or `all` |
+//! | `assembly`, `run`, `order` | which assembly of the rig, which run, in which order |
+//! | `flank_state` | state of the flanks in words |
+//! | `case` | case file of the row, relative to the table |
+//!
+//! The header is read without regard to case; other columns are left aside. Lines that begin with `#` are comments.
+
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::{CalibrationError, RowFault};
+
+/// What a measured loss includes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Scope {
+    /// The mesh alone: losses of bearings, seals and churning were taken off.
+    Mesh,
+    /// Mesh and the load-dependent losses of the bearings.
+    MeshAndBearings,
+}
+
+/// A measured point.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct RigRow {
+    /// Line in the table, the first one 1.
+    pub line: usize,
+    /// Torque of the pinion \[N m\].
+    pub torque_nm: f64,
+    /// Speed of the pinion \[1/min\].
+    pub speed_rpm: f64,
+    /// Oil temperature \[°C\].
+    pub temperature_c: f64,
+    /// Measured loss \[W\].
+    pub loss_w: f64,
+    /// Its standard deviation \[W\].
+    pub sigma_w: f64,
+    /// What it includes.
+    pub includes: Scope,
+    /// Name of the assembly.
+    pub assembly: String,
+    /// Name of the run.
+    pub run: Option<String>,
+    /// Place in the order of measurement.
+    pub order: Option<f64>,
+    /// State of the flanks.
+    pub flank_state: Option<String>,
+    /// Case file, as it stands in the table.
+    pub case: Option<String>,
+}
+
+impl RigRow {
+    /// A point of the mesh alone, of assembly `1`.
+    #[must_use]
+    pub fn of_mesh(
+        line: usize,
+        [torque_nm, speed_rpm, temperature_c]: [f64; 3],
+        loss_w: f64,
+        sigma_w: f64,
+    ) -> Self {
+        Self {
+            line,
+            torque_nm,
+            speed_rpm,
+            temperature_c,
+            loss_w,
+            sigma_w,
+            includes: Scope::Mesh,
+            assembly: "1".to_owned(),
+            run: None,
+            order: None,
+            flank_state: None,
+            case: None,
+        }
+    }
+
+    /// The same in another assembly.
+    #[must_use]
+    pub fn in_assembly(mut self, assembly: &str) -> Self {
+        assembly.clone_into(&mut self.assembly);
+        self
+    }
+
+    /// Speed of the pinion \[rad/s\].
+    #[must_use]
+    pub fn omega(&self) -> f64 {
+        self.speed_rpm * PI / 30.0
+    }
+
+    /// Standard deviation over the loss.
+    #[must_use]
+    pub fn relative_sigma(&self) -> f64 {
+        self.sigma_w / self.loss_w
+    }
+}
+
+/// A table of measured points.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct RigTable {
+    /// Its name in messages.
+    pub name: String,
+    /// Its rows.
+    pub rows: Vec<RigRow>,
+    /// Whether a comment says that the losses are simulated.
+    pub is_simulated: bool,
+    /// Columns that were left aside.
+    pub unused: Vec<String>,
+}
+
+/// Columns that the table knows.
+const KNOWN: [&str; 12] = [
+    "torque_nm",
+    "speed_rpm",
+    "temperature_c",
+    "loss_w",
+    "torque_loss_nm",
+    "sigma_w",
+    "assembly",
+    "run",
+    "order",
+    "includes",
+    "flank_state",
+    "case",
+];
+/// Stems of a quantity and the column that it must be.
+const STEMS: [(&str, &str); 6] = [
+    ("torque_loss", "torque_loss_nm"),
+    ("torque", "torque_nm"),
+    ("speed", "speed_rpm"),
+    ("temperature", "temperature_c"),
+    ("loss", "loss_w"),
+    ("sigma", "sigma_w"),
+];
+/// Word by which a comment says that losses are simulated.
+pub const SIMULATED: &str = "SIMULATED";
+
+impl RigTable {
+    /// Reads the table in `text`, with commas, semicolons (decimal commas are then read) or tabs between its cells.
+    ///
+    /// # Errors
+    /// When a column is missing or a row cannot be used; every such row is named.
+    ///
+    /// ```
+    /// use asperity_calibration::RigTable;
+    /// let text = "Torque_Nm,speed_rpm,temperature_c,loss_w,sigma_w,includes\n183.4,2166,90,310,9,mesh\n";
+    /// assert_eq!(RigTable::read("rig.csv", text)?.rows[0].torque_nm, 183.4);
+    /// let without = "torque_nm,speed_rpm,temperature_c,loss_w,sigma_w,includes\n183.4,2166,90,310,,mesh\n";
+    /// assert_eq!(RigTable::read("rig.csv", without).unwrap_err().code(), "E134");
+    /// # Ok::<(), asperity_calibration::CalibrationError>(())
+    /// ```
+    pub fn read(name: &str, text: &str) -> Result<Self, CalibrationError> {
+        let text = text.trim_start_matches('\u{feff}');
+        let header = text
+            .lines()
+            .find(|line| !line.starts_with('#') && !line.trim().is_empty());
+        let header = header.unwrap_or_default();
+        let separator = [b';', b'\t', b',']
+            .into_iter()
+            .find(|sign| header.contains(char::from(*sign)));
+        let mut reader = csv::ReaderBuilder::new()
+            .comment(Some(b'#'))
+            .delimiter(separator.unwrap_or(b','))
+            .trim(csv::Trim::All)
+            .from_reader(text.as_bytes());
+        let unread = |source| CalibrationError::Csv {
+            file: name.to_owned(),
+            source,
+        };
+        let names: Vec<String> = reader
+            .headers()
+            .map_err(unread)?
+            .iter()
+            .map(str::to_lowercase)
+            .collect();
+        let columns = columns(name, &names)?;
+        let cells = Cells {
+            lines: Lines::new(text),
+            columns: &columns,
+            has_decimal_comma: separator == Some(b';'),
+        };
+        let (mut rows, mut faults) = (Vec::new(), Vec::new());
+        for record in reader.records() {
+            let record = record.map_err(unread)?;
+            match cells.row(&record) {
+                Ok(row) => rows.push(row),
+                Err(fault) => faults.push(fault),
+            }
+        }
+        if !faults.is_empty() {
+            return Err(CalibrationError::Rows {
+                file: name.to_owned(),
+                faults,
+            });
+        }
+        if rows.is_empty() {
+            let rule = "the table has no rows".to_owned();
+            return Err(CalibrationError::Column {
+                file: name.to_owned(),
+                rule,
+            });
+        }
+        let is_simulated = text
+            .lines()
+            .any(|line| line.starts_with('#') && line.contains(SIMULATED));
+        let unused = names
+            .into_iter()
+            .filter(|column| !KNOWN.contains(&column.as_str()));
+        Ok(Self {
+            name: name.to_owned(),
+            rows,
+            is_simulated,
+            unused: unused.collect(),
+        })
+    }
+
+    /// A table of rows that are no file.
+    #[must_use]
+    pub fn of_rows(name: &str, rows: Vec<RigRow>, is_simulated: bool) -> Self {
+        Self {
+            name: name.to_owned(),
+            rows,
+            is_simulated,
+            unused: Vec::new(),
+        }
+    }
+
+    /// Names of the cases that rows name, each once; none for rows that name none.
+    #[must_use]
+    pub fn case_names(&self) -> Vec<Option<String>> {
+        let mut names: Vec<Option<String>> = self.rows.iter().map(|row| row.case.clone()).collect();
+        names.sort();
+        names.dedup();
+        names
+    }
+
+    /// Names of the assemblies, in the order of their first rows.
+    #[must_use]
+    pub fn assemblies(&self) -> Vec<String> {
+        let mut found: Vec<String> = Vec::new();
+        for row in &self.rows {
+            if !found.contains(&row.assembly) {
+                found.push(row.assembly.clone());
+            }
+        }
+        found
+    }
+}
+
+/// Where each column is.
+fn columns(
+    file: &str,
+    names: &[String],
+) -> Result<BTreeMap<&'static str, usize>, CalibrationError> {
+    let refuse = |rule: String| CalibrationError::Column {
+        file: file.to_owned(),
+        rule,
+    };
+    for name in names {
+        let stem = STEMS.iter().find(|(stem, _)| name.starts_with(stem));
+        if let (Some((_, known)), false) = (stem, KNOWN.contains(&name.as_str())) {
+            return Err(refuse(format!(
+                "column {name} is not known; give {known} in that unit"
+            )));
+        }
+    }
+    let place = |known: &'static str| Some((known, names.iter().position(|name| name == known)?));
+    let found: BTreeMap<&'static str, usize> = KNOWN.into_iter().filter_map(place).collect();
+    for needed in [
+        "torque_nm",
+        "speed_rpm",
+        "temperature_c",
+        "sigma_w",
+        "includes",
+    ] {
+        if !found.contains_key(needed) {
+            return Err(refuse(format!("column {needed} is missing")));
+        }
+    }
+    let losses = ["loss_w", "torque_loss_nm"].map(|name| found.contains_key(name));
+    match losses {
+        [false, false] => Err(refuse(
+            "column loss_w (or torque_loss_nm) is missing".to_owned(),
+        )),
+        [true, true] => Err(refuse(
+            "loss_w and torque_loss_nm exclude each other".to_owned(),
+        )),
+        _ => Ok(found),
+    }
+}
+
+/// Begin and text of every line.
+struct Lines<'a>(Vec<(usize, &'a str)>);
+
+impl<'a> Lines<'a> {
+    fn new(text: &'a str) -> Self {
+        let mut begin = 0;
+        let line = |line: &'a str| {
+            let here = begin;
+            begin += line.len();
+            (here, line)
+        };
+        Self(text.split_inclusive('\n').map(line).collect())
+    }
+
+    /// Number of the line of a row that a reader found at `byte`, which may be that of a blank line before it.
+    fn of(&self, byte: usize) -> usize {
+        let first = self
+            .0
+            .partition_point(|(begin, _)| *begin <= byte)
+            .saturating_sub(1);
+        let is_row = |(_, line): &&(usize, &str)| !line.trim().is_empty() && !line.starts_with('#');
+        let skipped = self.0[first..]
+            .iter()
+            .take_while(|line| !is_row(line))
+            .count();
+        1 + first + skipped
+    }
+}
+
+struct Cells<'a> {
+    lines: Lines<'a>,
+    columns: &'a BTreeMap<&'static str, usize>,
+    has_decimal_comma: bool,
+}
+
+impl Cells<'_> {
+    fn row(&self, record: &csv::StringRecord) -> Result<RigRow, RowFault> {
+        let line = record
+            .position()
+            .map_or(0, |place| self.lines.of(place.byte() as usize));
+        let text = |column: &'static str| {
+            let cell = self.columns.get(column).and_then(|k| record.get(*k));
+            cell.filter(|text| !text.is_empty()).map(str::to_owned)
+        };
+        let fault = |column, rule: String| RowFault { line, column, rule };
+        let number = |column: &'static str| -> Result<f64, RowFault> {
+            let seen = text(column).ok_or_else(|| fault(column, "is missing".to_owned()))?;
+            let plain = if self.has_decimal_comma {
+                seen.replace(',', ".")
+            } else {
+                seen.clone()
+            };
+            let value = plain.parse::<f64>().ok().filter(|value| value.is_finite());
+            value.ok_or_else(|| fault(column, format!("{seen:?} is no finite number")))
+        };
+        let includes = text("includes").ok_or_else(|| {
+            fault(
+                "includes",
+                "is missing; mesh or mesh+bearings tells what the loss includes".to_owned(),
+            )
+        })?;
+        let includes = match includes.to_lowercase().replace(' ', "").as_str() {
+            "mesh" => Scope::Mesh,
+            "mesh+bearings" => Scope::MeshAndBearings,
+            "all" => {
+                let rule = "all holds churning and seals, which no point tells from film friction; subtract the loss \
+                            measured without load at the same speed and temperature, and write mesh+bearings";
+                return Err(fault("includes", rule.to_owned()));
+            }
+            other => {
+                let rule = format!("{other:?} is not known; mesh, mesh+bearings or all");
+                return Err(fault("includes", rule));
+            }
+        };
+        let (torque_nm, speed_rpm) = (number("torque_nm")?, number("speed_rpm")?);
+        let omega = speed_rpm * PI / 30.0;
+        let is_power = self.columns.contains_key("loss_w");
+        let loss_w = match is_power {
+            true => number("loss_w")?,
+            false => number("torque_loss_nm")? * omega,
+        };
+        let order = match text("order") {
+            Some(_) => Some(number("order")?),
+            None => None,
+        };
+        let row = RigRow {
+            line,
+            torque_nm,
+            speed_rpm,
+            temperature_c: number("temperature_c")?,
+            loss_w,
+            sigma_w: number("sigma_w")?,
+            includes,
+            assembly: text("assembly").unwrap_or_else(|| "1".to_owned()),
+            run: text("run"),
+            order,
+            flank_state: text("flank_state"),
+            case: text("case"),
+        };
+        let loss = if is_power { "loss_w" } else { "torque_loss_nm" };
+        plausible(&row, loss).map_err(|(column, rule)| fault(column, rule))?;
+        Ok(row)
+    }
+}
+
+/// Ranges outside of which a unit is wrong: choices of this program, wide of every rig.
+fn plausible(row: &RigRow, loss: &'static str) -> Result<(), (&'static str, String)> {
+    const SPEED: [f64; 2] = [0.1, 100_000.0];
+    const TORQUE: [f64; 2] = [0.01, 1e6];
+    const TEMPERATURE: [f64; 2] = [-60.0, 200.0];
+    /// Loss over the power, from a very good mesh to a worm gear.
+    const SHARE: [f64; 2] = [3e-4, 0.3];
+    /// Standard deviation over the loss.
+    const SIGMA: [f64; 2] = [5e-4, 0.5];
+    let within = |value: f64, [low, high]: [f64; 2]| (low..=high).contains(&value);
+    if !within(row.torque_nm.abs(), TORQUE) {
+        let rule = format!(
+            "{} N m; expected is 0.01 to 1e6 N m at the pinion",
+            row.torque_nm
+        );
+        return Err(("torque_nm", rule));
+    }
+    if !within(row.speed_rpm, SPEED) {
+        let rule = format!(
+            "{} 1/min; expected is 0.1 to 100000 1/min, positive",
+            row.speed_rpm
+        );
+        return Err(("speed_rpm", rule));
+    }
+    if !within(row.temperature_c, TEMPERATURE) {
+        let rule = format!(
+            "{} °C; expected is -60 to 200 °C (kelvin or Fahrenheit?)",
+            row.temperature_c
+        );
+        return Err(("temperature_c", rule));
+    }
+    let power = row.torque_nm.abs() * row.omega();
+    if !within(row.loss_w / power, SHARE) {
+        let percent = 100.0 * row.loss_w / power;
+        let rule = format!(
+            "{:.4} W is {percent:.3} % of the power of {power:.0} W; expected is 0.03 to 30 % (kW, or torque in place of power?)",
+            row.loss_w
+        );
+        return Err((loss, rule));
+    }
+    if !within(row.relative_sigma(), SIGMA) {
+        let rule = format!(
+            "{} W is {:.3} % of the loss; expected is 0.05 to 50 % (a share in place of W?)",
+            row.sigma_w,
+            100.0 * row.relative_sigma()
+        );
+        return Err(("sigma_w", rule));
+    }
+    Ok(())
+}

@@ -1,0 +1,196 @@
+//! A calibration and a design on a terminal.
+
+use std::fmt::Write as _;
+
+use asperity_report::wrapped;
+
+use crate::design::Design;
+use crate::result::{Calibration, FittedParameter, Identifiability, IdentifiedParameter};
+
+/// A value in the unit that it is shown in.
+pub(crate) fn shown(key: &str, value: f64) -> String {
+    match key {
+        "boundary_layer" => format!("{:.2} nm", 1e9 * value),
+        "eyring_stress" => format!("{:.3} MPa", 1e-6 * value),
+        _ => format!("{value:.4}"),
+    }
+}
+
+/// The same without its unit, which the first one has.
+fn bare(key: &str, value: f64) -> String {
+    let text = shown(key, value);
+    text.split(' ').next().unwrap_or_default().to_owned()
+}
+
+pub(crate) fn range(key: &str, [low, high]: [f64; 2]) -> String {
+    format!("{}..{}", bare(key, low), bare(key, high))
+}
+
+pub(crate) fn percent(deviation: Option<f64>) -> String {
+    deviation.map_or("-".to_owned(), |value| format!("±{:.0} %", 100.0 * value))
+}
+
+/// What the points can find, for the moment before the fit.
+#[must_use]
+pub fn before_the_fit(found: &Identifiability) -> String {
+    let mut text = String::new();
+    let temperatures: Vec<String> = found
+        .temperatures_c
+        .iter()
+        .map(|value| format!("{value:.0}"))
+        .collect();
+    let swept = found
+        .lambda_star
+        .map_or("unknown".to_owned(), |[low, high]| {
+            format!("{low:.2} to {high:.2}")
+        });
+    // Writing into a string cannot fail.
+    let _ = writeln!(
+        text,
+        "what {} operating points can find (temperatures {} °C, Lambda* {swept})",
+        found.points,
+        temperatures.join(", ")
+    );
+    for parameter in &found.parameters {
+        text.push_str(&identified(parameter));
+    }
+    if let Some((first, other, value)) = &found.worst_correlation {
+        let _ = writeln!(
+            text,
+            "  told apart worst: {first} and {other}, correlation {value:+.2}"
+        );
+    }
+    if let Some(best) = found.helpful.first() {
+        let line = format!(
+            "  would help most: {:.0} N m, {:.0} 1/min, {:.0} °C ({} {} instead of {})",
+            best.torque_nm,
+            best.speed_rpm,
+            best.temperature_c,
+            best.gains_most,
+            percent(Some(best.deviation[1])),
+            percent(Some(best.deviation[0])),
+        );
+        text.push_str(&wrapped(&line, "    "));
+        text.push('\n');
+    }
+    text
+}
+
+fn identified(parameter: &IdentifiedParameter) -> String {
+    format!(
+        "  {:<18} {:>8}   {}\n",
+        parameter.name,
+        percent(parameter.deviation),
+        parameter.verdict.text()
+    )
+}
+
+/// The parameters with their bands, how well the fit holds, and the block.
+#[must_use]
+pub fn summary(found: &Calibration) -> String {
+    let mut text = String::new();
+    if found.is_simulated {
+        text.push_str("SIMULATED losses: a rehearsal, not a measurement\n");
+    }
+    let _ = writeln!(
+        text,
+        "parameter                value   95 % band          default range"
+    );
+    for parameter in &found.parameters {
+        text.push_str(&row(parameter));
+    }
+    let _ = writeln!(
+        text,
+        "fit  chi squared {:.1} of {:.1} expected ({} points, {} {})",
+        found.chi_squared,
+        found.freedom,
+        found.points.len(),
+        found.assemblies.len(),
+        if found.assemblies.len() == 1 {
+            "assembly"
+        } else {
+            "assemblies"
+        }
+    );
+    for held in &found.held_out {
+        let _ = writeln!(
+            text,
+            "held out  {:.0} °C: {:.1} % off the others' prediction ({:.1} % expected, mean {:+.1} %)",
+            held.temperature_c,
+            100.0 * held.rms_error,
+            100.0 * held.expected_error,
+            100.0 * held.mean_error,
+        );
+    }
+    for warning in &found.warnings {
+        text.push_str(&wrapped(&warning.to_string(), "     "));
+        text.push('\n');
+    }
+    text.push_str("for the case:\n");
+    text.push_str(&found.block);
+    text
+}
+
+fn row(parameter: &FittedParameter) -> String {
+    let key = parameter.key.as_str();
+    let open = if parameter.is_open.contains(&true) {
+        " (open)"
+    } else {
+        ""
+    };
+    let verdict = match parameter.verdict {
+        crate::result::Verdict::Found => String::new(),
+        other => format!("   {}", other.text()),
+    };
+    let text = format!(
+        "{:<18} {:>11}   {:<16}   {:<13}{open}{verdict}",
+        parameter.name,
+        shown(key, parameter.value),
+        range(key, parameter.band),
+        range(key, parameter.default_range),
+    );
+    format!("{}\n", text.trim_end())
+}
+
+/// The points of a design and what they would find.
+#[must_use]
+pub fn design_summary(design: &Design) -> String {
+    let mut text = format!(
+        "{} points for each of {} assemblies, of {} candidates (D-optimal)\n",
+        design.size() / design.limits.assemblies.max(1),
+        design.limits.assemblies,
+        design.candidates
+    );
+    let _ = writeln!(
+        text,
+        "   torque    speed  temperature  repeats   loss W  Lambda*"
+    );
+    for point in &design.points {
+        let ratio = point
+            .lambda_star
+            .map_or("-".to_owned(), |value| format!("{value:.2}"));
+        let _ = writeln!(
+            text,
+            "{:>9.1} {:>8.0} {:>12.0} {:>8} {:>8.1} {ratio:>8}",
+            point.torque_nm, point.speed_rpm, point.temperature_c, point.repeats, point.loss_w
+        );
+    }
+    let _ = writeln!(
+        text,
+        "expected with {:.1} % a point     95 % band          default range",
+        100.0 * design.limits.sigma
+    );
+    for parameter in &design.parameters {
+        let found = &parameter.identified;
+        let _ = writeln!(
+            text,
+            "{:<18} {:>9}   {:<16}   {:<13}   {}",
+            found.name,
+            percent(found.deviation),
+            range(&found.key, parameter.band),
+            range(&found.key, parameter.default_range),
+            found.verdict.text(),
+        );
+    }
+    text
+}
