@@ -6,6 +6,7 @@
 
 mod amount;
 mod case_list;
+mod cases;
 mod draws;
 mod effects;
 mod error;
@@ -17,6 +18,7 @@ mod plan;
 mod run;
 mod study;
 
+pub use cases::Cases;
 pub use draws::{Draws, standard_normal_quantile};
 pub use effects::{Effect, Indices, effects, sobol_indices};
 pub use error::SweepError;
