@@ -25,7 +25,7 @@ class Case:
     """A gear pair or planetary set with its load, oil and flanks, checked.
 
     The keys are those of a case file (docs/CASE_FILE.md). Values are numbers in SI units, text with a unit, or
-    quantities of pint; a flank can be a `Profile`. Files are relative to ``folder``, by default the working
+    quantities of pint; a flank, or its ``file``, can be a `Profile`. Files are relative to ``folder``, by default the working
     directory or that of the case file.
 
     >>> case = Case("case.toml")                                    # doctest: +SKIP
@@ -38,6 +38,8 @@ class Case:
         formulation: ``"corrected"`` or ``"paper"``, over that of the case.
         folder: folder that files are relative to.
     """
+
+    _raw: _asperity.Case
 
     def __init__(
         self,
@@ -81,14 +83,10 @@ class Case:
         if not keys:
             return cls._of(_asperity.Case.load(fspath(path), [], formulation))
         traces: Traces = []
-        planetary = False
-        try:
-            found = changes(keys, planetary, traces)
-        except AsperityError:
-            raise
-        if traces or any(value is None for _, value in found):
-            return cls.load(path, formulation=formulation).replace(keys)
+        found = changes(keys, any(key.startswith("planetary") for key in keys), traces)
         set_keys = [(key, value) for key, value in found if value is not None]
+        if traces or len(set_keys) < len(found):
+            return cls.load(path, formulation=formulation).replace(keys)
         return cls._of(_asperity.Case.load(fspath(path), set_keys, formulation))
 
     def replace(self, changed: Optional[Mapping[str, Any]] = None, /, **more: Any) -> Case:

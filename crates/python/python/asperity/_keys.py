@@ -81,7 +81,10 @@ def written(value: Any, schema: Schema, traces: Traces) -> Any:
         traces.append((name, value._raw))
         return {"file": name}
     if isinstance(value, Mapping):
-        return {key: written(item, schema.at(key), traces) for key, item in value.items() if item is not None}
+        kept = {key: item for key, item in value.items() if item is not None}
+        if isinstance(kept.get("file"), Profile):
+            kept.update(written(kept["file"], schema, traces))
+        return {key: written(item, schema.at(key), traces) for key, item in kept.items()}
     if is_pint(value):
         quantity = schema.quantity or schema.item().quantity
         if quantity is not None:
@@ -103,7 +106,7 @@ def written(value: Any, schema: Schema, traces: Traces) -> Any:
 
 
 def _text(value: float, quantity: str) -> str:
-    return f"{value!r} {SI_UNITS[quantity]}"
+    return f"{repr(value).removesuffix('.0')} {SI_UNITS[quantity]}"
 
 
 def as_toml(value: Any) -> str:

@@ -13,6 +13,11 @@ from ._quantity import Values, pressed, si_array
 from ._record import Record
 
 
+def _shaped(array: Any, shape: tuple[int, ...]) -> Any:
+    """The array in this shape; a number where all arguments were numbers."""
+    return array.reshape(shape) if shape else array[0].item()
+
+
 def _fitted(given: dict[str, Any], known: dict[str, str]) -> dict[str, Any]:
     """Arrays in SI units, of one shape, flat."""
     for name in given:
@@ -45,7 +50,7 @@ def hertz(load: Values, radius: Values, modulus: Values) -> Record:
     }
     given, shape = pressed(columns)
     found = _asperity.hertz(given["load"], given["radius"], given["modulus"])
-    return Record({name: array.reshape(shape) for name, array in found.items()})
+    return Record({name: _shaped(array, shape) for name, array in found.items()})
 
 
 _FILM = {
@@ -94,7 +99,7 @@ def film_thickness(
     )
     columns, shape = pressed(_fitted(given, _FILM))
     arrays, notes = _asperity.film_thickness(law, columns)
-    return Record({**{name: array.reshape(shape) for name, array in arrays.items()}, "notes": notes})
+    return Record({**{name: _shaped(array, shape) for name, array in arrays.items()}, "notes": notes})
 
 
 def thermal_reduction(
@@ -113,7 +118,7 @@ def thermal_reduction(
     known = {"max_pressure": "Pressure", "modulus": "Pressure", "loading": "", "slide_to_roll": ""}
     columns, shape = pressed(_fitted(given, known))
     factor, outside, notes = _asperity.thermal_reduction(law, columns)
-    return Record({"factor": factor.reshape(shape), "outside": outside.reshape(shape), "notes": notes})
+    return Record({"factor": _shaped(factor, shape), "outside": _shaped(outside, shape), "notes": notes})
 
 
 _FRICTION = {
@@ -158,4 +163,4 @@ def friction_coefficient(law: str = "xu", *, settings: dict[str, Any] | None = N
         given = {"boundary_coefficient": 0.0}
     columns, shape = pressed(_fitted(given, _FRICTION))
     values, outside, notes = _asperity.friction_coefficient(law, columns, json.dumps(settings or {}))
-    return Record({"coefficient": values.reshape(shape), "outside": outside.reshape(shape), "notes": notes})
+    return Record({"coefficient": _shaped(values, shape), "outside": _shaped(outside, shape), "notes": notes})

@@ -163,7 +163,7 @@ class Map(Record):
 
     def __repr__(self) -> str:
         points = self._points["loss_w"]
-        return f"<Map {self._values['title']!r}: {' x '.join(map(str, points.shape))} points>"
+        return f"<Map {self._values['title']!r}: {' x '.join(str(count) for count in points.shape)} points>"
 
     def _repr_html_(self) -> str:
         rows = [

@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     import pandas
     import xarray
 
-_LENGTHS = ("dx", "base_radius")
 _USUAL_END = "cut"
 
 
@@ -106,7 +105,9 @@ class Profile:
     @property
     def x(self) -> Floats:
         """Positions from the first point, shape (n,), m."""
-        return np.arange(len(self)) * self.spacing
+        x: Floats = np.arange(len(self), dtype=np.float64)
+        x *= self.spacing
+        return x
 
     def __len__(self) -> int:
         return len(self._raw.heights)
@@ -251,7 +252,22 @@ class Profile:
         return page(self.name or "Profile", rows, str(self.plot()))
 
 
-def read_profile(path: Union[str, PathLike[str]], **options: Any) -> Profile:
+def read_profile(
+    path: Union[str, PathLike[str]],
+    *,
+    x_unit: Optional[str] = None,
+    z_unit: Optional[str] = None,
+    dx: Optional[Scalar] = None,
+    columns: Union[None, int, tuple[int, int]] = None,
+    decimal: Optional[str] = None,
+    separator: Optional[str] = None,
+    encoding: Optional[str] = None,
+    gaps: Optional[str] = None,
+    row: Optional[int] = None,
+    abscissa: Optional[str] = None,
+    base_radius: Optional[Scalar] = None,
+    uneven: Optional[str] = None,
+) -> Profile:
     """Reads a profilometer file: text, CSV, X3P, SDF, SMD, PRF, Excel and others (docs/FILE_FORMATS.md).
 
     Args:
@@ -265,15 +281,25 @@ def read_profile(path: Union[str, PathLike[str]], **options: Any) -> Profile:
         abscissa, base_radius: for positions that are roll lengths or angles.
         uneven: ``"resample"`` for uneven positions.
     """
-    keys = {key: value for key, value in options.items() if value is not None}
-    for key in _LENGTHS:
-        if key in keys and not isinstance(keys[key], str):
-            keys[key] = f"{si(keys[key], 'Length')!r} m"
-    columns = keys.get("columns")
     if isinstance(columns, int):
-        keys["columns"] = {"z": columns}
-    elif isinstance(columns, (tuple, list)):
-        keys["columns"] = {"x": columns[0], "z": columns[1]}
+        chosen: Optional[dict[str, int]] = {"z": columns}
+    else:
+        chosen = None if columns is None else {"x": columns[0], "z": columns[1]}
+    options = {
+        "x-unit": x_unit,
+        "z-unit": z_unit,
+        "dx": _length(dx),
+        "columns": chosen,
+        "decimal": decimal,
+        "separator": separator,
+        "encoding": encoding,
+        "gaps": gaps,
+        "row": row,
+        "abscissa": abscissa,
+        "base-radius": _length(base_radius),
+        "uneven": uneven,
+    }
+    keys = {key: value for key, value in options.items() if value is not None}
     raw = _asperity.read_profile(fspath(path), json.dumps(keys))
     return Profile._of(raw, fspath(path).replace("\\", "/").rsplit("/", 1)[-1])
 
@@ -281,16 +307,19 @@ def read_profile(path: Union[str, PathLike[str]], **options: Any) -> Profile:
 _RECIPE_LENGTHS = ("spacing", "rq", "roll_off", "short_cut", "grit_spacing", "grit_radius", "grit_protrusion", "depth", "width")
 
 
+def _length(value: Optional[Scalar]) -> Optional[str]:
+    """A length as a file of settings has it."""
+    return value if value is None or isinstance(value, str) else f"{si(value, 'Length')!r} m"
+
+
 def _with_units(recipe: Mapping[str, Any]) -> dict[str, Any]:
     units: dict[str, Any] = {}
     for key, value in recipe.items():
         if isinstance(value, Mapping):
             units[key] = _with_units(value)
-        elif key in _RECIPE_LENGTHS and not isinstance(value, str):
-            units[key] = f"{si(value, 'Length')!r} m"
         else:
-            units[key] = value
-    return units
+            units[key] = _length(value) if key in _RECIPE_LENGTHS else value
+    return {key.replace("_", "-"): value for key, value in units.items()}
 
 
 def generate(
