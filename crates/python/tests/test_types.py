@@ -41,7 +41,7 @@ def test_a_program_that_uses_the_package_is_typed(tmp_path):
         "        print(row.loss_w)\n"
         "    return result.loss_w + float(np.max(found.pressure))\n"
     )
-    checked("mypy", "--strict", "program.py", place=tmp_path)
+    checked("mypy", "--strict", "--config-file", str(CONFIGURATION), "program.py", place=tmp_path)
 
 
 def test_everything_public_is_documented():
