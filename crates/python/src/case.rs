@@ -12,10 +12,10 @@ use asperity::gear_report;
 use asperity::kept_fields::KeptFields;
 use asperity::pipeline;
 use asperity::planetary::run_planetary_keeping;
-use asperity::survey;
+use asperity::survey::{self, RegimeRow};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use serde_json::{Value, json};
+use serde_json::json;
 
 use crate::contact::found;
 use crate::failure::{self, Failure};
@@ -76,6 +76,13 @@ fn reading(name: Option<&str>) -> Result<Option<Formulation>, Failure> {
             Err(Failure::new("E204", message))
         }
     }
+}
+
+/// Film and regime of a mesh.
+#[derive(serde::Serialize)]
+struct MeshRegime {
+    title: String,
+    rows: Vec<RegimeRow>,
 }
 
 impl Case {
@@ -299,8 +306,11 @@ impl Case {
     /// Film and regime along the path as JSON: rows of each mesh with its title.
     fn regime(&self, py: Python<'_>, threads: Option<usize>) -> PyResult<String> {
         in_parallel(py, threads, None, |_| {
-            let rows = |mesh: &LoadedCase| -> Result<Value, Failure> {
-                Ok(json!({ "title": mesh.case.title, "rows": survey::survey(mesh)? }))
+            let rows = |mesh: &LoadedCase| -> Result<MeshRegime, Failure> {
+                Ok(MeshRegime {
+                    title: mesh.case.title.clone(),
+                    rows: survey::survey(mesh)?,
+                })
             };
             let meshes = match &self.kind {
                 Kind::Pair(loaded) => vec![rows(loaded)?],

@@ -8,7 +8,6 @@ use asperity::result::{Losses, Outcome as Whole, PositionFields};
 use asperity_report::{Fields, write_folder, write_planetary};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use serde_json::json;
 
 use crate::arrays::owned;
 use crate::failure::{self, Failure};
@@ -22,6 +21,15 @@ pub enum Found {
     Whole(Box<Whole>),
     /// A planetary set.
     Set(Box<PlanetaryOutcome>),
+}
+
+/// Losses with what they are of.
+#[derive(serde::Serialize)]
+struct Titled<'a> {
+    program: &'a str,
+    title: &'a str,
+    #[serde(flatten)]
+    losses: &'a Losses,
 }
 
 /// The outcome of a run.
@@ -46,10 +54,12 @@ impl Outcome {
     fn json(&self, py: Python<'_>) -> PyResult<(String, String)> {
         alone(py, || match self.0.as_ref() {
             Found::Losses(program, title, losses) => {
-                let mut value = json!(losses);
-                value["program"] = json!(program);
-                value["title"] = json!(title);
-                Ok((failure::json(&value)?, failure::json(&losses.offsets)?))
+                let titled = Titled {
+                    program,
+                    title,
+                    losses,
+                };
+                Ok((failure::json(&titled)?, failure::json(&losses.offsets)?))
             }
             Found::Whole(outcome) => Ok((
                 failure::json(&outcome.result)?,

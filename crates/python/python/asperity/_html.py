@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from html import escape
 from os import PathLike
 
 Series = Sequence[tuple[str, Sequence[float]]]
@@ -12,6 +11,13 @@ Series = Sequence[tuple[str, Sequence[float]]]
 _COLOURS = ("#2a6f97", "#c8553d", "#588b4c", "#8a5a9e", "#b08900", "#5c6b73")
 _WIDTH, _HEIGHT = 460.0, 200.0
 _LEFT, _RIGHT, _TOP, _BOTTOM = 62.0, 12.0, 22.0, 40.0
+
+
+def escape(text: str) -> str:
+    """The text as it stands in HTML; the package html is not worth its import."""
+    for sign, name in (("&", "amp"), ("<", "lt"), (">", "gt"), ('"', "quot")):
+        text = text.replace(sign, f"&{name};")
+    return text
 
 
 def table(names: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
@@ -61,10 +67,14 @@ class Chart:
     """
 
     def __init__(self, title: str, x: Sequence[float], series: Series, labels: tuple[str, str]) -> None:
+        self.title = title
         self._svg = _drawn(title, x, series, labels)
 
     def __str__(self) -> str:
         return self._svg
+
+    def __repr__(self) -> str:
+        return f"<Chart {self.title!r}>"
 
     def _repr_html_(self) -> str:
         return self._svg

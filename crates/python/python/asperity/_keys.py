@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import hashlib
 import json
 from collections.abc import Iterator, Mapping
 from os import PathLike, fspath
@@ -70,6 +69,9 @@ class Schema:
 
 def named(profile: Profile) -> str:
     """A name of a profile that no other heights have."""
+    # At its first need: it takes longer to import than the package.
+    import hashlib
+
     digest = hashlib.sha256(profile.heights.tobytes() + np.float64(profile.spacing).tobytes()).hexdigest()[:12]
     return f"{profile.name or 'heights'} ({digest})"
 

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import json
 import math
-import re
 from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 import numpy as np
@@ -22,6 +20,8 @@ from ._quantity import Floats, Values, is_pint, si_array
 from ._record import Record, Table
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     import pandas
     import xarray
 
@@ -110,6 +110,8 @@ class Map(Record):
             added: table of losses beside those of the mesh.
             cycle: drive cycle, which ``"fastsim"`` is weighted by.
         """
+        from pathlib import Path
+
         tables = [None if file is None else fspath(file) for file in (added, cycle)]
         written = []
         for name, content in self._raw.export(format, *tables):
@@ -175,17 +177,17 @@ class Map(Record):
         return page(str(self._values["title"]), rows, str(self.plot()))
 
 
-_RANGE = re.compile(r"^\s*[-+0-9.eE]+\s*\.\.")
-_PER_MINUTE = re.compile(r"^\s*([-+0-9.eE]+)\s*(?:1/min|rpm|min-1)\s*$")
-_CELSIUS = re.compile(r"^\s*([-+0-9.eE]+)\s*°?\s*C\s*$")
+_OWN = {"AngularSpeed": ("1/min", "rpm", "min-1"), "Temperature": ("°C", "C")}
+"""Units of the axes that are not those of the SI."""
 
 
 def _node(value: Any, quantity: str) -> float:
     """A node in the units of the axes; text in these units to the last digit."""
-    pattern = {"AngularSpeed": _PER_MINUTE, "Temperature": _CELSIUS}.get(quantity)
-    found = pattern.match(value) if pattern is not None and isinstance(value, str) else None
-    if found:
-        return float(found.group(1))
+    if isinstance(value, str):
+        text = value.strip()
+        unit = next((unit for unit in _OWN.get(quantity, ()) if text.endswith(unit)), None)
+        if unit is not None:
+            return float(text.removesuffix(unit))
     number = float(si_array(value, quantity))
     if quantity == "AngularSpeed":
         return number * 30.0 / math.pi
@@ -201,7 +203,7 @@ def _nodes(values: Any, quantity: str) -> list[float]:
 
 
 def _axis(values: Any, quantity: str) -> Union[None, str, list[float]]:
-    if values is None or (isinstance(values, str) and _RANGE.match(values)):
+    if values is None or (isinstance(values, str) and ".." in values):
         return values
     return _nodes(values, quantity)
 

@@ -22,6 +22,9 @@ if TYPE_CHECKING:
 _USUAL_END = "cut"
 
 
+_FIRST = ("ra_um", "rq_um", "rz_um", "rp_um", "rv_um", "rt_um", "rsk", "rku", "rk_um", "rpk_um", "rvk_um")
+
+
 class Parameters(dict[str, Any]):
     """Roughness parameters by name, lengths in µm as the name tells (``ra_um``, ``rpk_um``); also as attributes.
 
@@ -200,7 +203,8 @@ class Profile:
         if prepare or (prepare is None and not is_prepared):
             trace = self.prepare() if cutoff is None else self.prepare(cutoff=cutoff)
         found = json.loads(trace._raw.parameters(standard, sections, si_or_none(cutoff, "Length")))
-        values = {**found["heights"], **found["material_ratio"], **found["spectral"], "section_um": found["section_um"]}
+        every = {**found["heights"], **found["material_ratio"], **found["spectral"], "section_um": found["section_um"]}
+        values = {name: every[name] for name in (*_FIRST, *(name for name in every if name not in _FIRST))}
         rows = [*trace._about["warnings"], *found["warnings"]]
         return Parameters(values, standard, Table(rows, ["code", "text", "help"]))
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from os import PathLike, fspath
-from pathlib import Path
 from typing import Union
 
 from . import _asperity
@@ -18,6 +17,8 @@ def read_result(folder: Union[str, PathLike[str]]) -> Union[RunResult, Map, Reco
 
     The fields of single positions are not read.
     """
+    from pathlib import Path
+
     place = Path(folder)
     if (place / "map.json").is_file():
         return read_map(place)
