@@ -193,6 +193,10 @@ impl Plan {
     }
 }
 
+type Heights<'py> = Bound<'py, PyArray1<f64>>;
+type State<'py> = (Heights<'py>, f64, String, Option<f64>, [Option<f64>; 2]);
+type Reduced<'py> = (Bound<'py, PyAny>, State<'py>);
+
 #[pymethods]
 impl Trace {
     /// A profile of these heights in m, out of the material, `spacing` in m apart.
@@ -204,6 +208,40 @@ impl Trace {
         CaseTrace::from_heights(&heights, spacing).map_err(Failure::from)?;
         let profile = Profile::new(spacing, heights).map_err(Failure::from)?;
         Ok(Self::made(profile, json!({ "warnings": [] })))
+    }
+
+    /// The profile that another process had: heights in m, spacing in m, what is known as JSON, cut-off that it has been
+    /// through, cut-offs that its file states.
+    #[staticmethod]
+    fn restored(
+        heights: Input<'_>,
+        spacing: f64,
+        about: &str,
+        cutoff: Option<f64>,
+        stated: [Option<f64>; 2],
+    ) -> PyResult<Self> {
+        let profile = Profile::new(Length::from_si(spacing), copied(&heights));
+        let about: Value =
+            serde_json::from_str(about).map_err(|error| Failure::new("E204", error.to_string()))?;
+        let metadata = about.get("metadata").cloned().map(serde_json::from_value);
+        Ok(Self {
+            metadata: metadata.and_then(Result::ok).unwrap_or_default(),
+            stated: stated.map(|length| length.map(Length::from_si)),
+            cutoff: cutoff.map(Length::from_si),
+            ..Self::made(profile.map_err(Failure::from)?, about)
+        })
+    }
+
+    /// For pickle: `restored` and its arguments.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
+        let restored = py.get_type::<Self>().getattr("restored")?;
+        let stated = self.stated.map(|length| length.map(Length::si));
+        let heights = self.heights(py);
+        let about = self.about()?;
+        Ok((
+            restored,
+            (heights, self.spacing(), about, self.cutoff(), stated),
+        ))
     }
 
     /// Heights in m.

@@ -1,6 +1,9 @@
 """Cases from files, tables and keywords, and their changes."""
 
+import concurrent.futures
 import json
+import multiprocessing
+import pickle
 
 import numpy as np
 import pytest
@@ -107,6 +110,24 @@ def test_film_and_regime(case):
     assert film.rows.thickness_m[0] == pytest.approx(1e-9) and film.path_fraction == 0.25
     assert case.contact(0.25).hertz_p_max_pa > 0
     assert case.gear().title == "small"
+
+
+def test_cases_and_results_go_to_other_processes(case):
+    changed = case.replace({"surface.pinion": trace(5000), "operation.torque": 100})
+    again = pickle.loads(pickle.dumps(changed))
+    assert again.to_dict() == changed.to_dict()
+    with concurrent.futures.ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
+        there = pool.submit(losses_of, again).result()
+    here = changed.run("losses")
+    assert there.loss_w == here.loss_w and there == here
+    flank = asperity.read_profile(PROFILES / "ground_pinion.csv")
+    same = pickle.loads(pickle.dumps(flank))
+    assert same.name == flank.name and same.parameters() == flank.parameters()
+    assert pickle.loads(pickle.dumps(case.regime())) == case.regime()
+
+
+def losses_of(case):
+    return case.run("losses")
 
 
 PLANETARY = {

@@ -79,6 +79,15 @@ def test_profiles_leave_for_other_packages():
     assert trace().to_dict()["heights"][3] == trace().heights[3]
 
 
+def test_no_peak_is_lost_in_a_chart():
+    heights = np.zeros(20_000)
+    heights[12_345] = 1e-6
+    drawn = str(asperity.Profile(heights, 0.5e-6).plot())
+    flat = str(asperity.Profile(np.linspace(0, 1e-6, 20_000), 0.5e-6).plot())
+    low = min(float(point.split(" ")[1]) for point in drawn.split('d="M')[-1].split('"')[0].split("L"))
+    assert low == min(float(point.split(" ")[1]) for point in flat.split('d="M')[-1].split('"')[0].split("L"))
+
+
 def test_a_chart_is_svg_and_matplotlib_takes_its_axes(tmp_path):
     chart = trace().plot()
     assert str(chart).startswith("<svg") and "height in µm" in str(chart)

@@ -17,6 +17,9 @@ from ._progress import Progress, Told
 from ._record import Record, Table
 from ._result import Regime, RunResult
 
+Steps = tuple[tuple[str, tuple[Any, ...]], ...]
+"""What a case was made by: methods of the compiled part with their arguments."""
+
 CaseLike = Union["Case", str, PathLike[str], Mapping[str, Any]]
 """A case, the file of one, or the tables of one."""
 
@@ -40,6 +43,7 @@ class Case:
     """
 
     _raw: _asperity.Case
+    _steps: Steps
 
     def __init__(
         self,
@@ -51,25 +55,34 @@ class Case:
         **tables: Any,
     ) -> None:
         if isinstance(case, (str, PathLike)):
-            loaded = Case.load(case, tables, formulation=formulation)
-            self._raw = loaded._raw
+            self._take(Case.load(case, tables, formulation=formulation)._steps)
         else:
             given = {**(case or {}), **tables}
             traces: Traces = []
             values = written(given, Schema("planetary" in given), traces)
             text = json.dumps(values, ensure_ascii=False, indent=1)
-            self._raw = _asperity.Case.from_json(text, fspath(folder or "."), traces, formulation)
-        self._read()
+            self._take((("from_json", (text, os.path.abspath(fspath(folder or ".")), traces, formulation)),))
 
-    def _read(self) -> None:
+    def _take(self, steps: Steps, before: Optional[_asperity.Case] = None) -> None:
+        """Makes the case by steps, the last of them from the case before it where that is at hand."""
+        raw: Any = _asperity.Case if before is None else before
+        for method, arguments in steps if before is None else steps[-1:]:
+            raw = getattr(raw, method)(*arguments)
+        self._raw = raw
+        self._steps = steps
         self._about: dict[str, Any] = json.loads(self._raw.about)
 
     @classmethod
-    def _of(cls, raw: _asperity.Case) -> Case:
+    def _of(cls, steps: Steps, before: Optional[_asperity.Case] = None) -> Case:
         made = cls.__new__(cls)
-        made._raw = raw
-        made._read()
+        made._take(steps, before)
         return made
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        (method, arguments), *others = self._steps
+        if method == "load":
+            arguments = (os.path.abspath(arguments[0]), *arguments[1:])
+        return Case._of, (((method, arguments), *others),)
 
     @classmethod
     def load(
@@ -81,13 +94,13 @@ class Case:
     ) -> Case:
         """The case in a TOML or JSON file, with ``keys`` set past its text: ``{"operation.torque": "20 N m"}``."""
         if not keys:
-            return cls._of(_asperity.Case.load(fspath(path), [], formulation))
+            return cls._of((("load", (fspath(path), [], formulation)),))
         traces: Traces = []
         found = changes(keys, any(key.startswith("planetary") for key in keys), traces)
         set_keys = [(key, value) for key, value in found if value is not None]
         if traces or len(set_keys) < len(found):
             return cls.load(path, formulation=formulation).replace(keys)
-        return cls._of(_asperity.Case.load(fspath(path), set_keys, formulation))
+        return cls._of((("load", (fspath(path), set_keys, formulation)),))
 
     def replace(self, changed: Optional[Mapping[str, Any]] = None, /, **more: Any) -> Case:
         """The same case with other values, rechecked; traces are read again only where they change.
@@ -98,7 +111,7 @@ class Case:
         """
         traces: Traces = []
         found = changes({**(changed or {}), **more}, self._raw.is_planetary, traces)
-        return Case._of(self._raw.replace(found, traces))
+        return Case._of((*self._steps, ("replace", (found, traces))), self._raw)
 
     def _on_finish(self, finish: Any, offsets: Optional[int]) -> Case:
         """The case on the traces of a finish: one for both flanks, or those of pinion and wheel."""
@@ -115,7 +128,7 @@ class Case:
 
         names = [name(trace) for trace in pair]
         wheel = names[1] if len(names) == 2 else None
-        return Case._of(self._raw.on_finish(names[0], wheel, traces, offsets))
+        return Case._of((*self._steps, ("on_finish", (names[0], wheel, traces, offsets))), self._raw)
 
     @property
     def title(self) -> str:

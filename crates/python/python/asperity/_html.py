@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from os import PathLike
 
 Series = Sequence[tuple[str, Sequence[float]]]
 
 _COLOURS = ("#2a6f97", "#c8553d", "#588b4c", "#8a5a9e", "#b08900", "#5c6b73")
 _WIDTH, _HEIGHT = 460.0, 200.0
-_LEFT, _RIGHT, _TOP, _BOTTOM = 62.0, 12.0, 22.0, 40.0
+_LEFT, _RIGHT, _BOTTOM = 62.0, 12.0, 40.0
+_OF_A_LETTER = 5.8
+"""Mean width of a letter, for names side by side."""
 
 
 def escape(text: str) -> str:
@@ -85,8 +87,15 @@ class Chart:
             file.write(self._svg)
 
 
-def _thinned(count: int) -> range:
-    return range(0, count, max(1, count // 1000))
+def _thinned(values: Sequence[float]) -> Iterator[int]:
+    """Numbers of the points that are drawn: of many the lowest and the highest in every part, so that no peak is lost."""
+    parts = 500
+    if len(values) <= 2 * parts:
+        yield from range(len(values))
+        return
+    for part in range(parts):
+        places = range(part * len(values) // parts, (part + 1) * len(values) // parts)
+        yield from sorted({min(places, key=values.__getitem__), max(places, key=values.__getitem__)})
 
 
 def _drawn(title: str, x: Sequence[float], series: Series, labels: tuple[str, str]) -> str:
@@ -95,12 +104,14 @@ def _drawn(title: str, x: Sequence[float], series: Series, labels: tuple[str, st
     pad = 0.06 * (y_high - y_low)
     y_low, y_high = y_low - pad, y_high + pad
     right, bottom = _WIDTH - _RIGHT, _HEIGHT - _BOTTOM
+    # Names of the lines have a row of their own below the title.
+    top = 38.0 if len(series) > 1 else 22.0
 
     def across(value: float) -> float:
         return _LEFT + (value - x_low) / (x_high - x_low) * (right - _LEFT)
 
     def down(value: float) -> float:
-        return bottom - (value - y_low) / (y_high - y_low) * (bottom - _TOP)
+        return bottom - (value - y_low) / (y_high - y_low) * (bottom - top)
 
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {_WIDTH:g} {_HEIGHT:g}" width="{_WIDTH:g}" '
@@ -116,12 +127,13 @@ def _drawn(title: str, x: Sequence[float], series: Series, labels: tuple[str, st
     middle = 0.5 * (_LEFT + right)
     parts.append(f'<text x="{middle:g}" y="{_HEIGHT - 8:g}" text-anchor="middle">{escape(labels[0])}</text>')
     parts.append(
-        f'<text transform="translate(12 {0.5 * (_TOP + bottom):g}) rotate(-90)" text-anchor="middle">{escape(labels[1])}</text>'
+        f'<text transform="translate(12 {0.5 * (top + bottom):g}) rotate(-90)" text-anchor="middle">{escape(labels[1])}</text>'
     )
+    named = _LEFT
     for number, (name, values) in enumerate(series):
         colour = _COLOURS[number % len(_COLOURS)]
         points, pen = [], "M"
-        for index in _thinned(len(values)):
+        for index in _thinned(values):
             if not math.isfinite(values[index]):
                 pen = "M"
                 continue
@@ -129,7 +141,6 @@ def _drawn(title: str, x: Sequence[float], series: Series, labels: tuple[str, st
             pen = "L"
         parts.append(f'<path d="{"".join(points)}" fill="none" stroke="{colour}" stroke-width="1.5"/>')
         if len(series) > 1:
-            parts.append(
-                f'<text x="{right - 4:g}" y="{_TOP + 12 + 13 * number:g}" text-anchor="end" fill="{colour}">{escape(name)}</text>'
-            )
+            parts.append(f'<text x="{named:g}" y="30" fill="{colour}">{escape(name)}</text>')
+            named += _OF_A_LETTER * (len(name) + 3)
     return "".join(parts) + "</svg>"

@@ -89,6 +89,10 @@ class RunResult(Record):
         made._outcome, made._json, made._offsets = outcome, text, json.loads(offsets)
         return made
 
+    def __getstate__(self) -> dict[str, Any]:
+        # What the compiled part holds stays where it is: another process gets the result without the fields.
+        return {**self.__dict__, "_outcome": None}
+
     @property
     def summary(self) -> Record:
         """Efficiency and losses, mean over the offsets; of a planetary set, the set."""
