@@ -14,21 +14,29 @@ PLACE = Path(asperity.__file__).parents[1]
 CONFIGURATION = Path(__file__).parents[3] / "pyproject.toml"
 
 
-def checked(*arguments, place=PLACE):
-    environment = {**os.environ, "MYPYPATH": str(PLACE)} if place is not PLACE else dict(os.environ)
-    done = subprocess.run([sys.executable, "-m", *arguments], cwd=place, capture_output=True, text=True, env=environment)
-    assert done.returncode == 0, done.stdout + done.stderr
+@pytest.fixture
+def checked(tmp_path):
+    """A tool of mypy, run where nothing else lies; a package that is not installed is named to it."""
+    is_installed = "site-packages" in PLACE.parts
+    environment = {**os.environ, **({} if is_installed else {"MYPYPATH": str(PLACE)})}
+
+    def run(*arguments):
+        command = [sys.executable, "-m", *arguments]
+        done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, env=environment)
+        assert done.returncode == 0, done.stdout + done.stderr
+
+    return run
 
 
-def test_the_package_is_typed():
+def test_the_package_is_typed(checked):
     checked("mypy", "--strict", "--config-file", str(CONFIGURATION), "-p", "asperity")
 
 
-def test_the_stub_is_that_of_the_compiled_part():
+def test_the_stub_is_that_of_the_compiled_part(checked):
     checked("mypy.stubtest", "asperity._asperity", "--ignore-disjoint-bases", "--mypy-config-file", str(CONFIGURATION))
 
 
-def test_a_program_that_uses_the_package_is_typed(tmp_path):
+def test_a_program_that_uses_the_package_is_typed(checked, tmp_path):
     (tmp_path / "program.py").write_text(
         "import asperity\n"
         "import numpy as np\n"
@@ -41,7 +49,7 @@ def test_a_program_that_uses_the_package_is_typed(tmp_path):
         "        print(row.loss_w)\n"
         "    return result.loss_w + float(np.max(found.pressure))\n"
     )
-    checked("mypy", "--strict", "--config-file", str(CONFIGURATION), "program.py", place=tmp_path)
+    checked("mypy", "--strict", "--config-file", str(CONFIGURATION), "program.py")
 
 
 def test_everything_public_is_documented():
