@@ -86,6 +86,14 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("fixtures", &["asperity-core", "asperity-roughness"]),
 ];
 
+/// The Python module, outside of the workspace: it passes on what the libraries compute.
+const OF_THE_MODULE: &[&str] = &[
+    "asperity",
+    "asperity-report",
+    "asperity-storage",
+    "asperity-studies",
+];
+
 fn manifest(folder: &str) -> toml::Table {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let text = std::fs::read_to_string(root.join(folder).join("Cargo.toml")).unwrap();
@@ -128,6 +136,31 @@ fn no_crate_uses_one_above_or_beside_it() {
             }
         }
     }
+}
+
+#[test]
+fn the_python_module_stands_on_the_libraries_and_outside_of_the_workspace() {
+    let module = manifest("crates/python");
+    let used = module["dependencies"].as_table().unwrap().keys();
+    let ours: Vec<&str> = used
+        .map(String::as_str)
+        .filter(|name| name.starts_with("asperity"))
+        .collect();
+    assert_eq!(ours, OF_THE_MODULE);
+    let excluded = &manifest(".")["workspace"]["exclude"];
+    let excluded = excluded.as_array().unwrap();
+    assert!(
+        excluded
+            .iter()
+            .any(|folder| folder.as_str() == Some("crates/python"))
+    );
+    // Both are built with the same versions of what they use, and as releases alike.
+    assert_eq!(
+        module["profile"]["release"],
+        manifest(".")["profile"]["release"]
+    );
+    let version = &manifest(".")["workspace"]["package"]["version"];
+    assert_eq!(&module["package"]["version"], version);
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! A case on the traces of a finish.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use asperity::case::{CaseInput, FlankInput};
+use asperity::case::CaseInput;
 
 use crate::args::FinishArg;
 use crate::failure::Failure;
@@ -50,21 +50,8 @@ impl Traces {
 
     /// Puts the traces in place of those of the case; a single one serves both flanks, mirrored for the wheel.
     pub fn put_into(&self, input: &mut CaseInput) {
-        let surface = &mut input.surface;
-        // How the files of the case are read holds for those of the finish; values of a flank without a file
-        // do not.
-        let on_file = |given: &FlankInput, file: &Path| FlankInput {
-            file: Some(file.to_owned()),
-            rq: None,
-            ra: None,
-            rz: None,
-            rpk: None,
-            asperity_radius: None,
-            ..given.clone()
-        };
-        let of_wheel = surface.wheel.clone();
-        let of_wheel = of_wheel.unwrap_or_else(|| surface.pinion.for_wheel());
-        surface.pinion = on_file(&surface.pinion, &self.pinion);
-        surface.wheel = self.wheel.as_deref().map(|file| on_file(&of_wheel, file));
+        input
+            .surface
+            .put_traces(&self.pinion, self.wheel.as_deref());
     }
 }

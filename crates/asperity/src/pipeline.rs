@@ -12,6 +12,7 @@
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use asperity_core::cancel::checkpoint;
 use asperity_core::provenance::Provenance;
 use asperity_gear::LoadMap;
 use rayon::prelude::*;
@@ -159,6 +160,7 @@ pub fn contact_tables(loaded: &LoadedCase) -> Result<ContactTables, Error> {
         .map(|station| {
             let mut tables = Vec::with_capacity(count);
             for k in 0..count {
+                checkpoint();
                 let window = case.model.window;
                 if let (Some(met), roughness) = meeting(surfaces, &station, window, k, count)? {
                     let table = is_solved.then(|| rough_film::table(case, &station, &met));

@@ -2,6 +2,7 @@
 
 use asperity_contact::{ContactSolution, Solver};
 use asperity_core::Checked;
+use asperity_core::cancel::checkpoint;
 
 use crate::case::{Case, FullFilmName};
 use crate::chosen_laws::ChosenLaws;
@@ -75,6 +76,7 @@ impl Run<'_> {
         let recorded = records.map(|records| records.at(position.station.s, workspace.smooth));
         workspace.recorded = recorded;
         for k in 0..count {
+            checkpoint();
             let offset = self.offset(&mut position, k, count, &mut workspace)?;
             position.offsets.push(offset);
         }

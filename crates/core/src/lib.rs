@@ -5,6 +5,7 @@
 //! material, the reduced modulus is E* = 1 / Σ((1 − νᵢ²)/Eᵢ), and E′ = 2 E* in the groups of
 //! elastohydrodynamics.
 
+pub mod cancel;
 pub mod checked;
 pub mod citation;
 pub mod error;

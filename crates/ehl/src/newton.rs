@@ -6,6 +6,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use asperity_core::cancel::checkpoint;
 use asperity_core::cite;
 
 use crate::bands::Bands;
@@ -185,6 +186,7 @@ impl Newton {
         let mut unknowns = start;
         let mut effort = Effort::default();
         loop {
+            checkpoint();
             self.evaluate(problem, system, &unknowns);
             let load = problem.grid.integral(&unknowns.pressure) / FRAC_PI_2;
             let is_loaded = (load - 1.0).abs() <= limits.load;

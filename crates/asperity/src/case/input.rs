@@ -3,7 +3,7 @@
 //! Quantities are text with a unit. The same structure is read from TOML and JSON, and printed as
 //! a JSON schema by [`schema`].
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use asperity_core::lubricant::LubricantInput;
 use asperity_core::quantity::{
@@ -373,6 +373,29 @@ impl FlankInput {
             at: None,
             ..self.clone()
         }
+    }
+
+    /// The same keys on another file: how files are read holds, values of a flank without a file do not.
+    fn on_file(&self, file: &Path) -> Self {
+        Self {
+            file: Some(file.to_owned()),
+            rq: None,
+            ra: None,
+            rz: None,
+            rpk: None,
+            asperity_radius: None,
+            ..self.clone()
+        }
+    }
+}
+
+impl SurfaceInput {
+    /// Puts the traces of another finish in place; a single one serves both flanks, mirrored for the wheel.
+    pub fn put_traces(&mut self, pinion: &Path, wheel: Option<&Path>) {
+        let of_wheel = self.wheel.clone();
+        let of_wheel = of_wheel.unwrap_or_else(|| self.pinion.for_wheel());
+        self.pinion = self.pinion.on_file(pinion);
+        self.wheel = wheel.map(|file| of_wheel.on_file(file));
     }
 }
 

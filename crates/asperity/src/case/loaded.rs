@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use asperity_core::Profile;
 use asperity_core::provenance::Provenance;
 use asperity_profile_io::read::whole_file;
 use asperity_tribo_friction::XuCalibration;
@@ -70,17 +71,48 @@ pub fn load_set(
     set: &[(String, String)],
     change: &dyn Fn(&mut CaseInput),
 ) -> Result<LoadedCase, Error> {
+    load_holding(source, folder, &[], set, change)
+}
+
+/// The same with traces in memory, by the names that the text gives their files.
+///
+/// # Errors
+/// As for [`load_set`].
+///
+/// ```
+/// use asperity::case::{Source, load_holding};
+/// use asperity::core::{Profile, quantity::Length};
+/// let text = r#"
+///     gears = { teeth = [23, 68], module = "1.8 mm", face_width = "32 mm" }
+///     operation = { torque = "145 N m", speed = "9000 1/min", temperature = "90 °C" }
+///     lubricant = { oil = "m100" }
+///     surface = { pinion = { file = "measured just now" }, cutoff = "0.25 mm" }
+/// "#;
+/// let heights = (0..8000).map(|i| 2e-7 * (f64::from(i) * 0.7).sin()).collect();
+/// let trace = Profile::new(Length::from_si(0.5e-6), heights)?;
+/// let source = Source::from_bytes("case.toml", text.as_bytes()).map_err(asperity::Error::from)?;
+/// let held = [("measured just now".into(), trace)];
+/// let loaded = load_holding(source, ".".as_ref(), &held, &[], &|_| {})?;
+/// assert!(loaded.surfaces.are_measured());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn load_holding(
+    source: Source,
+    folder: &Path,
+    traces: &[(PathBuf, Profile)],
+    set: &[(String, String)],
+    change: &dyn Fn(&mut CaseInput),
+) -> Result<LoadedCase, Error> {
     let mut source = source;
+    let mut files = Files::in_folder(folder);
+    for (name, trace) in traces {
+        files.hold(name, Content::Heights(Arc::new(trace.clone())));
+    }
     let read = |source: &mut Source| -> Result<LoadedCase, Error> {
         let mut input = read(source)?;
         set_keys(&mut input, source, set)?;
         change(&mut input);
-        Ok(complete(
-            input,
-            source,
-            Files::in_folder(folder).into(),
-            None,
-        )?)
+        Ok(complete(input, source, files.into(), None)?)
     };
     read(&mut source).map_err(|error| match error {
         Error::Case(error) => Error::in_text(*error, source),
@@ -170,6 +202,19 @@ impl LoadedCase {
         let mut input = self.case.input.clone();
         input.set(path, value)?;
         self.changed_to(input)
+    }
+
+    /// The same case with further traces in memory, by names that [`Self::with`] can then give as files.
+    #[must_use]
+    pub fn holding(&self, traces: &[(PathBuf, Profile)]) -> Self {
+        let mut files = Files::clone(&self.files);
+        for (name, trace) in traces {
+            files.hold(name, Content::Heights(Arc::new(trace.clone())));
+        }
+        Self {
+            files: files.into(),
+            ..self.clone()
+        }
     }
 
     /// Folder that records of mixed lubrication are kept in; none where the case turns that off, came without

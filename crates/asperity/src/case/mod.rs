@@ -59,7 +59,9 @@ pub use input::{
     VehicleInput, schema,
 };
 pub use law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
-pub use loaded::{LoadedCase, Resolver, from_text, load, load_set, load_with, open_source};
+pub use loaded::{
+    LoadedCase, Resolver, from_text, load, load_holding, load_set, load_with, open_source,
+};
 pub use model::{EhlChoices, Model};
 pub use page::markdown;
 pub use place::Place;

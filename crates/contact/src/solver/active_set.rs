@@ -18,6 +18,7 @@ use super::line_search::settle;
 use super::search_direction::{Search, choose_direction, remove_patch_means};
 use super::workspace::{Level, Task, Workspace};
 use crate::convolution::{Lanes, Run, listed, parts, vectorised};
+use asperity_core::cancel::checkpoint;
 use asperity_core::cite;
 
 /// Updates of the set after which projected gradients take over.
@@ -39,6 +40,7 @@ pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize
     let forgiven = FORGIVEN_SHARE * task.tolerance * task.reference_gap;
     let (mut iterations, mut worse, mut last) = (0, 0, f64::INFINITY);
     for set in 0..MAX_SET_UPDATES {
+        checkpoint();
         let assessment = work.assess(task);
         worse = if assessment.duality_gap < last {
             0
@@ -99,6 +101,7 @@ fn solve_on_set(
     let mut search = Search::default();
     let mut goal = (SET_TOLERANCE * residual.largest).max(forgiven);
     for iteration in 0..most {
+        checkpoint();
         if residual.largest <= goal {
             if goal <= forgiven || work.has_to_change(task, residual.mean, forgiven) {
                 return iteration;

@@ -18,6 +18,8 @@
 //! | d, τ | direction, length of the trial step along it | Pa, - |
 //! | Δ, s | feasible step, its length by exact line search | Pa, - |
 
+use asperity_core::cancel::checkpoint;
+
 use super::line_search::{
     SINGLE, exact_length, farthest, line_search, settle, take_step, try_gradient, try_step,
 };
@@ -41,6 +43,7 @@ pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task, most: us
     let mut search = Search::default();
     let (mut updates, mut stalled, mut best) = (0, 0, f64::INFINITY);
     loop {
+        checkpoint();
         let mut assessment = work.assess(task);
         let left = assessment.penetration.max(task.tolerance) * task.reference_gap;
         let drifted = search.drift > MAX_DRIFT * left || updates >= REFRESH_INTERVAL;

@@ -6,6 +6,7 @@
 
 mod amount;
 mod case_list;
+mod cases;
 mod draws;
 mod effects;
 mod error;
@@ -18,6 +19,7 @@ mod run;
 mod study;
 
 pub use asperity_core::numerics::standard_normal_quantile;
+pub use cases::Cases;
 pub use draws::Draws;
 pub use effects::{Effect, Indices, effects, sobol_indices};
 pub use error::SweepError;

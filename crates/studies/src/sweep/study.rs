@@ -10,12 +10,16 @@ use toml::Value;
 
 use super::error::SweepError;
 
+/// Name of a study that was not read from a file.
+const IN_MEMORY: &str = "study";
+
 /// A study as its file has it.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct StudyInput {
-    /// Case file, relative to the study.
-    pub case: PathBuf,
+    /// Case file, relative to the study; in memory the case is at hand.
+    #[serde(default)]
+    pub case: Option<PathBuf>,
     pub detail: Option<Detail>,
     pub columns: Option<Vec<String>>,
     #[serde(default)]
@@ -133,9 +137,39 @@ impl Study {
             path: file.to_owned(),
             message: error.to_string().trim().replace('\n', "; "),
         })?;
-        let case = case::load(&folder.join(&input.case), None)?;
+        let named = input.case.as_ref();
+        let named = named.ok_or_else(|| SweepError::Study {
+            path: file.to_owned(),
+            message: "missing field `case`".to_owned(),
+        })?;
+        let case = case::load(&folder.join(named), None)?;
+        let stem = file.file_stem().unwrap_or_default();
+        let name = stem.to_string_lossy().into_owned();
+        Self::of(input, &text.replace('\r', ""), case, (name, folder))
+    }
+
+    /// A study of `case` whose other keys are those of a study file, as the text of a JSON object; files that it names
+    /// are relative to `folder`.
+    ///
+    /// # Errors
+    /// When the text is no study, or a file cannot be read.
+    pub fn of_case(case: LoadedCase, text: &str, folder: &Path) -> Result<Self, SweepError> {
+        let input = serde_json::from_str(text).map_err(|error| SweepError::Study {
+            path: IN_MEMORY.into(),
+            message: error.to_string(),
+        })?;
+        let place = (IN_MEMORY.to_owned(), folder.to_owned());
+        Self::of(input, text, case, place)
+    }
+
+    fn of(
+        input: StudyInput,
+        text: &str,
+        case: LoadedCase,
+        (name, folder): (String, PathBuf),
+    ) -> Result<Self, SweepError> {
         let mut sum = Sha256::new();
-        sum.update(text.replace('\r', "").as_bytes());
+        sum.update(text.as_bytes());
         if let Some(list) = input
             .sample
             .as_ref()
@@ -146,11 +180,10 @@ impl Study {
             sum.update(bytes);
         }
         sum.update(identity(&case)?.as_bytes());
-        let stem = file.file_stem().unwrap_or_default();
         Ok(Self {
             input,
             case,
-            name: stem.to_string_lossy().into_owned(),
+            name,
             hash: short(sum),
             folder,
         })

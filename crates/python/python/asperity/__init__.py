@@ -1,0 +1,83 @@
+"""Mesh efficiency of gears from measured roughness.
+
+Numbers are in SI units; text with a unit (``"1.8 mm"``) and quantities of pint are taken as well. Results name their
+units: ``loss_w``, ``film_minimum_um``. Errors are `AsperityError` with ``code``, ``help`` and ``place``.
+
+    import asperity
+    case = asperity.Case("case.toml")
+    result = case.run()
+    result.loss_w, result.path.lambda_star, result.to_pandas()
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple, Optional
+
+from . import _asperity
+from ._asperity import __version__
+from ._case import Case
+from ._compare import Comparison, compare
+from ._contact import Contact, Stress, press_flanks, solve_contact, subsurface_stress
+from ._ehl import EhlRecord, ehl
+from ._errors import AsperityError, Place
+from ._html import Chart
+from ._laws import film_thickness, friction_coefficient, hertz, thermal_reduction
+from ._map import Map, map, read_map
+from ._profile import Parameters, Parts, Profile, generate, read_profile
+from ._record import Record, Table
+from ._result import Fields, Regime, RunResult
+from ._stored import read_result
+from ._sweep import Sweep, sweep
+
+__all__ = [
+    "AsperityError",
+    "Case",
+    "Chart",
+    "Comparison",
+    "Contact",
+    "EhlRecord",
+    "Explanation",
+    "Fields",
+    "Map",
+    "Parameters",
+    "Parts",
+    "Place",
+    "Profile",
+    "Record",
+    "Regime",
+    "RunResult",
+    "Stress",
+    "Sweep",
+    "Table",
+    "__version__",
+    "compare",
+    "ehl",
+    "explain",
+    "film_thickness",
+    "friction_coefficient",
+    "generate",
+    "hertz",
+    "map",
+    "press_flanks",
+    "read_map",
+    "read_profile",
+    "read_result",
+    "solve_contact",
+    "subsurface_stress",
+    "sweep",
+    "thermal_reduction",
+]
+
+
+class Explanation(NamedTuple):
+    """What a message code means."""
+
+    title: str
+    meaning: str
+    remedy: str
+
+
+def explain(code: str) -> Optional[Explanation]:
+    """Title, cause and remedy of a code such as ``"E301"``; none of a code that does not exist."""
+    found = _asperity.explain(code)
+    return None if found is None else Explanation(*found)

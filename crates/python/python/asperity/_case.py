@@ -1,0 +1,225 @@
+"""Cases: what is to be computed."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from os import PathLike, fspath
+from typing import Any, Optional, Union
+
+from . import _asperity
+from ._contact import Contact
+from ._errors import AsperityError
+from ._html import page
+from ._keys import Schema, Traces, changes, written
+from ._progress import Progress, Told
+from ._record import Record, Table
+from ._result import Regime, RunResult
+
+Steps = tuple[tuple[str, tuple[Any, ...]], ...]
+"""What a case was made by: methods of the compiled part with their arguments."""
+
+CaseLike = Union["Case", str, PathLike[str], Mapping[str, Any]]
+"""A case, the file of one, or the tables of one."""
+
+
+class Case:
+    """A gear pair or planetary set with its load, oil and flanks, checked.
+
+    The keys are those of a case file (docs/CASE_FILE.md). Values are numbers in SI units, text with a unit, or
+    quantities of pint; a flank, or its ``file``, can be a `Profile`. Files are relative to ``folder``, by default the working
+    directory or that of the case file.
+
+    >>> case = Case("case.toml")                                    # doctest: +SKIP
+    >>> case = Case(gears={"teeth": [23, 68], "module": "1.8 mm", "face_width": 0.032},
+    ...             operation={"torque": 145, "speed": "9000 1/min", "temperature": "90 °C"},
+    ...             lubricant={"oil": "m100"}, surface={"pinion": {"rq": "0.4 um"}})
+
+    Args:
+        case: file or tables; tables as keywords win over them.
+        formulation: ``"corrected"`` or ``"paper"``, over that of the case.
+        folder: folder that files are relative to.
+    """
+
+    _raw: _asperity.Case
+    _steps: Steps
+
+    def __init__(
+        self,
+        case: Union[str, PathLike[str], Mapping[str, Any], None] = None,
+        /,
+        *,
+        formulation: Optional[str] = None,
+        folder: Optional[Union[str, PathLike[str]]] = None,
+        **tables: Any,
+    ) -> None:
+        if isinstance(case, (str, PathLike)):
+            self._take(Case.load(case, tables, formulation=formulation)._steps)
+        else:
+            given = {**(case or {}), **tables}
+            traces: Traces = []
+            values = written(given, Schema("planetary" in given), traces)
+            text = json.dumps(values, ensure_ascii=False, indent=1)
+            self._take((("from_json", (text, os.path.abspath(fspath(folder or ".")), traces, formulation)),))
+
+    def _take(self, steps: Steps, before: Optional[_asperity.Case] = None) -> None:
+        """Makes the case by steps, the last of them from the case before it where that is at hand."""
+        raw: Any = _asperity.Case if before is None else before
+        for method, arguments in steps if before is None else steps[-1:]:
+            raw = getattr(raw, method)(*arguments)
+        self._raw = raw
+        self._steps = steps
+        self._about: dict[str, Any] = json.loads(self._raw.about)
+
+    @classmethod
+    def _of(cls, steps: Steps, before: Optional[_asperity.Case] = None) -> Case:
+        made = cls.__new__(cls)
+        made._take(steps, before)
+        return made
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        (method, arguments), *others = self._steps
+        if method == "load":
+            arguments = (os.path.abspath(arguments[0]), *arguments[1:])
+        return Case._of, (((method, arguments), *others),)
+
+    @classmethod
+    def load(
+        cls,
+        path: Union[str, PathLike[str]],
+        keys: Optional[Mapping[str, Any]] = None,
+        *,
+        formulation: Optional[str] = None,
+    ) -> Case:
+        """The case in a TOML or JSON file, with ``keys`` set past its text: ``{"operation.torque": "20 N m"}``."""
+        if not keys:
+            return cls._of((("load", (fspath(path), [], formulation)),))
+        traces: Traces = []
+        found = changes(keys, any(key.startswith("planetary") for key in keys), traces)
+        set_keys = [(key, value) for key, value in found if value is not None]
+        if traces or len(set_keys) < len(found):
+            return cls.load(path, formulation=formulation).replace(keys)
+        return cls._of((("load", (fspath(path), set_keys, formulation)),))
+
+    def replace(self, changed: Optional[Mapping[str, Any]] = None, /, **more: Any) -> Case:
+        """The same case with other values, rechecked; traces are read again only where they change.
+
+        Keys are given by their paths, ``case.replace({"operation.torque": "20 N m"})``, or by tables,
+        ``case.replace(operation={"torque": 20})``, whose other keys stay. None takes a key away, so that its default
+        holds again. A flank takes a `Profile`.
+        """
+        traces: Traces = []
+        found = changes({**(changed or {}), **more}, self._raw.is_planetary, traces)
+        return Case._of((*self._steps, ("replace", (found, traces))), self._raw)
+
+    def _on_finish(self, finish: Any, offsets: Optional[int]) -> Case:
+        """The case on the traces of a finish: one for both flanks, or those of pinion and wheel."""
+        traces: Traces = []
+        pair = finish if isinstance(finish, (tuple, list)) else (finish,)
+        if not 1 <= len(pair) <= 2:
+            raise AsperityError("a finish has one trace or two", "E205", "Give a profile, or those of pinion and wheel.")
+
+        def name(trace: Any) -> str:
+            if isinstance(trace, (str, PathLike)):
+                return os.path.abspath(fspath(trace))
+            named: str = written(trace, Schema(), traces)["file"]
+            return named
+
+        names = [name(trace) for trace in pair]
+        wheel = names[1] if len(names) == 2 else None
+        return Case._of((*self._steps, ("on_finish", (names[0], wheel, traces, offsets))), self._raw)
+
+    @property
+    def title(self) -> str:
+        """Title of the case."""
+        return str(self._about["title"])
+
+    @property
+    def inputs(self) -> Record:
+        """The case as given, quantities as text."""
+        return Record(self._about["inputs"])
+
+    @property
+    def defaults(self) -> Table:
+        """Every default that a run uses: key, value, source."""
+        return Table(self._about["defaults"])
+
+    @property
+    def warnings(self) -> Table:
+        """Warnings about the files: code and text."""
+        return Table(self._about["warnings"], ["code", "text"])
+
+    @property
+    def is_planetary(self) -> bool:
+        """Whether the case is a planetary set."""
+        return self._raw.is_planetary
+
+    def run(
+        self,
+        detail: str = "fields",
+        *,
+        band: bool = True,
+        threads: Optional[int] = None,
+        progress: Optional[Progress] = None,
+    ) -> RunResult:
+        """Computes losses, and with more detail contacts and fields; the losses are the same to the last digit.
+
+        Args:
+            detail: ``"losses"`` (a fraction of the time), ``"contacts"`` (the rough contacts at every offset), or
+                ``"fields"`` (as the command: fields and stress below the surface, too).
+            band: whether the band of the loss is computed with ``"fields"``.
+            threads: number of threads; default all cores.
+            progress: ``f(done, total)``, ``tqdm``, or a bar of it.
+
+        Ctrl-C ends the run.
+        """
+        with Told(progress, self.title) as told:
+            return RunResult._of(self._raw.run(detail, band, threads, told))
+
+    def regime(self, *, threads: Optional[int] = None) -> Regime:
+        """Film thickness, Λ* and regime along the path of contact; of a planetary set, that of its first mesh."""
+        meshes = json.loads(self._raw.regime(threads))
+        return Regime(meshes)
+
+    def contact(self, position: Optional[float] = None) -> Contact:
+        """The flanks pressed dry against each other at a place of the path, 0 at A and 1 at E."""
+        return Contact(*self._raw.contact(position))
+
+    def film(self, position: Optional[float] = None) -> Record:
+        """Pressure difference across films from 1 nm to 1 mm at a place of the path; default the pitch point."""
+        return Record(json.loads(self._raw.film(position)))
+
+    def gear(self) -> Record:
+        """Geometry, contact ratios, stiffness, transmission error, loss factors of every load distribution."""
+        return Record(json.loads(self._raw.gear()))
+
+    def to_dict(self) -> dict[str, Any]:
+        """The case as given; ``Case(case.to_dict())`` is the same case where its traces are files."""
+        inputs: dict[str, Any] = json.loads(json.dumps(self._about["inputs"]))
+        return inputs
+
+    def to_toml(self) -> str:
+        """The case as the text of a case file."""
+        return self._raw.to_toml()
+
+    def __repr__(self) -> str:
+        return f"<Case {self.title!r}>"
+
+    def _repr_html_(self) -> str:
+        rows: list[tuple[str, str]] = []
+
+        def add(path: str, value: Any) -> None:
+            if isinstance(value, dict):
+                for key, item in value.items():
+                    add(f"{path}.{key}" if path else key, item)
+            elif value is not None and path != "title":
+                rows.append((path, str(value)))
+
+        add("", self._about["inputs"])
+        return page(self.title, rows, None)
+
+
+def as_case(case: CaseLike) -> Case:
+    """The case that is meant."""
+    return case if isinstance(case, Case) else Case(case)

@@ -1,0 +1,141 @@
+"""Several finishes on one case."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from os import PathLike, fspath
+from typing import TYPE_CHECKING, Any, Optional, Union
+
+from . import _asperity
+from ._case import Case, CaseLike, as_case
+from ._errors import AsperityError
+from ._html import page
+from ._profile import Profile
+from ._progress import Progress, Told
+from ._record import Record, Table
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+Trace = Union[Profile, str, PathLike[str]]
+Finish = Union[Trace, tuple[Trace, Trace], Case]
+"""A trace for both flanks, those of pinion and wheel, or a case."""
+
+USUAL_OFFSETS = 32
+"""Offsets of a comparison, as the command takes them."""
+
+
+def cases_of(case: CaseLike, finishes: Mapping[str, Finish], offsets: Optional[int]) -> list[tuple[str, _asperity.Case]]:
+    """The case on each finish."""
+    base = as_case(case)
+    found = []
+    for name, finish in finishes.items():
+        made = finish if isinstance(finish, Case) else base._on_finish(finish, offsets)
+        found.append((name, made._raw))
+    return found
+
+
+class Comparison(Record):
+    """Finishes side by side; the first is the one that the others are compared with.
+
+    ``finishes`` (name, loss_w, quantiles_w, difference ...), ``correlations`` (parameter, with_loss,
+    within_finishes).
+    """
+
+    def __init__(self, raw: _asperity.Comparison) -> None:
+        text, offsets = raw.json()
+        super().__init__(json.loads(text))
+        self._raw = raw
+        self._offsets: list[list[dict[str, Any]]] = json.loads(offsets)
+
+    @property
+    def names(self) -> list[str]:
+        """Names of the finishes."""
+        return [str(finish["name"]) for finish in self._values["finishes"]]
+
+    @property
+    def finishes(self) -> Table:
+        """One row per finish."""
+        return Table(self._values["finishes"])
+
+    @property
+    def correlations(self) -> Table:
+        """Rank correlation of roughness parameters with the computed loss, the closest first."""
+        return Table(self._values["correlations"], ["parameter", "with_loss", "within_finishes"])
+
+    @property
+    def offsets(self) -> dict[str, Table]:
+        """Efficiency and losses at each offset, by the name of the finish."""
+        return {name: Table(rows) for name, rows in zip(self.names, self._offsets)}
+
+    def write(self, folder: Union[str, PathLike[str]]) -> None:
+        """Writes the folder of ``asperity compare``."""
+        self._raw.write(fspath(folder))
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """One row per finish: loss, its quantiles, difference to the first with its quantiles."""
+        import pandas
+
+        rows = []
+        for finish in self._values["finishes"]:
+            row = {key: value for key, value in finish.items() if isinstance(value, (int, float, str))}
+            row["loss_low_w"], row["loss_high_w"] = finish["quantiles_w"]
+            difference = finish.get("difference") or {}
+            row.update({f"difference_{key}": value for key, value in difference.items() if isinstance(value, (int, float))})
+            for key, value in difference.items():
+                if isinstance(value, list) and len(value) == 2:
+                    row[f"difference_{key}_low"], row[f"difference_{key}_high"] = value
+            rows.append(row)
+        return pandas.DataFrame(rows).set_index("name")
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Losses over finish and offset as an `xarray.Dataset`."""
+        import xarray
+
+        offsets = self.offsets
+        names = [name for name in next(iter(offsets.values())).columns if name != "offset"]
+        stacked = {
+            name: (("finish", "offset"), [offsets[finish][name] for finish in self.names]) for name in names
+        }
+        return xarray.Dataset(stacked, coords={"finish": self.names}, attrs={"title": str(self._values["title"])})
+
+    def __str__(self) -> str:
+        return self._raw.summary()
+
+    def __repr__(self) -> str:
+        losses = ", ".join(f"{finish['name']} {finish['loss_w']:.4g} W" for finish in self._values["finishes"])
+        return f"<Comparison {self._values['title']!r}: {losses}>"
+
+    def _repr_html_(self) -> str:
+        rows = [
+            (str(of["name"]), f"{of['loss_w']:.4g} W ({of['quantiles_w'][0]:.4g} to {of['quantiles_w'][1]:.4g})")
+            for of in self._values["finishes"]
+        ]
+        return page(str(self._values["title"]), rows, None)
+
+
+def compare(
+    case: CaseLike,
+    finishes: Mapping[str, Finish],
+    *,
+    offsets: int = USUAL_OFFSETS,
+    threads: Optional[int] = None,
+    progress: Optional[Progress] = None,
+) -> Comparison:
+    """Compares finishes on one case by the same offsets and the same draws of what is uncertain.
+
+    Args:
+        case: the case, whose traces are replaced by those of each finish.
+        finishes: by name a profile or file for both flanks (mirrored for the wheel), or a pair of pinion and wheel;
+            at least two.
+        offsets: places along the traces at which the flanks meet; at least two.
+        threads, progress: as in `Case.run`.
+    """
+    if len(finishes) < 2:
+        raise AsperityError("one finish cannot be compared", "E205", "Give at least two finishes.")
+    if offsets < 2:
+        raise AsperityError(f"offsets {offsets}: one offset has no spread", "E209", "Give at least two offsets.")
+    with Told(progress, "finishes") as told:
+        return Comparison(_asperity.compare(cases_of(case, finishes, offsets), threads, told))

@@ -1,0 +1,277 @@
+"""Rough line contacts."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any, Optional, Union
+
+from numpy.typing import ArrayLike
+
+from . import _asperity
+from ._errors import AsperityError
+from ._html import Chart, page
+from ._profile import Profile
+from ._quantity import Floats, Scalar, Values, flat, numbers, si, si_array, si_or_none
+from ._record import Record, Table
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+
+class Contact(Record):
+    """A solved line contact: numbers with units in their names, arrays of shape (n,) in SI units.
+
+    Numbers: ``load_n_per_m``, ``approach_m`` (over ``approach_datum_m``), ``contact_fraction``, ``p_max_pa``,
+    ``p_end_pa``, ``plastic_energy_j_per_m``, ``elastic_energy_j_per_m``, ``iterations``; ``certificate`` has the
+    bounds of the error.
+    """
+
+    def __init__(self, numbers: str, arrays: dict[str, Floats]) -> None:
+        super().__init__({**json.loads(numbers), **arrays})
+
+    @property
+    def x(self) -> Floats:
+        """Positions from the middle, m."""
+        return self._array("x")
+
+    @property
+    def undeformed(self) -> Floats:
+        """Gap before contact, m."""
+        return self._array("undeformed")
+
+    @property
+    def pressure(self) -> Floats:
+        """Pressure between the solids, Pa."""
+        return self._array("pressure")
+
+    @property
+    def gap(self) -> Floats:
+        """Gap in contact, m."""
+        return self._array("gap")
+
+    @property
+    def displacement(self) -> Floats:
+        """Elastic displacement of both bodies together, m."""
+        return self._array("displacement")
+
+    @property
+    def plastic_displacement(self) -> Floats:
+        """Plastic displacement of both bodies together, m."""
+        return self._array("plastic_displacement")
+
+    def _array(self, name: str) -> Floats:
+        array: Floats = self._values[name]
+        return array
+
+    @property
+    def approach(self) -> float:
+        """Approach of the bodies, m."""
+        return float(self._values["approach_m"])
+
+    @property
+    def certificate(self) -> Record:
+        """Bounds of the error: ``duality_gap``, ``penetration``, ``load_error``, ``reference_gap_m``."""
+        return Record(self._values["certificate"])
+
+    @property
+    def warnings(self) -> Table:
+        """Doubts about the problem: code and text."""
+        return Table(self._values["warnings"], ["code", "text"])
+
+    def stress(
+        self, depths: Values, *, traction: Optional[ArrayLike] = None, poisson: float = 0.3
+    ) -> Stress:
+        """Stress below the surface at ``depths`` in m; see `subsurface_stress`."""
+        spacing = float(self._values["spacing_m"])
+        return subsurface_stress(self.pressure, spacing, depths, traction=traction, poisson=poisson)
+
+    def plot(self) -> Chart:
+        """Pressure in MPa over x in µm."""
+        x, pressure = self.x * 1e6, self.pressure * 1e-6
+        return Chart("Contact pressure", x.tolist(), [("pressure", pressure.tolist())], ("x in µm", "pressure in MPa"))
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The arrays as a `pandas.DataFrame`."""
+        import pandas
+
+        return pandas.DataFrame({name: self._values[name] for name in _POINTS})
+
+    def to_xarray(self) -> xarray.Dataset:
+        """The arrays over x as an `xarray.Dataset`, the numbers as its attributes."""
+        import xarray
+
+        arrays = {name: ("x", self._values[name], {"units": unit}) for name, unit in _POINTS.items() if name != "x"}
+        plain = (int, float, str)
+        attributes = {name: value for name, value in self._values.items() if isinstance(value, plain)}
+        return xarray.Dataset(arrays, coords={"x": ("x", self.x, {"units": "m"})}, attrs=attributes)
+
+    def __repr__(self) -> str:
+        of = self._values
+        return (
+            f"<Contact: {of['points']} points, p_max {of['p_max_pa'] * 1e-6:.6g} MPa, "
+            f"contact {100 * of['contact_fraction']:.4g} %, duality gap {of['certificate']['duality_gap']:.1e}>"
+        )
+
+    def _repr_html_(self) -> str:
+        of = self._values
+        rows = [
+            ("load", f"{of['load_n_per_m'] * 1e-3:.6g} N/mm"),
+            ("largest pressure", f"{of['p_max_pa'] * 1e-6:.6g} MPa"),
+            ("contact", f"{100 * of['contact_fraction']:.4g} %"),
+            ("approach", f"{of['approach_m'] * 1e6:.6g} µm"),
+            ("iterations", str(of["iterations"])),
+        ]
+        rows += [(warning.code, warning.text) for warning in self.warnings]
+        return page("Contact", rows, str(self.plot()))
+
+
+_POINTS = {
+    "x": "m",
+    "undeformed": "m",
+    "pressure": "Pa",
+    "gap": "m",
+    "displacement": "m",
+    "plastic_displacement": "m",
+}
+
+
+class Stress(Record):
+    """Stress below a surface, tension positive: arrays of shape (depths, points), Pa.
+
+    ``depths`` (m), ``sigma_xx``, ``sigma_zz``, ``tau_xz``, ``von_mises``, ``von_mises_max_pa``,
+    ``von_mises_depth_m``, ``von_mises_position_m`` from the first point.
+    """
+
+
+def _asked(boundary: str, tolerance: float, iterations: int, cascade: bool, window: bool, **numbers: Any) -> str:
+    settings = {"tolerance": tolerance, "max-iterations": iterations, "cascade": cascade, "window": window}
+    return json.dumps({"boundary": boundary, "settings": settings, **numbers})
+
+
+def solve_contact(
+    gap: Union[ArrayLike, Profile],
+    spacing: Optional[Scalar] = None,
+    modulus: Optional[Scalar] = None,
+    load: Optional[Scalar] = None,
+    *,
+    approach: Optional[Scalar] = None,
+    datum: Optional[Scalar] = None,
+    boundary: str = "free",
+    pressure_limit: Optional[Scalar] = None,
+    prescribed_pressure: Optional[ArrayLike] = None,
+    start: Optional[ArrayLike] = None,
+    tolerance: float = 1e-8,
+    max_iterations: int = 5000,
+    cascade: bool = True,
+    window: bool = True,
+) -> Contact:
+    """Presses two elastic half-planes with a gap between them together (plane strain).
+
+    Args:
+        gap: undeformed gap, shape (n,), m, from any datum.
+        spacing: distance of the points, m.
+        modulus: reduced modulus E* = 1/Σ((1 − ν²)/E), Pa.
+        load: load per metre of face width, N/m; of a period where the ends are periodic.
+        approach: approach of the bodies in place of a load, m.
+        datum: distance at which the displacement by a cell is zero, m; default twice the window.
+        boundary: ``"free"``, ``"periodic"`` or ``"periodic-spectral"``.
+        pressure_limit: pressure at which the softer body flows, Pa.
+        prescribed_pressure: further pressure on both bodies, shape (n,), Pa.
+        start: pressure to start from, shape (n,), Pa.
+        tolerance: largest duality gap, penetration and load error; at most 1e-4.
+        max_iterations: most iterations on the finest grid.
+        cascade: whether coarser grids are solved first.
+        window: whether the part that touches is solved first.
+
+    Solved by an active set with conjugate gradients over fast Fourier transforms, every solution with its
+    certificate (docs/EQUATIONS.md, Contact).
+    """
+    if isinstance(gap, Profile):
+        spacing = gap.spacing if spacing is None else spacing
+        gap = -gap.heights
+    if spacing is None or modulus is None:
+        raise AsperityError("a contact needs spacing and modulus", "E205", "Give the spacing of the points and E*.")
+
+    def optional(values: Optional[ArrayLike], name: str) -> Optional[Floats]:
+        return None if values is None else flat(numbers(values, name), name)
+
+    asked = _asked(
+        boundary,
+        tolerance,
+        max_iterations,
+        cascade,
+        window,
+        spacing=si(spacing, "Length"),
+        modulus=si(modulus, "Pressure"),
+        load=si_or_none(load, "LineLoad"),
+        approach=si_or_none(approach, "Length"),
+        datum=si_or_none(datum, "Length"),
+        pressure_limit=si_or_none(pressure_limit, "Pressure"),
+    )
+    prescribed = optional(prescribed_pressure, "prescribed_pressure")
+    return Contact(
+        *_asperity.solve_contact(flat(numbers(gap, "gap"), "gap"), asked, prescribed, optional(start, "start"))
+    )
+
+
+def press_flanks(
+    first: Profile,
+    second: Profile,
+    *,
+    radius: Scalar,
+    load: Scalar,
+    modulus: Scalar,
+    pressure_limit: Optional[Scalar] = None,
+    run_in: Optional[int] = None,
+    first_share: float = 0.5,
+    tolerance: float = 1e-8,
+) -> Contact:
+    """Presses two profiles of one length and spacing together, point i of one facing point i of the other.
+
+    Args:
+        radius: relative radius of curvature, m.
+        load: load per metre of face width, N/m.
+        modulus: reduced modulus E*, Pa.
+        pressure_limit: pressure at which the softer flank flows, Pa.
+        run_in: passes per cycle of a running-in before; ``running_in`` of the result lists the cycles.
+        first_share: share of the plastic displacement that the first flank takes.
+    """
+    asked = _asked(
+        "free",
+        tolerance,
+        5000,
+        True,
+        True,
+        spacing=first.spacing,
+        modulus=si(modulus, "Pressure"),
+        load=si(load, "LineLoad"),
+        pressure_limit=si_or_none(pressure_limit, "Pressure"),
+    )
+    plan = None if run_in is None else json.dumps({"passes": run_in, "first_share": first_share})
+    return Contact(*_asperity.press_flanks(first._raw, second._raw, si(radius, "Length"), asked, plan))
+
+
+def subsurface_stress(
+    pressure: ArrayLike,
+    spacing: Scalar,
+    depths: Values,
+    *,
+    traction: Optional[ArrayLike] = None,
+    poisson: float = 0.3,
+) -> Stress:
+    """Stress in a half-plane under a pressure and a traction (Johnson 1985, uniform strips).
+
+    Args:
+        pressure: shape (n,), Pa.
+        spacing: distance of the points, m.
+        depths: shape (m,), m; 0 is allowed.
+        traction: shear on the surface, shape (n,), Pa.
+        poisson: Poisson's ratio.
+    """
+    p = flat(numbers(pressure, "pressure"), "pressure")
+    q = None if traction is None else flat(numbers(traction, "traction"), "traction")
+    below = si_array(depths, "Length").reshape(-1)
+    text, arrays = _asperity.subsurface_stress(p, q, si(spacing, "Length"), below, poisson)
+    shaped = {name: array if name == "depths" else array.reshape(len(below), len(p)) for name, array in arrays.items()}
+    return Stress({**json.loads(text), **shaped})

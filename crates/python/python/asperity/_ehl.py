@@ -1,0 +1,98 @@
+"""The mixed lubricated contact of a case in time."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Optional
+
+from . import _asperity
+from ._case import CaseLike, as_case
+from ._html import Chart, page
+from ._progress import Progress, Told
+from ._quantity import Floats, Scalar, si_or_none
+from ._record import Record
+
+if TYPE_CHECKING:
+    import xarray
+
+
+class EhlRecord(Record):
+    """A record of transient mixed lubrication: means with standard errors, mean pressure and film along the contact.
+
+    ``solid_share`` and ``solid_share_standard_error``, ``mean_film_um``, ``central_film_um`` (smooth), ``friction``
+    (``graded``, ``stepped``, ``film_alone``), ``load_below``, ``max_pressure_pa``; ``x`` (m), ``mean_pressure`` (Pa),
+    ``mean_film`` (m) of shape (n,).
+    """
+
+    @property
+    def x(self) -> Floats:
+        """Positions along the contact, m."""
+        x: Floats = self._values["x"]
+        return x
+
+    def plot(self) -> Chart:
+        """Mean pressure in MPa over x in µm."""
+        pressure = (self._values["mean_pressure"] * 1e-6).tolist()
+        return Chart("Mean pressure", (self.x * 1e6).tolist(), [("pressure", pressure)], ("x in µm", "MPa"))
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Mean pressure and film over x, the numbers as attributes."""
+        import xarray
+
+        arrays = {name: ("x", self._values[name]) for name in ("mean_pressure", "mean_film")}
+        numbers = {name: value for name, value in self._values.items() if isinstance(value, (int, float))}
+        return xarray.Dataset(arrays, coords={"x": self.x}, attrs=numbers)
+
+    def __repr__(self) -> str:
+        of = self._values
+        return f"<EhlRecord: solid share {of['solid_share']:.4g}, mean film {of['mean_film_um']:.4g} µm>"
+
+    def _repr_html_(self) -> str:
+        of = self._values
+        rows = [
+            ("load on films below 20 nm", f"{100 * of['solid_share']:.4g} %"),
+            ("mean film", f"{of['mean_film_um']:.4g} µm"),
+            ("smooth central film", f"{of['central_film_um']:.4g} µm"),
+            ("largest pressure", f"{of['max_pressure_pa'] * 1e-9:.4g} GPa"),
+        ]
+        return page("Mixed lubrication", rows, str(self.plot()))
+
+
+def ehl(
+    case: CaseLike,
+    position: Optional[float] = None,
+    *,
+    cells: int = 512,
+    half_widths: float = 20.0,
+    start: float = 3.0,
+    records: int = 1,
+    eyring_stress: Optional[Scalar] = None,
+    compare: bool = False,
+    threads: Optional[int] = None,
+    progress: Optional[Progress] = None,
+) -> EhlRecord:
+    """Solves the mixed lubricated contact of a case at one place in time, the referee of the faster laws.
+
+    Args:
+        case: the case, both of whose flanks have traces.
+        position: place on the path, 0 at A and 1 at E; default that of the case.
+        cells: cells across the film, a multiple of 64.
+        half_widths: travel of a record in Hertz half-widths.
+        start: travel before the record begins.
+        records: records from other places of the traces, whose mean is given.
+        eyring_stress: Eyring stress in place of that of the base oil, Pa.
+        compare: whether the laws of load sharing are set beside it (``comparison``).
+        threads, progress: as in `Case.run`. Ctrl-C ends the work.
+    """
+    asked = {
+        "position": position,
+        "cells": cells,
+        "half_widths": half_widths,
+        "start": start,
+        "records": records,
+        "eyring_stress": si_or_none(eyring_stress, "Pressure"),
+        "compare": compare,
+    }
+    with Told(progress, "half-widths travelled") as told:
+        text, arrays = _asperity.ehl(as_case(case)._raw, json.dumps(asked), threads, told)
+    return EhlRecord({**json.loads(text), **arrays})

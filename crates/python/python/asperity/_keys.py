@@ -1,0 +1,153 @@
+"""Keys of a case: numbers get the unit that the schema asks for, profiles a name, values the form of a case file."""
+
+from __future__ import annotations
+
+import functools
+import json
+from collections.abc import Iterator, Mapping
+from os import PathLike, fspath
+from typing import Any, Optional
+
+import numpy as np
+
+from . import _asperity
+from ._profile import Profile
+from ._quantity import SI_UNITS, is_pint, si
+
+Traces = list[tuple[str, _asperity.Trace]]
+
+
+@functools.cache
+def _schema(planetary: bool) -> dict[str, Any]:
+    schema: dict[str, Any] = json.loads(_asperity.schema(planetary))
+    return schema
+
+
+class Schema:
+    """A node of the schema of a case file."""
+
+    def __init__(self, planetary: bool = False, nodes: Optional[list[dict[str, Any]]] = None) -> None:
+        self._root = _schema(planetary)
+        self._planetary = planetary
+        self._nodes = list(self._through([self._root] if nodes is None else nodes))
+
+    def _through(self, nodes: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
+        """The nodes with all that they refer to."""
+        for node in nodes:
+            yield node
+            if "$ref" in node:
+                name = node["$ref"].rsplit("/", 1)[-1]
+                yield from self._through([{"quantity": name} if name in SI_UNITS else self._root["$defs"][name]])
+            for kind in ("anyOf", "oneOf", "allOf"):
+                yield from self._through(node.get(kind, []))
+
+    def at(self, key: str) -> Schema:
+        """The node of a key below."""
+        found = [node["properties"][key] for node in self._nodes if key in node.get("properties", {})]
+        return Schema(self._planetary, found)
+
+    def item(self) -> Schema:
+        """The node of the items of a list."""
+        found: list[dict[str, Any]] = []
+        for node in self._nodes:
+            items = node.get("items")
+            if isinstance(items, dict):
+                found.append(items)
+            found.extend(node.get("prefixItems", []))
+        return Schema(self._planetary, found)
+
+    @property
+    def quantity(self) -> Optional[str]:
+        """The quantity that stands here."""
+        return next((node["quantity"] for node in self._nodes if "quantity" in node), None)
+
+    @property
+    def is_table(self) -> bool:
+        """Whether a table of single keys stands here, and not one of several alternatives."""
+        return any("properties" in node for node in self._nodes) and not any("oneOf" in node for node in self._nodes)
+
+
+def named(profile: Profile) -> str:
+    """A name of a profile that no other heights have."""
+    # At its first need: it takes longer to import than the package.
+    import hashlib
+
+    digest = hashlib.sha256(profile.heights.tobytes() + np.float64(profile.spacing).tobytes()).hexdigest()[:12]
+    return f"{profile.name or 'heights'} ({digest})"
+
+
+def written(value: Any, schema: Schema, traces: Traces) -> Any:
+    """The value as JSON has it in a case file."""
+    if isinstance(value, Profile):
+        name = named(value)
+        traces.append((name, value._raw))
+        return {"file": name}
+    if isinstance(value, Mapping):
+        kept = {key: item for key, item in value.items() if item is not None}
+        if isinstance(kept.get("file"), Profile):
+            kept.update(written(kept["file"], schema, traces))
+        return {key: written(item, schema.at(key), traces) for key, item in kept.items()}
+    if is_pint(value):
+        quantity = schema.quantity or schema.item().quantity
+        if quantity is not None:
+            magnitude = np.asarray(value.magnitude)
+            parts = [value] if magnitude.ndim == 0 else list(value)
+            texts = [_text(si(part, quantity), quantity) for part in parts]
+            return texts[0] if magnitude.ndim == 0 else texts
+        value = value.to("").magnitude
+    if isinstance(value, (list, tuple, np.ndarray)):
+        below = schema.item()
+        return [written(item, below, traces) for item in value]
+    if isinstance(value, PathLike):
+        return fspath(value)
+    if isinstance(value, (np.bool_, np.integer, np.floating)):
+        value = value.item()
+    if schema.quantity is not None and isinstance(value, (int, float)) and not isinstance(value, bool):
+        return _text(float(value), schema.quantity)
+    return value
+
+
+def _text(value: float, quantity: str) -> str:
+    return f"{repr(value).removesuffix('.0')} {SI_UNITS[quantity]}"
+
+
+def as_toml(value: Any) -> str:
+    """A JSON value in the form of a case file; text stands as it is."""
+    return value if isinstance(value, str) else _inline(value)
+
+
+def _inline(value: Any) -> str:
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{json.dumps(key)} = {_inline(item)}" for key, item in value.items()) + " }"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(_inline, value)) + "]"
+    return json.dumps(value, ensure_ascii=False)
+
+
+_OF_VALUES = ("rq", "ra", "rz", "rpk", "asperity_radius")
+
+
+def changes(
+    given: Mapping[str, Any], planetary: bool, traces: Traces
+) -> list[tuple[str, Optional[str]]]:
+    """Keys by their paths with the text of their values, none where a key is taken away."""
+    found: list[tuple[str, Optional[str]]] = []
+
+    def add(path: str, value: Any, schema: Schema) -> None:
+        if value is None:
+            found.append((path, None))
+        elif isinstance(value, Profile):
+            found.append((f"{path}.file", written(value, schema, traces)["file"]))
+            found.extend((f"{path}.{key}", None) for key in _OF_VALUES)
+        elif isinstance(value, Mapping) and schema.is_table:
+            for key, item in value.items():
+                add(f"{path}.{key}", item, schema.at(key))
+        else:
+            found.append((path, as_toml(written(value, schema, traces))))
+
+    for path, value in given.items():
+        schema = Schema(planetary)
+        for part in path.split("."):
+            schema = schema.at(part)
+        add(path, value, schema)
+    return found

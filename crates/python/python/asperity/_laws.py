@@ -1,0 +1,166 @@
+"""Laws of Hertz contact, film thickness and friction over arrays."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+
+from . import _asperity
+from ._errors import AsperityError
+from ._quantity import Values, pressed, si_array
+from ._record import Record
+
+
+def _shaped(array: Any, shape: tuple[int, ...]) -> Any:
+    """The array in this shape; a number where all arguments were numbers."""
+    return array.reshape(shape) if shape else array[0].item()
+
+
+def _fitted(given: dict[str, Any], known: dict[str, str]) -> dict[str, Any]:
+    """Arrays in SI units, of one shape, flat."""
+    for name in given:
+        if name not in known:
+            text = f"{name}: is not known; there are {', '.join(known)}"
+            raise AsperityError(text, "E203", "Correct the spelling.")
+    return {
+        name: si_array(value, known[name]) if known[name] else np.asarray(value, dtype=np.float64)
+        for name, value in given.items()
+        if value is not None
+    }
+
+
+def hertz(load: Values, radius: Values, modulus: Values) -> Record:
+    """Hertz line contacts: ``half_width`` (m), ``max_pressure``, ``mean_pressure`` (Pa).
+
+    b = √(4 w R/(π E*)), p₀ = √(w E*/(π R)); Johnson, Contact Mechanics (1985).
+
+    Args:
+        load: load per metre w, N/m.
+        radius: relative radius R, m.
+        modulus: reduced modulus E*, Pa.
+
+    The arguments are broadcast; the arrays have their common shape.
+    """
+    columns = {
+        "load": si_array(load, "LineLoad"),
+        "radius": si_array(radius, "Length"),
+        "modulus": si_array(modulus, "Pressure"),
+    }
+    given, shape = pressed(columns)
+    found = _asperity.hertz(given["load"], given["radius"], given["modulus"])
+    return Record({name: _shaped(array, shape) for name, array in found.items()})
+
+
+_FILM = {
+    "entrainment": "Speed",
+    "radius": "Length",
+    "load": "LineLoad",
+    "modulus": "Pressure",
+    "viscosity": "DynamicViscosity",
+    "pressure_viscosity": "PressureViscosity",
+    "contact_length": "Length",
+}
+
+
+def film_thickness(
+    law: str = "dowson-toyoda",
+    *,
+    entrainment: Values,
+    radius: Values,
+    load: Values,
+    modulus: Values,
+    viscosity: Values,
+    pressure_viscosity: Values,
+    contact_length: Values | None = None,
+) -> Record:
+    """Smooth isothermal films: ``central``, ``minimum`` (m), ``outside`` (bool), ``notes`` (what left its range).
+
+    Args:
+        law: ``"dowson-toyoda"``, ``"moes"``, ``"ertel-grubin"``, ``"hamrock-dowson"`` or ``"hamrock-dowson-line"``;
+            sources in docs/EQUATIONS.md.
+        entrainment: mean surface speed, m/s.
+        radius: relative radius, m.
+        load: load per metre, N/m.
+        modulus: reduced modulus E*, Pa.
+        viscosity: at ambient pressure, Pa s.
+        pressure_viscosity: coefficient α, 1/Pa.
+        contact_length: m, of ``"hamrock-dowson"`` alone.
+    """
+    given = dict(
+        entrainment=entrainment,
+        radius=radius,
+        load=load,
+        modulus=modulus,
+        viscosity=viscosity,
+        pressure_viscosity=pressure_viscosity,
+        contact_length=contact_length,
+    )
+    columns, shape = pressed(_fitted(given, _FILM))
+    arrays, notes = _asperity.film_thickness(law, columns)
+    return Record({**{name: _shaped(array, shape) for name, array in arrays.items()}, "notes": notes})
+
+
+def thermal_reduction(
+    law: str = "gupta", *, max_pressure: Values, modulus: Values, loading: Values, slide_to_roll: Values
+) -> Record:
+    """Factor by which heat in the inlet thins a film: ``factor``, ``outside``, ``notes``.
+
+    Args:
+        law: ``"gupta"`` (1992), ``"murch-wilson"`` (1975) or ``"none"``.
+        max_pressure: Hertz pressure, Pa.
+        modulus: reduced modulus E*, Pa.
+        loading: thermal loading L = η β V²/k.
+        slide_to_roll: slide-to-roll ratio.
+    """
+    given = {"max_pressure": max_pressure, "modulus": modulus, "loading": loading, "slide_to_roll": slide_to_roll}
+    known = {"max_pressure": "Pressure", "modulus": "Pressure", "loading": "", "slide_to_roll": ""}
+    columns, shape = pressed(_fitted(given, known))
+    factor, outside, notes = _asperity.thermal_reduction(law, columns)
+    return Record({"factor": _shaped(factor, shape), "outside": _shaped(outside, shape), "notes": notes})
+
+
+_FRICTION = {
+    "load": "LineLoad",
+    "radius": "Length",
+    "entrainment": "Speed",
+    "sliding": "Speed",
+    "max_pressure": "Pressure",
+    "viscosity": "DynamicViscosity",
+    "contact_viscosity": "DynamicViscosity",
+    "kinematic_viscosity": "KinematicViscosity",
+    "pressure_viscosity": "PressureViscosity",
+    "central_film": "Length",
+    "minimum_film": "Length",
+    "combined_roughness": "Length",
+    "mean_ra": "Length",
+    "sum_rz": "Length",
+    "boundary_coefficient": "",
+    "base_line_load": "LineLoad",
+    "sum_speed": "Speed",
+    "reduced_radius": "Length",
+    "lubricant_factor": "",
+    "load_intensity": "Pressure",
+    "pitch_line_speed": "Speed",
+}
+
+
+def friction_coefficient(law: str = "xu", *, settings: dict[str, Any] | None = None, **given: Any) -> Record:
+    """Friction coefficients by a published law: ``coefficient``, ``outside``, ``notes``.
+
+    Args:
+        law: ``"xu"``, ``"benedict-kelley"``, ``"iso-14179-1"``, ``"iso-14179-2"``, ``"matsumoto"``, ``"doleschel"``,
+            ``"eyring"`` or ``"constant"``; sources in docs/EQUATIONS.md.
+        settings: ``constant``, ``fluid_coefficient``, ``limiting_stress`` and ``xu`` as in ``model.friction_settings``.
+        given: what the law reads, in SI units: load, radius, entrainment, sliding, max_pressure, viscosity,
+            contact_viscosity, kinematic_viscosity, pressure_viscosity, central_film, minimum_film,
+            combined_roughness, mean_ra, sum_rz, boundary_coefficient, and of the whole mesh base_line_load,
+            sum_speed, reduced_radius, lubricant_factor, load_intensity, pitch_line_speed. What it needs and was not
+            given is refused.
+    """
+    if not given:
+        given = {"boundary_coefficient": 0.0}
+    columns, shape = pressed(_fitted(given, _FRICTION))
+    values, outside, notes = _asperity.friction_coefficient(law, columns, json.dumps(settings or {}))
+    return Record({"coefficient": _shaped(values, shape), "outside": _shaped(outside, shape), "notes": notes})

@@ -1,0 +1,247 @@
+"""Losses over torque, speed and temperature."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping, Sequence
+from os import PathLike, fspath
+from typing import TYPE_CHECKING, Any, Optional, Union
+
+import numpy as np
+
+from . import _asperity
+from ._case import CaseLike, as_case
+from ._compare import Finish, cases_of
+from ._errors import AsperityError
+from ._html import Chart, page
+from ._progress import Progress, Told
+from ._quantity import Floats, Values, is_pint, si_array
+from ._record import Record, Table
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    import pandas
+    import xarray
+
+_DIMENSIONS = ("finish", "temperature_c", "torque_nm", "speed_rpm")
+_ABSOLUTE_ZERO = 273.15
+
+
+class Map(Record):
+    """A map of losses: arrays over finish, temperature, torque and speed.
+
+    ``loss_w``, ``loss_torque_nm``, ``efficiency`` and the other numbers have the shape (finishes, temperatures,
+    torques, speeds), NaN where a point has no such number; ``extended`` marks points below the smallest torque whose
+    contacts the traces resolve. ``scope`` is ``"mesh"``: no bearings, seals, churning.
+    """
+
+    def __init__(self, raw: _asperity.Map) -> None:
+        super().__init__(json.loads(raw.json()))
+        self._raw = raw
+        shape = (len(self.temperature_c), len(self.torque_nm), len(self.speed_rpm))
+        points = [raw.points(number) for number in range(len(self.finishes))]
+        self._points: dict[str, Any] = {
+            name: np.stack([np.asarray(of[name]).reshape(shape) for of in points]) for name in points[0]
+        }
+
+    def __getattr__(self, name: str) -> Any:
+        points = self.__dict__.get("_points", {})
+        return points[name] if name in points else super().__getattr__(name)
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._points]
+
+    def _axis(self, name: str) -> Floats:
+        return np.array(self._values["axes"][name], dtype=np.float64)
+
+    @property
+    def torque_nm(self) -> Floats:
+        """Torques at the pinion, N m."""
+        return self._axis("torque_nm")
+
+    @property
+    def speed_rpm(self) -> Floats:
+        """Speeds of the pinion, 1/min."""
+        return self._axis("speed_rpm")
+
+    @property
+    def temperature_c(self) -> Floats:
+        """Temperatures of the flanks, °C."""
+        return self._axis("temperature_c")
+
+    @property
+    def finishes(self) -> list[str]:
+        """Names of the finishes."""
+        return [str(finish["name"]) for finish in self._values["finishes"]]
+
+    @property
+    def warnings(self) -> Table:
+        """What left its range, with the points that it is about."""
+        return Table(self._values["warnings"])
+
+    def loss_torque(
+        self, torque: Values, speed: Values, *, temperature: int = 0, finish: Union[int, str] = 0
+    ) -> Floats:
+        """Loss torque in N m between the nodes, bilinear; torque in N m, speed in rad/s or text with a unit.
+
+        Places outside the map take the value of its edge.
+        """
+        number = self.finishes.index(finish) if isinstance(finish, str) else finish
+        given = [np.asarray(_nodes(torque, "Torque")), np.asarray(_nodes(speed, "AngularSpeed"))]
+        torques, speeds = np.broadcast_arrays(*given)
+        found, _ = self._raw.loss_torque(number, temperature, torques.ravel().tolist(), speeds.ravel().tolist())
+        return found.reshape(torques.shape)
+
+    def export(
+        self,
+        format: str,
+        folder: Union[str, PathLike[str]],
+        *,
+        added: Optional[Union[str, PathLike[str]]] = None,
+        cycle: Optional[Union[str, PathLike[str]]] = None,
+    ) -> list[Path]:
+        """Writes the map for another program: csv, vecto, modelica, matlab, fmu, co2mpas, fastsim, advisor.
+
+        Args:
+            format: the format.
+            folder: existing folder of the files, whose names follow from the finishes.
+            added: table of losses beside those of the mesh.
+            cycle: drive cycle, which ``"fastsim"`` is weighted by.
+        """
+        from pathlib import Path
+
+        tables = [None if file is None else fspath(file) for file in (added, cycle)]
+        written = []
+        for name, content in self._raw.export(format, *tables):
+            file = Path(folder) / name
+            try:
+                file.write_bytes(content)
+            except OSError as error:
+                raise AsperityError(f"{file}: {error}", "E401", "Choose another place.") from error
+            written.append(file)
+        return written
+
+    def write(self, folder: Union[str, PathLike[str]]) -> None:
+        """Writes the folder of ``asperity map``."""
+        self._raw.write(fspath(folder))
+
+    def to_dict(self) -> dict[str, Any]:
+        """All but the raw handles in Python's own types, points as nested lists."""
+        return {**super().to_dict(), "points": {name: array.tolist() for name, array in self._points.items()}}
+
+    def to_xarray(self) -> xarray.Dataset:
+        """The map as an `xarray.Dataset` over finish, temperature_c, torque_nm and speed_rpm."""
+        import xarray
+
+        coordinates = {
+            "finish": self.finishes,
+            "temperature_c": self.temperature_c,
+            "torque_nm": self.torque_nm,
+            "speed_rpm": self.speed_rpm,
+        }
+        data = {name: (_DIMENSIONS, array) for name, array in self._points.items() if name != "code"}
+        attributes = {"title": self._values["title"], "scope": self._values["scope"], "ratio": self._values["ratio"]}
+        return xarray.Dataset(data, coords=coordinates, attrs=attributes)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The map as a `pandas.DataFrame` with a row per point."""
+        import pandas
+
+        levels = [self.finishes, self.temperature_c, self.torque_nm, self.speed_rpm]
+        index = pandas.MultiIndex.from_product(levels, names=_DIMENSIONS)
+        return pandas.DataFrame({name: array.ravel() for name, array in self._points.items()}, index=index)
+
+    def plot(self) -> Chart:
+        """Loss over speed at the largest torque, of every finish at the first temperature."""
+        losses = self._points["loss_w"][:, 0, -1, :]
+        series = [(name, losses[number].tolist()) for number, name in enumerate(self.finishes)]
+        title = f"Loss at {self.torque_nm[-1]:g} N m"
+        return Chart(title, self.speed_rpm.tolist(), series, ("speed in 1/min", "loss in W"))
+
+    def __str__(self) -> str:
+        return self._raw.summary()
+
+    def __repr__(self) -> str:
+        points = self._points["loss_w"]
+        return f"<Map {self._values['title']!r}: {' x '.join(str(count) for count in points.shape)} points>"
+
+    def _repr_html_(self) -> str:
+        rows = [
+            ("torque", f"{self.torque_nm[0]:g} to {self.torque_nm[-1]:g} N m"),
+            ("speed", f"{self.speed_rpm[0]:g} to {self.speed_rpm[-1]:g} 1/min"),
+            ("temperature", ", ".join(f"{value:g}" for value in self.temperature_c) + " °C"),
+            ("points", str(self._points["loss_w"].size)),
+        ]
+        return page(str(self._values["title"]), rows, str(self.plot()))
+
+
+_OWN = {"AngularSpeed": ("1/min", "rpm", "min-1"), "Temperature": ("°C", "C")}
+"""Units of the axes that are not those of the SI."""
+
+
+def _node(value: Any, quantity: str) -> float:
+    """A node in the units of the axes; text in these units to the last digit."""
+    if isinstance(value, str):
+        text = value.strip()
+        unit = next((unit for unit in _OWN.get(quantity, ()) if text.endswith(unit)), None)
+        if unit is not None:
+            return float(text.removesuffix(unit))
+    number = float(si_array(value, quantity))
+    if quantity == "AngularSpeed":
+        return number * 30.0 / math.pi
+    return number - _ABSOLUTE_ZERO if quantity == "Temperature" else number
+
+
+def _nodes(values: Any, quantity: str) -> list[float]:
+    if is_pint(values):
+        values = si_array(values, quantity)
+    if isinstance(values, str) or np.ndim(values) == 0:
+        values = [values]
+    return [_node(value, quantity) for value in values]
+
+
+def _axis(values: Any, quantity: str) -> Union[None, str, list[float]]:
+    if values is None or (isinstance(values, str) and ".." in values):
+        return values
+    return _nodes(values, quantity)
+
+
+Axis = Union[None, str, Sequence[Any], Values]
+"""Nodes of an axis: numbers in SI units, texts with units, or a range as the command takes it."""
+
+
+def map(
+    case: CaseLike,
+    *,
+    torque: Axis = None,
+    speed: Axis = None,
+    temperature: Axis = None,
+    finishes: Optional[Mapping[str, Finish]] = None,
+    threads: Optional[int] = None,
+    progress: Optional[Progress] = None,
+) -> Map:
+    """Maps the losses of a case; every point is that of a run, to the last digit.
+
+    Args:
+        case: the case.
+        torque: nodes at the pinion, N m; default 12 to the largest, mirrored.
+        speed: nodes, rad/s; default 16 to the largest. A node at standstill is added.
+        temperature: nodes of the flanks, K; default that of the case.
+        finishes: finishes by name, as in `compare`; default the traces of the case.
+        threads, progress: as in `Case.run`.
+
+    Nodes are numbers in SI units, texts with units (``["1000 1/min", "9000 1/min"]``), or a range in N m, 1/min or
+    °C as the command takes it: ``"10..100:5"``, ``"10..100:5:log"``.
+    """
+    base = as_case(case)
+    named = cases_of(base, finishes, None) if finishes else [(base.title or "case", base._raw)]
+    axes = (_axis(torque, "Torque"), _axis(speed, "AngularSpeed"), _axis(temperature, "Temperature"))
+    with Told(progress, "points") as told:
+        return Map(_asperity.map(named, *axes, threads, told))
+
+
+def read_map(folder: Union[str, PathLike[str]]) -> Map:
+    """The map in a folder that ``asperity map`` or `Map.write` has written."""
+    return Map(_asperity.read_map(fspath(folder)))

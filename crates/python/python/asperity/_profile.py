@@ -1,0 +1,358 @@
+"""Measured and synthetic profiles."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from os import PathLike, fspath
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _asperity
+from ._html import Chart, page
+from ._quantity import Floats, Scalar, flat, numbers, si, si_or_none
+from ._record import Record, Table
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+_USUAL_END = "cut"
+
+
+_FIRST = ("ra_um", "rq_um", "rz_um", "rp_um", "rv_um", "rt_um", "rsk", "rku", "rk_um", "rpk_um", "rvk_um")
+
+
+class Parameters(dict[str, Any]):
+    """Roughness parameters by name, lengths in µm as the name tells (``ra_um``, ``rpk_um``); also as attributes.
+
+    ``standard`` and ``warnings`` are attributes alone.
+    """
+
+    standard: str
+    warnings: Table
+
+    def __init__(self, values: Mapping[str, Any], standard: str, warnings: Table) -> None:
+        super().__init__(values)
+        self.standard = standard
+        self.warnings = warnings
+
+    def __getattr__(self, name: str) -> Any:
+        try:
+            return self[name]
+        except KeyError:
+            raise AttributeError(f"no parameter {name!r}; there are {', '.join(self)}") from None
+
+    def to_dict(self) -> dict[str, Any]:
+        """The parameters in Python's own types."""
+        return dict(self)
+
+    def to_pandas(self) -> pandas.Series[float]:
+        """The parameters as a `pandas.Series`."""
+        import pandas
+
+        return pandas.Series(dict(self), name=self.standard, dtype=float)
+
+    def _repr_html_(self) -> str:
+        rows = [(name, "-" if value is None else f"{value:.6g}") for name, value in self.items()]
+        return page(f"Parameters ({self.standard})", rows, None)
+
+
+class Parts(NamedTuple):
+    """A profile parted by its filters."""
+
+    primary: Profile
+    """Without form and short waves, over the whole trace."""
+    waviness: Optional[Profile]
+    """Mean line of the filter at the cut-off; none without it."""
+    roughness: Profile
+    """Primary profile minus waviness."""
+
+
+class Profile:
+    """Heights of a surface along a line, evenly spaced.
+
+    Args:
+        heights: heights, shape (n,), m, out of the material; at least 100.
+        spacing: distance of the points, m.
+        name: name for charts and messages.
+    """
+
+    def __init__(self, heights: ArrayLike, spacing: Scalar, *, name: Optional[str] = None) -> None:
+        values = flat(numbers(heights, "heights"), "heights")
+        self._set(_asperity.Trace.of(values, si(spacing, "Length")), name)
+
+    def _set(self, raw: _asperity.Trace, name: Optional[str]) -> None:
+        self._raw = raw
+        self.name = name
+        self._about: dict[str, Any] = json.loads(raw.about)
+
+    @classmethod
+    def _of(cls, raw: _asperity.Trace, name: Optional[str]) -> Profile:
+        made = cls.__new__(cls)
+        made._set(raw, name)
+        return made
+
+    @property
+    def heights(self) -> Floats:
+        """Heights, shape (n,), m, out of the material; a copy."""
+        return self._raw.heights
+
+    @property
+    def spacing(self) -> float:
+        """Distance of the points, m."""
+        return self._raw.spacing
+
+    @property
+    def x(self) -> Floats:
+        """Positions from the first point, shape (n,), m."""
+        x: Floats = np.arange(len(self), dtype=np.float64)
+        x *= self.spacing
+        return x
+
+    def __len__(self) -> int:
+        return len(self._raw.heights)
+
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> Any:
+        return np.asarray(self.heights, dtype=dtype)
+
+    @property
+    def unit(self) -> Optional[str]:
+        """Unit of the heights in the file; they are in m here."""
+        unit: Optional[str] = self._about.get("z_unit")
+        return unit
+
+    @property
+    def about(self) -> Record:
+        """All that reading, generating or preparing found: format, metadata, recipe, what was achieved."""
+        return Record(self._about)
+
+    @property
+    def warnings(self) -> Table:
+        """Warnings: code, text and help."""
+        return Table(self._about["warnings"], ["code", "text", "help"])
+
+    def prepare(self, **plan: Any) -> Profile:
+        """The roughness profile: form removed, filtered (ISO 21920-2, ISO 16610-21).
+
+        Args:
+            form: ``"level"`` (default), ``"none"``, ``"mean"``, ``"poly2"``, ``"circle"`` or ``"involute"``.
+            cutoff: cut-off λc, m; default what the file states, else 0.8 mm; 0 turns the filter off.
+            noise_cutoff: cut-off λs, m; default what the file states, else 2.5 µm; 0 turns the filter off.
+            ends: ``"cut"`` (default: half a cut-off is dropped at each end), ``"reg0"``, ``"reg1"`` or ``"reflect"``.
+            robust: the robust Gaussian regression filter (ISO 16610-31).
+            base_radius, roll_length, towards_root: place on the flank of ``form="involute"``, m.
+        """
+        return self.filter(**plan).roughness
+
+    def filter(
+        self,
+        *,
+        form: str = "level",
+        cutoff: Optional[Scalar] = None,
+        noise_cutoff: Optional[Scalar] = None,
+        ends: str = _USUAL_END,
+        robust: bool = False,
+        base_radius: Optional[Scalar] = None,
+        roll_length: Optional[Scalar] = None,
+        towards_root: bool = False,
+    ) -> Parts:
+        """Primary, waviness and roughness profile; arguments as of `prepare`."""
+        plan = {
+            "form": form,
+            "cutoff": si_or_none(cutoff, "Length"),
+            "noise_cutoff": si_or_none(noise_cutoff, "Length"),
+            "ends": ends,
+            "robust": robust,
+            "base_radius": si_or_none(base_radius, "Length"),
+            "roll_length": si_or_none(roll_length, "Length"),
+            "towards_root": towards_root,
+        }
+        primary, waviness, roughness = self._raw.prepare(json.dumps(plan))
+        return Parts(
+            Profile._of(primary, self.name),
+            None if waviness is None else Profile._of(waviness, self.name),
+            Profile._of(roughness, self.name),
+        )
+
+    def mean_line(self, cutoff: Scalar, *, robust: bool = False, ends: str = "reg1") -> Profile:
+        """Mean line of the Gaussian filter, or of the robust one; cut-off in m."""
+        return Profile._of(self._raw.mean_line(si(cutoff, "Length"), robust, ends), self.name)
+
+    def parameters(
+        self,
+        *,
+        standard: str = "iso4287",
+        sections: Optional[int] = None,
+        cutoff: Optional[Scalar] = None,
+        prepare: Optional[bool] = None,
+    ) -> Parameters:
+        """Roughness parameters, lengths in µm, as ``asperity profile info`` gives them.
+
+        Args:
+            standard: ``"iso4287"`` (means over sections) or ``"iso21920"``.
+            sections: number of sections; default as many cut-offs as fit.
+            cutoff: length of a section, m; default the cut-off of the filter.
+            prepare: whether form and waviness are removed first by the defaults of `prepare`; by default so
+                unless the profile was prepared.
+        """
+        is_prepared = "preparation" in self._about
+        trace = self
+        if prepare or (prepare is None and not is_prepared):
+            trace = self.prepare() if cutoff is None else self.prepare(cutoff=cutoff)
+        found = json.loads(trace._raw.parameters(standard, sections, si_or_none(cutoff, "Length")))
+        every = {**found["heights"], **found["material_ratio"], **found["spectral"], "section_um": found["section_um"]}
+        values = {name: every[name] for name in (*_FIRST, *(name for name in every if name not in _FIRST))}
+        rows = [*trace._about["warnings"], *found["warnings"]]
+        return Parameters(values, standard, Table(rows, ["code", "text", "help"]))
+
+    def mirrored(self) -> Profile:
+        """The same profile run from its other end."""
+        return Profile._of(self._raw.mirrored(), self.name)
+
+    def write(self, path: Union[str, PathLike[str]]) -> None:
+        """Writes the profile as ``.csv``, ``.x3p`` or ``.smd``; reading it back gives the same to the last bit."""
+        self._raw.write(fspath(path))
+
+    def plot(self, ax: Any = None) -> Any:
+        """A chart of the heights in µm over mm: on axes of matplotlib, else an SVG `Chart`."""
+        x, heights = self.x * 1e3, self.heights * 1e6
+        labels = ("x in mm", "height in µm")
+        if ax is None:
+            return Chart(self.name or "Profile", x.tolist(), [("height", heights.tolist())], labels)
+        ax.plot(x, heights, linewidth=0.8)
+        ax.set_xlabel(labels[0])
+        ax.set_ylabel(labels[1])
+        return ax
+
+    def to_dict(self) -> dict[str, Any]:
+        """Name, spacing, heights and what is known of them, in Python's own types."""
+        about = {key: value for key, value in self._about.items() if key != "spacing"}
+        return {"name": self.name, "spacing": self.spacing, "heights": self.heights.tolist(), **about}
+
+    def to_pandas(self) -> pandas.Series[float]:
+        """Heights in m over x in m as a `pandas.Series`."""
+        import pandas
+
+        return pandas.Series(self.heights, index=pandas.Index(self.x, name="x_m"), name=self.name or "height_m")
+
+    def to_xarray(self) -> xarray.DataArray:
+        """Heights in m over x in m as an `xarray.DataArray`."""
+        import xarray
+
+        units = {"units": "m"}
+        x = xarray.Variable("x", self.x, units)
+        return xarray.DataArray(self.heights, coords={"x": x}, dims="x", name=self.name or "height", attrs=units)
+
+    def __repr__(self) -> str:
+        length = (len(self) - 1) * self.spacing
+        return f"<Profile {self.name or ''}: {len(self)} points, {self.spacing * 1e6:.6g} µm apart, {length * 1e3:.6g} mm>"
+
+    def _repr_html_(self) -> str:
+        rows = [("points", str(len(self))), ("spacing", f"{self.spacing * 1e6:.6g} µm")]
+        rows += [(warning.code, warning.text) for warning in self.warnings]
+        return page(self.name or "Profile", rows, str(self.plot()))
+
+
+def read_profile(
+    path: Union[str, PathLike[str]],
+    *,
+    x_unit: Optional[str] = None,
+    z_unit: Optional[str] = None,
+    dx: Optional[Scalar] = None,
+    columns: Union[None, int, tuple[int, int]] = None,
+    decimal: Optional[str] = None,
+    separator: Optional[str] = None,
+    encoding: Optional[str] = None,
+    gaps: Optional[str] = None,
+    row: Optional[int] = None,
+    abscissa: Optional[str] = None,
+    base_radius: Optional[Scalar] = None,
+    uneven: Optional[str] = None,
+) -> Profile:
+    """Reads a profilometer file: text, CSV, X3P, SDF, SMD, PRF, Excel and others (docs/FILE_FORMATS.md).
+
+    Args:
+        path: the file.
+        x_unit, z_unit: ``"mm"``, ``"um"``, ``"nm"`` ..., where the file does not tell.
+        dx: spacing, m.
+        columns: numbers of the columns from 1: ``(x, z)``, or that of the heights alone.
+        decimal, separator, encoding: dialect of a text, where it is misread.
+        gaps: ``"interpolate"`` fills missing points, which are refused by default.
+        row: number of the profile, from 1, in a file that holds several.
+        abscissa, base_radius: for positions that are roll lengths or angles.
+        uneven: ``"resample"`` for uneven positions.
+    """
+    if isinstance(columns, int):
+        chosen: Optional[dict[str, int]] = {"z": columns}
+    else:
+        chosen = None if columns is None else {"x": columns[0], "z": columns[1]}
+    options = {
+        "x-unit": x_unit,
+        "z-unit": z_unit,
+        "dx": _length(dx),
+        "columns": chosen,
+        "decimal": decimal,
+        "separator": separator,
+        "encoding": encoding,
+        "gaps": gaps,
+        "row": row,
+        "abscissa": abscissa,
+        "base-radius": _length(base_radius),
+        "uneven": uneven,
+    }
+    keys = {key: value for key, value in options.items() if value is not None}
+    raw = _asperity.read_profile(fspath(path), json.dumps(keys))
+    return Profile._of(raw, fspath(path).replace("\\", "/").rsplit("/", 1)[-1])
+
+
+_RECIPE_LENGTHS = ("spacing", "rq", "roll_off", "short_cut", "grit_spacing", "grit_radius", "grit_protrusion", "depth", "width")
+
+
+def _length(value: Optional[Scalar]) -> Optional[str]:
+    """A length as a file of settings has it."""
+    return value if value is None or isinstance(value, str) else f"{si(value, 'Length')!r} m"
+
+
+def _with_units(recipe: Mapping[str, Any]) -> dict[str, Any]:
+    units: dict[str, Any] = {}
+    for key, value in recipe.items():
+        if isinstance(value, Mapping):
+            units[key] = _with_units(value)
+        else:
+            units[key] = _length(value) if key in _RECIPE_LENGTHS else value
+    return {key.replace("_", "-"): value for key, value in units.items()}
+
+
+def generate(
+    surface: str = "self-affine",
+    *,
+    amplitudes: str = "fixed",
+    pits: Optional[Mapping[str, Any]] = None,
+    scratches: Optional[Mapping[str, Any]] = None,
+    mirrored: bool = False,
+    name: Optional[str] = None,
+    **recipe: Any,
+) -> Profile:
+    """A synthetic profile; the same recipe and seed give the same heights.
+
+    Args:
+        surface: ``"self-affine"`` (points, spacing, rq, hurst, roll_off, short_cut, seed), ``"non-gaussian"``
+            (spectrum, heights), ``"plateau-honed"`` (coarse, fine, depth) or ``"ground"`` (points, spacing, rq,
+            grit_spacing, grit_radius, grit_protrusion, seed); lengths in m.
+        amplitudes: ``"fixed"`` or ``"random"``, of self-affine surfaces.
+        pits, scratches: count, width, depth, seed of damage added.
+        mirrored: whether the result is reversed.
+
+    Self-affine spectra after Jacobs, Junge and Pastewka (2017).
+    """
+    whole = {
+        "surface": {surface: _with_units(recipe)},
+        "amplitudes": amplitudes,
+        "pits": None if pits is None else _with_units(pits),
+        "scratches": None if scratches is None else _with_units(scratches),
+        "mirrored": mirrored,
+    }
+    return Profile._of(_asperity.generate(json.dumps(whole)), name or f"{surface}, synthetic")

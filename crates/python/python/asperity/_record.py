@@ -1,0 +1,185 @@
+"""Results as objects: named attributes, arrays, dictionaries."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any, Union, overload
+
+import numpy as np
+
+from ._html import page
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+
+def plain(value: Any) -> Any:
+    """The value in Python's own types."""
+    if isinstance(value, (Record, Table)):
+        return value.to_dict()
+    if isinstance(value, np.ndarray):
+        return value.tolist()
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, dict):
+        return {key: plain(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(item) for item in value]
+    return value
+
+
+def wrapped(value: Any) -> Any:
+    """The value of a JSON text with named attributes: objects as records, their lists as tables, numbers as arrays."""
+    if isinstance(value, dict):
+        return Record(value)
+    if isinstance(value, list) and value:
+        if all(isinstance(item, dict) for item in value):
+            return Table(value)
+        if all(isinstance(item, (int, float)) and not isinstance(item, bool) for item in value):
+            return np.array(value, dtype=np.float64)
+    return value
+
+
+class Record(Mapping[str, Any]):
+    """Values by name, as attributes and as items."""
+
+    def __init__(self, values: Mapping[str, Any]) -> None:
+        self._values = dict(values)
+
+    def __getattr__(self, name: str) -> Any:
+        try:
+            return self.__dict__["_values"][name] if name == "_values" else self[name]
+        except KeyError:
+            known = ", ".join(self.__dict__.get("_values", ()))
+            raise AttributeError(f"{type(self).__name__} has no {name!r}; it has {known}") from None
+
+    def __getitem__(self, name: str) -> Any:
+        return wrapped(self._values[name])
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._values]
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Record):
+            return NotImplemented
+        same: bool = self.to_dict() == other.to_dict()
+        return same
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def to_dict(self) -> dict[str, Any]:
+        """The values in Python's own types, as `json.dumps` takes them."""
+        return {name: plain(value) for name, value in self._values.items()}
+
+    def __repr__(self) -> str:
+        lines = [f"  {name} = {_short(value)}" for name, value in self._values.items()]
+        return "\n".join([type(self).__name__, *lines])
+
+    def _repr_html_(self) -> str:
+        rows = [(name, _short(value)) for name, value in self._values.items()]
+        return page(type(self).__name__, rows, None)
+
+
+def _short(value: Any) -> str:
+    if isinstance(value, np.ndarray):
+        return f"array of {' x '.join(map(str, value.shape))}"
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    if isinstance(value, list) and len(value) > 4:
+        return f"{len(value)} values"
+    if isinstance(value, dict) and len(value) > 4:
+        return f"{len(value)} entries"
+    return str(value)
+
+
+def column(values: list[Any]) -> Any:
+    """A column of a table as an array: numbers with NaN for what is missing, or objects."""
+    kinds = {type(value) for value in values if value is not None}
+    if kinds <= {bool} and None not in values:
+        return np.array(values, dtype=np.bool_)
+    if kinds <= {int, float}:
+        if kinds == {int} and None not in values:
+            return np.array(values, dtype=np.int64)
+        return np.array([np.nan if value is None else value for value in values], dtype=np.float64)
+    array = np.empty(len(values), dtype=object)
+    array[:] = [wrapped(value) if isinstance(value, dict) else value for value in values]
+    return array
+
+
+class Table:
+    """Rows with the same names: columns as attributes, rows by their number.
+
+    A column is an array; where a row has no such number, it holds NaN.
+    """
+
+    def __init__(self, rows: list[dict[str, Any]], names: list[str] | None = None) -> None:
+        self._rows = rows
+        self._names = names if names is not None else list(dict.fromkeys(name for row in rows for name in row))
+
+    @property
+    def columns(self) -> list[str]:
+        """Names of the columns."""
+        return list(self._names)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or name not in self._names:
+            raise AttributeError(f"Table has no column {name!r}; it has {', '.join(self.__dict__.get('_names', ()))}")
+        return self[name]
+
+    @overload
+    def __getitem__(self, key: str) -> Any: ...
+    @overload
+    def __getitem__(self, key: int) -> Record: ...
+
+    def __getitem__(self, key: Union[int, str]) -> Any:
+        if isinstance(key, str):
+            if key not in self._names:
+                raise KeyError(key)
+            return column([row.get(key) for row in self._rows])
+        return Record(self._rows[key])
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def __iter__(self) -> Iterator[Record]:
+        return map(Record, self._rows)
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._names]
+
+    def __eq__(self, other: object) -> bool:
+        return self._rows == other._rows if isinstance(other, Table) else NotImplemented
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def to_dict(self) -> list[dict[str, Any]]:
+        """The rows in Python's own types."""
+        return [{name: plain(value) for name, value in row.items()} for row in self._rows]
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The table as a `pandas.DataFrame`."""
+        import pandas
+
+        return pandas.DataFrame({name: self[name] for name in self._names})
+
+    def to_xarray(self, dimension: str = "row") -> xarray.Dataset:
+        """The columns of numbers as an `xarray.Dataset` along one dimension."""
+        import xarray
+
+        columns = {name: self[name] for name in self._names}
+        return xarray.Dataset({name: (dimension, values) for name, values in columns.items()})
+
+    def __repr__(self) -> str:
+        return f"Table of {len(self)} rows: {', '.join(self._names)}"
+
+    def _repr_html_(self) -> str:
+        from ._html import table
+
+        return table(self._names, [[_short(row.get(name, "")) for name in self._names] for row in self._rows])

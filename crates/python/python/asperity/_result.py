@@ -1,0 +1,259 @@
+"""Results of runs."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from os import PathLike, fspath
+from typing import TYPE_CHECKING, Any, Optional, Union
+
+import numpy as np
+
+from . import _asperity
+from ._errors import AsperityError
+from ._html import Chart, page
+from ._quantity import Floats
+from ._record import Record, Table
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+
+class Fields(Record):
+    """Fields along the contact at one position, of its first offset: arrays of shape (n,), SI units.
+
+    ``x``, ``height_pinion``, ``height_wheel``, ``displacement_*``, ``plastic_*``, ``gap`` (m), ``pressure_solid``,
+    ``pressure_fluid``, ``shear`` (Pa); where stress was computed ``depths`` (m) and ``sigma_xx``, ``sigma_zz``,
+    ``tau_xz``, ``von_mises`` of shape (depths, n) in Pa.
+    """
+
+    @property
+    def x(self) -> Floats:
+        """Positions across the contact, 0 at its middle, m."""
+        x: Floats = self._values["x"]
+        return x
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The fields along the surface as a `pandas.DataFrame`."""
+        import pandas
+
+        return pandas.DataFrame({name: value for name, value in self._values.items() if value.shape == self.x.shape})
+
+    def to_xarray(self) -> xarray.Dataset:
+        """All fields as an `xarray.Dataset` over x and depth."""
+        import xarray
+
+        arrays = {
+            name: (("x",) if value.ndim == 1 else ("depth", "x"), value)
+            for name, value in self._values.items()
+            if name not in ("x", "depths")
+        }
+        coordinates = {"x": self.x}
+        if "depths" in self._values:
+            coordinates["depth"] = self._values["depths"]
+        return xarray.Dataset(arrays, coords=coordinates)
+
+    def plot(self) -> Chart:
+        """Pressure of solids and film in MPa over x in µm."""
+        series = [
+            ("solids", (self._values["pressure_solid"] * 1e-6).tolist()),
+            ("film", (self._values["pressure_fluid"] * 1e-6).tolist()),
+        ]
+        return Chart("Pressure", (self.x * 1e6).tolist(), series, ("x in µm", "pressure in MPa"))
+
+
+_DEPTHS = ("sigma_xx", "sigma_zz", "tau_xz", "von_mises")
+
+
+class RunResult(Record):
+    """Result of a run, as ``result.json`` has it (docs/FILE_FORMATS.md): losses, path, warnings, equations.
+
+    Units are in the names: ``summary.loss_w``, ``path.film_minimum_um``.
+    """
+
+    _outcome: Optional[_asperity.Outcome]
+    _json: str
+    _offsets: list[dict[str, Any]]
+
+    def __init__(self, values: Mapping[str, Any]) -> None:
+        super().__init__(values)
+        self._outcome = None
+        self._json = ""
+        self._offsets = []
+
+    @classmethod
+    def _of(cls, outcome: _asperity.Outcome) -> RunResult:
+        text, offsets = outcome.json()
+        made = cls(json.loads(text))
+        made._outcome, made._json, made._offsets = outcome, text, json.loads(offsets)
+        return made
+
+    def __getstate__(self) -> dict[str, Any]:
+        # What the compiled part holds stays where it is: another process gets the result without the fields.
+        return {**self.__dict__, "_outcome": None}
+
+    @property
+    def summary(self) -> Record:
+        """Efficiency and losses, mean over the offsets; of a planetary set, the set."""
+        return Record(self._values.get("summary", self._values))
+
+    @property
+    def efficiency(self) -> float:
+        """Efficiency of the mesh."""
+        return float(self._summary()["efficiency"])
+
+    @property
+    def loss_w(self) -> float:
+        """All losses, W."""
+        return float(self._summary()["loss_w"])
+
+    def _summary(self) -> Mapping[str, Any]:
+        summary: Mapping[str, Any] = self._values.get("summary", self._values)
+        return summary
+
+    @property
+    def title(self) -> str:
+        """Title of the case."""
+        return str(self._values["title"])
+
+    @property
+    def path(self) -> Table:
+        """One row per mesh position from A to E; of a planetary set, its meshes."""
+        return Table(self._values.get("path", self._values.get("meshes", [])))
+
+    @property
+    def warnings(self) -> Table:
+        """Warnings: code and text."""
+        return Table(self._values.get("warnings", []), ["code", "text"])
+
+    @property
+    def offsets(self) -> Table:
+        """Efficiency and losses at each offset of the traces; empty for a result that was read back."""
+        return Table(self._offsets)
+
+    @property
+    def positions(self) -> list[int]:
+        """Numbers of the positions whose fields are held, from 1 at A."""
+        return [] if self._outcome is None else self._outcome.positions()
+
+    def fields(self, position: Optional[int] = None) -> Fields:
+        """Fields along the contact at a position, from 1 at A; by default where the pressure is highest."""
+        if self._outcome is None:
+            raise AsperityError("a result that was read back holds no fields", "E402", "Run the case again.")
+        if position is None:
+            highest = self.path["p_max_mpa"]
+            position = int(np.nanargmax(highest)) + 1 if np.isfinite(highest).any() else 1
+        found = self._outcome.fields(position)
+        count = len(found["x"])
+        return Fields({name: array.reshape(-1, count) if name in _DEPTHS else array for name, array in found.items()})
+
+    @property
+    def meshes(self) -> list[RunResult]:
+        """Results of both meshes of a planetary set."""
+        return [] if self._outcome is None else [RunResult._of(mesh) for mesh in self._outcome.meshes()]
+
+    def write(self, folder: Union[str, PathLike[str]], *, fields: bool = False) -> None:
+        """Writes the result folder of ``asperity run`` with its page ``report.html``, whole or not at all."""
+        if self._outcome is None:
+            raise AsperityError("a result that was read back is in its folder", "E402", "Run the case again.")
+        self._outcome.write(fspath(folder), fields)
+
+    def to_json(self) -> str:
+        """The text of ``result.json`` without its line breaks."""
+        return self._json
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The positions of the path as a `pandas.DataFrame`, the summary in its ``attrs``."""
+        frame = self.path.to_pandas()
+        frame.attrs = {"title": self.title, **Record(self._summary()).to_dict()}
+        return frame
+
+    def to_xarray(self) -> xarray.Dataset:
+        """The numbers along the path as an `xarray.Dataset` over ``path_fraction``, the summary in its ``attrs``."""
+        import xarray
+
+        path = self.path
+        columns = {name: path[name] for name in path.columns}
+        at = columns.pop("path_fraction", np.arange(len(path)))
+        numbers = {name: ("path_fraction", value) for name, value in columns.items() if value.dtype != object}
+        plain = {name: value for name, value in self._summary().items() if isinstance(value, (int, float, str))}
+        return xarray.Dataset(numbers, coords={"path_fraction": at}, attrs={"title": self.title, **plain})
+
+    def plot(self) -> Chart:
+        """Loss along the path in W per metre of contact line."""
+        path = self.path
+        parts = [
+            ("film", "film_w_per_m"),
+            ("lubricated asperities", "lubricated_asperity_w_per_m"),
+            ("boundary layer", "boundary_w_per_m"),
+            ("rolling", "rolling_w_per_m"),
+        ]
+        series = [(name, path[key].tolist()) for name, key in parts if key in path.columns]
+        at = path["path_fraction"].tolist()
+        return Chart("Loss along the path", at, series, ("A to E", "W/m"))
+
+    def __str__(self) -> str:
+        if "summary" in self._values and "inputs" in self._values:
+            return _asperity.summary(self._json)
+        return repr(self)
+
+    def __repr__(self) -> str:
+        return f"<RunResult {self.title!r}: loss {self.loss_w:.6g} W, efficiency {100 * self.efficiency:.4f} %>"
+
+    def _repr_html_(self) -> str:
+        of = self._summary()
+        names = (
+            ("loss_w", "loss", "W"),
+            ("sliding_w", "sliding", "W"),
+            ("film_w", "in the film", "W"),
+            ("lubricated_asperity_w", "in lubricated asperities", "W"),
+            ("boundary_w", "in the boundary layer", "W"),
+            ("rolling_w", "rolling", "W"),
+            ("mu_equivalent", "equivalent friction coefficient", ""),
+            ("mixed_share", "share of the path in mixed lubrication", ""),
+        )
+        rows = [("efficiency", f"{100 * self.efficiency:.4f} %")]
+        band = self._values.get("band")
+        if band:
+            low, high = band["quantiles_w"]
+            rows.append(("loss, 5 to 95 %", f"{low:.4g} to {high:.4g} W"))
+        rows += [(name, f"{of[key]:.4g} {unit}".strip()) for key, name, unit in names if key in of]
+        rows += [(str(warning.code), str(warning.text)) for warning in self.warnings]
+        chart = str(self.plot()) if "path_fraction" in self.path.columns else None
+        return page(self.title, rows, chart)
+
+
+class Regime(Table):
+    """Film and regime along the path of contact: columns ``path_fraction``, ``lambda_star``, ``film_minimum_um`` ..."""
+
+    def __init__(self, meshes: list[dict[str, Any]]) -> None:
+        super().__init__(meshes[0]["rows"])
+        self._meshes = meshes
+
+    @property
+    def title(self) -> str:
+        """Title of the case, or of the mesh."""
+        return str(self._meshes[0]["title"])
+
+    @property
+    def meshes(self) -> list[Regime]:
+        """The regime of each mesh of a planetary set."""
+        return [Regime([mesh]) for mesh in self._meshes]
+
+    def plot(self) -> Chart:
+        """Λ* along the path."""
+        at = self["path_fraction"].tolist()
+        return Chart("Film parameter Λ*", at, [("Λ*", self["lambda_star"].tolist())], ("A to E", "Λ*"))
+
+    def to_xarray(self, dimension: str = "path_fraction") -> xarray.Dataset:
+        """The columns over ``path_fraction``."""
+        import xarray
+
+        columns = {name: (dimension, self[name]) for name in self.columns if name != "path_fraction"}
+        return xarray.Dataset(columns, coords={dimension: self["path_fraction"]})
+
+    def _repr_html_(self) -> str:
+        mixed = self["mixed_share"]
+        rows = [("mixed", f"{100 * float(mixed.mean()):.4g} % of the positions")]
+        return page(f"Regime, {self.title}", rows, str(self.plot()))

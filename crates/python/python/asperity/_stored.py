@@ -1,0 +1,31 @@
+"""Results read back from their folders."""
+
+from __future__ import annotations
+
+import json
+from os import PathLike, fspath
+from typing import Union
+
+from . import _asperity
+from ._map import Map, read_map
+from ._record import Record
+from ._result import RunResult
+
+
+def read_result(folder: Union[str, PathLike[str]]) -> Union[RunResult, Map, Record]:
+    """The result in a folder: of ``asperity run`` (or its ``result.json``), ``map``, ``compare`` or ``sweep``.
+
+    The fields of single positions are not read.
+    """
+    from pathlib import Path
+
+    place = Path(folder)
+    if (place / "map.json").is_file():
+        return read_map(place)
+    for name in ("compare.json", "sweep.json"):
+        if (place / name).is_file():
+            return Record(json.loads((place / name).read_text(encoding="utf-8")))
+    text = _asperity.read_result(fspath(folder))
+    result = RunResult(json.loads(text))
+    result._json = text
+    return result

@@ -1,0 +1,163 @@
+"""Many cases of one study."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from os import PathLike, fspath
+from typing import TYPE_CHECKING, Any, Optional, Union
+
+from . import _asperity
+from ._case import Case, CaseLike, as_case
+from ._errors import AsperityError
+from ._keys import Schema, written
+from ._progress import Progress, Told
+from ._record import Record, Table
+
+if TYPE_CHECKING:
+    import pandas
+
+_AT_ONCE = 16
+
+
+def _value(text: str) -> Any:
+    """A cell: a number where it is one, none where it is empty."""
+    if text == "":
+        return None
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+class Sweep(Iterator[Record]):
+    """The cases of a study, run as they are asked for: an iterator of rows.
+
+    A row has ``case`` (its number), ``id``, the inputs, the results and ``code``, the code of the error of a case
+    that has no result. Cases that share their contacts solve them once. Iterating again runs nothing twice.
+    """
+
+    def __init__(self, raw: _asperity.Cases, threads: Optional[int], progress: Optional[Progress]) -> None:
+        self._raw = raw
+        self._threads = threads
+        self._told = Told(progress, "cases")
+        self._rows: list[dict[str, Any]] = []
+        self._given = 0
+        self._header = raw.header
+
+    @property
+    def columns(self) -> list[str]:
+        """Names of the columns."""
+        return list(self._header)
+
+    def __len__(self) -> int:
+        return len(self._raw)
+
+    def __iter__(self) -> Sweep:
+        self._given = 0
+        return self
+
+    def __next__(self) -> Record:
+        if self._given == len(self._raw):
+            self._told.__exit__()
+            raise StopIteration
+        if self._given == len(self._rows):
+            self._advance()
+        self._given += 1
+        return Record(self._rows[self._given - 1])
+
+    def _advance(self) -> None:
+        first = len(self._rows)
+        for cells in self._raw.rows(first, first + _AT_ONCE, self._threads):
+            row = dict(zip(self._header, cells))
+            texts = {"id": row["id"], "code": row["code"] or None, "case": int(row["case"])}
+            self._rows.append({name: texts[name] if name in texts else _value(cell) for name, cell in row.items()})
+        if self._told.call is not None:
+            self._told.call(len(self._rows), len(self._raw))
+
+    def run(self) -> Table:
+        """All rows as a table."""
+        while len(self._rows) < len(self._raw):
+            self._advance()
+        return Table(self._rows, self._header)
+
+    def to_dict(self) -> list[dict[str, Any]]:
+        """All rows in Python's own types."""
+        return self.run().to_dict()
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """All rows as a `pandas.DataFrame` with the numbers of the cases as index."""
+        return self.run().to_pandas().set_index("case")
+
+    def to_xarray(self) -> Any:
+        """All rows as an `xarray.Dataset` over the numbers of the cases."""
+        return self.to_pandas().to_xarray()
+
+    def __repr__(self) -> str:
+        return f"<Sweep: {len(self._rows)} of {len(self)} cases run>"
+
+
+def sweep(
+    case: Union[CaseLike, None] = None,
+    axes: Optional[Mapping[str, Any]] = None,
+    *,
+    sample: Optional[Mapping[str, Any]] = None,
+    columns: Optional[Sequence[str]] = None,
+    detail: str = "losses",
+    study: Optional[Union[str, PathLike[str]]] = None,
+    folder: Union[str, PathLike[str]] = ".",
+    threads: Optional[int] = None,
+    progress: Optional[Progress] = None,
+) -> Sweep:
+    """The cases of a study, an iterator that runs them as it goes.
+
+    Args:
+        case: the case that all others are made from.
+        axes: crossed axes: by key the values, ``{"operation.torque": ["20 N m", "150 N m"]}``, or
+            ``{"from": .., "to": .., "count": .., "spacing": "log"}``; by any other name choices of several keys,
+            ``{"finish": {"ground": {"surface.pinion.file": "g.csv"}}}``.
+        sample: ``method`` (``"sobol"``, ``"latin-hypercube"``, ``"random"``, ``"list"``), ``count``, ``seed``,
+            ``vary`` (by key ``{"uniform": [a, b]}``, ``"normal"``, ``"log-uniform"``, ``"triangular"``), ``indices``.
+        columns: results of the summary; default efficiency, losses, equivalent friction, mixed share.
+        detail: ``"losses"`` or ``"contacts"``.
+        study: a study file in place of all these (docs/FILE_FORMATS.md).
+        folder: folder that files of the sample are relative to.
+        threads, progress: as in `Case.run`.
+    """
+    if study is not None:
+        return Sweep(_asperity.Cases.load(fspath(study)), threads, progress)
+    if case is None:
+        raise AsperityError("a sweep needs a case or a study", "E205", "Give a case with axes, or a study file.")
+    base = as_case(case)
+    text: dict[str, Any] = {"axis": [_axis(name, values) for name, values in (axes or {}).items()], "detail": detail}
+    if columns is not None:
+        text["columns"] = list(columns)
+    if sample is not None:
+        vary = {key: _with_units(key, law) for key, law in sample.get("vary", {}).items()}
+        text["sample"] = {**sample, "vary": vary}
+    raw = _asperity.Cases.of(base._raw, json.dumps(text, ensure_ascii=False), fspath(folder))
+    return Sweep(raw, threads, progress)
+
+
+def _schema(key: str) -> Schema:
+    schema = Schema()
+    for part in key.split("."):
+        schema = schema.item() if part.isdigit() else schema.at(part)
+    return schema
+
+
+def _with_units(key: str, law: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
+    return {name: [written(value, _schema(key), []) for value in values] for name, values in law.items()}
+
+
+def _axis(name: str, values: Any) -> dict[str, Any]:
+    schema = _schema(name)
+    if not isinstance(values, Mapping):
+        return {"key": name, "values": [written(value, schema, []) for value in values]}
+    if "from" in values and "to" in values:
+        ends = {end: written(values[end], schema, []) for end in ("from", "to")}
+        return {"key": name, **values, **ends}
+    choice = {
+        of: {key: written(value, _schema(key), []) for key, value in keys.items()} for of, keys in values.items()
+    }
+    return {"name": name, "choice": choice}

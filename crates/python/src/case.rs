@@ -1,0 +1,378 @@
+//! Cases: loaded, changed, run.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use asperity::band::run_with_band;
+use asperity::case::planetary::{self, LoadedPlanetary};
+use asperity::case::{self, Formulation, LoadedCase, Source, load_holding, open_source};
+use asperity::core::Profile;
+use asperity::dry_contact::dry_contact;
+use asperity::gear_report;
+use asperity::kept_fields::KeptFields;
+use asperity::pipeline;
+use asperity::planetary::run_planetary_keeping;
+use asperity::survey::{self, RegimeRow};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use serde_json::json;
+
+use crate::contact::found;
+use crate::failure::{self, Failure};
+use crate::outcome::{Found, Outcome};
+use crate::trace::Trace;
+use crate::work::{alone, in_parallel};
+
+/// Traces in memory by the names that a case gives them.
+pub type Traces<'py> = Vec<(PathBuf, PyRef<'py, Trace>)>;
+
+fn profiles(traces: &Traces<'_>) -> Vec<(PathBuf, Profile)> {
+    let held = traces.iter();
+    held.map(|(name, trace)| (name.clone(), trace.profile.clone()))
+        .collect()
+}
+
+/// A planetary set with the text that it is made from, which is read again with other keys.
+#[derive(Clone)]
+pub struct Set {
+    loaded: Arc<LoadedPlanetary>,
+    source: Source,
+    folder: PathBuf,
+    keys: Vec<(String, String)>,
+    formulation: Option<Formulation>,
+}
+
+/// A case of either kind.
+#[derive(Clone)]
+enum Kind {
+    Pair(Arc<LoadedCase>),
+    Set(Box<Set>),
+}
+
+/// A case, checked, with its traces.
+#[pyclass(frozen, module = "asperity._asperity")]
+#[derive(Clone)]
+pub struct Case {
+    kind: Kind,
+}
+
+/// JSON schema of a case file, of an ordinary one or a planetary one.
+#[pyfunction]
+pub fn schema(planetary: bool) -> PyResult<String> {
+    let schema = match planetary {
+        true => planetary::schema(),
+        false => case::schema(),
+    };
+    Ok(failure::json(&schema)?)
+}
+
+fn reading(name: Option<&str>) -> Result<Option<Formulation>, Failure> {
+    match name {
+        None => Ok(None),
+        Some("corrected") => Ok(Some(Formulation::Corrected)),
+        Some("paper") => Ok(Some(Formulation::Paper)),
+        Some(other) => {
+            let message = format!("formulation: {other}: must be corrected or paper");
+            Err(Failure::new("E204", message))
+        }
+    }
+}
+
+/// Film and regime of a mesh.
+#[derive(serde::Serialize)]
+struct MeshRegime {
+    title: String,
+    rows: Vec<RegimeRow>,
+}
+
+impl Case {
+    fn of(
+        source: Source,
+        folder: &Path,
+        traces: &[(PathBuf, Profile)],
+        keys: Vec<(String, String)>,
+        formulation: Option<Formulation>,
+    ) -> Result<Self, Failure> {
+        if planetary::is_planetary(&source) {
+            if !traces.is_empty() {
+                let message =
+                    "a planetary set takes its traces from files; write them with Profile.write";
+                return Err(Failure::new("E205", message));
+            }
+            let loaded = planetary::load_set(source.clone(), folder, &keys, formulation)?;
+            let set = Set {
+                loaded: loaded.into(),
+                source,
+                folder: folder.to_owned(),
+                keys,
+                formulation,
+            };
+            return Ok(Self {
+                kind: Kind::Set(set.into()),
+            });
+        }
+        let loaded = load_holding(source, folder, traces, &keys, &|input| {
+            if formulation.is_some() {
+                input.formulation = formulation;
+            }
+        })?;
+        Ok(Self {
+            kind: Kind::Pair(loaded.into()),
+        })
+    }
+
+    /// The case, where it is one of two gears.
+    pub fn pair(&self) -> Result<&Arc<LoadedCase>, Failure> {
+        match &self.kind {
+            Kind::Pair(loaded) => Ok(loaded),
+            Kind::Set(_) => {
+                let message = "the case is a planetary set; this takes a pair of gears";
+                Err(Failure::new("E205", message))
+            }
+        }
+    }
+}
+
+#[pymethods]
+impl Case {
+    /// The case in a file, keys set past its text.
+    #[staticmethod]
+    fn load(
+        py: Python<'_>,
+        path: PathBuf,
+        keys: Vec<(String, String)>,
+        formulation: Option<&str>,
+    ) -> PyResult<Self> {
+        let formulation = reading(formulation)?;
+        alone(py, || {
+            let source = open_source(&path)?;
+            let folder = path.parent().unwrap_or(Path::new("."));
+            Self::of(source, folder, &[], keys, formulation)
+        })
+    }
+
+    /// The case in a JSON text, with traces in memory.
+    #[staticmethod]
+    fn from_json(
+        py: Python<'_>,
+        text: &str,
+        folder: PathBuf,
+        traces: Traces<'_>,
+        formulation: Option<&str>,
+    ) -> PyResult<Self> {
+        let formulation = reading(formulation)?;
+        let held = profiles(&traces);
+        alone(py, || {
+            let source = Source::new("case.json", text).map_err(asperity::Error::from)?;
+            Self::of(source, &folder, &held, Vec::new(), formulation)
+        })
+    }
+
+    /// The case with keys set, or taken away where the value is none.
+    fn replace(
+        &self,
+        py: Python<'_>,
+        keys: Vec<(String, Option<String>)>,
+        traces: Traces<'_>,
+    ) -> PyResult<Self> {
+        let held = profiles(&traces);
+        alone(py, || match &self.kind {
+            Kind::Pair(loaded) => {
+                let mut input = loaded.case.input.clone();
+                for (key, value) in &keys {
+                    match value {
+                        Some(value) => input.set(key, value)?,
+                        None => input.unset(key)?,
+                    }
+                }
+                let changed = loaded.holding(&held).with(|now| *now = input)?;
+                Ok(Self {
+                    kind: Kind::Pair(changed.into()),
+                })
+            }
+            Kind::Set(set) => {
+                let mut all = set.keys.clone();
+                for (key, value) in keys {
+                    let value = value.ok_or_else(|| {
+                        Failure::new(
+                            "E205",
+                            format!("{key}: a key of a planetary set cannot be taken away"),
+                        )
+                    })?;
+                    all.push((key, value));
+                }
+                Self::of(set.source.clone(), &set.folder, &held, all, set.formulation)
+            }
+        })
+    }
+
+    /// The case on the traces of another finish, by their files or names in memory; a single one serves both flanks.
+    fn on_finish(
+        &self,
+        py: Python<'_>,
+        pinion: PathBuf,
+        wheel: Option<PathBuf>,
+        traces: Traces<'_>,
+        offsets: Option<usize>,
+    ) -> PyResult<Self> {
+        let held = profiles(&traces);
+        let loaded = self.pair()?;
+        alone(py, || {
+            let changed = loaded.holding(&held).with(|input| {
+                input.surface.put_traces(&pinion, wheel.as_deref());
+                if offsets.is_some() {
+                    input.model.offsets = offsets;
+                }
+            })?;
+            Ok(Self {
+                kind: Kind::Pair(changed.into()),
+            })
+        })
+    }
+
+    /// Whether the case is a planetary set.
+    #[getter]
+    fn is_planetary(&self) -> bool {
+        matches!(self.kind, Kind::Set(_))
+    }
+
+    /// Title, inputs, defaults and warnings as JSON.
+    #[getter]
+    fn about(&self) -> PyResult<String> {
+        let about = match &self.kind {
+            Kind::Pair(loaded) => json!({
+                "title": loaded.case.title,
+                "inputs": loaded.case.input,
+                "defaults": loaded.case.defaults,
+                "warnings": loaded.warnings,
+            }),
+            Kind::Set(set) => json!({
+                "title": set.loaded.title,
+                "inputs": set.loaded.input,
+                "defaults": set.loaded.defaults,
+                "warnings": set.loaded.meshes.iter().flat_map(|mesh| &mesh.warnings).collect::<Vec<_>>(),
+            }),
+        };
+        Ok(failure::json(&about)?)
+    }
+
+    /// The case as the text of a case file.
+    fn to_toml(&self) -> PyResult<String> {
+        Ok(self.pair()?.case.input.to_toml().map_err(Failure::from)?)
+    }
+
+    /// Runs the case.
+    fn run(
+        &self,
+        py: Python<'_>,
+        detail: &str,
+        band: bool,
+        threads: Option<usize>,
+        progress: Option<Bound<'_, PyAny>>,
+    ) -> PyResult<Outcome> {
+        in_parallel(py, threads, progress.as_ref(), |told| {
+            let shown = |done, total| told.tell(done, total);
+            let found = match (&self.kind, detail) {
+                (Kind::Set(set), "fields") => {
+                    Found::Set(run_planetary_keeping(&set.loaded, &KeptFields::All, &shown)?.into())
+                }
+                (Kind::Set(_), _) => {
+                    let message = "a planetary set is run with detail = \"fields\" alone";
+                    return Err(Failure::new("E205", message));
+                }
+                (Kind::Pair(loaded), "losses") => {
+                    let program = concat!("asperity ", env!("CARGO_PKG_VERSION"));
+                    let losses = pipeline::losses(loaded, &shown)?;
+                    Found::Losses(program, loaded.case.title.clone(), losses.into())
+                }
+                (Kind::Pair(loaded), "contacts") => {
+                    Found::Whole(pipeline::contacts(loaded, &shown)?.into())
+                }
+                (Kind::Pair(loaded), "fields") if band => {
+                    Found::Whole(run_with_band(loaded, &KeptFields::All, &shown)?.into())
+                }
+                (Kind::Pair(loaded), "fields") => {
+                    Found::Whole(pipeline::run(loaded, &shown)?.into())
+                }
+                (_, other) => {
+                    let message = format!("detail: {other}: must be losses, contacts or fields");
+                    return Err(Failure::new("E204", message));
+                }
+            };
+            Ok(Outcome(Arc::new(found)))
+        })
+    }
+
+    /// Film and regime along the path as JSON: rows of each mesh with its title.
+    fn regime(&self, py: Python<'_>, threads: Option<usize>) -> PyResult<String> {
+        in_parallel(py, threads, None, |_| {
+            let rows = |mesh: &LoadedCase| -> Result<MeshRegime, Failure> {
+                Ok(MeshRegime {
+                    title: mesh.case.title.clone(),
+                    rows: survey::survey(mesh)?,
+                })
+            };
+            let meshes = match &self.kind {
+                Kind::Pair(loaded) => vec![rows(loaded)?],
+                Kind::Set(set) => set
+                    .loaded
+                    .meshes
+                    .iter()
+                    .map(rows)
+                    .collect::<Result<_, _>>()?,
+            };
+            failure::json(&meshes)
+        })
+    }
+
+    /// Pressure across films from thin to thick at a place of the path, as JSON.
+    fn film(&self, py: Python<'_>, position: Option<f64>) -> PyResult<String> {
+        let loaded = self.pair()?;
+        alone(py, || {
+            failure::json(&survey::film(loaded, on_the_path(position)?)?)
+        })
+    }
+
+    /// Geometry, stiffness and loss factors of the gears as JSON.
+    fn gear(&self, py: Python<'_>) -> PyResult<String> {
+        let loaded = self.pair()?;
+        alone(py, || {
+            failure::json(&gear_report::gear_report(&loaded.case)?)
+        })
+    }
+
+    /// The flanks pressed dry against each other at a place of the path.
+    fn contact<'py>(
+        &self,
+        py: Python<'py>,
+        position: Option<f64>,
+    ) -> PyResult<(String, Bound<'py, PyDict>)> {
+        let loaded = self.pair()?;
+        let dry = alone(py, || {
+            let place = on_the_path(position)?.unwrap_or(loaded.case.model.position);
+            Ok(dry_contact(loaded, place)?)
+        })?;
+        let spacing = dry
+            .x
+            .get(1)
+            .zip(dry.x.first())
+            .map_or(0.0, |(second, first)| second - first);
+        let more = json!({
+            "path_fraction": dry.path_fraction,
+            "hertz_p_max_pa": dry.hertz.max_pressure.si(),
+            "hertz_half_width_m": dry.hertz.half_width.si(),
+        });
+        found(py, dry.solution, dry.undeformed, spacing, more)
+    }
+}
+
+/// A place on the path, 0 at A and 1 at E, checked.
+pub fn on_the_path(place: Option<f64>) -> Result<Option<f64>, Failure> {
+    match place {
+        Some(place) if !(0.0..=1.0).contains(&place) => {
+            let message = format!("position {place}: must be 0 (A) to 1 (E)");
+            Err(Failure::new("E209", message))
+        }
+        place => Ok(place),
+    }
+}

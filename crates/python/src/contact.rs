@@ -1,0 +1,267 @@
+//! Rough line contacts: over a gap, of two flanks, and the stress below.
+
+use asperity::contact::running_in::RunningIn;
+use asperity::contact::subsurface::subsurface_stress as stress_below;
+use asperity::contact::two_flanks::TwoFlanks;
+use asperity::contact::{
+    Boundary, ContactProblem, ContactSolution, ContactWarning, Control, PeriodicKernel,
+    SolverSettings, solve,
+};
+use asperity::quantity::{Length, LineLoad, Pressure};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use serde_json::{Value, json};
+
+use crate::arrays::{Input, copied, owned};
+use crate::failure::{self, Failure};
+use crate::trace::Trace;
+use crate::work::alone;
+
+/// Numbers and settings of a contact, as JSON from Python, in SI units.
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Asked {
+    spacing: f64,
+    modulus: f64,
+    load: Option<f64>,
+    approach: Option<f64>,
+    datum: Option<f64>,
+    boundary: String,
+    pressure_limit: Option<f64>,
+    settings: SolverSettings,
+}
+
+impl Asked {
+    fn of(text: &str) -> Result<Self, Failure> {
+        serde_json::from_str(text).map_err(|error| Failure::new("E204", error.to_string()))
+    }
+
+    fn boundary(&self) -> Result<Boundary, Failure> {
+        match self.boundary.as_str() {
+            "free" => Ok(Boundary::FreeEnds),
+            "periodic" => Ok(Boundary::Periodic(PeriodicKernel::Strip)),
+            "periodic-spectral" => Ok(Boundary::Periodic(PeriodicKernel::Spectral)),
+            other => {
+                let message =
+                    format!("boundary: {other}: must be free, periodic or periodic-spectral");
+                Err(Failure::new("E204", message))
+            }
+        }
+    }
+
+    fn control(&self, points: usize) -> Result<Control, Failure> {
+        let window = self.spacing * points as f64;
+        match (self.load, self.approach) {
+            (Some(load), None) => Ok(Control::Load(LineLoad::from_si(load))),
+            (None, Some(approach)) => Ok(Control::Approach {
+                approach: Length::from_si(approach),
+                datum: Length::from_si(self.datum.unwrap_or(2.0 * window)),
+            }),
+            _ => Err(Failure::new("E205", "give either load or approach")),
+        }
+    }
+}
+
+/// The contact over a gap in m; numbers and settings in JSON.
+#[pyfunction]
+pub fn solve_contact<'py>(
+    py: Python<'py>,
+    gap: Input<'py>,
+    asked: &str,
+    prescribed_pressure: Option<Input<'py>>,
+    start: Option<Input<'py>>,
+) -> PyResult<(String, Bound<'py, PyDict>)> {
+    let asked = Asked::of(asked)?;
+    let gap = copied(&gap);
+    let prescribed = prescribed_pressure.as_ref().map(copied);
+    let start = start.as_ref().map(copied);
+    let solution = alone(py, || {
+        let problem = ContactProblem {
+            gap: &gap,
+            spacing: Length::from_si(asked.spacing),
+            modulus: Pressure::from_si(asked.modulus),
+            boundary: asked.boundary()?,
+            control: asked.control(gap.len())?,
+            prescribed_pressure: prescribed.as_deref(),
+            pressure_limit: asked.pressure_limit.map(Pressure::from_si),
+            start: start.as_deref(),
+        };
+        Ok(solve(&problem, &asked.settings)?)
+    })?;
+    found(py, solution, gap, asked.spacing, json!({}))
+}
+
+/// A run-in before the contact of two flanks.
+#[derive(serde::Deserialize)]
+struct RunIn {
+    passes: usize,
+    first_share: f64,
+}
+
+/// The contact of two flanks on a curved body, run in first where that is asked for.
+#[pyfunction]
+pub fn press_flanks<'py>(
+    py: Python<'py>,
+    first: &Trace,
+    second: &Trace,
+    radius: f64,
+    asked: &str,
+    run_in: Option<&str>,
+) -> PyResult<(String, Bound<'py, PyDict>)> {
+    let asked = Asked::of(asked)?;
+    let run_in: Option<RunIn> = run_in
+        .map(serde_json::from_str)
+        .transpose()
+        .map_err(|error| Failure::new("E204", error.to_string()))?;
+    let (solution, gap, more) = alone(py, || {
+        let load = asked
+            .load
+            .ok_or_else(|| Failure::new("E205", "two flanks need a load"))?;
+        let flanks = TwoFlanks {
+            first: &first.profile,
+            second: &second.profile,
+            radius: Length::from_si(radius),
+            load: LineLoad::from_si(load),
+            modulus: Pressure::from_si(asked.modulus),
+            pressure_limit: asked.pressure_limit.map(Pressure::from_si),
+        };
+        let ran_in = match &run_in {
+            Some(plan) => {
+                let shares = [plan.first_share, 1.0 - plan.first_share];
+                let plan = RunningIn::evenly(first.profile.len(), plan.passes);
+                Some(RunningIn { shares, ..plan }.run(&flanks, &asked.settings)?)
+            }
+            None => None,
+        };
+        let worn = match &ran_in {
+            Some(ran_in) => {
+                let [first, second] = &ran_in.flanks;
+                TwoFlanks {
+                    first,
+                    second,
+                    ..flanks
+                }
+            }
+            None => flanks,
+        };
+        let cycles: Vec<Value> = ran_in
+            .iter()
+            .flat_map(|ran_in| &ran_in.cycles)
+            .map(|cycle| {
+                json!({
+                    "plastic_energy_j_per_m": cycle.dissipated.si(),
+                    "largest_flow_m": cycle.largest_flow.si(),
+                    "contact_fraction": cycle.contact_fraction,
+                    "rq_first_m": cycle.rq[0].si(),
+                    "rq_second_m": cycle.rq[1].si(),
+                    "peak_first_m": cycle.peak[0].si(),
+                    "peak_second_m": cycle.peak[1].si(),
+                })
+            })
+            .collect();
+        Ok((
+            worn.press(&asked.settings)?,
+            worn.gap()?,
+            json!({ "running_in": cycles }),
+        ))
+    })?;
+    found(py, solution, gap, first.profile.spacing().si(), more)
+}
+
+/// The numbers as JSON, as the command has them, and the arrays.
+pub fn found<'py>(
+    py: Python<'py>,
+    solution: ContactSolution,
+    gap: Vec<f64>,
+    spacing: f64,
+    more: Value,
+) -> PyResult<(String, Bound<'py, PyDict>)> {
+    let s = &solution;
+    let warnings: Vec<Value> = s
+        .warnings()
+        .into_iter()
+        .map(|warning| {
+            let code = match warning {
+                ContactWarning::PressureAtEnd { .. } => "W413",
+                _ => "W414",
+            };
+            json!({ "code": code, "text": warning.to_string() })
+        })
+        .collect();
+    let mut numbers = json!({
+        "points": s.pressure.len(),
+        "spacing_m": spacing,
+        "load_n_per_m": s.load.si(),
+        "approach_m": s.approach.si(),
+        "approach_datum_m": s.datum.si(),
+        "contact_fraction": s.contact_fraction,
+        "p_max_pa": s.max_pressure.si(),
+        "p_end_pa": s.end_pressure.si(),
+        "plastic_energy_j_per_m": s.dissipated.si(),
+        "elastic_energy_j_per_m": s.elastic_energy.si(),
+        "iterations": s.iterations,
+        "certificate": {
+            "duality_gap": s.certificate.duality_gap,
+            "penetration": s.certificate.penetration,
+            "load_error": s.certificate.load_error,
+            "reference_gap_m": s.certificate.reference_gap.si(),
+        },
+        "warnings": warnings,
+    });
+    if let (Value::Object(to), Value::Object(from)) = (&mut numbers, more) {
+        to.extend(from);
+    }
+    let middle = 0.5 * gap.len().saturating_sub(1) as f64;
+    let x = (0..gap.len())
+        .map(|i| (i as f64 - middle) * spacing)
+        .collect();
+    let arrays = PyDict::new(py);
+    for (name, values) in [
+        ("x", x),
+        ("undeformed", gap),
+        ("pressure", solution.pressure),
+        ("gap", solution.gap),
+        ("displacement", solution.displacement),
+        ("plastic_displacement", solution.plastic_displacement),
+    ] {
+        arrays.set_item(name, owned(py, values))?;
+    }
+    Ok((failure::json(&numbers)?, arrays))
+}
+
+/// Stress under a surface: numbers as JSON; arrays with a row per depth, flat.
+#[pyfunction]
+pub fn subsurface_stress<'py>(
+    py: Python<'py>,
+    pressure: Input<'py>,
+    traction: Option<Input<'py>>,
+    spacing: f64,
+    depths: Input<'py>,
+    poisson: f64,
+) -> PyResult<(String, Bound<'py, PyDict>)> {
+    let (pressure, depths) = (copied(&pressure), copied(&depths));
+    let traction = traction.as_ref().map(copied);
+    let (field, von_mises, peak) = alone(py, || {
+        let spacing = Length::from_si(spacing);
+        let field = stress_below(&pressure, traction.as_deref(), spacing, &depths)?;
+        let von_mises = field.von_mises(poisson)?;
+        let peak = field.peak(&von_mises);
+        Ok((field, von_mises, peak))
+    })?;
+    let numbers = json!({
+        "von_mises_max_pa": peak.map(|peak| peak.value.si()),
+        "von_mises_position_m": peak.map(|peak| peak.position.si()),
+        "von_mises_depth_m": peak.map(|peak| peak.depth.si()),
+    });
+    let arrays = PyDict::new(py);
+    for (name, values) in [
+        ("depths", field.depths),
+        ("sigma_xx", field.sigma_xx),
+        ("sigma_zz", field.sigma_zz),
+        ("tau_xz", field.tau_xz),
+        ("von_mises", von_mises),
+    ] {
+        arrays.set_item(name, owned(py, values))?;
+    }
+    Ok((failure::json(&numbers)?, arrays))
+}

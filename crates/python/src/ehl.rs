@@ -1,0 +1,155 @@
+//! The mixed lubricated contact of a case at one place, in time.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use asperity::ehl::several_records::{mean_of, record_several};
+use asperity::ehl::{Estimate, Record, RecordSettings};
+use asperity::physical_sense::HIGHEST_PRESSURE;
+use asperity::quantity::Pressure;
+use asperity::referee::{RefereeContact, RefereeSettings, shares};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use serde_json::{Value, json};
+
+use crate::arrays::owned;
+use crate::case::{Case, on_the_path};
+use crate::failure::{self, Failure};
+use crate::work::in_parallel;
+
+/// Grid, length and number of the records, as JSON from Python.
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Asked {
+    position: Option<f64>,
+    cells: usize,
+    half_widths: f64,
+    start: f64,
+    records: usize,
+    eyring_stress: Option<f64>,
+    compare: bool,
+}
+
+/// Solves the contact of a case at a place of its path; numbers as JSON, mean pressure and film as arrays.
+#[pyfunction]
+pub fn ehl<'py>(
+    py: Python<'py>,
+    case: &Case,
+    asked: &str,
+    threads: Option<usize>,
+    progress: Option<Bound<'py, PyAny>>,
+) -> PyResult<(String, Bound<'py, PyDict>)> {
+    let asked: Asked =
+        serde_json::from_str(asked).map_err(|error| Failure::new("E204", error.to_string()))?;
+    let loaded = case.pair()?;
+    let (numbers, record) = in_parallel(py, threads, progress.as_ref(), |told| {
+        let place = on_the_path(asked.position)?.unwrap_or(loaded.case.model.position);
+        let settings = RefereeSettings {
+            record: RecordSettings {
+                cells: asked.cells,
+                start: asked.start,
+                length: asked.half_widths,
+                ..RecordSettings::default()
+            },
+            eyring_stress: asked.eyring_stress.map(Pressure::from_si),
+            beginning: 0,
+        };
+        let contact = RefereeContact::of(loaded, place, &settings)?;
+        // Thousandths of a half-width, of all records together.
+        let travelled: Vec<AtomicU64> = (0..asked.records.max(1))
+            .map(|_| AtomicU64::new(0))
+            .collect();
+        let records = record_several(
+            &contact.rough,
+            travelled.len(),
+            &contact.record,
+            &|number, now| {
+                travelled[number].store((1e3 * now.time) as u64, Ordering::Relaxed);
+                let all: u64 = travelled.iter().map(|t| t.load(Ordering::Relaxed)).sum();
+                told.tell(
+                    all as usize / 1000,
+                    now.end.ceil() as usize * travelled.len(),
+                );
+                true
+            },
+        )?;
+        let solved = mean_of(&records).ok_or_else(|| Failure::new("E501", "no record"))?;
+        let highest = solved.value.max_pressure;
+        if highest > HIGHEST_PRESSURE {
+            let message = format!(
+                "the pressure reaches {highest:.3}, above {HIGHEST_PRESSURE}, which no steel bears"
+            );
+            return Err(Failure::new("E308", message));
+        }
+        let mut numbers = numbers(&solved.value);
+        numbers["path_fraction"] = json!(place);
+        numbers["attenuated_roughness_um"] = json!(contact.attenuated_roughness.si() * 1e6);
+        numbers["steps"] = json!(solved.evidence.steps);
+        numbers["load_error"] = json!(solved.evidence.load_error);
+        if asked.compare {
+            numbers["comparison"] = json!(shares(loaded, &contact, &solved.value)?);
+        }
+        Ok((numbers, solved.value))
+    })?;
+    let (a, p_0) = (
+        record.scales.half_width.si(),
+        record.scales.max_pressure.si(),
+    );
+    let arrays = PyDict::new(py);
+    let scaled = |values: &[f64], factor: f64| values.iter().map(|value| value * factor).collect();
+    let film = record.mean_film_on_nodes.iter();
+    let film = film
+        .map(|film| record.scales.film_length(*film).si())
+        .collect();
+    arrays.set_item("x", owned(py, scaled(&record.x, a)))?;
+    arrays.set_item(
+        "mean_pressure",
+        owned(py, scaled(&record.mean_pressure, p_0)),
+    )?;
+    arrays.set_item("mean_film", owned(py, film))?;
+    Ok((failure::json(&numbers)?, arrays))
+}
+
+fn estimate(found: &Estimate) -> Value {
+    json!({ "mean": found.mean, "standard_error": Some(found.standard_error).filter(|error| error.is_finite()) })
+}
+
+fn numbers(record: &Record) -> Value {
+    let scales = &record.scales;
+    let finite =
+        |estimate: &Estimate| Some(estimate.standard_error).filter(|error| error.is_finite());
+    let below: Vec<Value> = record
+        .load_below
+        .iter()
+        .map(|below| {
+            json!({
+                "film_nm": (below.film.si() * 1e9 * 1e6).round() / 1e6,
+                "share": below.share.mean,
+                "standard_error": finite(&below.share),
+            })
+        })
+        .collect();
+    json!({
+        "half_width_um": scales.half_width.si() * 1e6,
+        "hertz_pressure_pa": scales.max_pressure.si(),
+        "moes_load": scales.moes_load,
+        "moes_lubricant": scales.moes_lubricant,
+        "slide_to_roll": scales.slide_to_roll,
+        "travel_half_widths": record.travel,
+        "solid_share": record.solid_share.mean,
+        "solid_share_standard_error": finite(&record.solid_share),
+        "load_below": below,
+        "central_film_um": record.smooth_film.si() * 1e6,
+        "mean_film_um": record.mean_film.mean * 1e6,
+        "mean_film_standard_error_um": finite(&record.mean_film).map(|error| error * 1e6),
+        "film_spread_um": record.film_spread.si() * 1e6,
+        "mean_max_pressure_pa": record.mean_max_pressure.mean,
+        "max_pressure_pa": record.max_pressure.si(),
+        "plastic_share": record.plastic_share.mean,
+        "friction": record.friction.as_ref().map(|friction| json!({
+            "graded": estimate(&friction.graded),
+            "stepped": estimate(&friction.stepped),
+            "film_alone": estimate(&friction.film),
+        })),
+        "warnings": [],
+    })
+}

@@ -1,0 +1,258 @@
+//! Errors of the library as Python's `AsperityError`: code, help and place.
+
+use asperity::case::Place;
+use asperity::contact::ContactError;
+use asperity::core::DomainError;
+use asperity::ehl::EhlError;
+use asperity::ehl_regime::RegimeError;
+use asperity::error::PositionError;
+use asperity::message;
+use asperity::profile_io::read::ReadError;
+use asperity::quantity::QuantityError;
+use asperity::referee::RefereeError;
+use asperity::remedy::{Remedy, Setting, Value};
+use asperity::roughness::RoughnessError;
+use asperity::tribo_friction::FrictionError;
+use asperity_report::ReportError;
+use asperity_studies::export::ExportError;
+use asperity_studies::map::{AxisError, MapError};
+use asperity_studies::sweep::SweepError;
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::PyType;
+
+/// An error with its stable code.
+#[derive(Debug)]
+pub struct Failure {
+    code: &'static str,
+    message: String,
+    place: Option<Place>,
+    remedy: Remedy,
+}
+
+impl Failure {
+    /// An error of this code.
+    pub fn new(code: &'static str, message: impl Into<String>) -> Self {
+        Self {
+            code,
+            message: message.into(),
+            place: None,
+            remedy: Remedy::none(),
+        }
+    }
+
+    /// The same error with what can be done about it, in place of the general advice of its code.
+    pub fn advising(self, remedy: Remedy) -> Self {
+        Self { remedy, ..self }
+    }
+
+    /// The same error, its message beginning with what it is about.
+    pub fn about(self, what: &str) -> Self {
+        Self {
+            message: format!("{what}: {}", self.message),
+            ..self
+        }
+    }
+
+    fn help(&self) -> String {
+        if self.remedy.is_empty() {
+            let known = message::explain(self.code);
+            return known.map_or_else(String::new, |entry| entry.remedy.to_owned());
+        }
+        format!("{}.", self.remedy)
+    }
+}
+
+impl From<Failure> for PyErr {
+    fn from(failure: Failure) -> Self {
+        Python::attach(|py| raised(py, &failure).unwrap_or_else(|error| error))
+    }
+}
+
+fn raised(py: Python<'_>, failure: &Failure) -> PyResult<PyErr> {
+    static CLASS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    let class = CLASS.import(py, "asperity._errors", "AsperityError")?;
+    let place = failure.place.as_ref();
+    let place = place.map(|place| {
+        let mesh = place.mesh.map(str::to_owned);
+        (
+            place.file.clone(),
+            place.key.clone(),
+            place.line,
+            place.column,
+            mesh,
+        )
+    });
+    let actions = json(&failure.remedy)?;
+    let help = failure.help();
+    let error = class.call1((&failure.message, failure.code, help, place, actions))?;
+    Ok(PyErr::from_value(error))
+}
+
+/// A value as JSON text.
+pub fn json<T: serde::Serialize>(value: &T) -> Result<String, Failure> {
+    serde_json::to_string(value).map_err(|error| Failure::new("E501", error.to_string()))
+}
+
+impl From<asperity::Error> for Failure {
+    fn from(error: asperity::Error) -> Self {
+        Self {
+            code: error.code(),
+            message: error.to_string(),
+            place: error.place().cloned(),
+            remedy: error.remedy(),
+        }
+    }
+}
+
+impl From<PositionError> for Failure {
+    fn from(error: PositionError) -> Self {
+        asperity::Error::Whole(Box::new(error)).into()
+    }
+}
+
+impl From<ReadError> for Failure {
+    fn from(error: ReadError) -> Self {
+        Self::new(error.code(), error.to_string()).advising(error.remedy())
+    }
+}
+
+impl From<RoughnessError> for Failure {
+    fn from(error: RoughnessError) -> Self {
+        Self::new("E120", error.to_string())
+    }
+}
+
+impl From<DomainError> for Failure {
+    fn from(error: DomainError) -> Self {
+        Self::new("E209", error.to_string())
+    }
+}
+
+impl From<QuantityError> for Failure {
+    fn from(error: QuantityError) -> Self {
+        Self::new("E204", error.to_string())
+    }
+}
+
+impl From<RegimeError> for Failure {
+    fn from(error: RegimeError) -> Self {
+        match error {
+            RegimeError::MissingInput { .. } => Self::new("E205", error.to_string()),
+            error => Self::new("E209", error.to_string()),
+        }
+    }
+}
+
+impl From<FrictionError> for Failure {
+    fn from(error: FrictionError) -> Self {
+        match error {
+            FrictionError::MissingSetting { .. } => Self::new("E205", error.to_string()),
+            error => Self::new("E209", error.to_string()),
+        }
+    }
+}
+
+impl From<ContactError> for Failure {
+    fn from(error: ContactError) -> Self {
+        let set = |key, why: &'static str| Remedy::set(Setting::Key(key), Value::Any).because(why);
+        let (code, remedy) = match error {
+            ContactError::NotConverged { .. } => (
+                "E301",
+                set("tolerance", "to a larger one (at most 1e-4)")
+                    .or_do("look for spikes in the gap"),
+            ),
+            ContactError::NotRunIn { .. } => (
+                "E301",
+                set("tolerance", "to a smaller one")
+                    .or_set(Setting::Key("pressure_limit"), Value::Any)
+                    .because("to a higher one"),
+            ),
+            ContactError::LimitBelowMeanPressure { .. } => (
+                "E302",
+                set("pressure_limit", "to a higher one")
+                    .or_set(Setting::Key("load"), Value::Any)
+                    .because("to a lower one"),
+            ),
+            ContactError::DatumTooNear { .. } => ("E209", set("datum", "to a larger one")),
+            ContactError::ToleranceTooLarge { .. } => ("E211", Remedy::none()),
+            _ => ("E209", Remedy::none()),
+        };
+        Self::new(code, error.to_string()).advising(remedy)
+    }
+}
+
+impl From<EhlError> for Failure {
+    fn from(error: EhlError) -> Self {
+        let code = match error.is_unconverged() {
+            true => "E307",
+            false => "E209",
+        };
+        Self::new(code, error.to_string())
+    }
+}
+
+impl From<RefereeError> for Failure {
+    fn from(error: RefereeError) -> Self {
+        match error {
+            RefereeError::Position(error) => error.into(),
+            RefereeError::Ehl(error) => error.into(),
+            RefereeError::NoBaseOil => Self::new("E208", error.to_string()),
+            error => Self::new("E305", error.to_string()),
+        }
+    }
+}
+
+impl From<ReportError> for Failure {
+    fn from(error: ReportError) -> Self {
+        let code = match error {
+            ReportError::NotAResult { .. }
+            | ReportError::Damaged { .. }
+            | ReportError::BadTable { .. }
+            | ReportError::NoValue { .. }
+            | ReportError::NoFields { .. }
+            | ReportError::NoSuchPosition { .. } => "E402",
+            ReportError::NotFinite { .. } => "E501",
+            _ => "E401",
+        };
+        Self::new(code, error.to_string())
+    }
+}
+
+impl From<AxisError> for Failure {
+    fn from(error: AxisError) -> Self {
+        Self::new("E209", error.to_string())
+    }
+}
+
+impl From<MapError> for Failure {
+    fn from(error: MapError) -> Self {
+        Self::new("E402", error.to_string())
+    }
+}
+
+impl From<ExportError> for Failure {
+    fn from(error: ExportError) -> Self {
+        Self::new("E205", error.to_string())
+    }
+}
+
+impl From<SweepError> for Failure {
+    fn from(error: SweepError) -> Self {
+        match error {
+            SweepError::Case(error) => (*error).into(),
+            SweepError::Open { .. } => Self::new("E103", error.to_string()),
+            SweepError::Study { .. } => Self::new("E202", error.to_string()),
+            SweepError::Key { .. } => Self::new("E204", error.to_string()),
+            SweepError::Storage(_) | SweepError::Report(_) => Self::new("E401", error.to_string()),
+            SweepError::Missing { .. } => Self::new("E309", error.to_string()),
+            _ => Self::new("E402", error.to_string()),
+        }
+    }
+}
+
+/// Title, cause and remedy of a message code; none of a code that does not exist.
+#[pyfunction]
+pub fn explain(code: &str) -> Option<(&'static str, &'static str, &'static str)> {
+    message::explain(code).map(|entry| (entry.title, entry.meaning, entry.remedy))
+}

@@ -1,0 +1,227 @@
+//! Laws of Hertz contact, film and friction over arrays: flat arrays of one length in, in SI units; broadcasting is
+//! Python's.
+
+use asperity::contact::hertz_line::HertzLine;
+use asperity::core::OutOfRange;
+use asperity::ehl_regime::{FilmConditions, FilmLaw, thermal_reduction::ThermalLaw};
+use asperity::quantity::*;
+use asperity::tribo_friction::conditions::{FrictionConditions, MeshConditions};
+use asperity::tribo_friction::friction_law::{FrictionLaw, FrictionSettings};
+use numpy::{IntoPyArray, PyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use serde::de::DeserializeOwned;
+use std::collections::HashMap;
+
+use crate::arrays::{Input, copied, owned, same_length};
+use crate::failure::Failure;
+use crate::work::alone;
+
+/// What left the range that a law was fitted to, each once.
+type Outside = Vec<String>;
+
+/// The law of this name.
+fn named<T: DeserializeOwned>(name: &str) -> Result<T, Failure> {
+    serde_json::from_value(serde_json::Value::String(name.to_owned()))
+        .map_err(|error| Failure::new("E204", format!("law: {error}")))
+}
+
+/// Arrays by name, all of one length.
+struct Columns(HashMap<String, Vec<f64>>, usize);
+
+impl Columns {
+    fn of(given: HashMap<String, Input<'_>>) -> Result<Self, Failure> {
+        let columns: HashMap<_, _> = given
+            .into_iter()
+            .map(|(name, array)| (name, copied(&array)))
+            .collect();
+        let count = columns.values().next().map_or(0, Vec::len);
+        if columns.values().any(|column| column.len() != count) {
+            return Err(Failure::new("E209", "all arrays must be of one length"));
+        }
+        Ok(Self(columns, count))
+    }
+
+    /// The value of a column, NaN of one that is not given: the laws that read it refuse it.
+    fn at(&self, name: &str, index: usize) -> f64 {
+        self.0.get(name).map_or(f64::NAN, |column| column[index])
+    }
+}
+
+/// Notes each input that left its range, and whether any of this row did.
+fn note(outside: &[OutOfRange], all: &mut Outside) -> bool {
+    for found in outside {
+        let text = format!("{}: {}", found.correlation, found.name);
+        if !all.contains(&text) {
+            all.push(text);
+        }
+    }
+    !outside.is_empty()
+}
+
+/// Half width in m, largest and mean pressure in Pa of Hertz line contacts.
+#[pyfunction]
+pub fn hertz<'py>(
+    py: Python<'py>,
+    load: Input<'py>,
+    radius: Input<'py>,
+    modulus: Input<'py>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let [load, radius, modulus] = [&load, &radius, &modulus].map(copied);
+    let count = same_length(&[
+        ("load", load.len()),
+        ("radius", radius.len()),
+        ("modulus", modulus.len()),
+    ])?;
+    let [width, largest, mean] = alone(py, || {
+        let mut found = [(); 3].map(|()| Vec::with_capacity(count));
+        for i in 0..count {
+            let contact = HertzLine::new(
+                LineLoad::from_si(load[i]),
+                Length::from_si(radius[i]),
+                Pressure::from_si(modulus[i]),
+            )?;
+            found[0].push(contact.half_width.si());
+            found[1].push(contact.max_pressure.si());
+            found[2].push(contact.mean_pressure().si());
+        }
+        Ok(found)
+    })?;
+    let arrays = PyDict::new(py);
+    arrays.set_item("half_width", owned(py, width))?;
+    arrays.set_item("max_pressure", owned(py, largest))?;
+    arrays.set_item("mean_pressure", owned(py, mean))?;
+    Ok(arrays)
+}
+
+type Films<'py> = (Bound<'py, PyDict>, Outside);
+
+/// Central and minimum film in m by a law, and what left its range.
+#[pyfunction]
+pub fn film_thickness<'py>(
+    py: Python<'py>,
+    law: &str,
+    given: HashMap<String, Input<'py>>,
+) -> PyResult<Films<'py>> {
+    let law: FilmLaw = named(law)?;
+    let columns = Columns::of(given)?;
+    let (central, minimum, marks, outside) = alone(py, || {
+        let (mut central, mut minimum, mut marks) = (Vec::new(), Vec::new(), Vec::new());
+        let mut outside = Outside::new();
+        for i in 0..columns.1 {
+            let at = |name| columns.at(name, i);
+            let length = columns.0.contains_key("contact_length");
+            let film = law.film(&FilmConditions {
+                entrainment: Speed::from_si(at("entrainment")),
+                radius: Length::from_si(at("radius")),
+                load: LineLoad::from_si(at("load")),
+                modulus: Pressure::from_si(at("modulus")),
+                viscosity: DynamicViscosity::from_si(at("viscosity")),
+                pressure_viscosity: PressureViscosity::from_si(at("pressure_viscosity")),
+                contact_length: length.then(|| Length::from_si(at("contact_length"))),
+            })?;
+            central.push(film.value.central.si());
+            minimum.push(film.value.minimum.si());
+            marks.push(note(&film.outside, &mut outside));
+        }
+        Ok((central, minimum, marks, outside))
+    })?;
+    let arrays = PyDict::new(py);
+    arrays.set_item("central", owned(py, central))?;
+    arrays.set_item("minimum", owned(py, minimum))?;
+    arrays.set_item("outside", marks.into_pyarray(py))?;
+    Ok((arrays, outside))
+}
+
+type Factors<'py> = (
+    Bound<'py, PyArray1<f64>>,
+    Bound<'py, PyArray1<bool>>,
+    Outside,
+);
+
+fn checked<'py>(py: Python<'py>, found: (Vec<f64>, Vec<bool>, Outside)) -> Factors<'py> {
+    let (values, marks, outside) = found;
+    (owned(py, values), marks.into_pyarray(py), outside)
+}
+
+/// Factor by which heat in the inlet thins a film.
+#[pyfunction]
+pub fn thermal_reduction<'py>(
+    py: Python<'py>,
+    law: &str,
+    given: HashMap<String, Input<'py>>,
+) -> PyResult<Factors<'py>> {
+    let law: ThermalLaw = named(law)?;
+    let columns = Columns::of(given)?;
+    let found = alone(py, || {
+        let (mut values, mut marks, mut outside) = (Vec::new(), Vec::new(), Outside::new());
+        for i in 0..columns.1 {
+            let at = |name| columns.at(name, i);
+            let factor = law.reduction(
+                Pressure::from_si(at("max_pressure")),
+                Pressure::from_si(at("modulus")),
+                at("loading"),
+                at("slide_to_roll"),
+            )?;
+            values.push(factor.value);
+            marks.push(note(&factor.outside, &mut outside));
+        }
+        Ok((values, marks, outside))
+    })?;
+    Ok(checked(py, found))
+}
+
+/// Friction coefficient by a published law; `settings` in JSON are those of the case file.
+#[pyfunction]
+pub fn friction_coefficient<'py>(
+    py: Python<'py>,
+    law: &str,
+    given: HashMap<String, Input<'py>>,
+    settings: &str,
+) -> PyResult<Factors<'py>> {
+    let law: FrictionLaw = named(law)?;
+    let settings: FrictionSettings =
+        serde_json::from_str(settings).map_err(|error| Failure::new("E204", error.to_string()))?;
+    let columns = Columns::of(given)?;
+    let found = alone(py, || {
+        let (mut values, mut marks, mut outside) = (Vec::new(), Vec::new(), Outside::new());
+        for i in 0..columns.1 {
+            let friction = law.coefficient(&settings, &conditions(&columns, i))?;
+            values.push(friction.value);
+            marks.push(note(&friction.outside, &mut outside));
+        }
+        Ok((values, marks, outside))
+    })?;
+    Ok(checked(py, found))
+}
+
+fn conditions(columns: &Columns, index: usize) -> FrictionConditions {
+    let at = |name| columns.at(name, index);
+    let length = |name| Length::from_si(at(name));
+    let speed = |name| Speed::from_si(at(name));
+    FrictionConditions {
+        load: LineLoad::from_si(at("load")),
+        radius: length("radius"),
+        entrainment: speed("entrainment"),
+        sliding: speed("sliding"),
+        max_pressure: Pressure::from_si(at("max_pressure")),
+        viscosity: DynamicViscosity::from_si(at("viscosity")),
+        contact_viscosity: DynamicViscosity::from_si(at("contact_viscosity")),
+        kinematic_viscosity: KinematicViscosity::from_si(at("kinematic_viscosity")),
+        pressure_viscosity: PressureViscosity::from_si(at("pressure_viscosity")),
+        central_film: length("central_film"),
+        minimum_film: length("minimum_film"),
+        combined_roughness: length("combined_roughness"),
+        mean_ra: length("mean_ra"),
+        sum_rz: length("sum_rz"),
+        boundary_coefficient: at("boundary_coefficient"),
+        mesh: MeshConditions {
+            base_line_load: LineLoad::from_si(at("base_line_load")),
+            sum_speed: speed("sum_speed"),
+            reduced_radius: length("reduced_radius"),
+            lubricant_factor: at("lubricant_factor"),
+            load_intensity: Pressure::from_si(at("load_intensity")),
+            pitch_line_speed: speed("pitch_line_speed"),
+        },
+    }
+}

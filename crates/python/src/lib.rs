@@ -1,0 +1,52 @@
+//! The compiled part of the Python package `asperity`: arguments in, the functions of the library called without
+//! Python's lock, arrays and JSON out. Nothing here computes; units, tables and charts are made in Python.
+
+mod arrays;
+mod case;
+mod contact;
+mod ehl;
+mod failure;
+mod laws;
+mod outcome;
+mod quantity;
+mod stored;
+mod studies;
+mod sweep;
+mod trace;
+mod work;
+
+use pyo3::prelude::*;
+
+/// The compiled part of the package asperity.
+#[pymodule]
+mod _asperity {
+    #[pymodule_export]
+    use super::case::{Case, schema};
+    #[pymodule_export]
+    use super::contact::{press_flanks, solve_contact, subsurface_stress};
+    #[pymodule_export]
+    use super::ehl::ehl;
+    #[pymodule_export]
+    use super::failure::explain;
+    #[pymodule_export]
+    use super::laws::{film_thickness, friction_coefficient, hertz, thermal_reduction};
+    #[pymodule_export]
+    use super::outcome::Outcome;
+    #[pymodule_export]
+    use super::quantity::{si_units, to_si};
+    #[pymodule_export]
+    use super::stored::{read_result, summary};
+    #[pymodule_export]
+    use super::studies::{Comparison, Map, compare, map, read_map};
+    #[pymodule_export]
+    use super::sweep::Cases;
+    #[pymodule_export]
+    use super::trace::{Trace, generate, read_profile};
+
+    use pyo3::prelude::*;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
+}

@@ -1,0 +1,148 @@
+//! What a run has found.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use asperity::planetary::PlanetaryOutcome;
+use asperity::result::{Losses, Outcome as Whole, PositionFields};
+use asperity_report::{Fields, write_folder, write_planetary};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::arrays::owned;
+use crate::failure::{self, Failure};
+use crate::work::alone;
+
+/// What was run.
+pub enum Found {
+    /// Losses alone, with program and title.
+    Losses(&'static str, String, Box<Losses>),
+    /// A pair of gears.
+    Whole(Box<Whole>),
+    /// A planetary set.
+    Set(Box<PlanetaryOutcome>),
+}
+
+/// Losses with what they are of.
+#[derive(serde::Serialize)]
+struct Titled<'a> {
+    program: &'a str,
+    title: &'a str,
+    #[serde(flatten)]
+    losses: &'a Losses,
+}
+
+/// The outcome of a run.
+#[pyclass(frozen, module = "asperity._asperity")]
+pub struct Outcome(pub Arc<Found>);
+
+impl Outcome {
+    fn fields_of(&self) -> Result<&[PositionFields], Failure> {
+        match self.0.as_ref() {
+            Found::Whole(outcome) => Ok(&outcome.fields),
+            _ => Err(Failure::new(
+                "E402",
+                "this result holds no fields; run with detail = \"fields\"",
+            )),
+        }
+    }
+}
+
+#[pymethods]
+impl Outcome {
+    /// The result as the command prints it with --json, and the rows of the offsets.
+    fn json(&self, py: Python<'_>) -> PyResult<(String, String)> {
+        alone(py, || match self.0.as_ref() {
+            Found::Losses(program, title, losses) => {
+                let titled = Titled {
+                    program,
+                    title,
+                    losses,
+                };
+                Ok((failure::json(&titled)?, failure::json(&losses.offsets)?))
+            }
+            Found::Whole(outcome) => Ok((
+                failure::json(&outcome.result)?,
+                failure::json(&outcome.offsets)?,
+            )),
+            Found::Set(outcome) => Ok((failure::json(&outcome.result)?, "[]".to_owned())),
+        })
+    }
+
+    /// Numbers of the positions whose fields are held.
+    fn positions(&self) -> PyResult<Vec<usize>> {
+        Ok(self
+            .fields_of()?
+            .iter()
+            .map(|fields| fields.position)
+            .collect())
+    }
+
+    /// Fields along the contact at a position, from 1 at A.
+    fn fields<'py>(&self, py: Python<'py>, position: usize) -> PyResult<Bound<'py, PyDict>> {
+        let found = self
+            .fields_of()?
+            .iter()
+            .find(|fields| fields.position == position);
+        let found = found.ok_or_else(|| {
+            Failure::new(
+                "E402",
+                format!("the fields of position {position} were not kept"),
+            )
+        })?;
+        let arrays = PyDict::new(py);
+        for (name, values) in [
+            ("x", &found.x),
+            ("height_pinion", &found.height_pinion),
+            ("height_wheel", &found.height_wheel),
+            ("displacement_pinion", &found.displacement_pinion),
+            ("displacement_wheel", &found.displacement_wheel),
+            ("plastic_pinion", &found.plastic_pinion),
+            ("plastic_wheel", &found.plastic_wheel),
+            ("gap", &found.gap),
+            ("pressure_solid", &found.pressure_solid),
+            ("pressure_fluid", &found.pressure_fluid),
+            ("shear", &found.shear),
+        ] {
+            arrays.set_item(name, owned(py, values.clone()))?;
+        }
+        if let Some(below) = &found.subsurface {
+            for (name, values) in [
+                ("depths", &below.depths),
+                ("sigma_xx", &below.sigma_xx),
+                ("sigma_zz", &below.sigma_zz),
+                ("tau_xz", &below.tau_xz),
+                ("von_mises", &below.von_mises),
+            ] {
+                arrays.set_item(name, owned(py, values.clone()))?;
+            }
+        }
+        Ok(arrays)
+    }
+
+    /// Outcomes of both meshes of a planetary set.
+    fn meshes(&self) -> PyResult<Vec<Self>> {
+        match self.0.as_ref() {
+            Found::Set(outcome) => {
+                let each = outcome.meshes.iter();
+                Ok(each
+                    .map(|mesh| Self(Arc::new(Found::Whole(mesh.clone().into()))))
+                    .collect())
+            }
+            _ => Ok(Vec::new()),
+        }
+    }
+
+    /// Writes the result folder, with all fields or those that its page shows.
+    fn write(&self, py: Python<'_>, folder: PathBuf, fields: bool) -> PyResult<()> {
+        let fields = if fields { Fields::All } else { Fields::Page };
+        alone(py, || match self.0.as_ref() {
+            Found::Whole(outcome) => Ok(write_folder(outcome, &folder, &fields)?),
+            Found::Set(outcome) => Ok(write_planetary(outcome, &folder, &fields)?),
+            Found::Losses(..) => {
+                let message = "losses alone have no result folder; run with detail = \"fields\"";
+                Err(Failure::new("E402", message))
+            }
+        })
+    }
+}

@@ -1,0 +1,265 @@
+//! Comparisons of finishes, and maps.
+
+use std::path::PathBuf;
+
+use asperity_studies::compare::{self as comparing, Finish};
+use asperity_studies::cycle;
+use asperity_studies::export::{AddedLoss, Format, With, export};
+use asperity_studies::map::{self as mapping, Axes, Numbers, Point};
+use numpy::IntoPyArray;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::arrays::owned;
+use crate::case::Case;
+use crate::failure::{self, Failure};
+use crate::work::{alone, in_parallel};
+
+fn finishes(named: Vec<(String, PyRef<'_, Case>)>) -> Result<Vec<Finish>, Failure> {
+    let finish = |(name, case): (String, PyRef<'_, Case>)| {
+        let case = case.pair()?.as_ref().clone();
+        Ok(Finish { name, case })
+    };
+    named.into_iter().map(finish).collect()
+}
+
+/// Several finishes on one case.
+#[pyclass(frozen, module = "asperity._asperity")]
+pub struct Comparison(comparing::Comparison);
+
+/// Compares cases by the names of their finishes; the first is the reference.
+#[pyfunction]
+pub fn compare(
+    py: Python<'_>,
+    named: Vec<(String, PyRef<'_, Case>)>,
+    threads: Option<usize>,
+    progress: Option<Bound<'_, PyAny>>,
+) -> PyResult<Comparison> {
+    let finishes = finishes(named)?;
+    in_parallel(py, threads, progress.as_ref(), |told| {
+        let found = comparing::compare(&finishes, &|done, total| told.tell(done, total))?;
+        Ok(Comparison(found))
+    })
+}
+
+#[pymethods]
+impl Comparison {
+    /// The comparison as the command prints it with --json, and the rows of the offsets of every finish.
+    fn json(&self) -> PyResult<(String, String)> {
+        let offsets: Vec<_> = self
+            .0
+            .finishes
+            .iter()
+            .map(|finish| &finish.offsets)
+            .collect();
+        Ok((failure::json(&self.0)?, failure::json(&offsets)?))
+    }
+
+    /// The summary as text.
+    fn summary(&self) -> String {
+        comparing::summary(&self.0)
+    }
+
+    /// Writes the folder of the comparison.
+    fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
+        alone(py, || Ok(comparing::write(&self.0, &folder)?))
+    }
+}
+
+/// Losses over torque, speed and temperature.
+#[pyclass(frozen, module = "asperity._asperity")]
+pub struct Map(mapping::Map);
+
+/// Nodes of an axis: numbers, or a text as the command takes it.
+#[derive(FromPyObject)]
+pub enum Nodes {
+    /// Numbers.
+    Numbers(Vec<f64>),
+    /// `10..100:5`
+    Text(String),
+}
+
+fn nodes(given: Option<Nodes>, default: impl FnOnce() -> Vec<f64>) -> Result<Vec<f64>, Failure> {
+    match given {
+        None => Ok(default()),
+        Some(Nodes::Numbers(numbers)) => Ok(numbers),
+        Some(Nodes::Text(text)) => Ok(mapping::axis(&text)?),
+    }
+}
+
+/// Maps cases by the names of their finishes over torque in N m, speed in 1/min and temperature in °C.
+#[pyfunction]
+pub fn map(
+    py: Python<'_>,
+    named: Vec<(String, PyRef<'_, Case>)>,
+    torque: Option<Nodes>,
+    speed: Option<Nodes>,
+    temperature: Option<Nodes>,
+    threads: Option<usize>,
+    progress: Option<Bound<'_, PyAny>>,
+) -> PyResult<Map> {
+    let finishes = finishes(named)?;
+    let Some(first) = finishes.first() else {
+        return Err(Failure::new("E205", "a map needs a case").into());
+    };
+    let case = &first.case.case;
+    let axes = Axes::new(
+        &nodes(torque, || Axes::default_torque(case))?,
+        &nodes(speed, || Axes::default_speed(case))?,
+        &nodes(temperature, || Axes::default_temperature(case))?,
+    )
+    .map_err(Failure::from)?;
+    in_parallel(py, threads, progress.as_ref(), |told| {
+        let found = mapping::map(&finishes, &axes, &|done, total| told.tell(done, total))?;
+        Ok(Map(found))
+    })
+}
+
+/// The map in a folder.
+#[pyfunction]
+pub fn read_map(py: Python<'_>, folder: PathBuf) -> PyResult<Map> {
+    alone(py, || Ok(Map(mapping::read(&folder)?)))
+}
+
+type Column = (&'static str, fn(&Numbers) -> Option<f64>);
+
+/// The numbers of a point.
+const COLUMNS: [Column; 12] = [
+    ("loss_w", |n| Some(n.loss_w)),
+    ("loss_torque_nm", |n| Some(n.loss_torque_nm)),
+    ("loss_torque_deviation_nm", |n| n.loss_torque_deviation_nm),
+    ("efficiency", |n| n.efficiency),
+    ("efficiency_deviation", |n| n.efficiency_deviation),
+    ("sliding_w", |n| Some(n.sliding_w)),
+    ("film_w", |n| Some(n.film_w)),
+    ("lubricated_asperity_w", |n| Some(n.lubricated_asperity_w)),
+    ("boundary_w", |n| Some(n.boundary_w)),
+    ("rolling_w", |n| Some(n.rolling_w)),
+    ("mu_equivalent", |n| n.mu_equivalent),
+    ("mixed_share", |n| Some(n.mixed_share)),
+];
+
+#[pymethods]
+impl Map {
+    /// The map as the command prints it with --json: axes, finishes, warnings, without the points.
+    fn json(&self) -> PyResult<String> {
+        Ok(failure::json(&self.0)?)
+    }
+
+    /// The points of a finish, temperature by temperature, torque by torque, speed by speed; NaN where a point has no
+    /// such number.
+    fn points<'py>(&self, py: Python<'py>, finish: usize) -> PyResult<Bound<'py, PyDict>> {
+        let none = || Failure::new("E402", format!("the map has no finish number {finish}"));
+        let points = &self.0.finishes.get(finish).ok_or_else(none)?.points;
+        let arrays = PyDict::new(py);
+        for (name, of) in COLUMNS {
+            let value = |point: &Point| point.numbers.as_ref().and_then(of).unwrap_or(f64::NAN);
+            arrays.set_item(name, owned(py, points.iter().map(value).collect()))?;
+        }
+        let extended: Vec<bool> = points.iter().map(Point::is_extended).collect();
+        arrays.set_item("extended", extended.into_pyarray(py))?;
+        let codes: Vec<Option<&str>> = points.iter().map(|point| point.code.as_deref()).collect();
+        arrays.set_item("code", codes)?;
+        Ok(arrays)
+    }
+
+    /// Loss torque in N m by interpolation between the nodes, and whether the places lie outside of them.
+    fn loss_torque<'py>(
+        &self,
+        py: Python<'py>,
+        finish: usize,
+        temperature: usize,
+        torque: Vec<f64>,
+        speed: Vec<f64>,
+    ) -> PyResult<(
+        Bound<'py, numpy::PyArray1<f64>>,
+        Bound<'py, numpy::PyArray1<bool>>,
+    )> {
+        let none = || {
+            Failure::new(
+                "E402",
+                format!("the map has no finish number {finish} at that temperature"),
+            )
+        };
+        let found = self.0.finishes.get(finish).ok_or_else(none)?;
+        let surface = found.surface(&self.0.axes, temperature).ok_or_else(none)?;
+        let places = torque.into_iter().zip(speed);
+        let (values, marks): (Vec<f64>, Vec<bool>) = places
+            .map(|(torque, speed)| surface.loss_torque(torque, speed))
+            .map(|found| (found.value, found.is_outside))
+            .unzip();
+        Ok((owned(py, values), marks.into_pyarray(py)))
+    }
+
+    /// The summary as text.
+    fn summary(&self) -> String {
+        mapping::summary(&self.0)
+    }
+
+    /// Writes the folder of the map.
+    fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
+        alone(py, || Ok(mapping::write(&self.0, &[], &[], &folder)?))
+    }
+
+    /// Names and contents of the files of a format; `added` is a table of other losses, `cycle` a drive cycle.
+    fn export(
+        &self,
+        py: Python<'_>,
+        format: &str,
+        added: Option<PathBuf>,
+        drive: Option<PathBuf>,
+    ) -> PyResult<Vec<(PathBuf, Vec<u8>)>> {
+        let format = match format {
+            "csv" => Format::Csv,
+            "vecto" => Format::Vecto,
+            "modelica" => Format::Modelica,
+            "matlab" => Format::Matlab,
+            "fmu" => Format::Fmu,
+            "co2mpas" => Format::Co2mpas,
+            "fastsim" => Format::Fastsim,
+            "advisor" => Format::Advisor,
+            other => {
+                let message = format!(
+                    "format: {other}: must be csv, vecto, modelica, matlab, fmu, co2mpas, fastsim or advisor"
+                );
+                return Err(Failure::new("E204", message).into());
+            }
+        };
+        alone(py, || {
+            let added = match &added {
+                Some(file) => {
+                    let name = file.file_name().unwrap_or_default().to_string_lossy();
+                    let found = AddedLoss::read(&name, &text(file)?);
+                    Some(found.map_err(|error| Failure::new("E101", error.to_string()))?)
+                }
+                None => None,
+            };
+            let cycle =
+                match &drive {
+                    Some(file) => {
+                        let found = cycle::cycle(&text(file)?, self.0.input.vehicle.as_ref());
+                        let name = file.display().to_string();
+                        Some(found.map_err(|error| {
+                            Failure::new("E101", error.to_string()).about(&name)
+                        })?)
+                    }
+                    None => None,
+                };
+            let with = With {
+                added: added.as_ref(),
+                cycle: cycle.as_ref(),
+            };
+            let files = export(&self.0, format, with)?;
+            Ok(files
+                .into_iter()
+                .map(|file| (file.name, file.bytes))
+                .collect())
+        })
+    }
+}
+
+fn text(file: &PathBuf) -> Result<String, Failure> {
+    let name = file.display().to_string();
+    std::fs::read_to_string(file)
+        .map_err(|error| Failure::new("E103", error.to_string()).about(&name))
+}

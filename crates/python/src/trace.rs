@@ -1,0 +1,425 @@
+//! Profiles: read, generated, prepared, evaluated, written.
+
+use std::path::{Path, PathBuf};
+
+use asperity::case::Trace as CaseTrace;
+use asperity::core::Profile;
+use asperity::profile_io::read::{FilterState, Metadata, ReadOptions, Reading, read};
+use asperity::profile_io::write::{WrittenFormat, write};
+use asperity::quantity::Length;
+use asperity::roughness::form::Form;
+use asperity::roughness::gaussian_filter::{Ends, mean_line};
+use asperity::roughness::generate::{Achieved, Recipe};
+use asperity::roughness::height_parameters::{HeightParameters, Mode};
+use asperity::roughness::involute::{Involute, form_left, remove};
+use asperity::roughness::material_ratio::RkParameters;
+use asperity::roughness::preparation::{Preparation, Prepared, RoughnessFilter, profiles};
+use asperity::roughness::robust_filter::robust_mean_line;
+use asperity::roughness::{Parameters, Warning};
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use serde_json::{Value, json};
+
+use crate::arrays::{Input, copied, owned};
+use crate::failure::{self, Failure};
+use crate::work::alone;
+
+/// Sections of a trace that is not filtered.
+const SECTIONS: usize = 5;
+
+/// A profile with what is known of it.
+#[pyclass(frozen, module = "asperity._asperity")]
+#[derive(Clone)]
+pub struct Trace {
+    pub profile: Profile,
+    metadata: Metadata,
+    /// Cut-offs that the file states, long and short, of heights that were not filtered with them.
+    stated: [Option<Length>; 2],
+    /// Cut-off of the roughness filter that the heights have been through.
+    cutoff: Option<Length>,
+    about: Value,
+}
+
+impl Trace {
+    fn made(profile: Profile, about: Value) -> Self {
+        Self {
+            profile,
+            metadata: Metadata::default(),
+            stated: [None, None],
+            cutoff: None,
+            about,
+        }
+    }
+
+    fn read(reading: Reading) -> Result<Self, Failure> {
+        let is_rough = reading.filter_state == FilterState::Roughness;
+        let [long, short] = [reading.metadata.lambda_c, reading.metadata.lambda_s];
+        let warnings: Vec<Value> = reading
+            .warnings
+            .iter()
+            .map(|warning| {
+                told(
+                    warning.code(),
+                    warning.to_string(),
+                    &warning.remedy().to_string(),
+                )
+            })
+            .collect();
+        let mut about = json!(reading);
+        about["warnings"] = json!(warnings);
+        Ok(Self {
+            stated: if is_rough {
+                [None, None]
+            } else {
+                [long, short]
+            },
+            cutoff: None,
+            metadata: reading.metadata,
+            profile: reading.profile,
+            about,
+        })
+    }
+
+    fn prepared(&self, found: &Prepared, cutoff: Option<Length>, more: &[Warning]) -> Self {
+        let warnings = found.warnings.iter().chain(more).map(of_roughness);
+        let about = json!({
+            "preparation": found.record,
+            "first_index": found.first_index,
+            "warnings": warnings.collect::<Vec<_>>(),
+        });
+        Self {
+            profile: found.profile.clone(),
+            metadata: self.metadata.clone(),
+            stated: self.stated,
+            cutoff,
+            about,
+        }
+    }
+}
+
+fn told(code: &str, text: String, remedy: &str) -> Value {
+    json!({ "code": code, "text": text, "help": remedy })
+}
+
+fn of_roughness(warning: &Warning) -> Value {
+    told(
+        warning.code(),
+        warning.to_string(),
+        &warning.remedy().to_string(),
+    )
+}
+
+/// A length in metres as a cut-off: zero turns the filter off.
+fn on(length: f64) -> Option<Length> {
+    (length != 0.0).then(|| Length::from_si(length))
+}
+
+/// How a trace is prepared.
+#[derive(serde::Deserialize)]
+struct Plan {
+    form: String,
+    /// Zero turns the filter off; none takes what the file states, or the usual.
+    cutoff: Option<f64>,
+    noise_cutoff: Option<f64>,
+    ends: Option<Ends>,
+    robust: bool,
+    base_radius: Option<f64>,
+    roll_length: Option<f64>,
+    towards_root: bool,
+}
+
+impl Plan {
+    fn of(text: &str) -> Result<Self, Failure> {
+        serde_json::from_str(text).map_err(|error| Failure::new("E204", error.to_string()))
+    }
+
+    fn recipe(&self, trace: &Trace) -> Result<Preparation, Failure> {
+        let usual = Preparation::default();
+        let of = |given: Option<f64>, stated: Option<Length>, usual: Option<Length>| match given {
+            Some(length) => on(length),
+            None => stated.or(usual),
+        };
+        let form = match self.form.as_str() {
+            "none" | "involute" => Form::None,
+            "mean" => Form::Mean,
+            "level" => Form::Level,
+            "poly2" => Form::Poly2,
+            "circle" => Form::Circle,
+            other => {
+                let message =
+                    format!("form: {other}: must be none, mean, level, poly2, circle or involute");
+                return Err(Failure::new("E204", message));
+            }
+        };
+        let recipe = Preparation {
+            form,
+            lambda_c: of(self.cutoff, trace.stated[0], usual.lambda_c),
+            lambda_s: of(self.noise_cutoff, trace.stated[1], usual.lambda_s),
+            ends: self.ends.unwrap_or(usual.ends),
+        };
+        if self.robust && recipe.lambda_c.is_none() {
+            return Err(Failure::new(
+                "E205",
+                "robust applies to the filter at cutoff, which is off",
+            ));
+        }
+        Ok(recipe)
+    }
+
+    fn filter(&self) -> RoughnessFilter {
+        match self.robust {
+            true => RoughnessFilter::RobustGaussian,
+            false => RoughnessFilter::Gaussian,
+        }
+    }
+
+    fn involute(&self) -> Result<Option<Involute>, Failure> {
+        match (self.form.as_str(), self.base_radius, self.roll_length) {
+            ("involute", Some(base), Some(roll)) => Ok(Some(Involute {
+                base_radius: Length::from_si(base),
+                roll_length: Length::from_si(roll),
+                towards_root: self.towards_root,
+            })),
+            ("involute", ..) => {
+                let message = "form = \"involute\" needs base_radius, and roll_length at the middle of the trace";
+                Err(Failure::new("E205", message))
+            }
+            (_, None, None) => Ok(None),
+            _ => Err(Failure::new(
+                "E205",
+                "base_radius and roll_length go with form = \"involute\" only",
+            )),
+        }
+    }
+}
+
+type Heights<'py> = Bound<'py, PyArray1<f64>>;
+type State<'py> = (Heights<'py>, f64, String, Option<f64>, [Option<f64>; 2]);
+type Reduced<'py> = (Bound<'py, PyAny>, State<'py>);
+
+#[pymethods]
+impl Trace {
+    /// A profile of these heights in m, out of the material, `spacing` in m apart.
+    #[staticmethod]
+    fn of(heights: Input<'_>, spacing: f64) -> PyResult<Self> {
+        let heights = copied(&heights);
+        let spacing = Length::from_si(spacing);
+        // The checks of a trace that goes into a case.
+        CaseTrace::from_heights(&heights, spacing).map_err(Failure::from)?;
+        let profile = Profile::new(spacing, heights).map_err(Failure::from)?;
+        Ok(Self::made(profile, json!({ "warnings": [] })))
+    }
+
+    /// The profile that another process had: heights in m, spacing in m, what is known as JSON, cut-off that it has been
+    /// through, cut-offs that its file states.
+    #[staticmethod]
+    fn restored(
+        heights: Input<'_>,
+        spacing: f64,
+        about: &str,
+        cutoff: Option<f64>,
+        stated: [Option<f64>; 2],
+    ) -> PyResult<Self> {
+        let profile = Profile::new(Length::from_si(spacing), copied(&heights));
+        let about: Value =
+            serde_json::from_str(about).map_err(|error| Failure::new("E204", error.to_string()))?;
+        let metadata = about.get("metadata").cloned().map(serde_json::from_value);
+        Ok(Self {
+            metadata: metadata.and_then(Result::ok).unwrap_or_default(),
+            stated: stated.map(|length| length.map(Length::from_si)),
+            cutoff: cutoff.map(Length::from_si),
+            ..Self::made(profile.map_err(Failure::from)?, about)
+        })
+    }
+
+    /// For pickle: `restored` and its arguments.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
+        let restored = py.get_type::<Self>().getattr("restored")?;
+        let stated = self.stated.map(|length| length.map(Length::si));
+        let heights = self.heights(py);
+        let about = self.about()?;
+        Ok((
+            restored,
+            (heights, self.spacing(), about, self.cutoff(), stated),
+        ))
+    }
+
+    /// Heights in m.
+    #[getter]
+    fn heights<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        owned(py, self.profile.heights().to_vec())
+    }
+
+    /// Distance of the points in m.
+    #[getter]
+    fn spacing(&self) -> f64 {
+        self.profile.spacing().si()
+    }
+
+    /// All else that is known, as JSON.
+    #[getter]
+    fn about(&self) -> PyResult<String> {
+        Ok(failure::json(&self.about)?)
+    }
+
+    /// Cut-off in m of the roughness filter that the heights have been through.
+    #[getter]
+    fn cutoff(&self) -> Option<f64> {
+        self.cutoff.map(Length::si)
+    }
+
+    /// Without form, filtered as the plan in JSON says: primary profile, waviness where a filter parts it, roughness.
+    fn prepare(&self, py: Python<'_>, plan: &str) -> PyResult<(Self, Option<Self>, Self)> {
+        alone(py, || {
+            let plan = Plan::of(plan)?;
+            let recipe = plan.recipe(self)?;
+            let involute = plan.involute()?;
+            let without = involute
+                .as_ref()
+                .map(|flank| remove(&self.profile, flank))
+                .transpose()?;
+            let left = involute
+                .as_ref()
+                .map(|flank| form_left(&self.profile, flank))
+                .transpose()?;
+            let trace = without.as_ref().unwrap_or(&self.profile);
+            let parts = profiles(trace, &recipe, plan.filter())?;
+            let left: Vec<Warning> = left.flatten().into_iter().collect();
+            let none = json!({ "warnings": [] });
+            let with = |profile: Profile| Self {
+                metadata: self.metadata.clone(),
+                ..Self::made(profile, none.clone())
+            };
+            let rough = self.prepared(&parts.roughness, recipe.lambda_c, &left);
+            Ok((with(parts.primary), parts.waviness.map(with), rough))
+        })
+    }
+
+    /// Mean line of the Gaussian filter at `cutoff` in m, or of the robust one.
+    fn mean_line(&self, py: Python<'_>, cutoff: f64, robust: bool, ends: &str) -> PyResult<Self> {
+        let ends: Ends = serde_json::from_value(json!(ends))
+            .map_err(|error| Failure::new("E204", format!("ends: {error}")))?;
+        alone(py, || {
+            let cutoff = Length::from_si(cutoff);
+            let line = match robust {
+                true => robust_mean_line(&self.profile, cutoff)?.heights,
+                false => mean_line(&self.profile, cutoff, ends)?,
+            };
+            let line = Profile::new(self.profile.spacing(), line)?;
+            Ok(Self::made(line, json!({ "warnings": [] })))
+        })
+    }
+
+    /// Parameters as JSON, lengths in um as in the command's: of so many sections, of sections of `cutoff` in m, or
+    /// of sections of the cut-off that the heights have been through.
+    fn parameters(
+        &self,
+        py: Python<'_>,
+        standard: &str,
+        sections: Option<usize>,
+        cutoff: Option<f64>,
+    ) -> PyResult<String> {
+        let mode = match standard {
+            "iso4287" => Mode::Iso4287,
+            "iso21920" => Mode::Iso21920,
+            other => {
+                let message = format!("standard: {other}: must be iso4287 or iso21920");
+                return Err(Failure::new("E204", message).into());
+            }
+        };
+        alone(py, || {
+            let length = cutoff.map(Length::from_si).or(self.cutoff);
+            let found = match (sections, length) {
+                (Some(count), _) => Parameters::with_sections(&self.profile, mode, count)?,
+                (None, Some(length)) => Parameters::of(&self.profile, mode, length)?,
+                (None, None) => Parameters::with_sections(&self.profile, mode, SECTIONS)?,
+            };
+            let (heights, material) = (heights(&found.heights), material(&found.material));
+            let spectral = &found.spectral;
+            failure::json(&json!({
+                "heights": heights,
+                "material_ratio": material,
+                "spectral": {
+                    "m0_um2": spectral.m0 * 1e12, "m2": spectral.m2, "m4_per_um2": spectral.m4 * 1e-12,
+                    "bandwidth": spectral.bandwidth(),
+                },
+                "section_um": um(found.lambda_c),
+                "warnings": found.warnings.iter().map(of_roughness).collect::<Vec<_>>(),
+            }))
+        })
+    }
+
+    /// The same run from its other end.
+    fn mirrored(&self) -> PyResult<Self> {
+        let mut heights = self.profile.heights().to_vec();
+        heights.reverse();
+        let profile = Profile::new(self.profile.spacing(), heights).map_err(Failure::from)?;
+        Ok(Self {
+            profile,
+            ..self.clone()
+        })
+    }
+
+    /// Writes the profile in the format that the name asks for.
+    fn write(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+        let name = path.display().to_string();
+        let refused =
+            |reason: &str| Failure::new("E401", format!("{name}: cannot be written: {reason}"));
+        alone(py, || {
+            let format = WrittenFormat::of_name(&name);
+            let format = format.ok_or_else(|| refused("name it .csv, .x3p or .smd"))?;
+            let bytes = write(&self.profile, &self.metadata, format);
+            let bytes = bytes.map_err(|error| refused(&error.to_string()))?;
+            asperity_storage::save(&path, &bytes)
+                .map_err(|error| Failure::new("E401", error.to_string()))
+        })
+    }
+}
+
+fn um(length: Length) -> f64 {
+    length.si() * 1e6
+}
+
+fn heights(p: &HeightParameters) -> Value {
+    json!({
+        "ra_um": um(p.ra), "rq_um": um(p.rq), "rz_um": um(p.rz), "rp_um": um(p.rp), "rv_um": um(p.rv),
+        "rt_um": um(p.rt), "rz1max_um": um(p.rz1max), "rsk": p.rsk, "rku": p.rku,
+        "rsm_um": p.rsm.map(um), "rc_um": p.rc.map(um), "rdq": p.rdq, "sections": p.sections,
+    })
+}
+
+fn material(m: &RkParameters) -> Value {
+    json!({
+        "rk_um": um(m.rk), "rpk_um": um(m.rpk), "rvk_um": um(m.rvk),
+        "mr1_percent": m.mr1, "mr2_percent": m.mr2,
+    })
+}
+
+/// Reads a profile file; `options` is a JSON object with the keys of a flank in a case file.
+#[pyfunction]
+pub fn read_profile(py: Python<'_>, path: PathBuf, options: &str) -> PyResult<Trace> {
+    let options: ReadOptions =
+        serde_json::from_str(options).map_err(|error| Failure::new("E204", error.to_string()))?;
+    alone(py, || Trace::read(read(Path::new(&path), &options)?))
+}
+
+/// A synthetic profile by a recipe in JSON.
+#[pyfunction]
+pub fn generate(py: Python<'_>, recipe: &str) -> PyResult<Trace> {
+    let recipe: Recipe =
+        serde_json::from_str(recipe).map_err(|error| Failure::new("E204", error.to_string()))?;
+    alone(py, || {
+        let made = recipe.generate()?;
+        let about = json!({
+            "recipe": recipe, "achieved": of_achieved(&made.achieved), "synthetic": true, "warnings": [],
+        });
+        Ok(Trace::made(made.profile, about))
+    })
+}
+
+fn of_achieved(found: &Achieved) -> Value {
+    json!({
+        "ra_um": um(found.ra), "rq_um": um(found.rq), "rt_um": um(found.rt), "rsk": found.rsk, "rku": found.rku,
+        "rdq": found.rdq, "spectrum_error": found.spectrum_error, "iterations": found.iterations,
+    })
+}

@@ -1,0 +1,160 @@
+//! Work beside Python: without its lock, ended by Ctrl-C, with progress told on the thread that called.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::thread;
+use std::time::Duration;
+
+use asperity::core::cancel::{Cancelled, Token};
+use pyo3::prelude::*;
+
+use crate::failure::Failure;
+
+/// Time between two looks at signals and progress.
+const PULSE: Duration = Duration::from_millis(50);
+/// Bytes of the stack of a working thread, as the main thread of a command has.
+const STACK: usize = 8 << 20;
+
+/// How far the work is.
+#[derive(Debug, Default)]
+pub struct Told {
+    done: AtomicUsize,
+    total: AtomicUsize,
+}
+
+impl Told {
+    /// Notes that `done` of `total` steps are made.
+    pub fn tell(&self, done: usize, total: usize) {
+        self.total.store(total, Ordering::Relaxed);
+        self.done.fetch_max(done, Ordering::Relaxed);
+    }
+
+    fn now(&self) -> (usize, usize) {
+        let of = |count: &AtomicUsize| count.load(Ordering::Relaxed);
+        (of(&self.done), of(&self.total))
+    }
+}
+
+/// Does `work` on `threads` threads of its own, all cores where none are named, and calls `progress` with the steps
+/// done and their number. What Python raises meanwhile, as KeyboardInterrupt, ends the work.
+pub fn in_parallel<T: Send>(
+    py: Python<'_>,
+    threads: Option<usize>,
+    progress: Option<&Bound<'_, PyAny>>,
+    work: impl FnOnce(&Told) -> Result<T, Failure> + Send,
+) -> PyResult<T> {
+    beside(py, progress, move |token, told| {
+        let cores = thread::available_parallelism().map_or(1, Into::into);
+        let adopting = token.clone();
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads.unwrap_or(cores).clamp(1, cores))
+            .stack_size(STACK)
+            .start_handler(move |_| adopting.adopt())
+            .build();
+        let pool = pool.map_err(|error| Failure::new("E501", error.to_string()));
+        Ok(pool.and_then(|pool| pool.install(|| work(told))))
+    })
+}
+
+/// Does `work`, which runs on one thread.
+pub fn alone<T: Send>(
+    py: Python<'_>,
+    work: impl FnOnce() -> Result<T, Failure> + Send,
+) -> PyResult<T> {
+    beside(py, None, move |_, _| Ok(work()))
+}
+
+type Done<T> = Result<Result<T, Failure>, Cancelled>;
+
+fn beside<T: Send>(
+    py: Python<'_>,
+    progress: Option<&Bound<'_, PyAny>>,
+    work: impl FnOnce(&Token, &Told) -> Done<T> + Send,
+) -> PyResult<T> {
+    let (token, told) = (Token::new(), Told::default());
+    let (sender, receiver) = channel::<Done<T>>();
+    thread::scope(|scope| {
+        let run = |sender: Sender<Done<T>>| {
+            let done = token.run(|| work(&token, &told));
+            // Nobody listens where the caller has failed; then nothing is missed.
+            let _ = sender.send(done.and_then(|done| done));
+        };
+        let builder = thread::Builder::new().stack_size(STACK);
+        let worker = builder
+            .spawn_scoped(scope, move || run(sender))
+            .map_err(|error| Failure::new("E501", format!("no thread to work on: {error}")))?;
+        let mut watch = Watch {
+            progress,
+            told: &told,
+            last: None,
+        };
+        let mut raised = None;
+        let done = wait(py, receiver, |py| {
+            if raised.is_none()
+                && let Err(error) = watch.look(py)
+            {
+                raised = Some(error);
+                token.cancel();
+            }
+        });
+        let joined = py.detach(|| worker.join());
+        if let Some(error) = raised {
+            return Err(error);
+        }
+        match (done, joined) {
+            (Some(Ok(done)), Ok(())) => {
+                let value = done?;
+                watch.tell(py)?;
+                Ok(value)
+            }
+            _ => Err(Failure::new("E501", "the work ended without a result").into()),
+        }
+    })
+}
+
+/// Waits for the end of the work, looking up at every pulse.
+fn wait<T: Send>(
+    py: Python<'_>,
+    receiver: Receiver<Done<T>>,
+    mut look: impl FnMut(Python<'_>),
+) -> Option<Done<T>> {
+    let mut receiver = receiver;
+    loop {
+        let (back, got) = py.detach(move || {
+            let got = receiver.recv_timeout(PULSE);
+            (receiver, got)
+        });
+        receiver = back;
+        match got {
+            Ok(done) => return Some(done),
+            Err(RecvTimeoutError::Disconnected) => return None,
+            Err(RecvTimeoutError::Timeout) => look(py),
+        }
+    }
+}
+
+/// Signals and progress.
+struct Watch<'a, 'py> {
+    progress: Option<&'a Bound<'py, PyAny>>,
+    told: &'a Told,
+    last: Option<(usize, usize)>,
+}
+
+impl Watch<'_, '_> {
+    fn look(&mut self, py: Python<'_>) -> PyResult<()> {
+        py.check_signals()?;
+        self.tell(py)
+    }
+
+    fn tell(&mut self, _: Python<'_>) -> PyResult<()> {
+        let now = self.told.now();
+        if let Some(progress) = self.progress
+            && now.1 > 0
+            && self.last != Some(now)
+        {
+            self.last = Some(now);
+            progress.call1(now)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,82 @@
+"""Shared traces, cases and the command."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import asperity
+
+ROOT = Path(__file__).resolve().parents[3]
+CASES = ROOT / "fixtures" / "cases"
+PROFILES = ROOT / "fixtures" / "profiles"
+
+
+def heights(points: int) -> np.ndarray:
+    """Heights in µm of a rough trace without chance: three waves that share no period."""
+    i = np.arange(points)
+    return sum(a * np.sin(2 * np.pi * i / p) for a, p in ((0.3, 101.0), (0.2, 37.7), (0.1, 13.3)))
+
+
+def trace(points: int = 6000) -> asperity.Profile:
+    """The same as a profile, half a micrometre apart."""
+    return asperity.Profile(heights(points) * 1e-6, 0.5e-6, name="waves")
+
+
+def small(**changed: Any) -> dict[str, Any]:
+    """A case that is quickly run, on traces in memory."""
+    case: dict[str, Any] = {
+        "title": "small",
+        "gears": {"teeth": [23, 68], "module": "1.8 mm", "helix": "23.4 deg", "face_width": ["35 mm", "32 mm"]},
+        "material": {"pinion": {"elastic_limit": "1500 MPa", "flow_pressure": "7 GPa"}},
+        "operation": {"torque": "145 N m", "speed": "9000 1/min", "temperature": "90 °C"},
+        "lubricant": {
+            "viscosity": {"law": "astm-d341", "at_40": "30.8 mm2/s", "at_100": "5.9 mm2/s"},
+            "density": "845 kg/m3",
+            "base_oil": "pao",
+        },
+        "surface": {"cutoff": "0.25 mm", "pinion": trace(), "wheel": trace().mirrored()},
+        "model": {"positions": 4, "offsets": 2},
+    }
+    for path, value in changed.items():
+        table, *keys = path.split("__")
+        if keys:
+            case[table] = {**case[table], keys[0]: value}
+        else:
+            case[table] = value
+    return case
+
+
+@pytest.fixture(scope="session")
+def case() -> asperity.Case:
+    """The small case."""
+    return asperity.Case(small())
+
+
+@pytest.fixture(scope="session")
+def result(case: asperity.Case) -> asperity.RunResult:
+    """A run of it with fields."""
+    return case.run(band=False)
+
+
+@pytest.fixture(scope="session")
+def command() -> str:
+    """The command asperity: of ASPERITY_COMMAND, of this environment, or on the path."""
+    beside = Path(sys.executable).parent / "asperity"
+    found = os.environ.get("ASPERITY_COMMAND") or (str(beside) if beside.is_file() else shutil.which("asperity"))
+    assert found, "the command asperity is not here"
+    return found
+
+
+def json_of(command: str, *arguments: object) -> Any:
+    """What the command prints with --json."""
+    run = subprocess.run([command, *map(str, arguments), "--json"], capture_output=True, text=True, check=True)
+    return json.loads(run.stdout)

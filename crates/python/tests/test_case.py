@@ -1,0 +1,152 @@
+"""Cases from files, tables and keywords, and their changes."""
+
+import concurrent.futures
+import json
+import multiprocessing
+import pickle
+
+import numpy as np
+import pytest
+
+import asperity
+from conftest import CASES, PROFILES, small, trace
+
+
+def test_three_ways_to_the_same_case():
+    file = asperity.Case(CASES / "e-drive.toml")
+    tables = file.to_dict()
+    for flank in ("pinion", "wheel"):
+        tables["surface"][flank]["file"] = str(PROFILES / f"ground_{flank}.csv")
+    assert asperity.Case(tables).run("losses").loss_w == file.run("losses").loss_w
+    by_keywords = asperity.Case(**tables)
+    assert by_keywords.to_dict() == asperity.Case(tables).to_dict()
+
+
+def test_numbers_are_in_si_units():
+    text = asperity.Case(small())
+    si = asperity.Case(
+        small(
+            gears={"teeth": [23, 68], "module": 1.8e-3, "helix": np.deg2rad(23.4), "face_width": [0.035, 0.032]},
+            operation={"torque": 145, "speed": "9000 rpm", "temperature": "90 C"},
+            lubricant={
+                "viscosity": {"law": "astm-d341", "at_40": 30.8e-6, "at_100": "5.9 mm2/s"},
+                "density": np.float64(845),
+                "base_oil": "pao",
+            },
+        )
+    )
+    # An angle in radians is converted with π.
+    assert si.run("losses").loss_w == pytest.approx(text.run("losses").loss_w, rel=1e-12)
+
+
+def test_pint_is_taken():
+    pint = pytest.importorskip("pint")
+    unit = pint.UnitRegistry()
+    quantities = {
+        "torque": 145 * unit.newton * unit.meter,
+        "speed": unit.Quantity(9000, "revolution/minute"),
+        "temperature": unit.Quantity(90, "degC"),
+    }
+    found = asperity.Case(small(operation=quantities))
+    assert found.run("losses").loss_w == pytest.approx(asperity.Case(small()).run("losses").loss_w, rel=1e-12)
+    widths = unit.Quantity([35, 32], "mm")
+    wide = asperity.Case(small()).replace({"gears.face_width": widths})
+    assert wide.inputs.gears.face_width == ["35 mm", "32 mm"]
+    assert asperity.Profile(trace().heights, unit.Quantity(0.5, "um")).spacing == 0.5e-6
+    with pytest.raises(asperity.AsperityError) as refused:
+        asperity.Case(small(operation={**quantities, "torque": 3 * unit.meter}))
+    assert refused.value.code == "E204"
+
+
+def test_a_change_leaves_the_case_as_it_was(case):
+    before = case.to_dict()
+    hot = case.replace({"operation.temperature": "110 °C"}, model={"boundary_friction": 0.1})
+    assert case.to_dict() == before
+    assert hot.inputs.operation.temperature == "110 °C" and hot.inputs.model.boundary_friction == 0.1
+    assert hot.inputs.operation.torque == "145 N m", "the other keys of a table stay"
+    assert hot.replace({"model.boundary_friction": None}).inputs.model.boundary_friction is None
+
+
+def test_a_case_takes_other_flanks(case):
+    fine = asperity.read_profile(PROFILES / "superfinished.csv")
+    smooth = case.replace({"surface.pinion": fine, "surface.wheel": fine.mirrored()})
+    assert smooth.run("losses").loss_w < case.run("losses").loss_w
+    by_value = case.replace(surface={"pinion": {"file": None, "rq": "0.2 um"}, "wheel": {"file": None, "rq": 0.2e-6}})
+    assert by_value.inputs.surface.wheel["rq"] == "200 nm"
+
+
+def test_text_of_a_case_reads_back():
+    text = asperity.Case(CASES / "fzg-c.toml").to_toml()
+    assert 'module = "4.5 mm"' in text
+
+
+def test_keys_are_set_past_the_text_of_a_file():
+    case = asperity.Case.load(CASES / "e-drive.toml", {"operation.torque": 20.0, "model": {"offsets": 4}})
+    assert case.inputs.operation.torque == "20 N m" and case.inputs.model.offsets == 4
+    paper = asperity.Case(CASES / "e-drive.toml", formulation="paper")
+    assert "paper" in json.dumps(paper.to_dict())
+
+
+def test_a_case_tells_its_defaults(case):
+    defaults = dict(zip(case.defaults.key, case.defaults.value))
+    assert float(defaults["model.boundary_friction"]) == 0.08
+    assert case.title == "small" and "model.positions" in case._repr_html_()
+
+
+def test_places_name_key_and_line(tmp_path):
+    file = tmp_path / "case.toml"
+    file.write_text((CASES / "e-drive.toml").read_text().replace('"1.8 mm"', "1.8"))
+    with pytest.raises(asperity.AsperityError) as refused:
+        asperity.Case(file)
+    place = refused.value.place
+    assert (place.key, place.line, place.file) == ("gears.module", 7, str(file))
+    assert "mm" in str(refused.value)
+
+
+def test_film_and_regime(case):
+    regime = case.regime()
+    assert len(regime) == 4 and np.all(regime.film_minimum_um > 0) and "<svg" in regime._repr_html_()
+    film = case.film(0.25)
+    assert film.rows.thickness_m[0] == pytest.approx(1e-9) and film.path_fraction == 0.25
+    assert case.contact(0.25).hertz_p_max_pa > 0
+    assert case.gear().title == "small"
+
+
+def test_cases_and_results_go_to_other_processes(case):
+    changed = case.replace({"surface.pinion": trace(5000), "operation.torque": 100})
+    again = pickle.loads(pickle.dumps(changed))
+    assert again.to_dict() == changed.to_dict()
+    with concurrent.futures.ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
+        there = pool.submit(losses_of, again).result()
+    here = changed.run("losses")
+    assert there.loss_w == here.loss_w and there == here
+    flank = asperity.read_profile(PROFILES / "ground_pinion.csv")
+    same = pickle.loads(pickle.dumps(flank))
+    assert same.name == flank.name and same.parameters() == flank.parameters()
+    assert pickle.loads(pickle.dumps(case.regime())) == case.regime()
+
+
+def losses_of(case):
+    return case.run("losses")
+
+
+PLANETARY = {
+    "title": "set",
+    "planetary": {"teeth": [24, 27, -78], "planets": 3, "module": 2e-3, "face_width": ["25 mm", "25 mm", 0.03]},
+    "operation": {"torque": "60 N m", "speed": "3000 1/min", "temperature": "80 °C"},
+    "lubricant": {"oil": "m100"},
+    "surface": {"sun": {"rq": "0.4 um"}},
+}
+
+
+def test_a_planetary_set_has_the_results_of_its_meshes():
+    case = asperity.Case(PLANETARY)
+    result = case.run()
+    assert case.is_planetary and len(result.meshes) == 2 and 0.9 < result.efficiency < 1
+    assert result.loss_w > sum(mesh.loss_w for mesh in result.meshes), "three planets"
+    assert len(case.regime().meshes) == 2
+    faster = case.replace({"operation.speed": "4000 1/min"}).run()
+    assert faster.loss_w > result.loss_w
+    with pytest.raises(asperity.AsperityError) as refused:
+        case.contact()
+    assert refused.value.code == "E205"

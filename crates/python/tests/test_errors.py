@@ -1,0 +1,203 @@
+"""Every code that Python can reach is raised with its help."""
+
+import numpy as np
+import pytest
+
+import asperity
+from asperity import AsperityError, Case, solve_contact
+from conftest import CASES, PROFILES, heights, small, trace
+
+
+def rows(points, cells):
+    return "".join(cells(i, z) + "\n" for i, z in enumerate(heights(points)))
+
+
+def waves(points, header="x_um,z_um\n"):
+    return header + rows(points, lambda i, z: f"{0.5 * i:.1f},{z:.5f}")
+
+
+def with_row(number, text):
+    lines = waves(1000).splitlines()
+    lines[number + 1] = text
+    return "\n".join(lines)
+
+
+def sdf(points, profiles):
+    header = {
+        "ManufacID": "Asperity", "CreateDate": "200720261200", "ModDate": "200720261200", "NumPoints": points,
+        "NumProfiles": profiles, "Xscale": "5e-7", "Yscale": "1e-6", "Zscale": "1e-6", "Zresolution": -1,
+        "Compression": 0, "DataType": 7, "CheckType": 0,
+    }
+    values = "\n".join(f"{z:.4f}" for z in heights(500))
+    return "aISO-1.0\n" + "".join(f"{key} = {value}\n" for key, value in header.items()) + f"*\n{values}\n*\n*\n"
+
+
+def read(text, name="flank.csv", **options):
+    def raised(place):
+        file = place / name
+        file.write_bytes(text if isinstance(text, bytes) else text.encode())
+        asperity.read_profile(file, **options).parameters()
+
+    return raised
+
+
+def huge(place):
+    with open(place / "huge.csv", "w") as file:
+        file.write("x_um,z_um\n")
+        # A file with a hole in it takes no room on the disk.
+        file.truncate(5 << 30)
+    asperity.read_profile(place / "huge.csv")
+
+
+def case_text(text, name="case.toml"):
+    def raised(place):
+        (place / name).write_text(text)
+        Case(place / name)
+
+    return raised
+
+
+def placed(place):
+    at = {flank: {"file": trace(), "at": {"roll_length": length}} for flank, length in (("pinion", 0.012), ("wheel", 21.126e-3))}
+    Case(small(surface={"cutoff": "0.25 mm", **at})).run()
+
+
+def coarse(place):
+    rough = asperity.Profile(heights(500) * 1e-6, 20e-6)
+    surface = {"cutoff": 0, "noise_cutoff": 0, "pinion": rough, "wheel": rough}
+    Case(small(surface=surface)).run()
+
+
+def existing(place):
+    (place / "notes").mkdir()
+    (place / "notes" / "diary.txt").write_text("12 March: wear")
+    Case(small()).run(band=False).write(place / "notes")
+
+
+def thin(place):
+    # An Eyring stress of a pascal leaves no oil that a time step could be solved with.
+    asperity.ehl(Case(small()), 0.25, cells=64, half_widths=1, start=0, eyring_stress=1.0)
+
+
+GAP = np.linspace(-1, 1, 401) ** 2 * 1e-5
+
+
+def values(**changed):
+    return lambda place: Case(small(**changed)).run("losses")
+
+
+BARE = {"cutoff": "0.25 mm", "pinion": {"rq": "0.3 um"}, "wheel": {"rq": "0.3 um"}}
+
+RAISES = {
+    "E101": read(with_row(40, "20.0,O.431")),
+    "E102": read("Dear Sir,\nthe flank is fine.\n"),
+    "E103": lambda place: asperity.read_profile(place / "absent.csv"),
+    "E104": read("x,z\n" + rows(1000, lambda i, z: f"{0.5 * i:.1f},{1e4 * z:.1f}")),
+    "E105": read(with_row(500, "1.0,0.1")),
+    "E106": lambda place: asperity.Profile(heights(50), 1e-6),
+    "E107": read(with_row(77, "38.5,NaN")),
+    "E108": read(bytes([0, 159, 3, 200, 0, 1, 7, 255, 0, 12, 0, 0, 9, 130, 4]), "noise.dat"),
+    "E109": read(with_row(500, "250.3,0.1")),
+    "E110": read(rows(1000, lambda i, z: f"{z:.5f}"), z_unit="um"),
+    "E111": read(with_row(50, "25.0,0.1,9")),
+    "E112": read("a,b,c\n" + rows(500, lambda i, z: f"{i},{z:.4f},{z:.4f}")),
+    "E113": read(rows(500, lambda i, z: f"{i},5,0,{int(100 * abs(z))}")),
+    "E114": read(waves(500, "x [um],z [V]\n")),
+    "E115": read(rows(500, lambda i, z: f"{i},5,0,{int(100 * abs(z))}"), decimal="comma"),
+    "E116": lambda place: asperity.Profile(heights(500), -1e-6),
+    "E117": read(sdf(900, 1), "cut.sdf"),
+    "E118": huge,
+    "E119": read(sdf(250, 2), "two.sdf"),
+    "E120": read(waves(200)),
+    "E121": coarse,
+    "E122": values(model={"positions": 4, "offsets": 2, "window": 99}),
+    "E123": placed,
+    "E130": read("roll length [mm],z [um]\n" + rows(2000, lambda i, z: f"{8 + 0.002 * i:.4f},{z:.5f}")),
+    "E131": None,  # below: the reader warns, the case refuses
+    "E201": lambda place: Case(place / "absent.toml"),
+    "E202": case_text("gears = {"),
+    "E203": lambda place: Case(small()).replace({"operation.torqe": "3 N m"}),
+    "E204": lambda place: Case(small()).replace({"operation.torque": "145 N"}),
+    "E205": lambda place: solve_contact(GAP, 1e-6, 115e9),
+    "E206": lambda place: Case(small()).replace({"gears.profile_shift": [5, 5]}),
+    "E207": lambda place: Case(small()).replace({"lubricant.pressure_viscosity": "2e-8 mm2/N"}),
+    "E208": lambda place: Case(small()).replace({"lubricant.base_oil": None}),
+    "E209": lambda place: solve_contact(GAP, 1e-6, -115e9, 1e5),
+    "E211": lambda place: solve_contact(GAP, 1e-6, 115e9, 1e5, tolerance=1e-2),
+    "E212": lambda place: Case(small()).replace({"gears.module": "1.8 m"}),
+    "E301": lambda place: solve_contact(GAP, 1e-6, 115e9, 1e5, tolerance=1e-17),
+    "E302": lambda place: solve_contact(GAP, 1e-6, 115e9, 1e6, pressure_limit="1 GPa"),
+    "E303": lambda place: Case(small(surface=BARE)).contact(),
+    "E304": lambda place: Case(small(model={"numerical_error": "1e-13 %"}), formulation="paper").run(),
+    "E305": values(
+        operation={"torque": "145 N m", "speed": "9000 1/min", "temperature": "240 °C"},
+        model={"positions": 4, "offsets": 2, "film_friction": "xu"},
+    ),
+    "E306": values(material={"pinion": {"flow_pressure": "100 MPa"}}),
+    "E307": thin,
+    "E308": values(operation={"torque": "145 N m", "speed": "9e5 1/min", "temperature": "90 °C"}),
+    "E401": existing,
+    "E402": lambda place: asperity.read_result(place),
+}
+
+# No function of the module can raise these.
+ELSEWHERE = {
+    "E132": "REXS files are read by the command",
+    "E133": "REXS files are read by the command",
+    "E134": "calibration is done by the command",
+    "E135": "calibration is done by the command",
+    "E210": "explain gives none for a code that does not exist",
+    "E309": "shards are merged by the command",
+    "E310": "calibration is done by the command",
+    "E501": "faults of the program, which no input raises",
+}
+
+
+@pytest.mark.parametrize("code", [code for code, raise_it in RAISES.items() if raise_it])
+def test_a_code_is_raised_with_its_help(code, tmp_path):
+    with pytest.raises(AsperityError) as raised:
+        RAISES[code](tmp_path)
+    error = raised.value
+    assert error.code == code, str(error)
+    assert error.message and error.help.endswith(".") and str(error).startswith(f"{code} ")
+    assert "--" not in error.help, "an option of the command"
+
+
+def test_e131_heights_that_no_flank_has(tmp_path):
+    (tmp_path / "high.csv").write_text("x_um,z_mm\n" + rows(6000, lambda i, z: f"{0.5 * i:.1f},{z:.5f}"))
+    with pytest.raises(AsperityError) as raised:
+        Case(small(surface={"cutoff": "0.25 mm", "pinion": {"file": str(tmp_path / "high.csv")}}))
+    assert raised.value.code == "E131" and raised.value.help
+    assert raised.value.place.key == "surface.pinion.file"
+
+
+def test_every_code_is_raised_or_belongs_to_the_command():
+    known = {f"E{number}" for number in range(100, 600) if asperity.explain(f"E{number}")}
+    assert known <= set(RAISES) | set(ELSEWHERE)
+    assert set(RAISES) <= known
+
+
+def test_an_error_is_a_value_error_with_its_actions():
+    with pytest.raises(ValueError) as raised:
+        solve_contact(GAP, 1e-6, 115e9, 1e6, pressure_limit=1e9)
+    keys = [key for action in raised.value.actions if action["kind"] == "set" for key in action["settings"]]
+    assert keys, raised.value.actions
+    assert asperity.explain("E302").title == "the surface is too soft for the load"
+    assert asperity.explain("X1") is None
+
+
+def test_bad_arguments_are_told_apart():
+    with pytest.raises(AsperityError, match="one dimension"):
+        solve_contact(np.zeros((3, 3)), 1e-6, 115e9, 1e5)
+    with pytest.raises(AsperityError, match="array of numbers"):
+        solve_contact(["a", "b"], 1e-6, 115e9, 1e5)
+    with pytest.raises(AsperityError, match="must be free, periodic"):
+        solve_contact(GAP, 1e-6, 115e9, 1e5, boundary="open")
+    with pytest.raises(AsperityError, match="detail"):
+        Case(small()).run("everything")
+    with pytest.raises(AsperityError, match="at least two"):
+        asperity.compare(CASES / "e-drive.toml", {"one": PROFILES / "superfinished.csv"})
+    with pytest.raises(AsperityError, match="is no Length"):
+        asperity.Profile(heights(200), None)
+    with pytest.raises(AsperityError, match="position 2"):
+        Case(small()).contact(2.0)

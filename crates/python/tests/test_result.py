@@ -1,0 +1,106 @@
+"""Results: attributes, arrays, folders, other packages, notebooks."""
+
+import json
+
+import numpy as np
+import pytest
+
+import asperity
+from conftest import CASES, small
+
+
+def test_numbers_have_names_and_columns_are_arrays(result):
+    assert result.loss_w == result.summary.loss_w == result["summary"]["loss_w"]
+    path = result.path
+    assert path.lambda_star.shape == (4,) and path.position.dtype == np.int64
+    assert path[2].film_minimum_um == path.film_minimum_um[2]
+    assert sum(row.weight_m for row in path) == pytest.approx(path.weight_m.sum())
+    assert len(result.offsets) == 2 and result.offsets.loss_w.mean() == pytest.approx(result.loss_w)
+    assert "loss_w" in dir(result.summary) and "film_minimum_um" in dir(path)
+    with pytest.raises(AttributeError, match="lambda_star"):
+        path.lamda_star
+    with pytest.raises(AttributeError, match="loss_w"):
+        result.summary.loss
+
+
+def test_sums_of_the_losses_balance(result):
+    of = result.summary
+    assert of.loss_w == pytest.approx(of.sliding_w + of.rolling_w, rel=1e-12)
+    assert of.sliding_w == pytest.approx(of.film_w + of.lubricated_asperity_w + of.boundary_w, rel=1e-12)
+
+
+def test_a_result_is_plain_data(result):
+    again = json.loads(json.dumps(result.to_dict()))
+    assert again["summary"]["loss_w"] == result.loss_w
+    assert json.loads(result.to_json()) == again
+
+
+def test_fields_of_a_position(result):
+    assert result.positions == [1, 2, 3, 4]
+    fields = result.fields(2)
+    assert fields.von_mises.shape == (len(fields.depths), len(fields.x))
+    load = (fields.pressure_solid + fields.pressure_fluid).sum() * (fields.x[1] - fields.x[0])
+    assert load == pytest.approx(result.path.line_load_n_per_mm[1] * 1e3, rel=1e-3)
+    highest = result.fields()
+    assert highest.pressure_solid.max() >= fields.pressure_solid.max()
+    with pytest.raises(asperity.AsperityError) as refused:
+        result.fields(9)
+    assert refused.value.code == "E402"
+
+
+def test_a_result_goes_into_a_folder_and_comes_back(result, tmp_path):
+    result.write(tmp_path / "out")
+    assert (tmp_path / "out" / "report.html").is_file()
+    back = asperity.read_result(tmp_path / "out")
+    assert back == result and str(back) == str(result)
+    assert asperity.read_result(tmp_path / "out" / "result.json").loss_w == result.loss_w
+    result.write(tmp_path / "all", fields=True)
+    assert (tmp_path / "all" / "position_01").is_dir()
+
+
+def test_results_leave_for_other_packages(result):
+    pytest.importorskip("pandas")
+    xarray = pytest.importorskip("xarray")
+    frame = result.to_pandas()
+    assert frame.shape[0] == 4 and frame.attrs["loss_w"] == result.loss_w
+    data = result.to_xarray()
+    assert isinstance(data, xarray.Dataset) and data.sizes == {"path_fraction": 4}
+    assert float(data.film_minimum_um.sel(path_fraction=data.path_fraction[1])) == result.path.film_minimum_um[1]
+    assert result.fields().to_xarray().von_mises.dims == ("depth", "x")
+
+
+def test_a_notebook_shows_summary_and_chart(result):
+    page = result._repr_html_()
+    assert "efficiency" in page and "<svg" in page and "boundary layer" in page
+    assert f"{result.loss_w:.6g} W" in repr(result)
+    assert str(result).startswith("small\nefficiency (mesh only)")
+    assert "<table" in result.path._repr_html_() and "<table" in result.summary._repr_html_()
+
+
+def test_the_band_goes_with_a_run():
+    case = asperity.Case(CASES / "e-drive.toml", model={"positions": 4, "offsets": 4})
+    band = case.run().band
+    low, high = band.quantiles_w
+    assert low < band.nominal_w < high and band.draws == 24
+    assert "5 to 95 %" in case.run()._repr_html_()
+
+
+def test_progress_is_told(case):
+    told = []
+    case.run("losses", progress=lambda done, total: told.append((done, total)))
+    assert told[-1] == (4, 4) and told == sorted(told)
+    tqdm = pytest.importorskip("tqdm")
+    case.run("losses", progress=tqdm.tqdm)
+    with tqdm.tqdm(desc="own") as bar:
+        case.run("losses", progress=bar)
+        assert (bar.n, bar.total) == (4, 4)
+
+
+def test_what_progress_raises_ends_the_run():
+    long = asperity.Case(small(model={"positions": 200, "offsets": 16}))
+
+    def stop(done, total):
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        long.run("losses", progress=stop)

@@ -1,0 +1,124 @@
+"""Module and command give the same numbers to the last digit."""
+
+import json
+import subprocess
+
+import pytest
+
+import asperity
+from conftest import CASES, PROFILES, json_of
+
+FIXTURES = ["e-drive", "e-drive-superfinished", "fzg-c", "table2"]
+
+
+@pytest.mark.parametrize("name", FIXTURES)
+def test_a_run_is_that_of_the_command(name, command):
+    case = CASES / f"{name}.toml"
+    expected = json_of(command, "run", case, "--no-output")
+    found = asperity.Case(case).run()
+    assert found.loss_w == expected["summary"]["loss_w"]
+    assert json.loads(found.to_json()) == expected
+
+
+@pytest.mark.parametrize("name", FIXTURES)
+def test_the_losses_alone_are_those_of_the_run(name, command):
+    case = CASES / f"{name}.toml"
+    expected = json_of(command, "run", case, "--no-output", "--no-band")["summary"]["loss_w"]
+    assert asperity.Case(case).run("losses").loss_w == expected
+    assert asperity.Case(case).run("contacts").loss_w == expected
+
+
+@pytest.mark.parametrize("name", ["ground_pinion.csv", "superfinished.csv", "damaged.txt"])
+def test_the_parameters_of_a_profile_are_those_of_the_command(name, command):
+    file = PROFILES / name
+    expected = json_of(command, "profile", "info", file)
+    found = asperity.read_profile(file)
+    assert dict(found.parameters()) == {
+        **expected["iso4287"],
+        **expected["material_ratio"],
+        **expected["spectral"],
+        "section_um": expected["section_um"],
+    }
+    newer = found.parameters(standard="iso21920")
+    assert {key: newer[key] for key in expected["iso21920"]} == expected["iso21920"]
+    assert {row.code for row in [*found.warnings, *found.parameters().warnings]} == {
+        row["code"] for row in expected["warnings"]
+    }
+
+
+def test_the_regime_is_that_of_the_command(command):
+    case = CASES / "e-drive.toml"
+    assert asperity.Case(case).regime().to_dict() == json_of(command, "regime", case)
+
+
+def test_the_gears_are_those_of_the_command(command):
+    case = CASES / "fzg-c.toml"
+    assert asperity.Case(case).gear().to_dict() == json_of(command, "gear", case)
+
+
+def test_a_map_is_that_of_the_command(command, tmp_path):
+    case = CASES / "e-drive.toml"
+    small = ["--set", "model.positions=4", "--set", "model.offsets=2"]
+    axes = ["--torque", "20,145", "--speed", "1000,9000", "--temperature", "60,90"]
+    subprocess.run([command, "map", case, *small, *axes, "-o", tmp_path / "map", "--quiet"], check=True)
+    expected = asperity.read_map(tmp_path / "map").to_pandas()
+    changed = asperity.Case(case, model={"positions": 4, "offsets": 2})
+    found = asperity.map(
+        changed,
+        torque=[20, "145 N m"],
+        speed=["1000 1/min", "9000 rpm"],
+        temperature=["60 °C", "90 °C"],
+        finishes=None,
+    ).to_pandas()
+    for name in expected.columns:
+        assert found[name].equals(expected[name].set_axis(found.index)), name
+
+
+def test_a_comparison_is_that_of_the_command(command, tmp_path):
+    case, ground, fine = CASES / "e-drive.toml", PROFILES / "ground_pinion.csv", PROFILES / "superfinished.csv"
+    finishes = [f"--finish=ground={ground}", f"--finish=fine={fine}"]
+    few = ["--offsets", "4", "--set", "model.positions=4"]
+    expected = json_of(command, "compare", case, *finishes, *few, "-o", tmp_path / "out")
+    changed = asperity.Case(case, model={"positions": 4})
+    found = asperity.compare(changed, {"ground": ground, "fine": fine}, offsets=4)
+    assert found.to_dict() == expected
+
+
+def test_a_sweep_is_that_of_the_command(command, tmp_path):
+    study = tmp_path / "study.toml"
+    study.write_text(
+        f'case = {json.dumps(str(CASES / "e-drive.toml"))}\ncolumns = ["loss_w"]\n'
+        '[[axis]]\nkey = "operation.speed"\nvalues = ["3000 1/min", "9000 1/min"]\n'
+        '[[axis]]\nkey = "model.positions"\nvalues = [4, 8]\n'
+    )
+    subprocess.run([command, "sweep", "run", study, "--quiet"], check=True)
+    subprocess.run([command, "sweep", "merge", study, "-o", tmp_path / "out", "--quiet"], check=True)
+    lines = (tmp_path / "out" / "sweep.csv").read_text().splitlines()
+    expected = [dict(zip(lines[0].split(","), line.split(","))) for line in lines[1:]]
+    found = list(asperity.sweep(study=study))
+    assert [str(row.id) for row in found] == [row["id"] for row in expected]
+    assert [row.loss_w for row in found] == [float(row["loss_w"]) for row in expected]
+    alike = asperity.sweep(
+        CASES / "e-drive.toml",
+        {"operation.speed": ["3000 1/min", "9000 1/min"], "model.positions": [4, 8]},
+        columns=["loss_w"],
+    )
+    assert [row.id for row in alike] == [row["id"] for row in expected]
+
+
+def test_a_contact_of_the_case_is_that_of_the_command(command):
+    case = CASES / "e-drive.toml"
+    expected = json_of(command, "contact", case, "--position", "0.25")
+    found = asperity.Case(case).contact(0.25)
+    assert (found.p_max_pa, found.approach_m, found.iterations) == tuple(
+        expected[key] for key in ("p_max_pa", "approach_m", "iterations")
+    )
+
+
+def test_the_lubricated_contact_in_time_is_that_of_the_command(command):
+    case = CASES / "e-drive.toml"
+    short = ["--position", "0.25", "--cells", "128", "--half-widths", "2", "--start", "0"]
+    expected = json_of(command, "ehl", case, *short)
+    found = asperity.ehl(case, 0.25, cells=128, half_widths=2, start=0)
+    for key in ("solid_share", "mean_film_um", "central_film_um", "max_pressure_pa", "steps", "load_error"):
+        assert found[key] == expected[key], key

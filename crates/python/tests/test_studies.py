@@ -1,0 +1,97 @@
+"""Comparisons, maps, sweeps."""
+
+import numpy as np
+import pytest
+
+import asperity
+from conftest import CASES, PROFILES, trace
+
+GROUND, FINE = PROFILES / "ground_pinion.csv", PROFILES / "superfinished.csv"
+
+
+@pytest.fixture(scope="module")
+def drive():
+    return asperity.Case(CASES / "e-drive.toml", model={"positions": 4, "offsets": 2})
+
+
+def test_a_comparison_of_files_profiles_pairs_and_cases(drive, tmp_path):
+    fine = asperity.read_profile(FINE)
+    found = asperity.compare(
+        drive,
+        {"ground": GROUND, "profile": fine, "pair": (FINE, fine.mirrored()), "case": drive},
+        offsets=2,
+    )
+    assert found.names == ["ground", "profile", "pair", "case"]
+    assert found.finishes.loss_w[1] < found.finishes.loss_w[0]
+    assert len(found.offsets["pair"]) == 2
+    assert str(found).startswith("e-drive") and "ground" in repr(found) and "<table" in found._repr_html_()
+    found.write(tmp_path / "out")
+    assert asperity.read_result(tmp_path / "out").title == found.title
+    pytest.importorskip("pandas")
+    frame = found.to_pandas()
+    assert list(frame.index) == found.names and frame.loss_w["profile"] == found.finishes.loss_w[1]
+    pytest.importorskip("xarray")
+    assert found.to_xarray().loss_w.sizes == {"finish": 4, "offset": 2}
+
+
+def test_a_point_of_a_map_is_a_run(drive, tmp_path):
+    found = asperity.map(drive, torque="50..145:2", speed=["3000 1/min", "9000 1/min"])
+    run = drive.replace({"operation.torque": "50 N m", "operation.speed": "3000 1/min"}).run("losses")
+    at = found.torque_nm.tolist().index(50), found.speed_rpm.tolist().index(3000)
+    assert found.loss_w[0, 0, at[0], at[1]] == run.loss_w
+    assert found.loss_torque(50, "3000 1/min") == found.loss_torque_nm[0, 0, at[0], at[1]]
+    assert found.loss_torque([50, 145], "5000 1/min").shape == (2,)
+    found.write(tmp_path / "map")
+    again = asperity.read_result(tmp_path / "map")
+    assert isinstance(again, asperity.Map) and np.array_equal(again.loss_w, found.loss_w)
+    assert "<svg" in found._repr_html_() and "points" in repr(found) and str(found)
+    pytest.importorskip("xarray")
+    data = found.to_xarray()
+    assert float(data.loss_w.sel(torque_nm=50, speed_rpm=3000).squeeze()) == run.loss_w
+    assert found.to_pandas().loss_w.size == found.loss_w.size
+
+
+def test_maps_are_exported(drive, tmp_path):
+    found = asperity.map(drive, torque=[-145, 145], speed=["100 1/min", "9000 1/min"], finishes={"a": GROUND, "b": FINE})
+    assert found.finishes == ["a", "b"]
+    files = found.export("matlab", tmp_path)
+    assert [file.name for file in files] == ["a.mat", "b.mat"] and all(file.stat().st_size for file in files)
+    with pytest.raises(asperity.AsperityError) as refused:
+        found.export("fastsim", tmp_path)
+    assert refused.value.code == "E205"
+
+
+def test_a_sweep_is_an_iterator(drive):
+    rows = asperity.sweep(drive, {"operation.torque": [50.0, "145 N m"], "operation.speed": {"from": "1000 1/min", "to": "9000 1/min", "count": 3}})
+    assert len(rows) == 6
+    first = next(rows)
+    assert first.case == 0 and first["operation.torque"] == "50 N m" and first.loss_w > 0
+    assert len(list(rows)) == 6, "it begins again"
+    pytest.importorskip("pandas")
+    frame = rows.to_pandas()
+    assert frame.loss_w.notna().all() and (frame.code.isna()).all()
+    single = drive.replace({"operation.torque": "50 N m", "operation.speed": "1000 1/min"}).run("losses")
+    assert frame.loss_w[0] == single.loss_w
+
+
+def test_choices_and_samples(drive):
+    rows = asperity.sweep(
+        drive,
+        {"finish": {"a": {"surface.pinion.file": str(GROUND)}, "b": {"surface.pinion.file": str(FINE)}}},
+        sample={"method": "sobol", "count": 4, "seed": 3, "vary": {"model.boundary_friction": {"uniform": [0.06, 0.1]}}},
+        columns=["loss_w"],
+    ).run()
+    assert len(rows) == 8 and set(rows.finish) == {"a", "b"}
+    frictions = rows["model.boundary_friction"]
+    assert np.all((0.06 <= frictions) & (frictions <= 0.1)) and len(set(frictions)) == 4
+
+
+def test_a_case_without_result_is_a_row_with_its_code(drive):
+    rows = list(asperity.sweep(drive, {"model.window": [6, 99]}, columns=["loss_w"], detail="contacts"))
+    assert rows[0].code is None and rows[1].code == "E122" and rows[1].loss_w is None
+
+
+def test_a_name_tells_heights_apart(drive):
+    other = asperity.Profile(trace().heights * 2, 0.5e-6, name="waves")
+    losses = [drive.replace({"surface.pinion": flank}).run("losses").loss_w for flank in (trace(), other, trace())]
+    assert losses[0] == losses[2] != losses[1]
