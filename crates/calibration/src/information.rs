@@ -47,7 +47,11 @@ pub fn deviation_without_prior(information: &DMatrix<f64>, k: usize, prior: f64)
 pub fn correlations(covariance: &DMatrix<f64>) -> DMatrix<f64> {
     let deviations: DVector<f64> = covariance.diagonal().map(f64::sqrt);
     DMatrix::from_fn(covariance.nrows(), covariance.ncols(), |i, j| {
-        covariance[(i, j)] / (deviations[i] * deviations[j])
+        // Rounding would leave the last digit of the diagonal to chance.
+        match i == j {
+            true => 1.0,
+            false => covariance[(i, j)] / (deviations[i] * deviations[j]),
+        }
     })
 }
 
