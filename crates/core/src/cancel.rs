@@ -102,10 +102,7 @@ mod tests {
             let token = token.clone();
             move || {
                 token.adopt();
-                let endless: () = loop {
-                    checkpoint();
-                };
-                endless
+                (0_u64..).for_each(|_| checkpoint());
             }
         });
         token.cancel();
