@@ -102,7 +102,9 @@ mod tests {
             let token = token.clone();
             move || {
                 token.adopt();
-                (0_u64..).for_each(|_| checkpoint());
+                for _ in 0..u64::MAX {
+                    checkpoint();
+                }
             }
         });
         token.cancel();
