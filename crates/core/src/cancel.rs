@@ -102,10 +102,9 @@ mod tests {
             let token = token.clone();
             move || {
                 token.adopt();
-                let endless: () = loop {
+                for _ in 0..u64::MAX {
                     checkpoint();
-                };
-                endless
+                }
             }
         });
         token.cancel();

@@ -149,6 +149,7 @@ ELSEWHERE = {
     "E210": "explain gives none for a code that does not exist",
     "E309": "shards are merged by the command",
     "E310": "calibration is done by the command",
+    "E311": "calibration is done by the command",
     "E501": "faults of the program, which no input raises",
 }
 
