@@ -136,6 +136,14 @@ RAISES = {
     "E306": values(material={"pinion": {"flow_pressure": "100 MPa"}}),
     "E307": thin,
     "E308": values(operation={"torque": "145 N m", "speed": "9e5 1/min", "temperature": "90 °C"}),
+    "E311": values(
+        operation={
+            "torque": "145 N m",
+            "speed": "9000 1/min",
+            "temperature": "60 °C",
+            "bulk": {"law": "network", "pinion_to_oil": "0.1 W/K", "wheel_to_oil": 0.1},
+        },
+    ),
     "E401": existing,
     "E402": lambda place: asperity.read_result(place),
 }
@@ -149,7 +157,6 @@ ELSEWHERE = {
     "E210": "explain gives none for a code that does not exist",
     "E309": "shards are merged by the command",
     "E310": "calibration is done by the command",
-    "E311": "calibration is done by the command",
     "E501": "faults of the program, which no input raises",
 }
 
