@@ -4,7 +4,7 @@ use std::path::Path;
 
 use asperity::case::{LoadedCase, load_with};
 use asperity::quantity::Temperature;
-use asperity::{bulk, losses, pipeline};
+use asperity::{losses, pipeline};
 
 fn case(name: &str, law: &str) -> LoadedCase {
     let file = Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -36,7 +36,7 @@ fn the_rise_is_that_of_the_loss_at_the_temperature_found() {
         assert!(residual.abs() < 0.01, "{lubrication}: {residual} K");
         assert_eq!(report.oil_c, celsius(case.case.input.operation.temperature));
         // The loss is that of flanks given at this temperature.
-        let settled = bulk::settled(&case, None).unwrap();
+        let settled = pipeline::settled(&case, None).unwrap();
         let given = case
             .with(|input| {
                 input.operation.temperature = settled.case.temperature;

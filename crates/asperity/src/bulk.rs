@@ -4,8 +4,6 @@
 //! the rise and the rise changes the loss. The rough contacts are solved once: a further temperature costs film
 //! laws only. All properties of the oil are those at the bulk temperature, its density included.
 
-use std::borrow::Cow;
-
 use asperity_core::provenance::Provenance;
 use asperity_core::quantity::{Power, Temperature};
 use asperity_efficiency::bulk_temperature::{
@@ -14,49 +12,21 @@ use asperity_efficiency::bulk_temperature::{
 
 use crate::case::{BulkModel, LoadedCase, Lubrication};
 pub use crate::case::{BulkReport, FoundBulk};
-use crate::contact_tables::ContactTables;
 use crate::error::{Error, PositionError};
-use crate::pipeline::{contact_tables, losses_with, stations};
+use crate::result::Losses;
+use crate::stations::stations;
 
-/// A case at the bulk temperature that its loss keeps up, itself where that is given.
-///
-/// ```
-/// use asperity::{bulk, case, pipeline};
-/// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
-/// let case = case::load_with(file, &|input| {
-///     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
-/// })?;
-/// let given = bulk::settled(&case, None)?;
-/// assert!(given.case.found_bulk.is_none());
-/// let asked = case.with_key("operation.bulk", r#"{ law = "iso", lubrication = "jet" }"#)?;
-/// let settled = bulk::settled(&asked, None)?;
-/// let found = settled.case.found_bulk.as_ref().ok_or("it was asked for")?;
-/// assert!(found.report.bulk_c > found.report.oil_c + 5.0);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-///
-/// # Errors
-/// As [`losses`](crate::losses), and when the temperature does not settle.
-pub fn settled<'a>(
-    loaded: &'a LoadedCase,
-    tables: Option<&ContactTables>,
-) -> Result<Cow<'a, LoadedCase>, Error> {
-    let Some(model) = loaded.case.bulk else {
-        return Ok(Cow::Borrowed(loaded));
-    };
-    let made;
-    let tables = match tables {
-        Some(tables) => tables,
-        None => {
-            made = contact_tables(loaded)?;
-            &made
-        }
-    };
+/// The case at the bulk temperature of `model`; `losses` are those of a case whose bulk temperature is given.
+pub(crate) fn settle(
+    loaded: &LoadedCase,
+    model: BulkModel,
+    losses: impl Fn(&LoadedCase) -> Result<Losses, Error>,
+) -> Result<LoadedCase, Error> {
     let used = Provenance::new();
     let law = used.collect(|| Law::of(loaded, model)).map_err(Box::new)?;
     let oil = loaded.case.input.operation.temperature;
     let made = |bulk: Temperature| {
-        let losses = losses_with(tables, &at(loaded, bulk)?, &|_, _| {})?;
+        let losses = losses(&at(loaded, bulk)?)?;
         let [pinion, wheel] = law
             .rises(Power::from_si(losses.summary.loss_w))
             .map_err(Box::new)?;
@@ -69,7 +39,7 @@ pub fn settled<'a>(
         operation: loaded.case.input.operation,
         report: law.report(oil, &found),
     });
-    Ok(Cow::Owned(settled))
+    Ok(settled)
 }
 
 /// The case with its flanks at a temperature.

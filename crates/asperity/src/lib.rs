@@ -28,7 +28,7 @@ mod assembly;
 mod attention;
 pub mod band;
 mod branch;
-pub mod bulk;
+mod bulk;
 mod calibration_equations;
 pub mod case;
 mod chosen_laws;

@@ -1,6 +1,6 @@
 //! The one file that knows the order of the model, the paper's Fig. 2.
 //!
-//! Where the case asks for it, the bulk temperature that the loss keeps up first ([`bulk`]). The load over the flanks and the cells of the path; then at every mesh position, in parallel: motion and load,
+//! Where the case asks for it, the bulk temperature that the loss keeps up first ([`settled`]). The load over the flanks and the cells of the path; then at every mesh position, in parallel: motion and load,
 //! Hertz contact, smooth film; then at every
 //! offset of the traces: roughness under the contact, Λ* and with it the regime, the rough contact and from it
 //! the load share, friction in film, lubricated asperities and boundary layer. That is all that the losses
@@ -9,6 +9,7 @@
 //! offset the fields and the stress below them ([`run`]). Then the sums: cycle mean at each offset, mean and spread over the
 //! offsets.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -144,6 +145,44 @@ pub fn losses_with(
     losses_of(loaded, Some(tables), progress)
 }
 
+/// A case at the bulk temperature that its loss keeps up, with contacts made before, if any; itself where the
+/// temperature is given.
+///
+/// ```
+/// use asperity::{case, pipeline};
+/// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+/// let case = case::load_with(file, &|input| {
+///     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+/// })?;
+/// assert!(pipeline::settled(&case, None)?.case.found_bulk.is_none());
+/// let asked = case.with_key("operation.bulk", r#"{ law = "iso", lubrication = "jet" }"#)?;
+/// let settled = pipeline::settled(&asked, None)?;
+/// let found = settled.case.found_bulk.as_ref().ok_or("it was asked for")?;
+/// assert!(found.report.bulk_c > found.report.oil_c + 5.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// As [`losses`], and when the temperature does not settle.
+pub fn settled<'a>(
+    loaded: &'a LoadedCase,
+    tables: Option<&ContactTables>,
+) -> Result<Cow<'a, LoadedCase>, Error> {
+    let Some(model) = loaded.case.bulk else {
+        return Ok(Cow::Borrowed(loaded));
+    };
+    let made;
+    let tables = match tables {
+        Some(tables) => tables,
+        None => {
+            made = contact_tables(loaded)?;
+            &made
+        }
+    };
+    let losses = |case: &LoadedCase| losses_with(tables, case, &|_, _| {});
+    bulk::settle(loaded, model, losses).map(Cow::Owned)
+}
+
 /// The rough contacts of a case at every position and offset, without oil, speed or temperature; their roughness
 /// alone where the load share does not look at them.
 ///
@@ -182,8 +221,8 @@ fn losses_of(
     tables: Option<&ContactTables>,
     progress: Progress<'_>,
 ) -> Result<Losses, Error> {
-    let settled = bulk::settled(loaded, tables)?;
-    let loaded = settled.as_ref();
+    let found = settled(loaded, tables)?;
+    let loaded = found.as_ref();
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
     let kept = tables.and_then(|tables| tables.load_map(&loaded.case));
@@ -204,8 +243,8 @@ fn outcome(
     kept: &KeptFields,
     progress: Progress<'_>,
 ) -> Result<(Outcome, Option<ContactTables>), Error> {
-    let settled = bulk::settled(loaded, None)?;
-    let loaded = settled.as_ref();
+    let found = settled(loaded, None)?;
+    let loaded = found.as_ref();
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
     let mesh = Mesh::of(loaded, &laws, None, progress, &used)?;

@@ -5,7 +5,6 @@ use asperity_ns_film::{FluidModel, pressure_difference_across};
 use serde::Serialize;
 
 use crate::assembly::median;
-use crate::bulk;
 use crate::case::LoadedCase;
 use crate::chosen_laws::ChosenLaws;
 use crate::decision::decide;
@@ -13,6 +12,7 @@ use crate::encounter::meeting;
 use crate::error::{Error, PositionError};
 use crate::fluid::film_at;
 use crate::physical_sense::check_station;
+use crate::pipeline::settled;
 use crate::records;
 use crate::result::Regime;
 use crate::rough_film::RoughFilm;
@@ -52,8 +52,8 @@ pub struct RegimeRow {
 /// # Errors
 /// When an equation refuses the numbers at a position.
 pub fn survey(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, Error> {
-    let settled = bulk::settled(loaded, None)?;
-    rows(&settled).map_err(|error| Error::Whole(Box::new(error)))
+    let found = settled(loaded, None)?;
+    rows(&found).map_err(|error| Error::Whole(Box::new(error)))
 }
 
 fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
@@ -149,8 +149,8 @@ pub struct FilmSurvey {
 /// # Errors
 /// When an equation refuses the numbers there.
 pub fn film(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, Error> {
-    let settled = bulk::settled(loaded, None)?;
-    film_rows(&settled, place).map_err(|error| Error::Whole(Box::new(error)))
+    let found = settled(loaded, None)?;
+    film_rows(&found, place).map_err(|error| Error::Whole(Box::new(error)))
 }
 
 fn film_rows(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, PositionError> {

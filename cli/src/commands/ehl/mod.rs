@@ -9,9 +9,9 @@ mod smooth;
 
 use std::path::Path;
 
-use asperity::bulk;
 use asperity::ehl::RecordSettings;
 use asperity::ehl::traction::Heat;
+use asperity::pipeline;
 use asperity::referee::{RefereeContact, RefereeSettings, shares};
 
 use super::{load_case, on_the_path};
@@ -33,7 +33,7 @@ pub fn ehl(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
 
 fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> {
     let given = load_case(path, &args.set, None)?;
-    let loaded = bulk::settled(&given, None).map_err(|error| Failure::about(path, &error))?;
+    let loaded = pipeline::settled(&given, None).map_err(|error| Failure::about(path, &error))?;
     let place = on_the_path(&loaded, args.position)?.unwrap_or(loaded.case.model.position);
     let settings = RefereeSettings {
         record: record_settings(args),

@@ -31,13 +31,12 @@ use std::collections::BTreeSet;
 
 use asperity_core::provenance::Provenance;
 
-use crate::bulk;
 use crate::case::{Formulation, FullFilmName, LoadShareName, LoadedCase};
 use crate::contact_tables::ContactTables;
 use crate::error::Error;
 use crate::kept_fields::KeptFields;
 use crate::loss_band::{AlternativeRow, BandParameter, LossBand, SamplingPart, Trust};
-use crate::pipeline::{Progress, run_keeping_contacts};
+use crate::pipeline::{Progress, run_keeping_contacts, settled};
 use crate::placement::Placement;
 use crate::provenance;
 use crate::result::{Losses, Outcome, PositionRow, RunResult};
@@ -87,8 +86,8 @@ pub fn run_and_draw(
     kept: &KeptFields,
     progress: Progress<'_>,
 ) -> Result<(Outcome, DrawnLosses), Error> {
-    let settled = bulk::settled(loaded, None)?;
-    let loaded = settled.as_ref();
+    let found = settled(loaded, None)?;
+    let loaded = found.as_ref();
     let (mut outcome, tables) = run_keeping_contacts(loaded, kept, progress)?;
     if !has_band(loaded) {
         let rows = &outcome.result.path;

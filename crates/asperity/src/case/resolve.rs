@@ -54,7 +54,7 @@ pub struct Case {
     pub speed: AngularSpeed,
     /// Bulk temperature of the flanks; that of the oil where `bulk` has still to be found.
     pub temperature: Temperature,
-    /// Law of the bulk temperature, where it has still to be found: [`settled`](crate::bulk::settled).
+    /// Law of the bulk temperature, where it has still to be found: [`settled`](crate::pipeline::settled).
     pub bulk: Option<BulkModel>,
     /// The bulk temperature found from the loss, where that was asked for.
     pub found_bulk: Option<FoundBulk>,
