@@ -25,7 +25,7 @@ use serde::de::value::{SeqAccessDeserializer, StrDeserializer};
 use serde::de::{IntoDeserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::bulk::BulkInput;
+use super::bulk_input::BulkInput;
 use super::calibration::CalibrationInput;
 use super::flank_place::{FlankPlaceInput, TraceStart};
 use super::gear_input::{EndReliefInput, GearFlankInput};

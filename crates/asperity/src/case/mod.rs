@@ -14,6 +14,7 @@
 
 mod builder;
 mod bulk;
+mod bulk_input;
 mod calibrated;
 mod calibration;
 mod check;
@@ -45,7 +46,8 @@ mod steel;
 mod trace;
 
 pub use builder::CaseBuilder;
-pub use bulk::{BulkInput, BulkLaw, BulkModel, BulkReport, FoundBulk, Lubrication};
+pub use bulk::{BulkModel, BulkReport, FoundBulk};
+pub use bulk_input::{BulkInput, BulkLaw, Lubrication};
 pub(crate) use calibration::cholesky;
 pub use calibration::{Calibrated, CalibratedName, CalibrationInput, CorrelationInput};
 pub use check::{Findings, check};

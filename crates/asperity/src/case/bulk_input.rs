@@ -1,0 +1,61 @@
+//! Keys of the bulk temperature that follows from oil and loss.
+
+use asperity_core::quantity::ThermalConductance;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Bulk temperature from the loss: `{ law = "iso", lubrication = "jet" }`, or by conductances.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BulkInput {
+    /// Law of the rise over the oil.
+    pub law: BulkLaw,
+    /// How the oil reaches the mesh, with `iso`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lubrication: Option<Lubrication>,
+    /// Conductance from the pinion to the oil, with `network`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pinion_to_oil: Option<ThermalConductance>,
+    /// Conductance from the wheel to the oil, with `network`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wheel_to_oil: Option<ThermalConductance>,
+    /// Conductance from gear to gear, with `network`; default 0 W/K.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub between: Option<ThermalConductance>,
+}
+
+/// Law of the rise of the bulk temperature over the oil.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum BulkLaw {
+    /// Oster's rise, as in ISO/TR 15144-1.
+    Iso,
+    /// Two gears with conductances to the oil and between them.
+    Network,
+}
+
+/// How the oil reaches the mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Lubrication {
+    /// Oil jets alone.
+    Jet,
+    /// Gears that dip into the oil.
+    Dip,
+    /// Jets beside a sump that the gears dip into.
+    JetAndDip,
+    /// Gears submerged in oil.
+    Submerged,
+}
+
+impl Lubrication {
+    /// Factor X_S of the lubrication (ISO/TR 15144-1, from memory, source not reached).
+    #[must_use]
+    pub const fn factor(self) -> f64 {
+        match self {
+            Self::Jet => 1.2,
+            Self::Dip | Self::JetAndDip => 1.0,
+            Self::Submerged => 0.2,
+        }
+    }
+}
