@@ -402,6 +402,19 @@ pub(crate) fn deviation(values: &[f64]) -> Option<f64> {
     Some((squares / (n - 1) as f64).sqrt())
 }
 
+fn bulk_report(case: &Case) -> Option<BulkReport> {
+    case.found_bulk.as_ref().map(|found| found.report.clone())
+}
+
+/// The case as read, with the operation as it was before the bulk temperature was found.
+fn inputs(case: &Case) -> CaseInput {
+    let mut inputs = case.input.clone();
+    if let Some(found) = &case.found_bulk {
+        inputs.operation = found.operation;
+    }
+    inputs
+}
+
 #[cfg(test)]
 mod tests {
     use super::{deviation, median};
@@ -414,17 +427,4 @@ mod tests {
         assert_eq!(deviation(&[1.0]), None);
         assert_eq!(deviation(&[1.0, 4.0, 7.0]), Some(3.0));
     }
-}
-
-fn bulk_report(case: &Case) -> Option<BulkReport> {
-    case.found_bulk.as_ref().map(|found| found.report.clone())
-}
-
-/// The case as read, with the operation as it was before the bulk temperature was found.
-fn inputs(case: &Case) -> CaseInput {
-    let mut inputs = case.input.clone();
-    if let Some(found) = &case.found_bulk {
-        inputs.operation = found.operation;
-    }
-    inputs
 }
