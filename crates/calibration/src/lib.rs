@@ -18,6 +18,7 @@ mod block;
 pub mod bootstrap;
 mod calibrate;
 pub mod design;
+pub mod equations;
 mod error;
 mod files;
 pub mod fit;
