@@ -3,6 +3,7 @@
 use asperity_core::numerics::extremes;
 use asperity_core::quantity::Length;
 
+use super::areal::trace::Areal;
 use super::dialect::Sniffed;
 use super::error::{FirstLine, ReadError, SpacingHint};
 use super::format::{Format, extension};
@@ -10,14 +11,18 @@ use super::grid::{Spacing, SpacingSource, Unevenness};
 use super::header::{FilterState, Label, Role};
 use super::layout::{Dialect, TableLayout};
 use super::metadata::{self, Metadata};
-use super::options::{Abscissa, Axis, Encoding, Gaps, LengthUnit, ReadOptions, Uneven};
+use super::options::{
+    Abscissa, Axis, Encoding, Gaps, LengthUnit, Line as Taken, ReadOptions, Uneven,
+};
 use super::reading::Reading;
 use super::rows::{self, Rows};
 use super::single_column::Special;
 use super::table::Chosen;
 use super::text::{Head, Line, Text};
 use super::units::Extent;
-use super::{dialect, grid, header, matrix, roll_length, single_column, table, trace, units};
+use super::{
+    dialect, grid, header, matrix, roll_length, single_column, table, trace, units,
+};
 use crate::warning::Warning;
 
 /// Reads the profile of a table.
@@ -39,7 +44,11 @@ pub(super) fn read(
     let labels = header::labels(header, sniffed.dialect, sniffed.columns);
     if matrix::is_matrix(&labels, options) {
         let first = table.first().map_or(1, |line| line.number);
-        return matrix::read(text, first, &lines, &sniffed, options)?.finish(name, options);
+        let found = match options.line {
+            Taken::Row => matrix::read(text, first, &lines, &sniffed, options)?,
+            _ => matrix::surface(text, first, &lines, &sniffed)?.trace(name, options)?,
+        };
+        return found.finish(name, options);
     }
     let chosen = table::choose(name, sniffed.columns, &labels, options)?;
     let first = table.first().map_or(1, |line| line.number);
@@ -55,6 +64,33 @@ pub(super) fn read(
         options,
     };
     found.assemble(text, rows)
+}
+
+/// Reads all rows of a matrix, which has no labels and no x.
+pub(super) fn surface(
+    head: &Head,
+    text: &mut Text<'_>,
+    options: &ReadOptions,
+) -> Result<Areal, ReadError> {
+    /// Columns from which a table is no profile.
+    const FEWEST: usize = 3;
+    let name = text.file;
+    let lines: Vec<Line<'_>> = head.lines().filter(|line| !line.is_blank()).collect();
+    let Some(sniffed) = sniff(name, &lines, options)? else {
+        return Err(no_data(text)?);
+    };
+    table::check_line_above(name, &lines, &sniffed)?;
+    let (header, table) = lines.split_at(sniffed.first);
+    let labels = header::labels(header, sniffed.dialect, sniffed.columns);
+    if sniffed.columns < FEWEST || labels.iter().any(|label| label.role.is_some()) {
+        return Err(ReadError::NotHeights {
+            file: name.to_owned(),
+            format: Format::DelimitedText,
+            content: "no matrix of heights",
+        });
+    }
+    let first = table.first().map_or(1, |line| line.number);
+    matrix::surface(text, first, &lines, &sniffed)
 }
 
 /// The error for a file without a row of numbers.
