@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use asperity_core::quantity::Length;
 use asperity_profile_io::read::{
-    Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator, Uneven,
+    Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator, TraceLine, Uneven,
 };
 use asperity_roughness::gaussian_filter::Ends;
 use clap::{Args, Subcommand, ValueEnum};
@@ -268,6 +268,9 @@ pub struct ReadingArgs {
     /// Number of the profile in a file that holds several, counted from 1
     #[arg(long)]
     pub row: Option<usize>,
+    /// Trace taken from a surface: row, column, mean (of all rows), mean-column; --row is its number
+    #[arg(long)]
+    pub line: Option<TraceLine>,
     /// Meaning of the positions: distance, roll-length, roll-degrees, roll-radians [default: as stated
     /// in the header, else distance]
     #[arg(long)]

@@ -43,7 +43,8 @@ fn main() -> std::io::Result<()> {
 }
 
 fn described(surface: &Surface) -> String {
-    let length = |spacing: Option<asperity_core::quantity::Length>| spacing.map_or(f64::NAN, |l| l.si());
+    let length =
+        |spacing: Option<asperity_core::quantity::Length>| spacing.map_or(f64::NAN, |l| l.si());
     format!(
         "{}\t{}\t{}\t{:e}\t{:e}\t{}",
         surface.format,

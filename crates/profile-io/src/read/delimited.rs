@@ -11,18 +11,14 @@ use super::grid::{Spacing, SpacingSource, Unevenness};
 use super::header::{FilterState, Label, Role};
 use super::layout::{Dialect, TableLayout};
 use super::metadata::{self, Metadata};
-use super::options::{
-    Abscissa, Axis, Encoding, Gaps, LengthUnit, Line as Taken, ReadOptions, Uneven,
-};
+use super::options::{Abscissa, Axis, Encoding, Gaps, LengthUnit, ReadOptions, TraceLine, Uneven};
 use super::reading::Reading;
 use super::rows::{self, Rows};
 use super::single_column::Special;
 use super::table::Chosen;
 use super::text::{Head, Line, Text};
 use super::units::Extent;
-use super::{
-    dialect, grid, header, matrix, roll_length, single_column, table, trace, units,
-};
+use super::{dialect, grid, header, matrix, roll_length, single_column, table, trace, units};
 use crate::warning::Warning;
 
 /// Reads the profile of a table.
@@ -45,7 +41,7 @@ pub(super) fn read(
     if matrix::is_matrix(&labels, options) {
         let first = table.first().map_or(1, |line| line.number);
         let found = match options.line {
-            Taken::Row => matrix::read(text, first, &lines, &sniffed, options)?,
+            TraceLine::Row => matrix::read(text, first, &lines, &sniffed, options)?,
             _ => matrix::surface(text, first, &lines, &sniffed)?.trace(name, options)?,
         };
         return found.finish(name, options);

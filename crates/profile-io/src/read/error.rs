@@ -362,9 +362,13 @@ impl ReadError {
             Self::TooLarge { .. } => Remedy::act("export a single profile"),
             Self::SeveralProfiles { rows, .. } => {
                 Remedy::set(Setting::Row, Value::OneOf(format!("1 .. {rows}").into()))
+                    .or_set(Setting::Line, Value::This("mean".into()))
+                    .because("for the mean of all")
             }
             Self::NotHeights { .. } => Remedy::act("export the heights"),
-            Self::SeveralArrays { .. } => Remedy::act("save the heights alone, or under the name z"),
+            Self::SeveralArrays { .. } => {
+                Remedy::act("save the heights alone, or under the name z")
+            }
             Self::Impossible { .. } => Remedy::act("check the unit and the columns"),
         }
     }

@@ -63,8 +63,8 @@ pub use header::FilterState;
 pub use layout::{Dialect, TableLayout};
 pub use metadata::{Metadata, PrintedParameter};
 pub use options::{
-    Abscissa, Axis, Columns, DecimalSign, Encoding, Gaps, LengthUnit, Line, ReadOptions,
-    Separator, Uneven, UnknownChoice,
+    Abscissa, Axis, Columns, DecimalSign, Encoding, Gaps, LengthUnit, ReadOptions, Separator,
+    TraceLine, Uneven, UnknownChoice,
 };
 pub use reading::Reading;
 pub use surface::Surface;
@@ -145,8 +145,9 @@ fn surface_of(
                 None => delimited::surface(&head, &mut text, options)?,
             }
         }
-        Some(format) => areal::read(name, format, stream, start.size)?
-            .ok_or_else(|| refused(name, format))?,
+        Some(format) => {
+            areal::read(name, format, stream, start.size)?.ok_or_else(|| refused(name, format))?
+        }
     };
     found.surface(name, options)
 }
@@ -285,7 +286,7 @@ fn read_streams(
     not_larger(name, start.size, MOST_BYTES)?;
     let zipped = start.bytes.starts_with(recognise::ZIP);
     match format_of(name, stream, &start) {
-        Some(Format::X3p) if options.line != Line::Row => {
+        Some(Format::X3p) if options.line != TraceLine::Row => {
             let found: Areal = x3p::surface(name, stream, start.size)?;
             return found.trace(name, options)?.finish(name, options);
         }
@@ -332,7 +333,7 @@ fn read_text(
     };
     let found: Trace = match format {
         Some(Format::Smd) => smd::read(head, text)?,
-        Some(Format::SdfAscii) if options.line != Line::Row => {
+        Some(Format::SdfAscii) if options.line != TraceLine::Row => {
             sdf::surface(text)?.trace(name, options)?
         }
         Some(Format::SdfAscii) => sdf::read(text, options)?,

@@ -37,7 +37,7 @@ pub struct ReadOptions {
     /// Number of the profile in a file that holds several, counted from 1.
     pub row: Option<usize>,
     /// Trace that is taken from a surface.
-    pub line: Line,
+    pub line: TraceLine,
     /// Meaning of the x column.
     pub abscissa: Option<Abscissa>,
     /// Base radius of the gear: an x that is a roll length or angle is converted with it.
@@ -291,7 +291,7 @@ choice!(Gaps, "refuse, interpolate": Refuse "refuse", Interpolate "interpolate")
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
-pub enum Line {
+pub enum TraceLine {
     /// One row of points, along x.
     #[default]
     Row,
@@ -303,9 +303,9 @@ pub enum Line {
     MeanColumn,
 }
 
-choice!(Line, "row, column, mean, mean-column": Row "row", Column "column", Mean "mean", MeanColumn "mean-column");
+choice!(TraceLine, "row, column, mean, mean-column": Row "row", Column "column", Mean "mean", MeanColumn "mean-column");
 
-impl Line {
+impl TraceLine {
     /// Whether all rows or all columns are averaged.
     pub fn is_mean(self) -> bool {
         matches!(self, Self::Mean | Self::MeanColumn)

@@ -86,7 +86,14 @@ impl Surface {
     /// Heights `[m]` of a column, counted from 0; none where there is no such column.
     pub fn column(&self, column: usize) -> Option<Vec<f64>> {
         let inside = column < self.columns;
-        inside.then(|| self.z.iter().skip(column).step_by(self.columns).copied().collect())
+        inside.then(|| {
+            self.z
+                .iter()
+                .skip(column)
+                .step_by(self.columns)
+                .copied()
+                .collect()
+        })
     }
 
     /// Points that have a height.

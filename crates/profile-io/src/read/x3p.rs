@@ -96,7 +96,7 @@ impl Main {
 enum Wanted {
     /// This one, from 1, or the only one.
     Row(Option<usize>),
-    All,
+    FirstLayer,
 }
 
 /// Reads the profile of an X3P file.
@@ -116,13 +116,9 @@ pub(super) fn read(
     })
 }
 
-/// Reads all rows of an X3P file.
-pub(super) fn surface(
-    file: &str,
-    stream: &mut dyn Stream,
-    size: u64,
-) -> Result<Areal, ReadError> {
-    let found = matrix(file, stream, size, Wanted::All)?;
+/// Reads all rows of the first layer of an X3P file.
+pub(super) fn surface(file: &str, stream: &mut dyn Stream, size: u64) -> Result<Areal, ReadError> {
+    let found = matrix(file, stream, size, Wanted::FirstLayer)?;
     let spacings = found.spacings();
     let heights = Heights::Values {
         columns: found.main.points().unwrap_or(0) as usize,
@@ -246,9 +242,11 @@ fn datum(main: &mut Main, text: &str, wanted: Wanted) {
     let at = main.text_count;
     main.text_count += 1;
     let points = main.points().unwrap_or(u64::MAX).max(1);
-    if let Wanted::Row(row) = wanted
-        && at / points != row.unwrap_or(1).max(1) as u64 - 1
-    {
+    let is_wanted = match wanted {
+        Wanted::Row(row) => at / points == row.unwrap_or(1).max(1) as u64 - 1,
+        Wanted::FirstLayer => at / points < main.size[1].unwrap_or(1),
+    };
+    if !is_wanted {
         return;
     }
     let last = text.rsplit(';').next().unwrap_or_default().trim();
@@ -270,8 +268,11 @@ fn datum(main: &mut Main, text: &str, wanted: Wanted) {
 /// The rows to read, counted from 0.
 fn chosen_rows(file: &str, main: &Main, wanted: Wanted) -> Result<Range<u64>, ReadError> {
     if main.axes[0].absolute {
-        let what = "the points carry their own x, and only even spacing is read";
-        return Err(damaged(file, FORMAT, what, &main.feature));
+        return Err(ReadError::NotHeights {
+            file: file.to_owned(),
+            format: FORMAT,
+            content: "points with an x of their own, and only even spacing is read",
+        });
     }
     let points = main.points();
     let size = points
@@ -279,7 +280,8 @@ fn chosen_rows(file: &str, main: &Main, wanted: Wanted) -> Result<Range<u64>, Re
         .filter(|(points, rows)| *points > 0 && *rows > 0);
     let (points, rows) = size.ok_or_else(|| damaged(file, FORMAT, "the matrix has no size", ""))?;
     let Wanted::Row(row) = wanted else {
-        return Ok(0..rows);
+        // Further layers lie over the first and are no rows beside it.
+        return Ok(0..main.size[1].unwrap_or(1));
     };
     let asked = row.unwrap_or(if rows == 1 { 1 } else { 0 }) as u64;
     if asked == 0 || asked > rows {
@@ -298,7 +300,10 @@ fn text(file: &str, main: &mut Main, rows: Range<u64>) -> Result<Vec<f64>, ReadE
         return Err(damaged(file, FORMAT, "a height is no number", seen));
     }
     let heights = std::mem::take(&mut main.text);
-    let stated = main.points().unwrap_or(0).saturating_mul(rows.end - rows.start);
+    let stated = main
+        .points()
+        .unwrap_or(0)
+        .saturating_mul(rows.end - rows.start);
     if heights.len() as u64 != stated {
         let seen = format!("{} of {stated}", heights.len());
         let what = "the number of heights is not that of the header";
@@ -325,8 +330,7 @@ fn binary(
     let skipped = if y.absolute { y.data.width() } else { 0 };
     let stride = skipped + z.data.width();
     let first = rows.start.checked_mul(width);
-    let start = first
-        .and_then(|n| n.checked_mul(stride as u64));
+    let start = first.and_then(|n| n.checked_mul(stride as u64));
     let length = points.checked_mul(stride as u64);
     let too_large = || ReadError::TooLarge {
         file: file.to_owned(),

@@ -51,7 +51,11 @@ pub(super) fn read(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
     let mut raw = raw.ok_or_else(|| fault("the depth image is shorter than its size", ""))?;
     // The mark is a float; as a double its text is a little larger or smaller.
     let mark = stated("InvalidPixelValue").unwrap_or(INVALID) as f32;
-    raw.missing = Missing::AtLeast(f64::from(if mark.is_finite() { mark } else { INVALID as f32 }));
+    raw.missing = Missing::AtLeast(f64::from(if mark.is_finite() {
+        mark
+    } else {
+        INVALID as f32
+    }));
     let spacing = |name| stated(name).unwrap_or(f64::NAN);
     let spacings = [spacing("PixelSizeXMeter"), spacing("PixelSizeYMeter")];
     let mut found = Areal::new(FORMAT, Heights::Raw(raw)).spaced(spacings[0], spacings[1]);
@@ -71,7 +75,10 @@ fn tags(bytes: &[u8]) -> Option<HashMap<String, String>> {
         if bytes.get(end..end + TAG[2])? != b"\r\n" {
             return None;
         }
-        let (name, value) = (text(bytes, start, TAG[0])?, text(bytes, start + TAG[0], TAG[1])?);
+        let (name, value) = (
+            text(bytes, start, TAG[0])?,
+            text(bytes, start + TAG[0], TAG[1])?,
+        );
         if name == "TagCount" {
             // The version and the count stand before those that are counted.
             count = value.parse::<usize>().ok()?.min(MOST_TAGS) + 2;

@@ -32,7 +32,8 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
         }
         _ => return Err(fault("only level 5 with the low byte first is read", "")),
     }
-    let mut all = arrays(bytes).ok_or_else(|| fault("an array is cut off or cannot be unpacked", ""))?;
+    let mut all =
+        arrays(bytes).ok_or_else(|| fault("an array is cut off or cannot be unpacked", ""))?;
     all.retain(|array| array.rows.max(array.columns) > 1);
     let named = |array: &Array| NAMES.contains(&array.name.to_lowercase().as_str());
     let at = match all.len() {

@@ -39,7 +39,10 @@ pub(super) fn read(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
     let spacing = float(184)?;
     let resolution = short_at(218)?;
     let Some(steps) = RESOLUTIONS.get(resolution) else {
-        return Err(fault("the phase resolution is not known", &resolution.to_string()));
+        return Err(fault(
+            "the phase resolution is not known",
+            &resolution.to_string(),
+        ));
     };
     let turned = short_at(230)? != 0;
     let title = text(&bytes, 80, 82);

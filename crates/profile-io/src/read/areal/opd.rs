@@ -26,7 +26,7 @@ const SHORT: u16 = 6;
 const FLOAT: u16 = 7;
 /// Numbers from here up are none.
 const BAD_SHORT: f64 = 32766.0;
-const BAD_FLOAT: f64 = 1e38;
+const BAD_FLOAT: f64 = 1e38_f32 as f64;
 
 struct Block {
     name: String,
@@ -39,12 +39,18 @@ struct Block {
 pub(super) fn read(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
     let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
     let blocks = blocks(&bytes).ok_or_else(|| fault("the directory of blocks is cut off", ""))?;
-    let block = |name: &str| blocks.iter().find(|block| block.name == name && block.size > 0);
+    let block = |name: &str| {
+        blocks
+            .iter()
+            .find(|block| block.name == name && block.size > 0)
+    };
     let float = |name: &str| {
         let found = block(name).filter(|block| block.kind == FLOAT)?;
         little::<f32>(&bytes, found.first).map(f64::from)
     };
-    let heights = HEIGHTS.iter().find_map(|name| block(name).filter(|block| block.kind == ARRAY));
+    let heights = HEIGHTS
+        .iter()
+        .find_map(|name| block(name).filter(|block| block.kind == ARRAY));
     let Some(heights) = heights else {
         return Err(ReadError::NotHeights {
             file: file.to_owned(),
@@ -59,9 +65,17 @@ pub(super) fn read(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
     let (number, missing) = match width {
         2 => (Number::I16, BAD_SHORT),
         4 => (Number::F32, BAD_FLOAT),
-        _ => return Err(fault("the width of its numbers is not known", &width.to_string())),
+        _ => {
+            return Err(fault(
+                "the width of its numbers is not known",
+                &width.to_string(),
+            ));
+        }
     };
-    let stated = columns.saturating_mul(rows).saturating_mul(width).saturating_add(6);
+    let stated = columns
+        .saturating_mul(rows)
+        .saturating_mul(width)
+        .saturating_add(6);
     if stated > heights.size {
         return Err(fault("the block of heights is smaller than its matrix", ""));
     }

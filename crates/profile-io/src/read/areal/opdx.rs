@@ -72,7 +72,8 @@ impl Tree<'_> {
 /// Reads the profile or surface.
 pub(super) fn read(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
     let items = items(&bytes, MARK);
-    let items = items.ok_or_else(|| damaged(file, FORMAT, "the tree of its items breaks off", ""))?;
+    let items =
+        items.ok_or_else(|| damaged(file, FORMAT, "the tree of its items breaks off", ""))?;
     let tree = Tree { file, items };
     let mut found = match tree.text("/MetaData/DataKind") {
         Some("Surface Profile") => profile(&tree, bytes)?,
@@ -107,7 +108,10 @@ fn profile(tree: &Tree<'_>, bytes: Vec<u8>) -> Result<Areal, ReadError> {
         return Err(fault("its heights are missing", ""));
     };
     if length != points * Number::F64.width() + ARRAY_HEAD {
-        return Err(fault("the number of heights is not that of the header", &length.to_string()));
+        return Err(fault(
+            "the number of heights is not that of the header",
+            &length.to_string(),
+        ));
     }
     let (extent, along) = tree.quantity(&format!("{prefix}/Extent"))?;
     let (scale, unit) = tree.quantity(&format!("{prefix}/DataScale"))?;

@@ -51,14 +51,24 @@ pub(super) fn read(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
         return Err(ReadError::NotHeights {
             file: file.to_owned(),
             format: FORMAT,
-            content: if kind == IMAGE { "a picture" } else { "a thickness" },
+            content: if kind == IMAGE {
+                "a picture"
+            } else {
+                "a thickness"
+            },
         });
     }
     if kind != PROFILE && kind != TOPOGRAPHY {
-        return Err(fault("the kind of its measurement is not known", &kind.to_string()));
+        return Err(fault(
+            "the kind of its measurement is not known",
+            &kind.to_string(),
+        ));
     }
     let count = |at| little::<u32>(&bytes, at).map(|count| count as usize);
-    let (rows, columns) = (count(HEADER).ok_or_else(cut)?, count(HEADER + 4).ok_or_else(cut)?);
+    let (rows, columns) = (
+        count(HEADER).ok_or_else(cut)?,
+        count(HEADER + 4).ok_or_else(cut)?,
+    );
     let rows = if kind == PROFILE { 1 } else { rows };
     let pixel = |at| little::<f32>(&bytes, at).map_or(f64::NAN, |pixel| f64::from(pixel.abs()));
     let [dx, dy] = [pixel(X_PIXEL), pixel(Y_PIXEL)].map(|pixel| Unit::MICROMETRE.metres(pixel));

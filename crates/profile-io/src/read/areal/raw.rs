@@ -131,7 +131,8 @@ impl Layout {
     /// Whether all of it lies inside of `length` bytes.
     fn lies_in(self, length: usize, number: Number) -> Option<bool> {
         let [along, across] = self.steps;
-        let last = |count: usize, step: i64| i64::try_from(count).ok()?.checked_sub(1)?.checked_mul(step);
+        let last =
+            |count: usize, step: i64| i64::try_from(count).ok()?.checked_sub(1)?.checked_mul(step);
         let (x, y) = (last(self.columns, along)?, last(self.rows, across)?);
         let first = i64::try_from(self.first).ok()?;
         let low = first.checked_add(x.min(0))?.checked_add(y.min(0))?;
@@ -203,7 +204,10 @@ mod tests {
 
     #[test]
     fn heights_are_scaled_and_marks_are_none() {
-        let bytes: Vec<u8> = [1_i16, 2, -3, 32767].iter().flat_map(|v| v.to_le_bytes()).collect();
+        let bytes: Vec<u8> = [1_i16, 2, -3, 32767]
+            .iter()
+            .flat_map(|v| v.to_le_bytes())
+            .collect();
         let layout = Layout::packed(0, 2, 2, Number::I16);
         let mut raw = Raw::new(bytes, Number::I16, layout).unwrap();
         (raw.scale, raw.unit, raw.missing) = (0.5, Unit::NANOMETRE, Missing::AtLeast(32767.0));

@@ -33,16 +33,25 @@ pub(super) fn read(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
     let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
     let (instrument, date) = (text(&bytes, 8, 10), text(&bytes, 18, 12));
     let wide = bytes.starts_with(WIDE);
-    let mut header = Cursor { bytes: &bytes, at: 42 };
+    let mut header = Cursor {
+        bytes: &bytes,
+        at: 42,
+    };
     let read = header_of(&mut header, wide);
     let ([columns, rows], scales, [compression, kind, _]) =
         read.ok_or_else(|| fault("the header is cut off", ""))?;
     let first = header.at;
     if compression != 0 {
-        return Err(fault("the heights are compressed", &compression.to_string()));
+        return Err(fault(
+            "the heights are compressed",
+            &compression.to_string(),
+        ));
     }
     let Some(&(number, missing)) = TYPES.get(usize::from(kind)) else {
-        return Err(fault("the type of its numbers is not known", &kind.to_string()));
+        return Err(fault(
+            "the type of its numbers is not known",
+            &kind.to_string(),
+        ));
     };
     let raw = Raw::new(bytes, number, Layout::packed(first, columns, rows, number));
     let mut raw = raw.ok_or_else(|| fault("fewer heights than the header says", ""))?;

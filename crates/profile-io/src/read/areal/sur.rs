@@ -64,11 +64,17 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
         });
     }
     if ![PROFILE, SURFACE, PROFILES, WITH_INTENSITY, WITH_COLOUR].contains(&kind) {
-        return Err(fault("the kind of its content is not known", &kind.to_string()));
+        return Err(fault(
+            "the kind of its content is not known",
+            &kind.to_string(),
+        ));
     }
     let order: i16 = field(file, bytes, 0, 12)?;
     if order != 0 {
-        return Err(fault("its numbers are not in the order of a PC", &order.to_string()));
+        return Err(fault(
+            "its numbers are not in the order of a PC",
+            &order.to_string(),
+        ));
     }
     let objects = field::<u16>(file, bytes, 0, 14)?.max(1);
     let first = object(file, bytes, 0)?;
@@ -108,7 +114,12 @@ fn object(file: &str, bytes: &[u8], start: usize) -> Result<Object, ReadError> {
     let number = match bits {
         16 => Number::I16,
         32 => Number::I32,
-        _ => return Err(fault("the width of its numbers is not known", &bits.to_string())),
+        _ => {
+            return Err(fault(
+                "the width of its numbers is not known",
+                &bits.to_string(),
+            ));
+        }
     };
     let size = |at| Ok(usize::try_from(read(at)?).unwrap_or(0));
     let (columns, rows): (usize, usize) = (size(108)?, size(112)?);
@@ -163,7 +174,8 @@ fn unpacked(
     for entry in list.chunks_exact(8) {
         let packed = little::<u32>(entry, 4).unwrap_or(0) as usize;
         let stream = part(bytes, next, packed).ok_or_else(|| fault("a stream is cut off"))?;
-        let content = inflated(stream, length as u64).ok_or_else(|| fault("a stream cannot be unpacked"))?;
+        let content =
+            inflated(stream, length as u64).ok_or_else(|| fault("a stream cannot be unpacked"))?;
         next += packed;
         matrix.extend(content);
         if matrix.len() > length {
@@ -211,9 +223,18 @@ fn unit(file: &str, bytes: &[u8], at: usize, axis: Axis) -> Result<Unit, ReadErr
         Some(LengthUnit::Micrometre) => Unit::MICROMETRE,
         Some(LengthUnit::Nanometre) => Unit::NANOMETRE,
         Some(LengthUnit::Angstrom) => Unit::part(1e10),
-        Some(LengthUnit::Inch) => Unit { times: 25.4, over: 1e3 },
-        Some(LengthUnit::Mil) => Unit { times: 25.4, over: 1e6 },
-        Some(LengthUnit::Microinch) => Unit { times: 25.4, over: 1e9 },
+        Some(LengthUnit::Inch) => Unit {
+            times: 25.4,
+            over: 1e3,
+        },
+        Some(LengthUnit::Mil) => Unit {
+            times: 25.4,
+            over: 1e6,
+        },
+        Some(LengthUnit::Microinch) => Unit {
+            times: 25.4,
+            over: 1e9,
+        },
         None if name == "pm" => Unit::PICOMETRE,
         None => {
             return Err(ReadError::UnknownUnit {

@@ -5,7 +5,7 @@ use crate::read::error::ReadError;
 use crate::read::format::Format;
 use crate::read::grid::SpacingSource;
 use crate::read::metadata::Metadata;
-use crate::read::options::{Axis, LengthUnit, Line, ReadOptions};
+use crate::read::options::{Axis, LengthUnit, ReadOptions, TraceLine};
 use crate::read::surface::Surface;
 use crate::read::trace::Trace;
 use crate::read::units;
@@ -82,19 +82,19 @@ impl Areal {
     ) -> Result<Trace, ReadError> {
         let [columns, rows] = self.heights.size();
         let (across, points) = match options.line {
-            Line::Row | Line::Mean => (rows, columns),
-            Line::Column | Line::MeanColumn => (columns, rows),
+            TraceLine::Row | TraceLine::Mean => (rows, columns),
+            TraceLine::Column | TraceLine::MeanColumn => (columns, rows),
         };
         let at = |point: usize, line: usize| match options.line {
-            Line::Row | Line::Mean => self.heights.height(point, line),
-            Line::Column | Line::MeanColumn => self.heights.height(line, point),
+            TraceLine::Row | TraceLine::Mean => self.heights.height(point, line),
+            TraceLine::Column | TraceLine::MeanColumn => self.heights.height(line, point),
         };
         let heights: Vec<f64> = match options.line {
-            Line::Mean | Line::MeanColumn => {
+            TraceLine::Mean | TraceLine::MeanColumn => {
                 let mean = |point| mean((0..across).map(|line| at(point, line)));
                 (0..points).map(mean).collect()
             }
-            Line::Row | Line::Column => {
+            TraceLine::Row | TraceLine::Column => {
                 let asked = options.row.unwrap_or(usize::from(across == 1));
                 if asked == 0 || asked > across {
                     return Err(ReadError::SeveralProfiles {
@@ -110,7 +110,10 @@ impl Areal {
         if options.line.is_mean() && across > 1 {
             self.warnings.push(Warning::MeanLine { lines: across });
         }
-        let axis = usize::from(matches!(options.line, Line::Column | Line::MeanColumn));
+        let axis = usize::from(matches!(
+            options.line,
+            TraceLine::Column | TraceLine::MeanColumn
+        ));
         let spacing = self.spacings[axis].map(|dx| (dx, SpacingSource::Header));
         let z_unit = match self.has_unit {
             true => LengthUnit::Metre,

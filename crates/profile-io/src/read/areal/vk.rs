@@ -54,7 +54,9 @@ fn image(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
     let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
     let cut = || fault("its tables are cut off", "");
     let at = |start: usize, place: usize| {
-        let found = start.checked_add(place).and_then(|at| little::<u32>(&bytes, at));
+        let found = start
+            .checked_add(place)
+            .and_then(|at| little::<u32>(&bytes, at));
         found.ok_or_else(cut)
     };
     let conditions = at(0, CONDITIONS)? as usize;
@@ -72,14 +74,26 @@ fn image(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
         8 => Number::U8,
         16 => Number::U16,
         32 => Number::U32,
-        _ => return Err(fault("the width of its numbers is not known", &bits.to_string())),
+        _ => {
+            return Err(fault(
+                "the width of its numbers is not known",
+                &bits.to_string(),
+            ));
+        }
     };
     if at(image, 12)? != 0 {
         return Err(fault("the height image is compressed", ""));
     }
     let stated = at(image, 16)? as usize;
-    if columns.checked_mul(rows).and_then(|n| n.checked_mul(number.width())) != Some(stated) {
-        return Err(fault("the height image has not the bytes that it states", ""));
+    if columns
+        .checked_mul(rows)
+        .and_then(|n| n.checked_mul(number.width()))
+        != Some(stated)
+    {
+        return Err(fault(
+            "the height image has not the bytes that it states",
+            "",
+        ));
     }
     let lengths = [X_LENGTH, Y_LENGTH, Z_LENGTH].map(|place| at(conditions, place));
     let [x, y, z] = lengths;
