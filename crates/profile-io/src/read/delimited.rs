@@ -211,7 +211,12 @@ impl Found<'_> {
         let mut column = None;
         // A stated spacing makes x unnecessary, even an x that would be refused.
         if let (Some(x), None) = (&mut x, self.options.dx) {
-            let spacing = grid::spacing(name, x, self.options.uneven, &mut place)?;
+            // Points along an involute are moved in any case.
+            let allowed = match base_radius {
+                Some(_) => Uneven::Resample,
+                None => self.options.uneven,
+            };
+            let spacing = grid::spacing(name, x, allowed, &mut place)?;
             if spacing.falls {
                 z.reverse();
                 warnings.push(Warning::Reversed);
