@@ -49,8 +49,13 @@ def of_prysm(path):
 def of_x3pio(path):
     import x3pio
 
-    found = x3pio.load(str(path)) if hasattr(x3pio, "load") else x3pio.read(str(path))
-    raise NotImplementedError(type(found))
+    layer = x3pio.read(str(path)).layers[0]
+    if not layer.is_regular_grid:
+        raise ValueError("no even grid")
+    heights = np.array(layer.z, dtype=float)
+    if layer.valid is not None:
+        heights[~np.asarray(layer.valid, dtype=bool)] = np.nan
+    return np.atleast_2d(heights)
 
 
 def of_scipy(path):

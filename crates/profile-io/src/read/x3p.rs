@@ -140,10 +140,11 @@ struct Found {
 }
 
 impl Found {
-    /// Increments along x and y, where they are positive.
+    /// Increments along x and y, where these have one that is positive.
     fn spacings(&self) -> [Option<f64>; 2] {
         [0, 1].map(|axis| {
-            let increment = self.main.axes[axis].increment;
+            let found = self.main.axes[axis];
+            let increment = found.increment.filter(|_| !found.absolute);
             increment.filter(|dx| *dx > 0.0 && dx.is_finite())
         })
     }

@@ -72,6 +72,12 @@ pub fn sur(kind: i16, compressed: bool) -> Vec<u8> {
             (180, b"\xb5m"),
             (196, b"\xb5m"),
             (212, b"nm"),
+            (228, b"\xb5m"),
+            (244, b"\xb5m"),
+            (260, b"nm"),
+            (276, &1.0_f32.to_le_bytes()),
+            (280, &1.0_f32.to_le_bytes()),
+            (284, &1.0_f32.to_le_bytes()),
             (312, &20_i16.to_le_bytes()),
             (314, &11_i16.to_le_bytes()),
             (316, &2026_i16.to_le_bytes()),
@@ -94,6 +100,11 @@ pub fn sur(kind: i16, compressed: bool) -> Vec<u8> {
     }
     let halves = [&all[..all.len() / 2], &all[all.len() / 2..]];
     let packed = halves.map(zlib);
+    let size = 4 + packed
+        .iter()
+        .map(|packed| 8 + packed.len() as u32)
+        .sum::<u32>();
+    header[324..328].copy_from_slice(&size.to_le_bytes());
     header.extend(2_u32.to_le_bytes());
     for (half, packed) in halves.iter().zip(&packed) {
         header.extend((half.len() as u32).to_le_bytes());
@@ -177,9 +188,12 @@ pub fn plu() -> Vec<u8> {
         &[
             (0, b"Fri Mar 10 16:35:59 2023\0"),
             (132, b"flank 7"),
+            (388, &(ROWS as u32).to_le_bytes()),
+            (392, &(COLUMNS as u32).to_le_bytes()),
             (404, &0.5_f32.to_le_bytes()),
             (408, &2.0_f32.to_le_bytes()),
             (428, &3_u32.to_le_bytes()),
+            (489, &[1]),
             (500, &(ROWS as u32).to_le_bytes()),
             (504, &(COLUMNS as u32).to_le_bytes()),
         ],
@@ -191,6 +205,8 @@ pub fn plu() -> Vec<u8> {
         };
         value.to_le_bytes().to_vec()
     }));
+    // Least and largest height.
+    bytes.extend([0; 8]);
     bytes
 }
 
@@ -225,6 +241,9 @@ pub fn metropro(sign: i16) -> Vec<u8> {
             (0, b"\x88\x1b\x03\x6f"),
             (4, &1_u16.to_be_bytes()),
             (6, &834_u32.to_be_bytes()),
+            (52, &5_u16.to_be_bytes()),
+            (54, &1_u16.to_be_bytes()),
+            (56, &1_u16.to_be_bytes()),
             (60, &10_u32.to_be_bytes()),
             (68, &(COLUMNS as u16).to_be_bytes()),
             (70, &(ROWS as u16).to_be_bytes()),
@@ -413,6 +432,7 @@ pub fn opdx() -> Vec<u8> {
     let names = [name("list"), counted(&name("Raw"))].concat();
     let text = |text: &str| counted(text.as_bytes());
     let data = [
+        item("DataKind", 0x12, &counted(b"Height")),
         item("NumPoints", 0x07, &(COLUMNS as u32).to_le_bytes()),
         quantity("Extent", 0.5 * (COLUMNS - 1) as f64, "\u{b5}m"),
         quantity("DataScale", 1e-3, "\u{b5}m"),
