@@ -101,7 +101,7 @@ fn files_without_heights_and_replicas_are_told() {
     let bench = Bench::new();
     bench.write("colours.sur", sur(200, 3, 12, 0));
     let said = bench.run(&["profile", "info", "colours.sur"]);
-    said.refused(2, "E320", &["colours.sur: a Digital Surf (sur, pro) file that holds a colour image"]);
+    said.refused(2, "E320", &["colours.sur: the file (Digital Surf (sur, pro)) holds a colour image"]);
     bench.write("two.mat", two_arrays());
     let said = bench.run(&["profile", "info", "two.mat"]);
     said.refused(2, "E321", &["two.mat: the file holds several arrays", "left, right"]);

@@ -216,7 +216,7 @@ pub enum ReadError {
         asked: usize,
     },
     /// A file of a known format that holds something else than heights.
-    #[error("{file}: a {format} file that holds {content}")]
+    #[error("{file}: the file ({format}) holds {content}")]
     NotHeights {
         /// Name of the file.
         file: String,
