@@ -5,11 +5,12 @@ use asperity_core::quantity::Length;
 
 use super::areal::trace::Areal;
 use super::dialect::Sniffed;
-use super::error::{FirstLine, ReadError, SpacingHint};
+use super::error::{ReadError, SpacingHint};
+use super::first_look::{no_data, sniff};
 use super::format::{Format, extension};
 use super::grid::{Spacing, SpacingSource, Unevenness};
 use super::header::{FilterState, Label, Role};
-use super::layout::{Dialect, TableLayout};
+use super::layout::TableLayout;
 use super::metadata::{self, Metadata};
 use super::options::{Abscissa, Axis, Encoding, Gaps, LengthUnit, ReadOptions, TraceLine, Uneven};
 use super::reading::Reading;
@@ -18,7 +19,7 @@ use super::single_column::Special;
 use super::table::Chosen;
 use super::text::{Head, Line, Text};
 use super::units::Extent;
-use super::{dialect, grid, header, matrix, roll_length, single_column, table, trace, units};
+use super::{grid, header, matrix, roll_length, single_column, table, trace, units};
 use crate::warning::Warning;
 
 /// Reads the profile of a table.
@@ -87,63 +88,6 @@ pub(super) fn surface(
     }
     let first = table.first().map_or(1, |line| line.number);
     matrix::surface(text, first, &lines, &sniffed)
-}
-
-/// The error for a file without a row of numbers.
-fn no_data(text: &mut Text<'_>) -> Result<ReadError, ReadError> {
-    let (mut count, mut first) = (0, None);
-    let mut lines = text.lines()?;
-    while let Some(line) = lines.next()? {
-        if !line.is_blank() {
-            count += 1;
-            first.get_or_insert_with(|| table::shortened(line.text));
-        }
-    }
-    Ok(ReadError::NoData {
-        file: text.file.to_owned(),
-        lines: count,
-        first: FirstLine(first),
-    })
-}
-
-/// The dialect, none where no line is a row of numbers in any.
-fn sniff(
-    name: &str,
-    lines: &[Line<'_>],
-    options: &ReadOptions,
-) -> Result<Option<Sniffed>, ReadError> {
-    let stated = dialect::Stated {
-        separator: options.separator,
-        decimal: options.decimal,
-        columns: options.columns,
-    };
-    if let Some(sniffed) = dialect::sniff(lines, stated) {
-        return Ok(Some(sniffed));
-    }
-    let free = dialect::sniff(
-        lines,
-        dialect::Stated {
-            columns: options.columns,
-            ..Default::default()
-        },
-    );
-    let Some(free) = free else {
-        return Ok(None);
-    };
-    // The file is a table, but not in the stated dialect: show the first cell that fails.
-    let used = Dialect {
-        separator: options.separator.unwrap_or(free.dialect.separator),
-        decimal: options.decimal.unwrap_or(free.dialect.decimal),
-    };
-    let line = &lines[free.first];
-    let mut cells = used.cells(line.text);
-    match cells.find(|cell| used.cell(cell) == dialect::Cell::Other) {
-        Some(cell) => Err(table::unreadable(name, lines, line, cell, used)),
-        None => Err(ReadError::SeparatorDoesNotFit {
-            file: name.to_owned(),
-            separator: used.separator,
-        }),
-    }
 }
 
 /// Root mean square of the steps between neighbours.

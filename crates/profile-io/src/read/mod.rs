@@ -21,6 +21,7 @@ mod delimited;
 mod dialect;
 mod encoding;
 mod error;
+mod first_look;
 mod format;
 mod grid;
 mod header;

@@ -6,6 +6,7 @@
 
 mod al3d;
 mod bytes;
+mod held;
 mod inflate;
 mod mat;
 mod mat_elements;
@@ -23,15 +24,10 @@ mod vk;
 
 pub(in crate::read) use plu::recognised as is_plu;
 
-use std::io::Read;
-
 use super::error::ReadError;
 use super::format::Format;
 use super::text::Stream;
 use trace::Areal;
-
-/// Bytes of the largest file of these formats; it is held while it is decoded.
-const MOST_BYTES: u64 = 1 << 30;
 
 /// The surface or profile in a file of an areal format; none where `format` is another.
 pub(in crate::read) fn read(
@@ -40,7 +36,7 @@ pub(in crate::read) fn read(
     stream: &mut dyn Stream,
     size: u64,
 ) -> Result<Option<Areal>, ReadError> {
-    let held = |stream: &mut dyn Stream| whole(file, stream, size);
+    let held = |stream: &mut dyn Stream| held::whole(file, stream, size);
     Ok(Some(match format {
         Format::DigitalSurf => sur::read(file, &held(stream)?)?,
         Format::AliconaAl3d => al3d::read(file, held(stream)?)?,
@@ -54,25 +50,4 @@ pub(in crate::read) fn read(
         Format::Matlab => mat::read(file, &held(stream)?)?,
         _ => return Ok(None),
     }))
-}
-
-/// The bytes of a file of `size` bytes.
-fn whole(file: &str, stream: &mut dyn Stream, size: u64) -> Result<Vec<u8>, ReadError> {
-    if size > MOST_BYTES {
-        return Err(ReadError::TooLarge {
-            file: file.to_owned(),
-            what: "the file",
-            bytes: size,
-            most: MOST_BYTES,
-        });
-    }
-    let mut bytes = Vec::new();
-    let read = stream
-        .rewind()
-        .and_then(|()| stream.take(MOST_BYTES).read_to_end(&mut bytes));
-    read.map_err(|source| ReadError::NotReadable {
-        file: file.to_owned(),
-        source,
-    })?;
-    Ok(bytes)
 }

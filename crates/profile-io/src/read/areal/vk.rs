@@ -7,6 +7,7 @@
 use std::io::Read;
 
 use super::bytes::little;
+use super::held::whole;
 use super::raw::{Layout, Number, Raw, Unit};
 use super::trace::{Areal, Heights};
 use crate::read::archive::{Archive, damaged};
@@ -36,7 +37,7 @@ pub(super) fn read(file: &str, stream: &mut dyn Stream, size: u64) -> Result<Are
         return Err(damaged(file, FORMAT, "it is cut off", ""));
     }
     if mark.starts_with(b"VK3_") || mark.starts_with(b"VK4_") {
-        return image(file, super::whole(file, stream, size)?);
+        return image(file, whole(file, stream, size)?);
     }
     let mut archive = Archive::open(file, FORMAT, stream, size)?;
     let name = archive.find(MEMBER);
