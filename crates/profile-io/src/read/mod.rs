@@ -354,6 +354,10 @@ fn read_text(
 }
 
 fn refused(name: &str, format: Format) -> ReadError {
+    // Its name says so, but it does not start as one, or it would have been read.
+    if format.may_hold_several() {
+        return archive::damaged(name, format, "it does not start as such a file", "");
+    }
     ReadError::FormatNotRead {
         file: name.to_owned(),
         format,

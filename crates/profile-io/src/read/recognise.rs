@@ -91,7 +91,7 @@ pub(super) fn by_magic(name: &str, head: &[u8]) -> Option<Format> {
         (Some(Format::Excel), Some(Format::MountainsMnt)) => Some(Format::MountainsMnt),
         (Some(Format::Hdf5), Some(Format::ZygoDatx)) => Some(Format::ZygoDatx),
         // A title may start with these letters, but a number of four bytes follows.
-        (Some(Format::KeyenceVk), _) if !head.get(3..8).is_some_and(|b| b.contains(&0)) => None,
+        (Some(Format::KeyenceVk), _) if !head.get(3..12).is_some_and(|b| b.contains(&0)) => None,
         _ => found,
     }
 }

@@ -246,6 +246,21 @@ fn contents_without_heights_and_replicas_are_told() {
 }
 
 #[test]
+fn a_file_that_does_not_start_as_its_name_says_is_damaged() {
+    for name in ["a.sur", "a.plu", "a.opd", "a.x3p", "a.mat"] {
+        let bytes = [0, 1, 2, 255, 0, 7];
+        let refused = read_bytes(name, &bytes, &ReadOptions::default()).unwrap_err();
+        assert_eq!(refused.code(), "E117", "{refused}");
+        let refused = read_surface_bytes(name, &bytes, &ReadOptions::default()).unwrap_err();
+        assert_eq!(refused.code(), "E117", "{refused}");
+    }
+    // A title that starts as the mark of a binary file.
+    let text: String = (0..200).map(|i| format!("{};{}.5\n", i, i % 7)).collect();
+    let text = format!("VK6 trace of flank 7\nx [um];z [um]\n{text}");
+    assert_eq!(read_bytes("a.csv", text.as_bytes(), &ReadOptions::default()).unwrap().points, 200);
+}
+
+#[test]
 fn the_sign_of_metropro_turns_the_heights_round() {
     let [plain, turned] = [0, 1].map(|sign| surface("a.dat", &metropro(sign)));
     let pairs = plain.z.iter().zip(&turned.z).filter(|(z, _)| z.is_finite());
