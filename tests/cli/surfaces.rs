@@ -64,10 +64,21 @@ fn a_surface_gives_a_row_or_its_mean() {
         bench.run(&[&all, more].concat())
     };
     let none = info(&[]);
-    none.refused(2, "E119", &["flank.sur: the file holds 3 profiles", "--row", "--line mean"]);
+    none.refused(
+        2,
+        "E119",
+        &[
+            "flank.sur: the file holds 3 profiles",
+            "--row",
+            "--line mean",
+        ],
+    );
     let ra = |more: &[&str]| {
         let found = info(&[more, &["--json"]].concat()).well().json();
-        (found["iso4287"]["ra_um"].as_f64().unwrap(), found["warnings"].to_string())
+        (
+            found["iso4287"]["ra_um"].as_f64().unwrap(),
+            found["warnings"].to_string(),
+        )
     };
     let (row, _) = ra(&["--row", "2"]);
     let (mean, notes) = ra(&["--line", "mean"]);
@@ -85,7 +96,11 @@ fn a_case_takes_lines_of_a_surface() {
         bench.write("case.toml", with_line("pinion", line));
         bench.run(&["run", "case.toml", "--no-output", "--json"])
     };
-    let of = |line: &str| run(line).well().json()["summary"]["loss_w"].as_f64().unwrap();
+    let of = |line: &str| {
+        run(line).well().json()["summary"]["loss_w"]
+            .as_f64()
+            .unwrap()
+    };
     let row = of("pinion = { file = \"flank.sur\", row = 2 }");
     let mean = of("pinion = { file = \"flank.sur\", line = \"mean\" }");
     assert_ne!(row, mean);
@@ -101,11 +116,67 @@ fn files_without_heights_and_replicas_are_told() {
     let bench = Bench::new();
     bench.write("colours.sur", sur(200, 3, 12, 0));
     let said = bench.run(&["profile", "info", "colours.sur"]);
-    said.refused(2, "E320", &["colours.sur: the file (Digital Surf (sur, pro)) holds a colour image"]);
+    said.refused(
+        2,
+        "E320",
+        &["colours.sur: the file (Digital Surf (sur, pro)) holds a colour image"],
+    );
     bench.write("two.mat", two_arrays());
     let said = bench.run(&["profile", "info", "two.mat"]);
-    said.refused(2, "E321", &["two.mat: the file holds several arrays", "left, right"]);
+    said.refused(
+        2,
+        "E321",
+        &["two.mat: the file holds several arrays", "left, right"],
+    );
     bench.write("cast.sur", sur(6000, 1, 2, 1));
-    let said = bench.run(&["profile", "info", "cast.sur", "--lambda-c", "0.25 mm", "--json"]);
+    let said = bench.run(&[
+        "profile",
+        "info",
+        "cast.sur",
+        "--lambda-c",
+        "0.25 mm",
+        "--json",
+    ]);
     assert!(said.well().json()["warnings"].to_string().contains("W321"));
+}
+
+#[test]
+fn material_ratios_and_heights_are_told_where_asked_for() {
+    let bench = Bench::new();
+    // Straight flanks from -1 um to 1 um: the material ratio falls evenly.
+    let zigzag = |i: usize| 2.0 * ((i % 200) as f64 / 100.0 - 1.0).abs() - 1.0;
+    let rows: String = (0..4000)
+        .map(|i| format!("{:.1};{:.4}\n", 0.5 * i as f64, zigzag(i)))
+        .collect();
+    bench.write("zigzag.csv", format!("x [um];z [um]\n{rows}"));
+    let asked = [
+        "profile",
+        "info",
+        "zigzag.csv",
+        "--as-is",
+        "--rmr",
+        "0.5um",
+        "--rdc",
+        "5:75",
+    ];
+    let said = bench.run(&asked).well();
+    assert!(
+        said.out.contains("Rmr(0.5 um) 25.") && said.out.contains("Rdc(5 %, 75 %) 1.4"),
+        "{}",
+        said.out
+    );
+    let found = bench.run(&[&asked[..], &["--json"]].concat()).well().json();
+    let levels = &found["material_levels"];
+    let percent = levels["rmr"][0]["percent"].as_f64().unwrap();
+    let height = levels["rdc"][0]["um"].as_f64().unwrap();
+    assert!(
+        (percent - 25.0).abs() < 0.5 && (height - 1.4).abs() < 0.01,
+        "{levels}"
+    );
+    let wrong = bench.run(&["profile", "info", "zigzag.csv", "--rdc", "75:5"]);
+    assert!(
+        wrong.status != 0 && wrong.err.contains("the smaller first"),
+        "{}",
+        wrong.err
+    );
 }

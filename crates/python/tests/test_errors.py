@@ -46,7 +46,8 @@ def matlab_arrays(*names):
         return struct.pack("<II", kind, len(data)) + data + bytes(-len(data) % 8)
 
     def array(name):
-        parts = [(6, struct.pack("<II", 6, 0)), (5, struct.pack("<ii", 3, 1)), (1, name), (9, struct.pack("<3d", 1, 2, 3))]
+        flags, sizes, numbers = struct.pack("<II", 6, 0), struct.pack("<ii", 3, 1), struct.pack("<3d", 1, 2, 3)
+        parts = [(6, flags), (5, sizes), (1, name), (9, numbers)]
         return element(14, b"".join(element(*part) for part in parts))
 
     return b"MATLAB 5.0 MAT-file".ljust(124, b"\0") + b"\x00\x01IM" + b"".join(map(array, names))

@@ -257,7 +257,12 @@ fn a_file_that_does_not_start_as_its_name_says_is_damaged() {
     // A title that starts as the mark of a binary file.
     let text: String = (0..200).map(|i| format!("{};{}.5\n", i, i % 7)).collect();
     let text = format!("VK6 trace of flank 7\nx [um];z [um]\n{text}");
-    assert_eq!(read_bytes("a.csv", text.as_bytes(), &ReadOptions::default()).unwrap().points, 200);
+    assert_eq!(
+        read_bytes("a.csv", text.as_bytes(), &ReadOptions::default())
+            .unwrap()
+            .points,
+        200
+    );
 }
 
 #[test]
