@@ -5,7 +5,7 @@ use std::path::Path;
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use asperity_profile_io::Warning as ReadWarning;
-use asperity_profile_io::read::{Format, Metadata, ReadOptions, Reading, read};
+use asperity_profile_io::read::{Metadata, ReadOptions, Reading, read};
 use asperity_profile_io::write::{WrittenFormat, write};
 use asperity_roughness::ambiguity::Sections;
 use asperity_roughness::height_parameters::{HeightParameters, Mode, in_sections};
