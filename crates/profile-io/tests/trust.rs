@@ -215,6 +215,9 @@ fn roll_length_exports_need_the_base_radius_and_keep_the_roughness() {
     }
 }
 
+/// Roll length `[mm]` of a point.
+type RollLengths = Box<dyn Fn(usize) -> f64>;
+
 #[test]
 fn an_involute_export_keeps_its_roughness_whatever_its_steps() {
     let (radius, first, last) = (40.0, 8.0, 12.0);
@@ -228,7 +231,7 @@ fn an_involute_export_keeps_its_roughness_whatever_its_steps() {
     // Shares of the roll length: even; even along the flank; growing sixfold; two speeds; each point off by up
     // to 0.45 of a step; fewer points, five to seven to the shortest wave.
     let within = |share: f64| first + (last - first) * share;
-    let steps: [(&str, usize, Box<dyn Fn(usize) -> f64>); 6] = [
+    let steps: [(&str, usize, RollLengths); 6] = [
         ("even", POINTS, Box::new(move |i| within(even(i)))),
         (
             "along the flank",

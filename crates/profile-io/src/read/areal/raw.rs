@@ -147,7 +147,7 @@ impl Raw {
     pub(super) fn new(bytes: Vec<u8>, number: Number, layout: Layout) -> Option<Self> {
         let whole = layout.columns > 0 && layout.rows > 0;
         let inside = layout.lies_in(bytes.len(), number)?;
-        (whole && inside).then(|| Self {
+        (whole && inside).then_some(Self {
             bytes,
             number,
             columns: layout.columns,
