@@ -230,7 +230,7 @@ fn an_involute_export_keeps_its_roughness_whatever_its_steps() {
     };
     // Shares of the roll length: even; even along the flank; growing sixfold; two speeds; each point off by up
     // to 0.45 of a step; fewer points, five to seven to the shortest wave.
-    let within = |share: f64| first + (last - first) * share;
+    let within = move |share: f64| first + (last - first) * share;
     let steps: [(&str, usize, RollLengths); 6] = [
         ("even", POINTS, Box::new(move |i| within(even(i)))),
         (
