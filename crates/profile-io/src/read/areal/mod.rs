@@ -16,13 +16,13 @@ mod opdx;
 mod opdx_items;
 mod plu;
 mod plux;
-pub(in crate::read) mod raw;
+pub(crate) mod raw;
 mod sdf_binary;
 mod sur;
-pub(in crate::read) mod trace;
+pub(crate) mod trace;
 mod vk;
 
-pub(in crate::read) use plu::recognised as is_plu;
+pub(crate) use plu::recognised as is_plu;
 
 use super::error::ReadError;
 use super::format::Format;
@@ -30,7 +30,7 @@ use super::text::Stream;
 use trace::Areal;
 
 /// The surface or profile in a file of an areal format; none where `format` is another.
-pub(in crate::read) fn read(
+pub(crate) fn read(
     file: &str,
     format: Format,
     stream: &mut dyn Stream,

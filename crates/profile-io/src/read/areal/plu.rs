@@ -29,7 +29,7 @@ const THICKNESS: u32 = 5;
 const NONE: f64 = 1_000_001.0;
 
 /// Whether a file that starts with `head` is one.
-pub(in crate::read) fn recognised(head: &[u8]) -> bool {
+pub(crate) fn recognised(head: &[u8]) -> bool {
     const DAYS: [&[u8]; 7] = [b"Mon", b"Tue", b"Wed", b"Thu", b"Fri", b"Sat", b"Sun"];
     let Some(date) = head.get(..=DATE).filter(|_| head.len() > HEADER) else {
         return false;

@@ -4,7 +4,7 @@ use super::bytes::{Plain, part};
 
 /// Storage of a number.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::read) enum Number {
+pub(crate) enum Number {
     U8,
     I8,
     U16,
@@ -49,7 +49,7 @@ impl Number {
 
 /// Numbers that stand for no height, beside those that are not finite.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::read) enum Missing {
+pub(crate) enum Missing {
     None,
     Equal(f64),
     AtLeast(f64),
@@ -67,7 +67,7 @@ impl Missing {
 
 /// The unit of heights: metres are value · times / over, in this order, as exact as two operations are.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::read) struct Unit {
+pub(crate) struct Unit {
     pub times: f64,
     pub over: f64,
 }
@@ -84,14 +84,14 @@ impl Unit {
     }
 
     /// `value` of this unit in metres.
-    pub(in crate::read) fn metres(self, value: f64) -> f64 {
+    pub(crate) fn metres(self, value: f64) -> f64 {
         value * self.times / self.over
     }
 }
 
 /// Bytes of a file and where in them the matrix lies.
 #[derive(Debug, Clone)]
-pub(in crate::read) struct Raw {
+pub(crate) struct Raw {
     bytes: Vec<u8>,
     number: Number,
     columns: usize,
@@ -108,7 +108,7 @@ pub(in crate::read) struct Raw {
 
 /// Places of a matrix: the byte of row 0, column 0, and the bytes to the next column and row.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::read) struct Layout {
+pub(crate) struct Layout {
     pub first: usize,
     pub columns: usize,
     pub rows: usize,
@@ -160,12 +160,12 @@ impl Raw {
         })
     }
 
-    pub(in crate::read) fn size(&self) -> [usize; 2] {
+    pub(crate) fn size(&self) -> [usize; 2] {
         [self.columns, self.rows]
     }
 
     /// Height `[m]` of a point, NaN where there is none.
-    pub(in crate::read) fn height(&self, column: usize, row: usize) -> f64 {
+    pub(crate) fn height(&self, column: usize, row: usize) -> f64 {
         let [along, across] = self.steps;
         let at = self.first as i64 + along * column as i64 + across * row as i64;
         let bytes = part(&self.bytes, at as usize, self.number.width());

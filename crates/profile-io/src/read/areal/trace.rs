@@ -13,7 +13,7 @@ use crate::warning::Warning;
 
 /// Heights of a surface or of a profile, which has one row.
 #[derive(Debug, Clone)]
-pub(in crate::read) enum Heights {
+pub(crate) enum Heights {
     /// In the bytes of the file, decoded where asked for.
     Raw(Raw),
     /// Row by row, NaN where there is none.
@@ -41,7 +41,7 @@ impl Heights {
 
 /// Findings of the reader of an areal format.
 #[derive(Debug, Clone)]
-pub(in crate::read) struct Areal {
+pub(crate) struct Areal {
     pub format: Format,
     pub heights: Heights,
     /// Spacings along rows and from row to row \[m\], where the file states them.
@@ -54,7 +54,7 @@ pub(in crate::read) struct Areal {
 
 impl Areal {
     /// Heights in metres, nothing else known.
-    pub(in crate::read) fn new(format: Format, heights: Heights) -> Self {
+    pub(crate) fn new(format: Format, heights: Heights) -> Self {
         Self {
             format,
             heights,
@@ -75,11 +75,7 @@ impl Areal {
     }
 
     /// The trace that `options` ask for.
-    pub(in crate::read) fn trace(
-        mut self,
-        file: &str,
-        options: &ReadOptions,
-    ) -> Result<Trace, ReadError> {
+    pub(crate) fn trace(mut self, file: &str, options: &ReadOptions) -> Result<Trace, ReadError> {
         let [columns, rows] = self.heights.size();
         let (across, points) = match options.line {
             TraceLine::Row | TraceLine::Mean => (rows, columns),
@@ -129,11 +125,7 @@ impl Areal {
     }
 
     /// The whole surface.
-    pub(in crate::read) fn surface(
-        self,
-        file: &str,
-        options: &ReadOptions,
-    ) -> Result<Surface, ReadError> {
+    pub(crate) fn surface(self, file: &str, options: &ReadOptions) -> Result<Surface, ReadError> {
         let [columns, rows] = self.heights.size();
         let unit = match (self.has_unit, options.z_unit) {
             (true, None) => LengthUnit::Metre,
