@@ -16,6 +16,7 @@ fn option(setting: Setting) -> &'static str {
         Setting::Encoding => "--encoding",
         Setting::Gaps => "--gaps",
         Setting::Row => "--row",
+        Setting::Line => "--line",
         Setting::Abscissa => "--abscissa",
         Setting::BaseRadius => "--base-radius",
         Setting::Uneven => "--uneven",

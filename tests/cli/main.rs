@@ -31,6 +31,7 @@ mod results;
 mod rexs;
 mod single_modules;
 mod storage;
+mod surfaces;
 mod sweep;
 mod threads;
 mod transcripts;

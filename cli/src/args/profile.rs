@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use asperity_core::quantity::Length;
 use asperity_profile_io::read::{
-    Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator, Uneven,
+    Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator, TraceLine, Uneven,
 };
 use asperity_roughness::gaussian_filter::Ends;
 use clap::{Args, Subcommand, ValueEnum};
@@ -141,6 +141,12 @@ pub struct ProfileInfoArgs {
     /// Wavelengths of the Hurst fit, e.g. 200um:8um [default: lambda_c/3 to 5 lambda_s]
     #[arg(long, value_name = "LONG:SHORT")]
     pub hurst: Option<Wavelengths>,
+    /// Material ratio Rmr(c) at this height over the mean line, e.g. 0.2um; may be repeated
+    #[arg(long, value_name = "C", allow_hyphen_values = true)]
+    pub rmr: Vec<Length>,
+    /// Height Rdc between two material ratios in percent, e.g. 5:75; may be repeated
+    #[arg(long, value_name = "P:Q")]
+    pub rdc: Vec<Ratios>,
     /// With --json: also print spectrum, autocorrelation and material ratio curve, point by point
     #[arg(long)]
     pub curves: bool,
@@ -191,6 +197,33 @@ impl std::str::FromStr for Wavelengths {
         let (longest, shortest) = (read(longest)?, read(shortest)?);
         match longest > shortest && shortest.si() > 0.0 {
             true => Ok(Self { longest, shortest }),
+            false => Err(FORM.to_owned()),
+        }
+    }
+}
+
+/// Two material ratios in percent, the smaller first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ratios {
+    /// Ratio at the higher level.
+    pub upper: f64,
+    /// Ratio at the lower level.
+    pub lower: f64,
+}
+
+impl std::str::FromStr for Ratios {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        const FORM: &str = "must be two ratios in percent, the smaller first, e.g. 5:75";
+        let (upper, lower) = text.split_once(':').ok_or(FORM)?;
+        let read = |part: &str| part.trim().trim_end_matches('%').trim().parse::<f64>();
+        let (upper, lower) = (
+            read(upper).map_err(|_| FORM)?,
+            read(lower).map_err(|_| FORM)?,
+        );
+        match 0.0 <= upper && upper < lower && lower <= 100.0 {
+            true => Ok(Self { upper, lower }),
             false => Err(FORM.to_owned()),
         }
     }
@@ -268,6 +301,9 @@ pub struct ReadingArgs {
     /// Number of the profile in a file that holds several, counted from 1
     #[arg(long)]
     pub row: Option<usize>,
+    /// Trace taken from a surface: row, column, mean (of all rows), mean-column; --row is its number
+    #[arg(long)]
+    pub line: Option<TraceLine>,
     /// Meaning of the positions: distance, roll-length, roll-degrees, roll-radians [default: as stated
     /// in the header, else distance]
     #[arg(long)]

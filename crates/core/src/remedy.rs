@@ -31,6 +31,8 @@ pub enum Setting {
     Gaps,
     /// Number of the profile in a file that holds several.
     Row,
+    /// Trace that is taken from a surface.
+    Line,
     /// Meaning of the column of positions.
     Abscissa,
     /// Base radius of the gear, for positions that are roll lengths.
@@ -60,6 +62,7 @@ impl Setting {
             Self::Encoding => "encoding",
             Self::Gaps => "gaps",
             Self::Row => "row",
+            Self::Line => "line",
             Self::Abscissa => "abscissa",
             Self::BaseRadius => "base_radius",
             Self::Uneven => "uneven",

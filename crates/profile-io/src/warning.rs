@@ -121,6 +121,17 @@ pub enum Warning {
         /// Spacing after.
         spacing: Length,
     },
+    /// The trace is a mean of those of a surface.
+    #[error(
+        "the trace is the mean of {lines} lines of a surface: roughness that does not run across all of them is averaged out"
+    )]
+    MeanLine {
+        /// Lines averaged.
+        lines: usize,
+    },
+    /// The file says that a replica was measured.
+    #[error("the file says that a replica was measured: its peaks are the valleys of the flank")]
+    Replica,
     /// x was a roll length or angle and is now the distance along the involute.
     #[error(
         "x is a {abscissa}; converted with the base radius {base_radius} to the distance along the involute and resampled to {spacing:.4}"
@@ -151,6 +162,7 @@ impl Warning {
                 Remedy::set(Setting::Uneven, Value::This("resample".into()))
             }
             Self::ImplausibleHeights { steepness } => steepness.suspicion.remedy(),
+            Self::Replica => Remedy::act("turn the heights round before exporting"),
             _ => Remedy::none(),
         }
     }
@@ -171,6 +183,8 @@ impl Warning {
             Self::UnevenSpacing { .. } => "W125",
             Self::Resampled { .. } => "W126",
             Self::RollLengthConverted { .. } => "W127",
+            Self::MeanLine { .. } => "W320",
+            Self::Replica => "W321",
         }
     }
 }

@@ -9,8 +9,8 @@ use std::io::Cursor;
 
 use asperity_core::quantity::Length;
 use asperity_profile_io::read::{
-    Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, ReadOptions, Separator, Uneven,
-    read_bytes, read_stream,
+    Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, ReadOptions, Separator, TraceLine,
+    Uneven, read_bytes, read_stream,
 };
 use drops::Drops;
 use proptest::prelude::*;
@@ -60,6 +60,11 @@ fn any_options() -> impl Strategy<Value = ReadOptions> {
     );
     let base_radius = weighted(0.3, prop_oneof![Just(50e-3), Just(0.0), Just(f64::NAN)]);
     let uneven = prop_oneof![Just(Uneven::Refuse), Just(Uneven::Resample)];
+    let line = prop_oneof![
+        8 => Just(TraceLine::Row),
+        1 => Just(TraceLine::Column),
+        1 => Just(TraceLine::Mean),
+    ];
     (
         unit(),
         unit(),
@@ -69,7 +74,7 @@ fn any_options() -> impl Strategy<Value = ReadOptions> {
         encoding,
         dx,
         gaps,
-        (roll, base_radius, uneven),
+        (roll, base_radius, uneven, line),
     )
         .prop_map(
             |(
@@ -81,7 +86,7 @@ fn any_options() -> impl Strategy<Value = ReadOptions> {
                 encoding,
                 dx,
                 gaps,
-                (abscissa, base_radius, uneven),
+                (abscissa, base_radius, uneven, line),
             )| ReadOptions {
                 x_unit,
                 z_unit,
@@ -92,6 +97,7 @@ fn any_options() -> impl Strategy<Value = ReadOptions> {
                 encoding,
                 gaps,
                 row: None,
+                line,
                 abscissa,
                 base_radius: base_radius.map(Length::from_si),
                 uneven,

@@ -215,6 +215,96 @@ fn roll_length_exports_need_the_base_radius_and_keep_the_roughness() {
     }
 }
 
+/// Roll length `[mm]` of a point.
+type RollLengths = Box<dyn Fn(usize) -> f64>;
+
+#[test]
+fn an_involute_export_keeps_its_roughness_whatever_its_steps() {
+    let (radius, first, last) = (40.0, 8.0, 12.0);
+    let arc_um = |roll: f64| 1e3 * roll * roll / (2.0 * radius);
+    let even = |i: usize| i as f64 / (POINTS - 1) as f64;
+    let mixed = |i: usize, seed: f64| {
+        ((i as f64 * 12.9898 + seed).sin() * 43758.5453)
+            .fract()
+            .abs()
+    };
+    // Shares of the roll length: even; even along the flank; growing sixfold; two speeds; each point off by up
+    // to 0.45 of a step; fewer points, five to seven to the shortest wave.
+    let within = move |share: f64| first + (last - first) * share;
+    let steps: [(&str, usize, RollLengths); 6] = [
+        ("even", POINTS, Box::new(move |i| within(even(i)))),
+        (
+            "along the flank",
+            POINTS,
+            Box::new(move |i| (first * first + (last * last - first * first) * even(i)).sqrt()),
+        ),
+        (
+            "growing",
+            POINTS,
+            Box::new(move |i| within((even(i) + 2.5 * even(i).powi(2)) / 3.5)),
+        ),
+        (
+            "two speeds",
+            POINTS,
+            Box::new(move |i| {
+                within(if even(i) < 0.5 {
+                    0.5 * even(i)
+                } else {
+                    1.5 * even(i) - 0.5
+                })
+            }),
+        ),
+        (
+            "jitter",
+            POINTS,
+            Box::new(move |i| {
+                let off = if i == 0 || i == POINTS - 1 {
+                    0.0
+                } else {
+                    0.9 * (mixed(i, 1.0) - 0.5)
+                };
+                within((i as f64 + off) / (POINTS - 1) as f64)
+            }),
+        ),
+        ("coarse", 200, Box::new(move |i| within(i as f64 / 199.0))),
+    ];
+    let length = arc_um(last) - arc_um(first);
+    let truth: Vec<f64> = (0..=(length * 10.0) as usize)
+        .map(|i| flank(arc_um(first) + 0.1 * i as f64))
+        .collect();
+    let (ra, rq) = ra_rq(&truth);
+    for (name, points, roll) in steps {
+        for (header, scale) in [
+            ("Roll length [mm];z [um]", 1.0),
+            (
+                "Roll angle [deg];z [um]",
+                180.0 / std::f64::consts::PI / radius,
+            ),
+        ] {
+            let line = |i: usize| {
+                let roll = roll(i);
+                format!("{:.7};{:.5}\n", roll * scale, flank(arc_um(roll)))
+            };
+            let text: String = (0..points).map(line).collect();
+            let options = ReadOptions {
+                base_radius: Some(Length::from_si(radius * 1e-3)),
+                ..ReadOptions::default()
+            };
+            let reading = opened(&format!("{header}\n{text}"), &options);
+            let reading = reading.unwrap_or_else(|error| panic!("{name}: {error}"));
+            let (found_ra, found_rq) = ra_rq(reading.profile.heights());
+            assert!(
+                (found_ra * 1e6 / ra - 1.0).abs() < 0.01,
+                "{name}: {found_ra} {ra}"
+            );
+            assert!(
+                (found_rq * 1e6 / rq - 1.0).abs() < 0.01,
+                "{name}: {found_rq} {rq}"
+            );
+        }
+    }
+}
+
 #[test]
 fn inches_and_their_parts_are_read() {
     let inch = |x: f64| x / 25.4e3;

@@ -1,5 +1,7 @@
 """Every code that Python can reach is raised with its help."""
 
+import struct
+
 import numpy as np
 import pytest
 
@@ -30,6 +32,25 @@ def sdf(points, profiles):
     }
     values = "\n".join(f"{z:.4f}" for z in heights(500))
     return "aISO-1.0\n" + "".join(f"{key} = {value}\n" for key, value in header.items()) + f"*\n{values}\n*\n*\n"
+
+
+def digital_surf_image():
+    header = bytearray(512)
+    header[:12] = b"DIGITAL SURF"
+    header[18] = 12
+    return bytes(header)
+
+
+def matlab_arrays(*names):
+    def element(kind, data):
+        return struct.pack("<II", kind, len(data)) + data + bytes(-len(data) % 8)
+
+    def array(name):
+        flags, sizes, numbers = struct.pack("<II", 6, 0), struct.pack("<ii", 3, 1), struct.pack("<3d", 1, 2, 3)
+        parts = [(6, flags), (5, sizes), (1, name), (9, numbers)]
+        return element(14, b"".join(element(*part) for part in parts))
+
+    return b"MATLAB 5.0 MAT-file".ljust(124, b"\0") + b"\x00\x01IM" + b"".join(map(array, names))
 
 
 def read(text, name="flank.csv", **options):
@@ -144,6 +165,8 @@ RAISES = {
             "bulk": {"law": "network", "pinion_to_oil": "0.1 W/K", "wheel_to_oil": 0.1},
         },
     ),
+    "E320": read(digital_surf_image(), "image.sur"),
+    "E321": read(matlab_arrays(b"left", b"right"), "two.mat"),
     "E401": existing,
     "E402": lambda place: asperity.read_result(place),
 }

@@ -251,6 +251,46 @@ pub const EQUATIONS: &[Equation] = &[
         [ISO_13565_2]
     ),
     equation!(
+        "Rk-3",
+        "Heights counted in steps",
+        "s_j = s + q (½ − (j + ½)/n)",
+        "quantised.rs",
+        "rk_of_quantised_heights_is_that_of_the_heights",
+        [ISO_13565_2]
+    ),
+    equation!(
+        "Rmr-1",
+        "Material ratio at a level",
+        "Rmr(c) = Ml(c)/l_e",
+        "material_levels.rs",
+        "material_ratios_and_levels_of_a_sine_have_closed_forms",
+        [ISO_4287, ISO_21920_2]
+    ),
+    equation!(
+        "Rmr-2",
+        "Level at a material ratio",
+        "Rmr(Rmc(p)) = p",
+        "material_levels.rs",
+        "material_ratios_and_levels_of_a_sine_have_closed_forms",
+        [ISO_21920_2]
+    ),
+    equation!(
+        "Rmr-3",
+        "Height between two material ratios",
+        "Rdc(p, q) = Rmc(p) − Rmc(q)",
+        "material_levels.rs",
+        "material_ratios_and_levels_of_a_sine_have_closed_forms",
+        [ISO_4287, ISO_21920_2]
+    ),
+    equation!(
+        "Rmr-4",
+        "Material ratio below a reference",
+        "Rmr = Rmr(c₁), c₁ = Rmc(Rmr0) − Rδc",
+        "material_levels.rs",
+        "material_ratios_and_levels_of_a_sine_have_closed_forms",
+        [ISO_4287]
+    ),
+    equation!(
         "Slope-1",
         "Seven-point slope",
         "z′ᵢ = (zᵢ₊₃ − 9 zᵢ₊₂ + 45 zᵢ₊₁ − 45 zᵢ₋₁ + 9 zᵢ₋₂ − zᵢ₋₃)/(60 dx)",

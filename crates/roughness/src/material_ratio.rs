@@ -1,7 +1,7 @@
 //! The material ratio (Abbott) curve and the Rk family.
 //!
 //! Source: ISO 13565-2:1996, without the height classes that makers use (their values differ by
-//! 1 to 4 % from each other).
+//! 1 to 4 % from each other). Heights that were counted in steps are spread over them before.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -17,6 +17,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::RoughnessError;
+use crate::quantised::spread;
 
 /// Share of the curve that the line is laid through (ISO 13565-2).
 const WINDOW: f64 = 0.4;
@@ -106,8 +107,8 @@ pub(crate) fn rk_of_both_lines(heights: &[f64]) -> Result<[RkParameters; 2], Rou
     Ok([Line::LeastSquares, Line::Secant].map(|line| rk_of_curve(&s, line)))
 }
 
-/// The material ratio curve of enough heights.
-fn curve(heights: &[f64]) -> Result<Vec<f64>, RoughnessError> {
+/// The material ratio curve of enough heights, those that were counted in steps spread over them.
+pub(crate) fn curve(heights: &[f64]) -> Result<Vec<f64>, RoughnessError> {
     const LEAST: usize = 10;
     if heights.len() < LEAST {
         return Err(RoughnessError::TooFewPoints {
@@ -116,7 +117,7 @@ fn curve(heights: &[f64]) -> Result<Vec<f64>, RoughnessError> {
             purpose: "the material ratio curve",
         });
     }
-    Ok(abbott_curve(heights)?)
+    Ok(spread(abbott_curve(heights)?))
 }
 
 /// The Rk family of a material ratio curve of ten points or more.
@@ -228,7 +229,7 @@ fn equivalent_line(s: &[f64], start: usize, m: usize, line: Line) -> (f64, f64) 
 }
 
 /// The material ratio at which the curve falls through `level`, 0 or 100 when it does not.
-fn cut(s: &[f64], level: f64, ratio: impl Fn(usize) -> f64) -> f64 {
+pub(crate) fn cut(s: &[f64], level: f64, ratio: impl Fn(usize) -> f64) -> f64 {
     let above = s.partition_point(|s| *s > level);
     if above == 0 {
         return 0.0;

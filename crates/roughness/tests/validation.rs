@@ -13,6 +13,7 @@ use asperity_roughness::autocorrelation::{autocorrelation, lengths};
 use asperity_roughness::composite::{Pairing, combined_rq, compose};
 use asperity_roughness::generate::{Ground, SelfAffine, lower_envelope, truncated};
 use asperity_roughness::height_parameters::{Mode, height_parameters, in_sections};
+use asperity_roughness::material_levels::MaterialLevels;
 use asperity_roughness::material_ratio::{Line, abbott_curve, rk_parameters, rk_parameters_with};
 use asperity_roughness::spectral::{moments, power_spectrum, slopes};
 use asperity_roughness::summits::{ReferenceLevel, asperity_radius};
@@ -77,6 +78,77 @@ fn the_rk_family_of_a_sine_and_a_triangle_has_closed_forms() {
         let found = rk_parameters_with(&triangle, line).unwrap();
         close(found.rk.si(), 2.0, 1e-9);
         assert!(found.rpk.si() < 1e-9 && found.rvk.si() < 1e-9);
+    }
+}
+
+#[test]
+fn material_ratios_and_levels_of_a_sine_have_closed_forms() {
+    // The curve of a sine of amplitude A is c = A cos(π Mr), so Mr = arccos(c/A)/π.
+    let (amplitude, n) = (1.3e-6, 100_000);
+    let sine: Vec<f64> = (0..n)
+        .map(|i| amplitude * (TAU * (f64::from(i) + 0.3) / f64::from(n)).sin())
+        .collect();
+    let levels = MaterialLevels::of(&sine).unwrap();
+    for share in [-0.9, -0.5, 0.0, 0.3, 0.8] {
+        let exact = 100.0 * f64::acos(share) / PI;
+        let found = levels.ratio(Length::from_si(share * amplitude));
+        // Within a point of the hundred thousand.
+        assert!((found - exact).abs() < 1e-3, "{share}: {found} {exact}");
+        let level = levels.level(exact).unwrap();
+        assert!(
+            (level.si() - share * amplitude).abs() < 1e-4 * amplitude,
+            "{share}: {level}"
+        );
+    }
+    let exact = amplitude * ((0.05 * PI).cos() - (0.75 * PI).cos());
+    close(levels.difference(5.0, 75.0).unwrap().si(), exact, 1e-6);
+    // A quarter of an amplitude below the level of 5 %.
+    let exact = 100.0 * ((0.05 * PI).cos() - 0.25).acos() / PI;
+    close(
+        levels
+            .ratio_below(5.0, Length::from_si(0.25 * amplitude))
+            .unwrap(),
+        exact,
+        1e-4,
+    );
+    assert_eq!(levels.ratio(Length::from_si(2.0 * amplitude)), 0.0);
+    assert_eq!(levels.ratio(Length::from_si(-2.0 * amplitude)), 100.0);
+    assert!(levels.difference(75.0, 5.0).is_err() && levels.level(101.0).is_err());
+    assert!(levels.level(f64::NAN).is_err());
+}
+
+#[test]
+fn rk_of_quantised_heights_is_that_of_the_heights() {
+    // A sum of waves with periods that have no common multiple, and the same rounded to a share of its Rq.
+    let z = |i: u32| {
+        let x = f64::from(i);
+        1e-7 * ((0.11 * x).sin()
+            + (0.0731 * x + 1.0).sin()
+            + (0.231 * x + 2.0).sin()
+            + (0.0519 * x).cos())
+    };
+    let heights: Vec<f64> = (0..20_000).map(z).collect();
+    let exact = rk_parameters(&heights).unwrap();
+    let rq = 1e-7 * SQRT_2;
+    for share in [0.02, 0.1, 0.3, 0.5] {
+        let step = share * rq;
+        let rounded: Vec<f64> = heights.iter().map(|z| (z / step).round() * step).collect();
+        let found = rk_parameters(&rounded).unwrap();
+        // Straight pieces of the curve under a step stand for its own shape.
+        let most = 0.002 + 0.06 * share;
+        assert!(
+            (found.rk / exact.rk - 1.0).abs() < most,
+            "{share}: {} {}",
+            found.rk,
+            exact.rk
+        );
+        assert!(
+            (found.mr1 - exact.mr1).abs() < 2.0 && (found.mr2 - exact.mr2).abs() < 2.0,
+            "{share}"
+        );
+        let level = Length::from_si(0.7 * rq);
+        let [a, b] = [&heights, &rounded].map(|z| MaterialLevels::of(z).unwrap().ratio(level));
+        assert!((a - b).abs() < 1.0, "{share}: {a} {b}");
     }
 }
 

@@ -11,7 +11,8 @@ use asperity_roughness::spectral::{PowerSpectrum, power_spectrum};
 use asperity_roughness::summits::{SummitStatistics, summit_statistics};
 
 use super::evaluated::Evaluated;
-use crate::args::Wavelengths;
+use super::levels::Levels;
+use crate::args::{ProfileInfoArgs, Wavelengths};
 
 /// The details of a profile; none where the profile has no such thing, being flat or short.
 pub struct Details {
@@ -29,17 +30,20 @@ pub struct Details {
     pub wavelengths: Wavelengths,
     /// The fit, or why there is none.
     pub hurst: Result<HurstFit, RoughnessError>,
+    /// Material ratios and heights that were asked for.
+    pub levels: Levels,
     /// The ranges of the parameters.
     pub ambiguity: Vec<Ambiguity>,
 }
 
 impl Details {
-    /// The details of a profile, the Hurst exponent over `wavelengths` or what the filters leave.
-    pub fn of(found: &Evaluated, wavelengths: Option<Wavelengths>) -> Self {
+    /// The details of a profile that `args` ask for, the Hurst exponent over what the filters leave if they state
+    /// no wavelengths.
+    pub fn of(found: &Evaluated, args: &ProfileInfoArgs) -> Self {
         let (plan, rough) = (&found.plan, &found.parts.roughness.profile);
         let window = plan.recipe.lambda_s.unwrap_or_default();
         let window = Length::from_si(window.si().max(rough.spacing().si()));
-        let wavelengths = wavelengths.unwrap_or_else(|| usual_wavelengths(found));
+        let wavelengths = args.hurst.unwrap_or_else(|| usual_wavelengths(found));
         let (recipe, filter) = (&plan.recipe, plan.filter);
         let open = ambiguity(found.trace(), rough, recipe, filter, plan.sections);
         Self {
@@ -50,6 +54,7 @@ impl Details {
             spectrum: power_spectrum(rough).ok(),
             hurst: hurst_fit(rough, wavelengths.longest, wavelengths.shortest),
             wavelengths,
+            levels: Levels::of(found, args),
             ambiguity: open.unwrap_or_default(),
         }
     }

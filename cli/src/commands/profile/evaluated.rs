@@ -5,7 +5,7 @@ use std::path::Path;
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use asperity_profile_io::Warning as ReadWarning;
-use asperity_profile_io::read::{Format, Metadata, ReadOptions, Reading, read};
+use asperity_profile_io::read::{Metadata, ReadOptions, Reading, read};
 use asperity_profile_io::write::{WrittenFormat, write};
 use asperity_roughness::ambiguity::Sections;
 use asperity_roughness::height_parameters::{HeightParameters, Mode, in_sections};
@@ -139,6 +139,7 @@ pub(super) fn opened(
         encoding: args.encoding,
         gaps: args.gaps.unwrap_or_default(),
         row: args.row,
+        line: args.line.unwrap_or_default(),
         abscissa: args.abscissa,
         base_radius,
         uneven: args.uneven.unwrap_or_default(),
@@ -148,10 +149,14 @@ pub(super) fn opened(
         Failure::new(error.code(), message)
     })?;
     let row = args.row.unwrap_or(1);
-    let several = [Format::X3p, Format::SdfAscii, Format::TextMatrix];
-    if row > 1 && !several.contains(&reading.format) {
+    let single = !reading.format.may_hold_several();
+    if single && (row > 1 || args.line.is_some()) {
         let name = &reading.name;
-        let text = format!("{name}: the file holds a single profile; there is no row {row}");
+        let asked = match args.line {
+            Some(line) => format!("--line {line} has nothing to choose from"),
+            None => format!("there is no row {row}"),
+        };
+        let text = format!("{name}: the file holds a single profile; {asked}");
         return Err(Failure::new("E119", text));
     }
     Ok(reading)

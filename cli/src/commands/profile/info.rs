@@ -20,10 +20,7 @@ pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
         let found = evaluated(file, args)?;
         return match common.json {
             true => print_json(&as_json(&found, args)),
-            false => print_text(
-                common,
-                &text::report(&found, &Details::of(&found, args.hurst)),
-            ),
+            false => print_text(common, &text::report(&found, &Details::of(&found, args))),
         };
     }
     let (mut entries, mut good, mut failures) = (Vec::new(), Vec::new(), Vec::new());
@@ -86,7 +83,7 @@ fn evaluated(file: &Path, args: &ProfileInfoArgs) -> Result<Evaluated, Failure> 
 }
 
 fn as_json(found: &Evaluated, args: &ProfileInfoArgs) -> serde_json::Value {
-    json::report(found, &Details::of(found, args.hurst), args.curves)
+    json::report(found, &Details::of(found, args), args.curves)
 }
 
 type Column = (&'static str, fn(&Evaluated) -> f64);

@@ -57,6 +57,9 @@ pub fn report(found: &Evaluated, details: &Details, curves: bool) -> Value {
         "ambiguity": details.ambiguity.iter().map(open).collect::<Vec<_>>(),
         "warnings": notes,
     });
+    if let Some(levels) = details.levels.json() {
+        report["material_levels"] = levels;
+    }
     if curves {
         report["curves"] = all_curves(found, details);
     }

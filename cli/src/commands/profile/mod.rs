@@ -4,6 +4,7 @@ mod details;
 mod evaluated;
 mod info;
 mod json;
+mod levels;
 mod plan;
 mod plot;
 mod text;

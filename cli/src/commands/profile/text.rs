@@ -189,6 +189,9 @@ fn material(page: &mut Page, found: &Evaluated, details: &Details) {
         let shown = |m: Option<&RkParameters>| number(m.and_then(value), digits);
         page.row(name, &columns.map(shown), &open(name, digits, details));
     }
+    for line in details.levels.lines() {
+        page.line(&line);
+    }
 }
 
 /// The range of a parameter over what is open.

@@ -10,7 +10,7 @@ use asperity_gear::Gear;
 use asperity_profile_io::Warning as ReadWarning;
 use asperity_profile_io::read::steepness::implausible;
 use asperity_profile_io::read::{
-    FilterState, Format, LengthUnit, ReadError, ReadOptions, Reading, read_with_conditions,
+    FilterState, LengthUnit, ReadError, ReadOptions, Reading, read_with_conditions,
 };
 use asperity_roughness::Parameters;
 use asperity_roughness::composite::resampled;
@@ -518,17 +518,21 @@ fn read_trace(
         place: source.place_of(key),
         source: Box::new(error),
     })?;
-    if input.row.unwrap_or(1) > 1
-        && !matches!(
-            reading.format,
-            Format::X3p | Format::SdfAscii | Format::TextMatrix
-        )
-    {
-        return Err(CaseError::Conflict {
-            place: source.place_of(key),
-            key,
-            rule: "this file holds a single profile; leave row out",
-        });
+    if !reading.format.may_hold_several() {
+        let rule = match input.line {
+            Some(_) => Some("this file holds a single profile; leave line out"),
+            None if input.row.unwrap_or(1) > 1 => {
+                Some("this file holds a single profile; leave row out")
+            }
+            None => None,
+        };
+        if let Some(rule) = rule {
+            return Err(CaseError::Conflict {
+                place: source.place_of(key),
+                key,
+                rule,
+            });
+        }
     }
     Ok(ReadTrace {
         profile: reading.profile.clone(),
@@ -549,6 +553,7 @@ fn read_options(input: &FlankInput) -> ReadOptions {
         encoding: input.encoding,
         gaps: input.gaps.unwrap_or_default(),
         row: input.row,
+        line: input.line.unwrap_or_default(),
         abscissa: input.abscissa,
         base_radius: input.base_radius,
         uneven: input.uneven.unwrap_or_default(),

@@ -15,7 +15,7 @@ use asperity_ehl_regime::{FilmLaw, ThermalLaw};
 use asperity_gear::{AmountDirection, LoadLaw, PathOfContact, Plane};
 use asperity_ns_film::FluidModel;
 use asperity_profile_io::read::{
-    Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator, Uneven,
+    Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator, TraceLine, Uneven,
 };
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
@@ -342,6 +342,10 @@ pub struct FlankInput {
     pub gaps: Option<Gaps>,
     /// Number of the profile in a file that holds several (a row of a surface), counted from 1.
     pub row: Option<usize>,
+    /// Trace taken from a surface: `row` (default) or `column`, with their number in `row`, or `mean` of all rows
+    /// or `mean-column` of all columns.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<TraceLine>,
     /// Meaning of the positions: `distance`, `roll-length`, `roll-degrees`, `roll-radians`; default as stated
     /// in the header.
     pub abscissa: Option<Abscissa>,

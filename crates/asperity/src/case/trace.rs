@@ -121,6 +121,7 @@ impl Trace {
             encoding: options.encoding,
             gaps: Some(options.gaps).filter(|gaps| *gaps != Default::default()),
             row: options.row,
+            line: Some(options.line).filter(|line| *line != Default::default()),
             abscissa: options.abscissa,
             base_radius: options.base_radius,
             uneven: Some(options.uneven).filter(|uneven| *uneven != Default::default()),

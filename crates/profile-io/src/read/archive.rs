@@ -21,6 +21,11 @@ const MOST: u64 = 1 << 30;
 /// Members an archive may have; X3P has four, a workbook some dozens.
 const MOST_MEMBERS: usize = 10_000;
 
+/// Bytes that `packed` bytes may unpack to.
+pub(super) fn most_unpacked(packed: u64) -> u64 {
+    FREE.max(packed.saturating_mul(RATIO)).min(MOST)
+}
+
 /// An opened zip file.
 pub(super) struct Archive<'a> {
     file: &'a str,
@@ -83,7 +88,7 @@ impl<'a> Archive<'a> {
         let unreadable = |_| damaged(self.file, self.format, "a member cannot be unpacked", full);
         let member = self.zip.by_index(at).map_err(unreadable)?;
         let packed = member.compressed_size().min(self.size);
-        let limit = FREE.max(packed.saturating_mul(RATIO)).min(MOST);
+        let limit = most_unpacked(packed);
         if member.size() > limit {
             return Err(ReadError::TooLarge {
                 file: self.file.to_owned(),
@@ -129,10 +134,14 @@ impl Read for Bounded<'_> {
     }
 }
 
-/// The format of a zip that its name does not decide: X3P holds a main.xml, a workbook a folder xl.
+/// The format of a zip that its name does not decide: X3P holds a main.xml, a workbook a folder xl, PLUX an
+/// index.xml beside its heights.
 pub(super) fn content(file: &str, stream: &mut dyn Stream, size: u64) -> Format {
     match Archive::open(file, Format::Archive, stream, size) {
         Ok(archive) if archive.holds("xl/workbook.xml") => Format::Excel,
+        Ok(archive) if archive.holds("index.xml") && archive.find("LAYER_0.raw").is_some() => {
+            Format::SensofarPlux
+        }
         Ok(archive) if archive.find("main.xml").is_some() => Format::X3p,
         _ => Format::Archive,
     }

@@ -3,21 +3,23 @@
 use asperity_core::numerics::extremes;
 use asperity_core::quantity::Length;
 
+use super::areal::trace::Areal;
 use super::dialect::Sniffed;
-use super::error::{FirstLine, ReadError, SpacingHint};
+use super::error::{ReadError, SpacingHint};
+use super::first_look::{no_data, sniff};
 use super::format::{Format, extension};
 use super::grid::{Spacing, SpacingSource, Unevenness};
 use super::header::{FilterState, Label, Role};
-use super::layout::{Dialect, TableLayout};
+use super::layout::TableLayout;
 use super::metadata::{self, Metadata};
-use super::options::{Abscissa, Axis, Encoding, Gaps, LengthUnit, ReadOptions, Uneven};
+use super::options::{Abscissa, Axis, Encoding, Gaps, LengthUnit, ReadOptions, TraceLine, Uneven};
 use super::reading::Reading;
 use super::rows::{self, Rows};
 use super::single_column::Special;
 use super::table::Chosen;
 use super::text::{Head, Line, Text};
 use super::units::Extent;
-use super::{dialect, grid, header, matrix, roll_length, single_column, table, trace, units};
+use super::{grid, header, matrix, roll_length, single_column, table, trace, units};
 use crate::warning::Warning;
 
 /// Reads the profile of a table.
@@ -39,7 +41,11 @@ pub(super) fn read(
     let labels = header::labels(header, sniffed.dialect, sniffed.columns);
     if matrix::is_matrix(&labels, options) {
         let first = table.first().map_or(1, |line| line.number);
-        return matrix::read(text, first, &lines, &sniffed, options)?.finish(name, options);
+        let found = match options.line {
+            TraceLine::Row => matrix::read(text, first, &lines, &sniffed, options)?,
+            _ => matrix::surface(text, first, &lines, &sniffed)?.trace(name, options)?,
+        };
+        return found.finish(name, options);
     }
     let chosen = table::choose(name, sniffed.columns, &labels, options)?;
     let first = table.first().map_or(1, |line| line.number);
@@ -57,61 +63,31 @@ pub(super) fn read(
     found.assemble(text, rows)
 }
 
-/// The error for a file without a row of numbers.
-fn no_data(text: &mut Text<'_>) -> Result<ReadError, ReadError> {
-    let (mut count, mut first) = (0, None);
-    let mut lines = text.lines()?;
-    while let Some(line) = lines.next()? {
-        if !line.is_blank() {
-            count += 1;
-            first.get_or_insert_with(|| table::shortened(line.text));
-        }
-    }
-    Ok(ReadError::NoData {
-        file: text.file.to_owned(),
-        lines: count,
-        first: FirstLine(first),
-    })
-}
-
-/// The dialect, none where no line is a row of numbers in any.
-fn sniff(
-    name: &str,
-    lines: &[Line<'_>],
+/// Reads all rows of a matrix, which has no labels and no x.
+pub(super) fn surface(
+    head: &Head,
+    text: &mut Text<'_>,
     options: &ReadOptions,
-) -> Result<Option<Sniffed>, ReadError> {
-    let stated = dialect::Stated {
-        separator: options.separator,
-        decimal: options.decimal,
-        columns: options.columns,
+) -> Result<Areal, ReadError> {
+    /// Columns from which a table is no profile.
+    const FEWEST: usize = 3;
+    let name = text.file;
+    let lines: Vec<Line<'_>> = head.lines().filter(|line| !line.is_blank()).collect();
+    let Some(sniffed) = sniff(name, &lines, options)? else {
+        return Err(no_data(text)?);
     };
-    if let Some(sniffed) = dialect::sniff(lines, stated) {
-        return Ok(Some(sniffed));
-    }
-    let free = dialect::sniff(
-        lines,
-        dialect::Stated {
-            columns: options.columns,
-            ..Default::default()
-        },
-    );
-    let Some(free) = free else {
-        return Ok(None);
-    };
-    // The file is a table, but not in the stated dialect: show the first cell that fails.
-    let used = Dialect {
-        separator: options.separator.unwrap_or(free.dialect.separator),
-        decimal: options.decimal.unwrap_or(free.dialect.decimal),
-    };
-    let line = &lines[free.first];
-    let mut cells = used.cells(line.text);
-    match cells.find(|cell| used.cell(cell) == dialect::Cell::Other) {
-        Some(cell) => Err(table::unreadable(name, lines, line, cell, used)),
-        None => Err(ReadError::SeparatorDoesNotFit {
+    table::check_line_above(name, &lines, &sniffed)?;
+    let (header, table) = lines.split_at(sniffed.first);
+    let labels = header::labels(header, sniffed.dialect, sniffed.columns);
+    if sniffed.columns < FEWEST || labels.iter().any(|label| label.role.is_some()) {
+        return Err(ReadError::NotHeights {
             file: name.to_owned(),
-            separator: used.separator,
-        }),
+            format: Format::DelimitedText,
+            content: "no matrix of heights",
+        });
     }
+    let first = table.first().map_or(1, |line| line.number);
+    matrix::surface(text, first, &lines, &sniffed)
 }
 
 /// Root mean square of the steps between neighbours.
@@ -179,7 +155,12 @@ impl Found<'_> {
         let mut column = None;
         // A stated spacing makes x unnecessary, even an x that would be refused.
         if let (Some(x), None) = (&mut x, self.options.dx) {
-            let spacing = grid::spacing(name, x, self.options.uneven, &mut place)?;
+            // Points along an involute are moved in any case.
+            let allowed = match base_radius {
+                Some(_) => Uneven::Resample,
+                None => self.options.uneven,
+            };
+            let spacing = grid::spacing(name, x, allowed, &mut place)?;
             if spacing.falls {
                 z.reverse();
                 warnings.push(Warning::Reversed);

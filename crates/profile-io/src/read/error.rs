@@ -215,6 +215,24 @@ pub enum ReadError {
         /// The row asked for, 0 for none.
         asked: usize,
     },
+    /// A file of a known format that holds something else than heights.
+    #[error("{file}: the file ({format}) holds {content}")]
+    NotHeights {
+        /// Name of the file.
+        file: String,
+        /// Its format.
+        format: Format,
+        /// Content of it.
+        content: &'static str,
+    },
+    /// Several arrays, and no telling which holds the heights.
+    #[error("{file}: the file holds several arrays and none is named z: {names}")]
+    SeveralArrays {
+        /// Name of the file.
+        file: String,
+        /// Their names.
+        names: String,
+    },
     /// An x column of an involute checker, without the base radius that converts it.
     #[error(
         "{file}: x is a {abscissa} from a gear inspection machine, not the distance along the flank, and the base radius needed to convert it is not known"
@@ -269,6 +287,8 @@ impl ReadError {
             | Self::Damaged { file, .. }
             | Self::TooLarge { file, .. }
             | Self::SeveralProfiles { file, .. }
+            | Self::NotHeights { file, .. }
+            | Self::SeveralArrays { file, .. }
             | Self::RollLength { file, .. }
             | Self::ImplausibleHeights { file, .. }
             | Self::Impossible { file, .. } => (file, None),
@@ -342,6 +362,12 @@ impl ReadError {
             Self::TooLarge { .. } => Remedy::act("export a single profile"),
             Self::SeveralProfiles { rows, .. } => {
                 Remedy::set(Setting::Row, Value::OneOf(format!("1 .. {rows}").into()))
+                    .or_set(Setting::Line, Value::This("mean".into()))
+                    .because("for the mean of all")
+            }
+            Self::NotHeights { .. } => Remedy::act("export the heights"),
+            Self::SeveralArrays { .. } => {
+                Remedy::act("save the heights alone, or under the name z")
             }
             Self::Impossible { .. } => Remedy::act("check the unit and the columns"),
         }
@@ -370,6 +396,8 @@ impl ReadError {
             Self::TooLarge { .. } => "E118",
             Self::SeveralProfiles { .. } => "E119",
             Self::RollLength { .. } => "E130",
+            Self::NotHeights { .. } => "E320",
+            Self::SeveralArrays { .. } => "E321",
             Self::ImplausibleHeights { .. } => "E131",
         }
     }

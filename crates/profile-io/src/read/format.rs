@@ -39,10 +39,37 @@ pub enum Format {
     MahrPcd,
     /// Mahr `[PROFILE_VALUES]` text.
     MahrText,
-    /// Digital Surf and MountainsMap (mnt, sur, pro).
+    /// Digital Surf exchange format (sur, pro).
     DigitalSurf,
-    /// Sensofar.
-    Sensofar,
+    /// MountainsMap document.
+    MountainsMnt,
+    /// Alicona surface.
+    AliconaAl3d,
+    /// Keyence laser microscope (vk3, vk4, vk6, vk7).
+    KeyenceVk,
+    /// Keyence one-shot microscopes and archives (zon, cag).
+    KeyenceZon,
+    /// Sensofar, one binary file.
+    #[serde(alias = "sensofar")]
+    SensofarPlu,
+    /// Sensofar, zip and XML.
+    SensofarPlux,
+    /// Zygo MetroPro (dat).
+    MetroPro,
+    /// Zygo Mx, HDF5 (datx).
+    ZygoDatx,
+    /// NanoFocus.
+    Nms,
+    /// FRT MicroProf.
+    Frt,
+    /// Gwyddion document.
+    Gwyddion,
+    /// Olympus laser microscopes (lext, poir, oir).
+    Lext,
+    /// Digital Metrology OmniSurf3D.
+    OmniSurf,
+    /// Taylor Hobson binaries (fts, mod, fls).
+    TaylorHobsonBinary,
     /// ISO 25178-71 as text.
     SdfAscii,
     /// ISO 25178-71, binary.
@@ -82,11 +109,24 @@ impl std::fmt::Display for Format {
             Self::Opd => "Wyko OPD",
             Self::Matlab => "MATLAB data (mat)",
             Self::Hdf5 => "HDF5",
-            Self::HommelHwp => "Hommel hwp",
-            Self::MahrPcd => "Mahr pcd",
+            Self::HommelHwp => "Hommel binary (hwp, pip)",
+            Self::MahrPcd => "Mahr binary (pcd, mhp)",
             Self::MahrText => "Mahr [PROFILE_VALUES] text",
-            Self::DigitalSurf => "Digital Surf (mnt, sur, pro)",
-            Self::Sensofar => "Sensofar plu",
+            Self::DigitalSurf => "Digital Surf (sur, pro)",
+            Self::MountainsMnt => "MountainsMap document (mnt)",
+            Self::AliconaAl3d => "Alicona al3d",
+            Self::KeyenceVk => "Keyence vk",
+            Self::KeyenceZon => "Keyence zon or cag",
+            Self::SensofarPlu => "Sensofar plu",
+            Self::SensofarPlux => "Sensofar plux",
+            Self::MetroPro => "Zygo MetroPro (dat)",
+            Self::ZygoDatx => "Zygo datx",
+            Self::Nms => "NanoFocus nms",
+            Self::Frt => "FRT MicroProf",
+            Self::Gwyddion => "Gwyddion gwy",
+            Self::Lext => "Olympus lext, poir or oir",
+            Self::OmniSurf => "OmniSurf3D os3d",
+            Self::TaylorHobsonBinary => "Taylor Hobson binary (fts, mod, fls)",
             Self::SdfAscii => "SDF text (ISO 25178-71)",
             Self::SdfBinary => "binary SDF (ISO 25178-71)",
             Self::SigmaSurf => "SigmaSurf sig",
@@ -111,8 +151,47 @@ impl Format {
             }
             Self::Archive => "unpack it first",
             Self::Document => "export the heights, not the report",
+            Self::MahrPcd => "export the profile as X3P or as text from MarWin",
+            Self::HommelHwp => {
+                "export the profile as text (hfm) or as X3P from the Hommel software"
+            }
+            Self::TaylorHobsonBinary => {
+                "export the profile as text (prf), the surface as X3P or SDF from the Talysurf software"
+            }
+            Self::MountainsMnt => "save the studiable as sur, pro or X3P from MountainsMap",
+            Self::ZygoDatx => "export the surface as dat (MetroPro), X3P or text from Mx",
+            Self::Lext | Self::KeyenceZon | Self::Nms | Self::Frt | Self::OmniSurf => {
+                "export the surface as X3P, SDF or text"
+            }
+            Self::Gwyddion => "export the surface as SDF or as a text matrix from Gwyddion",
+            Self::Hdf5 => "export the profile as text, or as MATLAB data of level 5 (-v7)",
             _ => "export the profile as text with an x and a height column",
         }
+    }
+
+    /// Whether a file of the format may hold several profiles: a surface, or traces side by side.
+    ///
+    /// ```
+    /// use asperity_profile_io::read::Format;
+    /// assert!(Format::X3p.may_hold_several() && !Format::MahrText.may_hold_several());
+    /// ```
+    pub fn may_hold_several(self) -> bool {
+        matches!(
+            self,
+            Self::X3p
+                | Self::SdfAscii
+                | Self::SdfBinary
+                | Self::TextMatrix
+                | Self::DigitalSurf
+                | Self::AliconaAl3d
+                | Self::KeyenceVk
+                | Self::SensofarPlu
+                | Self::SensofarPlux
+                | Self::MetroPro
+                | Self::Opd
+                | Self::Opdx
+                | Self::Matlab
+        )
     }
 }
 

@@ -14,12 +14,14 @@
 //! Reading is linear in the length of the file. This is the only module of the crate that opens files.
 
 mod archive;
+mod areal;
 mod conditions;
 mod decimal;
 mod delimited;
 mod dialect;
 mod encoding;
 mod error;
+mod first_look;
 mod format;
 mod grid;
 mod header;
@@ -40,6 +42,7 @@ mod sigmasurf;
 mod single_column;
 mod smd;
 pub mod steepness;
+mod surface;
 mod surfcom;
 mod table;
 mod taylor_hobson;
@@ -62,11 +65,13 @@ pub use layout::{Dialect, TableLayout};
 pub use metadata::{Metadata, PrintedParameter};
 pub use options::{
     Abscissa, Axis, Columns, DecimalSign, Encoding, Gaps, LengthUnit, ReadOptions, Separator,
-    Uneven, UnknownChoice,
+    TraceLine, Uneven, UnknownChoice,
 };
 pub use reading::Reading;
+pub use surface::Surface;
 pub use whole_file::{regular_file, whole_file};
 
+use areal::trace::Areal;
 use text::{Head, Start, Stream, Text};
 use trace::Trace;
 
@@ -93,6 +98,69 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Reading, ReadError> {
     let mut stream = open(path, &name)?;
     let conditions = surfcom::conditions_beside(path);
     read_streams(&name, &mut *stream, conditions.as_deref(), options)
+}
+
+/// Reads the surface in the file at `path`; `-` is standard input. A profile is a surface of one row.
+///
+/// # Errors
+/// As [`read`], and for formats that hold profiles alone. Missing points and the number of points are no
+/// errors.
+pub fn read_surface(path: &Path, options: &ReadOptions) -> Result<Surface, ReadError> {
+    let name = path.display().to_string();
+    let mut stream = open(path, &name)?;
+    surface_of(&name, &mut *stream, options)
+}
+
+/// Reads the surface in `bytes`, the content of a file called `name`.
+///
+/// # Errors
+/// As [`read_surface`], except that nothing is opened.
+pub fn read_surface_bytes(
+    name: &str,
+    bytes: &[u8],
+    options: &ReadOptions,
+) -> Result<Surface, ReadError> {
+    surface_of(name, &mut Cursor::new(bytes), options)
+}
+
+/// Reads the surface in `stream`, in whichever format it is.
+fn surface_of(
+    name: &str,
+    stream: &mut dyn Stream,
+    options: &ReadOptions,
+) -> Result<Surface, ReadError> {
+    let start = Start::of(name, stream)?;
+    not_larger(name, start.size, MOST_BYTES)?;
+    let format = format_of(name, stream, &start);
+    let found = match format {
+        Some(Format::X3p) => x3p::surface(name, stream, start.size)?,
+        None | Some(Format::SdfAscii) => {
+            let (head, mut text) = Text::new(name, stream, &start, options.encoding);
+            match recognise::of_text(name, &head) {
+                Some(Format::SdfAscii) => sdf::surface(&mut text)?,
+                Some(format) => return Err(refused(name, format)),
+                None if !encoding::is_text(&head.text) => {
+                    let format = recognise::by_extension(name).unwrap_or(Format::UnknownBinary);
+                    return Err(refused(name, format));
+                }
+                None => delimited::surface(&head, &mut text, options)?,
+            }
+        }
+        Some(format) => {
+            areal::read(name, format, stream, start.size)?.ok_or_else(|| refused(name, format))?
+        }
+    };
+    found.surface(name, options)
+}
+
+/// The format that the bytes at the start settle, or the members of an archive.
+fn format_of(name: &str, stream: &mut dyn Stream, start: &Start) -> Option<Format> {
+    let zipped = start.bytes.starts_with(recognise::ZIP);
+    match recognise::by_magic(name, &start.bytes) {
+        Some(Format::Archive) if zipped => Some(archive::content(name, stream, start.size)),
+        None if areal::is_plu(&start.bytes) => Some(Format::SensofarPlu),
+        format => format,
+    }
 }
 
 /// A file as it is read again and again; what cannot be (a pipe) is held.
@@ -218,11 +286,11 @@ fn read_streams(
     let start = Start::of(name, stream)?;
     not_larger(name, start.size, MOST_BYTES)?;
     let zipped = start.bytes.starts_with(recognise::ZIP);
-    let format = match recognise::by_magic(name, &start.bytes) {
-        Some(Format::Archive) if zipped => Some(archive::content(name, stream, start.size)),
-        format => format,
-    };
-    match format {
+    match format_of(name, stream, &start) {
+        Some(Format::X3p) if options.line != TraceLine::Row => {
+            let found: Areal = x3p::surface(name, stream, start.size)?;
+            return found.trace(name, options)?.finish(name, options);
+        }
         Some(Format::X3p) => {
             return x3p::read(name, stream, start.size, options)?.finish(name, options);
         }
@@ -230,7 +298,11 @@ fn read_streams(
             return mitutoyo::read(name, stream, start.size)?.finish(name, options);
         }
         None | Some(Format::SdfAscii | Format::SigmaSurf) => {}
-        Some(format) => return Err(refused(name, format)),
+        Some(format) => {
+            let found = areal::read(name, format, stream, start.size)?;
+            let found = found.ok_or_else(|| refused(name, format))?;
+            return found.trace(name, options)?.finish(name, options);
+        }
     }
     let (head, mut text) = Text::new(name, stream, &start, options.encoding);
     let found = read_text(&start, &head, &mut text, conditions, options);
@@ -262,6 +334,9 @@ fn read_text(
     };
     let found: Trace = match format {
         Some(Format::Smd) => smd::read(head, text)?,
+        Some(Format::SdfAscii) if options.line != TraceLine::Row => {
+            sdf::surface(text)?.trace(name, options)?
+        }
         Some(Format::SdfAscii) => sdf::read(text, options)?,
         Some(Format::SigmaSurf) => sigmasurf::read(text)?,
         Some(Format::MahrText) => mahr::read(text)?,
@@ -279,6 +354,10 @@ fn read_text(
 }
 
 fn refused(name: &str, format: Format) -> ReadError {
+    // Its name says so, but it does not start as one, or it would have been read.
+    if format.may_hold_several() {
+        return archive::damaged(name, format, "it does not start as such a file", "");
+    }
     ReadError::FormatNotRead {
         file: name.to_owned(),
         format,

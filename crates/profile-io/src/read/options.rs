@@ -36,6 +36,8 @@ pub struct ReadOptions {
     pub gaps: Gaps,
     /// Number of the profile in a file that holds several, counted from 1.
     pub row: Option<usize>,
+    /// Trace that is taken from a surface.
+    pub line: TraceLine,
     /// Meaning of the x column.
     pub abscissa: Option<Abscissa>,
     /// Base radius of the gear: an x that is a roll length or angle is converted with it.
@@ -284,6 +286,31 @@ pub enum Gaps {
 }
 
 choice!(Gaps, "refuse, interpolate": Refuse "refuse", Interpolate "interpolate");
+
+/// Trace that is taken from a surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[non_exhaustive]
+pub enum TraceLine {
+    /// One row of points, along x.
+    #[default]
+    Row,
+    /// One column of points, along y.
+    Column,
+    /// The mean of all rows.
+    Mean,
+    /// The mean of all columns.
+    MeanColumn,
+}
+
+choice!(TraceLine, "row, column, mean, mean-column": Row "row", Column "column", Mean "mean", MeanColumn "mean-column");
+
+impl TraceLine {
+    /// Whether all rows or all columns are averaged.
+    pub fn is_mean(self) -> bool {
+        matches!(self, Self::Mean | Self::MeanColumn)
+    }
+}
 
 #[cfg(test)]
 mod tests {

@@ -11,6 +11,17 @@ const MAGIC: &[(&[u8], Format)] = &[
     (b"\x01\x00Directory", Format::Opd),
     (b"DIGITAL SURF", Format::DigitalSurf),
     (b"DSCOMPRESSED", Format::DigitalSurf),
+    (b"AliconaImaging\0\r\n", Format::AliconaAl3d),
+    (b"VK3_", Format::KeyenceVk),
+    (b"VK4_", Format::KeyenceVk),
+    (b"VK6", Format::KeyenceVk),
+    (b"VK7", Format::KeyenceVk),
+    (b"\x88\x1b\x03\x6f", Format::MetroPro),
+    (b"\x88\x1b\x03\x70", Format::MetroPro),
+    (b"\x88\x1b\x03\x71", Format::MetroPro),
+    (b"FRTM_GLIDERV", Format::Frt),
+    (b"GWYP", Format::Gwyddion),
+    (b"GWYO", Format::Gwyddion),
     (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", Format::Excel),
     (b"aISO-", Format::SdfAscii),
     (b"aBCR-", Format::SdfAscii),
@@ -19,6 +30,8 @@ const MAGIC: &[(&[u8], Format)] = &[
     (b"aNPL-", Format::SdfAscii),
     (b"bISO-", Format::SdfBinary),
     (b"bBCR-", Format::SdfBinary),
+    (b"bBCR ", Format::SdfBinary),
+    (b"bBC-", Format::SdfBinary),
     (b"SigmaSurf_Data", Format::SigmaSurf),
     (b"\x1f\x8b", Format::Archive),
     (b"7z\xbc\xaf\x27\x1c", Format::Archive),
@@ -39,11 +52,27 @@ const EXTENSIONS: &[(&str, Format)] = &[
     ("opd", Format::Opd),
     ("mat", Format::Matlab),
     ("hwp", Format::HommelHwp),
+    ("pip", Format::HommelHwp),
     ("pcd", Format::MahrPcd),
-    ("mnt", Format::DigitalSurf),
+    ("mhp", Format::MahrPcd),
+    ("mnt", Format::MountainsMnt),
+    ("fts", Format::TaylorHobsonBinary),
+    ("mod", Format::TaylorHobsonBinary),
+    ("fls", Format::TaylorHobsonBinary),
+    ("datx", Format::ZygoDatx),
+    ("nms", Format::Nms),
+    ("frt", Format::Frt),
+    ("gwy", Format::Gwyddion),
+    ("lext", Format::Lext),
+    ("poir", Format::Lext),
+    ("oir", Format::Lext),
+    ("zon", Format::KeyenceZon),
+    ("cag", Format::KeyenceZon),
+    ("os3d", Format::OmniSurf),
+    ("plux", Format::SensofarPlux),
     ("sur", Format::DigitalSurf),
     ("pro", Format::DigitalSurf),
-    ("plu", Format::Sensofar),
+    ("plu", Format::SensofarPlu),
     ("sdf", Format::SdfBinary),
 ];
 
@@ -56,7 +85,15 @@ pub(super) fn by_magic(name: &str, head: &[u8]) -> Option<Format> {
         return Some(by_extension(name).unwrap_or(Format::Archive));
     }
     let found = MAGIC.iter().find(|(magic, _)| head.starts_with(magic));
-    found.map(|&(_, format)| format)
+    let found = found.map(|&(_, format)| format);
+    match (found, by_extension(name)) {
+        // Containers that are told apart by the name.
+        (Some(Format::Excel), Some(Format::MountainsMnt)) => Some(Format::MountainsMnt),
+        (Some(Format::Hdf5), Some(Format::ZygoDatx)) => Some(Format::ZygoDatx),
+        // A title may start with these letters, but a number of four bytes follows.
+        (Some(Format::KeyenceVk), _) if !head.get(3..12).is_some_and(|b| b.contains(&0)) => None,
+        _ => found,
+    }
 }
 
 /// The format that the file's name suggests, for content that is not text.

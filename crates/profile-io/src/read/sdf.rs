@@ -4,6 +4,7 @@
 //! value · Zscale metres; `BAD` has none. One row of several is read when it is asked for.
 
 use super::archive::damaged;
+use super::areal::trace::{Areal, Heights};
 use super::error::ReadError;
 use super::format::Format;
 use super::grid::SpacingSource;
@@ -19,6 +20,7 @@ struct Header {
     points: Option<u64>,
     profiles: Option<u64>,
     x_scale: Option<f64>,
+    y_scale: Option<f64>,
     z_scale: Option<f64>,
     compressed: bool,
     metadata: Metadata,
@@ -36,6 +38,7 @@ impl Header {
             "numpoints" => self.points = value.parse().ok(),
             "numprofiles" => self.profiles = value.parse().ok(),
             "xscale" => self.x_scale = number(value).filter(|scale| *scale > 0.0),
+            "yscale" => self.y_scale = number(value).filter(|scale| *scale > 0.0),
             "zscale" => self.z_scale = number(value).filter(|scale| *scale != 0.0),
             "compression" => self.compressed = number(value).is_some_and(|kind| kind != 0.0),
             _ => {}
@@ -43,8 +46,33 @@ impl Header {
     }
 }
 
-/// Reads an SDF text file.
+/// Reads a profile of an SDF text file.
 pub(super) fn read(text: &mut Text<'_>, options: &ReadOptions) -> Result<Trace, ReadError> {
+    let (header, first_line, heights) = matrix(text, Some(options.row))?;
+    Ok(Trace {
+        spacing: header.x_scale.map(|dx| (dx, SpacingSource::Header)),
+        metadata: header.metadata,
+        first_line,
+        ..Trace::new(FORMAT, heights)
+    })
+}
+
+/// Reads all profiles of an SDF text file.
+pub(super) fn surface(text: &mut Text<'_>) -> Result<Areal, ReadError> {
+    let (header, _, values) = matrix(text, None)?;
+    let columns = header.points.unwrap_or(0) as usize;
+    Ok(Areal {
+        spacings: [header.x_scale, header.y_scale],
+        metadata: header.metadata,
+        ..Areal::new(FORMAT, Heights::Values { values, columns })
+    })
+}
+
+/// Header, first line of heights, and the heights \[m\] of one profile, from 1 or the only one, or of all.
+fn matrix(
+    text: &mut Text<'_>,
+    row: Option<Option<usize>>,
+) -> Result<(Header, usize, Vec<f64>), ReadError> {
     let file = text.file;
     let mut header = Header::default();
     let mut lines = text.lines()?;
@@ -64,8 +92,8 @@ pub(super) fn read(text: &mut Text<'_>, options: &ReadOptions) -> Result<Trace, 
         return Err(missing("the heights are compressed"));
     }
     let rows = header.profiles.unwrap_or(1).max(1);
-    let asked = options.row.unwrap_or(if rows == 1 { 1 } else { 0 }) as u64;
-    if asked == 0 || asked > rows {
+    let single = row.map(|row| row.unwrap_or(if rows == 1 { 1 } else { 0 }) as u64);
+    if let Some(asked) = single.filter(|asked| *asked == 0 || *asked > rows) {
         return Err(ReadError::SeveralProfiles {
             file: file.to_owned(),
             rows: rows as usize,
@@ -73,12 +101,15 @@ pub(super) fn read(text: &mut Text<'_>, options: &ReadOptions) -> Result<Trace, 
             asked: asked as usize,
         });
     }
-    let first = (asked - 1).saturating_mul(points);
+    let (first, wanted) = match single {
+        Some(asked) => ((asked - 1).saturating_mul(points), points),
+        None => (0, points.saturating_mul(rows)),
+    };
     let mut heights = Vec::new();
     let mut passed = 0_u64;
     'data: while let Some(line) = lines.next()? {
         for field in line.text.split_whitespace() {
-            if field == "*" || passed >= first.saturating_add(points) {
+            if field == "*" || passed >= first.saturating_add(wanted) {
                 break 'data;
             }
             if passed >= first {
@@ -87,17 +118,12 @@ pub(super) fn read(text: &mut Text<'_>, options: &ReadOptions) -> Result<Trace, 
             passed += 1;
         }
     }
-    if heights.len() as u64 != points {
-        let seen = format!("{} of {points}", heights.len());
+    if heights.len() as u64 != wanted {
+        let seen = format!("{} of {wanted}", heights.len());
         let what = "the number of heights is not that of the header";
         return Err(damaged(file, FORMAT, what, &seen));
     }
-    Ok(Trace {
-        spacing: header.x_scale.map(|dx| (dx, SpacingSource::Header)),
-        metadata: header.metadata,
-        first_line,
-        ..Trace::new(FORMAT, heights)
-    })
+    Ok((header, first_line, heights))
 }
 
 fn value(file: &str, field: &str) -> Result<f64, ReadError> {

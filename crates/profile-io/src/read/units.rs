@@ -5,7 +5,10 @@
 //! of these makes a possible stylus trace; nanometres are never assumed, but where heights in nanometres
 //! are as possible as those in the unit found, none is.
 
-use super::options::LengthUnit;
+use super::archive::damaged;
+use super::error::ReadError;
+use super::format::Format;
+use super::options::{Axis, LengthUnit, ReadOptions};
 
 use LengthUnit::{Metre, Micrometre, Millimetre, Nanometre};
 
@@ -103,6 +106,37 @@ pub(super) fn heights_only(extent: Extent) -> Option<LengthUnit> {
     };
     only([Metre, Millimetre, Micrometre].into_iter().filter(possible))
         .filter(|_| !extent.may_be_nanometres(Metre))
+}
+
+/// The unit of heights without x: stated, or the only possible one.
+pub(super) fn of_heights(
+    file: &str,
+    format: Format,
+    heights: &[f64],
+    options: &ReadOptions,
+) -> Result<LengthUnit, ReadError> {
+    if let Some(unit) = options.z_unit {
+        return Ok(unit);
+    }
+    let known: Vec<f64> = heights.iter().copied().filter(|z| z.is_finite()).collect();
+    if known.is_empty() {
+        return Err(damaged(file, format, "the row has no heights", ""));
+    }
+    let (low, high) = asperity_core::numerics::extremes(&known);
+    let span = high - low;
+    let dx = options.dx.map_or(f64::NAN, |dx| dx.si());
+    let squares = known.windows(2).map(|pair| (pair[1] - pair[0]).powi(2));
+    let step = (squares.sum::<f64>() / known.len() as f64).sqrt();
+    let extent = Extent {
+        length: dx * (heights.len() - 1) as f64,
+        span,
+        slope: step / dx,
+    };
+    heights_only(extent).ok_or_else(|| ReadError::NoUnit {
+        file: file.to_owned(),
+        axis: Axis::Height,
+        span,
+    })
 }
 
 fn only<T>(mut candidates: impl Iterator<Item = T>) -> Option<T> {

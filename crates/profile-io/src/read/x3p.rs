@@ -2,15 +2,17 @@
 //!
 //! `main.xml` describes the axes (record 1), the measurement (record 2) and the matrix (record 3); the
 //! heights stand there as text or in a binary member. A height is value · increment + offset in metres.
-//! Profiles (`PRF`) and single rows of surfaces (`SUR`) are read. Files lie in an extra folder or
+//! Profiles (`PRF`), single rows and all rows of surfaces (`SUR`) are read. Files lie in an extra folder or
 //! leave the namespace away; neither matters here. A checksum that differs is a warning, because
 //! writers disagree on what it covers.
 
 use std::io::Read;
+use std::ops::Range;
 
 use md5::{Digest, Md5};
 
 use super::archive::{Archive, damaged};
+use super::areal::trace::{Areal, Heights};
 use super::error::ReadError;
 use super::format::Format;
 use super::grid::SpacingSource;
@@ -89,6 +91,14 @@ impl Main {
     }
 }
 
+/// Rows that are read.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Wanted {
+    /// This one, from 1, or the only one.
+    Row(Option<usize>),
+    FirstLayer,
+}
+
 /// Reads the profile of an X3P file.
 pub(super) fn read(
     file: &str,
@@ -96,14 +106,63 @@ pub(super) fn read(
     size: u64,
     options: &ReadOptions,
 ) -> Result<Trace, ReadError> {
+    let found = matrix(file, stream, size, Wanted::Row(options.row))?;
+    let [dx, _] = found.spacings();
+    Ok(Trace {
+        spacing: dx.map(|dx| (dx, SpacingSource::Header)),
+        metadata: found.main.metadata,
+        warnings: found.warnings,
+        ..Trace::new(FORMAT, found.heights)
+    })
+}
+
+/// Reads all rows of the first layer of an X3P file.
+pub(super) fn surface(file: &str, stream: &mut dyn Stream, size: u64) -> Result<Areal, ReadError> {
+    let found = matrix(file, stream, size, Wanted::FirstLayer)?;
+    let spacings = found.spacings();
+    let heights = Heights::Values {
+        columns: found.main.points().unwrap_or(0) as usize,
+        values: found.heights,
+    };
+    Ok(Areal {
+        spacings,
+        metadata: found.main.metadata,
+        warnings: found.warnings,
+        ..Areal::new(FORMAT, heights)
+    })
+}
+
+/// Heights \[m\] of the rows that were wanted.
+struct Found {
+    main: Main,
+    heights: Vec<f64>,
+    warnings: Vec<Warning>,
+}
+
+impl Found {
+    /// Increments along x and y, where these have one that is positive.
+    fn spacings(&self) -> [Option<f64>; 2] {
+        [0, 1].map(|axis| {
+            let found = self.main.axes[axis];
+            let increment = found.increment.filter(|_| !found.absolute);
+            increment.filter(|dx| *dx > 0.0 && dx.is_finite())
+        })
+    }
+}
+
+fn matrix(
+    file: &str,
+    stream: &mut dyn Stream,
+    size: u64,
+    wanted: Wanted,
+) -> Result<Found, ReadError> {
     let mut archive = Archive::open(file, FORMAT, stream, size)?;
     let name = archive.find("main.xml");
     let name = name.ok_or_else(|| damaged(file, FORMAT, "it holds no main.xml", ""))?;
-    let row = options.row;
     let (mut main, found) = archive.read(&name, |stream| {
         let mut hashed = Hashed::new(stream);
         let mut main = Main::default();
-        if !walk(&mut hashed, |leaf| take(&mut main, &leaf, row)) {
+        if !walk(&mut hashed, |leaf| take(&mut main, &leaf, wanted)) {
             return Err(damaged(file, FORMAT, "main.xml is not sound XML", ""));
         }
         Ok((main, hashed.finish()))
@@ -111,7 +170,7 @@ pub(super) fn read(
     let folder = name[..name.len() - "main.xml".len()].to_owned();
     let mut warnings = Vec::new();
     main_checksum(&mut archive, &folder, &found, &mut warnings)?;
-    let chosen = chosen_row(file, &main, row)?;
+    let rows = chosen_rows(file, &main, wanted)?;
     let heights = match main.point_data.clone() {
         Some(link) => binary(
             file,
@@ -119,24 +178,20 @@ pub(super) fn read(
             &folder,
             &link,
             &main,
-            chosen,
+            rows,
             &mut warnings,
         )?,
-        None => text(file, &mut main)?,
+        None => text(file, &mut main, rows)?,
     };
-    let increment = main.axes[0]
-        .increment
-        .filter(|dx| *dx > 0.0 && dx.is_finite());
-    Ok(Trace {
-        spacing: increment.map(|dx| (dx, SpacingSource::Header)),
-        metadata: main.metadata,
+    Ok(Found {
+        main,
+        heights,
         warnings,
-        ..Trace::new(FORMAT, heights)
     })
 }
 
 /// Takes the content of a leaf of `main.xml`.
-fn take(main: &mut Main, leaf: &Leaf<'_>, row: Option<usize>) -> bool {
+fn take(main: &mut Main, leaf: &Leaf<'_>, wanted: Wanted) -> bool {
     let text = leaf.text;
     let axis = match leaf.parent() {
         "CX" => Some(0),
@@ -170,7 +225,7 @@ fn take(main: &mut Main, leaf: &Leaf<'_>, row: Option<usize>) -> bool {
         "PointDataLink" => main.point_data = Some(text.to_owned()),
         "MD5ChecksumPointData" => main.point_checksum = Some(text.to_lowercase()),
         "ValidPointsLink" => main.mask = Some(text.to_owned()),
-        "Datum" => datum(main, text, row),
+        "Datum" => datum(main, text, wanted),
         "Date" => main.metadata.date = metadata::short(text),
         "Comment" => main.metadata.title = metadata::short(text),
         "Manufacturer" => main.metadata.instrument = metadata::short(text),
@@ -183,13 +238,16 @@ fn take(main: &mut Main, leaf: &Leaf<'_>, row: Option<usize>) -> bool {
     true
 }
 
-/// One point of text data; an empty one has no height. Only points of the row asked for are kept.
-fn datum(main: &mut Main, text: &str, row: Option<usize>) {
+/// One point of text data; an empty one has no height. Only points of the rows asked for are kept.
+fn datum(main: &mut Main, text: &str, wanted: Wanted) {
     let at = main.text_count;
     main.text_count += 1;
     let points = main.points().unwrap_or(u64::MAX).max(1);
-    let wanted = row.unwrap_or(1).max(1) as u64 - 1;
-    if at / points != wanted {
+    let is_wanted = match wanted {
+        Wanted::Row(row) => at / points == row.unwrap_or(1).max(1) as u64 - 1,
+        Wanted::FirstLayer => at / points < main.size[1].unwrap_or(1),
+    };
+    if !is_wanted {
         return;
     }
     let last = text.rsplit(';').next().unwrap_or_default().trim();
@@ -208,17 +266,24 @@ fn datum(main: &mut Main, text: &str, row: Option<usize>) {
         .push(value * z.increment.unwrap_or(1.0) + z.offset);
 }
 
-/// The row to read, counted from 0.
-fn chosen_row(file: &str, main: &Main, row: Option<usize>) -> Result<u64, ReadError> {
+/// The rows to read, counted from 0.
+fn chosen_rows(file: &str, main: &Main, wanted: Wanted) -> Result<Range<u64>, ReadError> {
     if main.axes[0].absolute {
-        let what = "the points carry their own x, and only even spacing is read";
-        return Err(damaged(file, FORMAT, what, &main.feature));
+        return Err(ReadError::NotHeights {
+            file: file.to_owned(),
+            format: FORMAT,
+            content: "points with an x of their own, and only even spacing is read",
+        });
     }
     let points = main.points();
     let size = points
         .zip(main.rows())
         .filter(|(points, rows)| *points > 0 && *rows > 0);
     let (points, rows) = size.ok_or_else(|| damaged(file, FORMAT, "the matrix has no size", ""))?;
+    let Wanted::Row(row) = wanted else {
+        // Further layers lie over the first and are no rows beside it.
+        return Ok(0..main.size[1].unwrap_or(1));
+    };
     let asked = row.unwrap_or(if rows == 1 { 1 } else { 0 }) as u64;
     if asked == 0 || asked > rows {
         return Err(ReadError::SeveralProfiles {
@@ -228,15 +293,18 @@ fn chosen_row(file: &str, main: &Main, row: Option<usize>) -> Result<u64, ReadEr
             asked: asked as usize,
         });
     }
-    Ok(asked - 1)
+    Ok(asked - 1..asked)
 }
 
-fn text(file: &str, main: &mut Main) -> Result<Vec<f64>, ReadError> {
+fn text(file: &str, main: &mut Main, rows: Range<u64>) -> Result<Vec<f64>, ReadError> {
     if let Some(seen) = &main.broken_text {
         return Err(damaged(file, FORMAT, "a height is no number", seen));
     }
     let heights = std::mem::take(&mut main.text);
-    let stated = main.points().unwrap_or(0);
+    let stated = main
+        .points()
+        .unwrap_or(0)
+        .saturating_mul(rows.end - rows.start);
     if heights.len() as u64 != stated {
         let seen = format!("{} of {stated}", heights.len());
         let what = "the number of heights is not that of the header";
@@ -245,25 +313,25 @@ fn text(file: &str, main: &mut Main) -> Result<Vec<f64>, ReadError> {
     Ok(heights)
 }
 
-/// Heights of row `row` from the binary member, with its mask and its checksum.
+/// Heights of `rows` from the binary member, with their mask and its checksum.
 fn binary(
     file: &str,
     archive: &mut Archive<'_>,
     folder: &str,
     link: &str,
     main: &Main,
-    row: u64,
+    rows: Range<u64>,
     warnings: &mut Vec<Warning>,
 ) -> Result<Vec<f64>, ReadError> {
     let z = main.axes[2];
-    let points = main.points().unwrap_or(0);
+    let width = main.points().unwrap_or(0);
+    let points = width.saturating_mul(rows.end - rows.start);
     // An absolute y stands before its z; an absolute x was refused.
     let y = main.axes[1];
     let skipped = if y.absolute { y.data.width() } else { 0 };
     let stride = skipped + z.data.width();
-    let start = row
-        .checked_mul(points)
-        .and_then(|n| n.checked_mul(stride as u64));
+    let first = rows.start.checked_mul(width);
+    let start = first.and_then(|n| n.checked_mul(stride as u64));
     let length = points.checked_mul(stride as u64);
     let too_large = || ReadError::TooLarge {
         file: file.to_owned(),
@@ -297,7 +365,8 @@ fn binary(
             found,
         });
     }
-    let mask = mask(file, archive, folder, main, row, points)?;
+    let first = first.unwrap_or(0);
+    let mask = mask(file, archive, folder, main, first..first + points)?;
     let increment = z.increment.unwrap_or(1.0);
     let heights = window.chunks_exact(stride).enumerate().map(|(i, point)| {
         let valid = mask
@@ -321,27 +390,26 @@ fn archive_name(archive: &Archive<'_>, folder: &str, link: &str) -> String {
     archive.find(last).unwrap_or(relative)
 }
 
-/// Validity of the points of the row: one bit per point, lowest first, or one byte per point.
+/// Validity of `points`: one bit per point, lowest first, or one byte per point.
 fn mask(
     file: &str,
     archive: &mut Archive<'_>,
     folder: &str,
     main: &Main,
-    row: u64,
-    points: u64,
+    points: Range<u64>,
 ) -> Result<Option<Vec<bool>>, ReadError> {
     let Some(link) = main.mask.as_ref().filter(|link| !link.is_empty()) else {
         return Ok(None);
     };
     let name = archive_name(archive, folder, link);
-    let all = points.saturating_mul(main.rows().unwrap_or(1));
+    let width = main.points().unwrap_or(0);
+    let all = width.saturating_mul(main.rows().unwrap_or(1));
     let packed = archive.read(&name, |stream| {
         let mut packed = Vec::new();
         let read = stream.take(all).read_to_end(&mut packed);
         read.map(|_| packed)
             .map_err(|_| damaged(file, FORMAT, "the mask cannot be unpacked", link))
     })?;
-    let first = row * points;
     let bytewise = packed.len() as u64 == all;
     if !bytewise && (packed.len() as u64) < all.div_ceil(8) {
         return Err(damaged(
@@ -358,7 +426,7 @@ fn mask(
             packed[(at / 8) as usize] >> (at % 8) & 1 == 1
         }
     };
-    Ok(Some((first..first + points).map(valid).collect()))
+    Ok(Some(points.map(valid).collect()))
 }
 
 /// Warns when `md5checksum.hex` is there and is not that of `main.xml`, or cannot be unpacked.

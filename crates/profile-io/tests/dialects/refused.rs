@@ -57,12 +57,14 @@ fn an_unreadable_cell_is_shown_with_what_the_file_looks_like() {
 #[test]
 fn formats_that_are_not_read_are_named() {
     for (name, bytes, format) in [
-        ("a.mat", b"MATLAB 5.0 MAT-file".as_slice(), Format::Matlab),
-        ("a.xls", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", Format::Excel),
-        ("a.opdx", b"VCA DATA\x01\x00", Format::Opdx),
+        (
+            "a.xls",
+            b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1".as_slice(),
+            Format::Excel,
+        ),
         ("a.hwp", b"\x00\x01\x02\x03", Format::HommelHwp),
         ("a.pcd", b"\x00\x01\x02\x03", Format::MahrPcd),
-        ("a.mnt", b"\x00\x01\x02\x03", Format::DigitalSurf),
+        ("a.mnt", b"\x00\x01\x02\x03", Format::MountainsMnt),
         ("a.bin", b"\x00\x01\x02\x03", Format::UnknownBinary),
         ("a.tx3", b"Fecha\t08.04.2025\n", Format::SurfcomConditions),
     ] {

@@ -2,10 +2,11 @@
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
-use asperity_profile_io::read::{Metadata, ReadOptions, read_bytes};
+use asperity_profile_io::read::{Metadata, ReadOptions, TraceLine, read_bytes, read_surface_bytes};
 use asperity_profile_io::write::{WrittenFormat, write};
 use proptest::prelude::*;
 
+use crate::areal_files;
 use crate::samples::*;
 
 #[test]
@@ -75,6 +76,23 @@ fn write_seeds() {
             .into_iter()
             .zip(seeds().into_iter().map(|(_, bytes)| bytes)),
     );
+    let areal = [
+        "sur",
+        "sur",
+        "al3d",
+        "vk",
+        "vk",
+        "plu",
+        "plux",
+        "metropro",
+        "opd",
+        "sdf_binary",
+        "sdf_binary",
+        "opdx",
+        "mat",
+    ];
+    let areal = areal.into_iter().zip(areal_files::all());
+    all.extend(areal.map(|(target, (_, bytes))| (target, bytes)));
     for (at, (target, bytes)) in all.into_iter().enumerate() {
         std::fs::create_dir_all(folder.join(target)).unwrap();
         std::fs::write(folder.join(target).join(format!("{at:02}")), bytes).unwrap();
@@ -124,6 +142,43 @@ proptest! {
                 prop_assert!(reading.points >= 100);
                 prop_assert!(reading.profile.heights().iter().all(|z| z.is_finite()));
             }
+            Err(error) => prop_assert!(error.to_string().starts_with(name)),
+        }
+    }
+
+    #[test]
+    fn a_damaged_surface_is_read_or_refused(
+        seed in 0..13_usize,
+        edits in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>(), 0..4_u8), 1..12),
+    ) {
+        let (name, mut bytes) = areal_files::all().swap_remove(seed);
+        for (at, byte, kind) in edits {
+            if bytes.is_empty() {
+                break;
+            }
+            let at = at.index(bytes.len());
+            match kind {
+                0 => bytes[at] = byte,
+                // Most of a file is heights; its header is what can mislead.
+                1 => {
+                    let head = at % bytes.len().min(600);
+                    bytes[head] = byte;
+                }
+                2 => bytes.insert(at, byte),
+                _ => bytes.truncate(at.max(bytes.len() / 2)),
+            }
+        }
+        let options = ReadOptions { z_unit: "um".parse().ok(), ..ReadOptions::default() };
+        match read_surface_bytes(name, &bytes, &options) {
+            Ok(surface) => {
+                prop_assert_eq!(surface.z.len(), surface.columns * surface.rows);
+                prop_assert!(surface.z.iter().zip(&surface.mask).all(|(z, known)| z.is_finite() == *known));
+            }
+            Err(error) => prop_assert!(error.to_string().starts_with(name)),
+        }
+        let mean = ReadOptions { line: TraceLine::Mean, dx: "0.5 um".parse().ok(), ..options };
+        match read_bytes(name, &bytes, &mean) {
+            Ok(reading) => prop_assert!(reading.profile.heights().iter().all(|z| z.is_finite())),
             Err(error) => prop_assert!(error.to_string().starts_with(name)),
         }
     }

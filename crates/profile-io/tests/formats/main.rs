@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod archives;
+mod areal;
+mod areal_files;
 mod every;
 mod samples;
 mod text;

@@ -268,6 +268,7 @@ def read_profile(
     encoding: Optional[str] = None,
     gaps: Optional[str] = None,
     row: Optional[int] = None,
+    line: Optional[str] = None,
     abscissa: Optional[str] = None,
     base_radius: Optional[Scalar] = None,
     uneven: Optional[str] = None,
@@ -282,6 +283,7 @@ def read_profile(
         decimal, separator, encoding: dialect of a text, where it is misread.
         gaps: ``"interpolate"`` fills missing points, which are refused by default.
         row: number of the profile, from 1, in a file that holds several.
+        line: ``"row"``, ``"column"``, ``"mean"`` or ``"mean-column"`` of a surface.
         abscissa, base_radius: for positions that are roll lengths or angles.
         uneven: ``"resample"`` for uneven positions.
     """
@@ -299,6 +301,7 @@ def read_profile(
         "encoding": encoding,
         "gaps": gaps,
         "row": row,
+        "line": line,
         "abscissa": abscissa,
         "base-radius": _length(base_radius),
         "uneven": uneven,

@@ -1,0 +1,61 @@
+//! Material ratios at levels and heights between ratios, where they were asked for.
+
+use asperity_core::quantity::Length;
+use asperity_roughness::material_levels::MaterialLevels;
+use serde_json::{Value, json};
+
+use super::evaluated::{Evaluated, um};
+use crate::args::{ProfileInfoArgs, Ratios};
+
+/// The values asked for, of the roughness profile over its evaluation length.
+pub struct Levels {
+    /// Rmr(c) `[%]` by c.
+    ratios: Vec<(Length, f64)>,
+    /// Rdc(p, q).
+    heights: Vec<(Ratios, Length)>,
+}
+
+impl Levels {
+    /// The values that `args` ask for; none of a profile that is too short for a curve.
+    pub fn of(found: &Evaluated, args: &ProfileInfoArgs) -> Self {
+        let rough = &found.parts.roughness.profile;
+        let (mut ratios, mut heights) = (Vec::new(), Vec::new());
+        if let Ok(levels) = MaterialLevels::of(rough.heights()) {
+            ratios.extend(args.rmr.iter().map(|c| (*c, levels.ratio(*c))));
+            let difference = |both: &Ratios| {
+                let height = levels.difference(both.upper, both.lower).ok()?;
+                Some((*both, height))
+            };
+            heights.extend(args.rdc.iter().filter_map(difference));
+        }
+        Self { ratios, heights }
+    }
+
+    /// Lines of a report.
+    pub fn lines(&self) -> impl Iterator<Item = String> {
+        let ratio = |(c, percent): &(Length, f64)| format!("Rmr({} um) {percent:.2} %", um(*c));
+        let height = |(both, height): &(Ratios, Length)| {
+            format!(
+                "Rdc({} %, {} %) {:.4} um",
+                both.upper,
+                both.lower,
+                um(*height)
+            )
+        };
+        let heights = self.heights.iter().map(height);
+        self.ratios.iter().map(ratio).chain(heights)
+    }
+
+    /// The same as data; none where nothing was asked for.
+    pub fn json(&self) -> Option<Value> {
+        let asked = !(self.ratios.is_empty() && self.heights.is_empty());
+        let ratio = |(c, percent): &(Length, f64)| json!({ "c_um": um(*c), "percent": percent });
+        let height = |(both, height): &(Ratios, Length)| json!({ "p_percent": both.upper, "q_percent": both.lower, "um": um(*height) });
+        asked.then(|| {
+            json!({
+                "rmr": self.ratios.iter().map(ratio).collect::<Vec<_>>(),
+                "rdc": self.heights.iter().map(height).collect::<Vec<_>>(),
+            })
+        })
+    }
+}

@@ -1,0 +1,79 @@
+//! MATLAB data of level 5: a profile as a vector, a surface as a matrix.
+//!
+//! The file has neither units nor spacing. Where it holds several arrays, the one named `z` is read.
+
+use super::bytes::part;
+use super::mat_elements::{Array, arrays};
+use super::raw::{Layout, Raw};
+use super::trace::{Areal, Heights};
+use crate::read::archive::damaged;
+use crate::read::error::ReadError;
+use crate::read::format::Format;
+use crate::read::metadata::short;
+use crate::read::table::shortened;
+
+const FORMAT: Format = Format::Matlab;
+/// Version and order of bytes, at the end of the header.
+const LEVEL_5: &[u8] = b"\x00\x01IM";
+const LEVEL_7_3: &[u8] = b"\x00\x02IM";
+/// Names of heights, where there are several arrays.
+const NAMES: [&str; 4] = ["z", "heights", "height", "profile"];
+
+/// Reads the heights.
+pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
+    let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
+    match part(bytes, 124, 4) {
+        Some(LEVEL_5) => {}
+        Some(LEVEL_7_3) => {
+            return Err(ReadError::FormatNotRead {
+                file: file.to_owned(),
+                format: Format::Hdf5,
+            });
+        }
+        _ => return Err(fault("only level 5 with the low byte first is read", "")),
+    }
+    let mut all =
+        arrays(bytes).ok_or_else(|| fault("an array is cut off or cannot be unpacked", ""))?;
+    all.retain(|array| array.rows.max(array.columns) > 1);
+    let named = |array: &Array| NAMES.contains(&array.name.to_lowercase().as_str());
+    let at = match all.len() {
+        0 => {
+            return Err(ReadError::NotHeights {
+                file: file.to_owned(),
+                format: FORMAT,
+                content: "no array of real numbers",
+            });
+        }
+        1 => 0,
+        _ => all.iter().position(named).ok_or_else(|| {
+            let names: Vec<&str> = all.iter().map(|array| array.name.as_str()).collect();
+            ReadError::SeveralArrays {
+                file: file.to_owned(),
+                names: shortened(&names.join(", ")),
+            }
+        })?,
+    };
+    let array = all.swap_remove(at);
+    // A vector is a profile, whichever way it stands.
+    let (columns, rows) = match array.columns {
+        1 => (array.rows, 1),
+        _ => (array.columns, array.rows),
+    };
+    let width = array.number.width() as i64;
+    let steps = match rows {
+        1 => [width, width],
+        _ => [width.saturating_mul(rows as i64), width],
+    };
+    let layout = Layout {
+        first: 0,
+        columns,
+        rows,
+        steps,
+    };
+    let raw = Raw::new(array.data, array.number, layout);
+    let raw = raw.ok_or_else(|| fault("an array has fewer numbers than its size", ""))?;
+    let mut found = Areal::new(FORMAT, Heights::Raw(raw));
+    found.has_unit = false;
+    found.metadata.title = short(&array.name);
+    Ok(found)
+}

@@ -1,0 +1,130 @@
+//! Elements of a MAT-file of level 5, and the numeric arrays among them.
+//!
+//! Layout: "MAT-File Format" of MathWorks. An element has a type, a size and data, padded to eight bytes; small
+//! ones hold type and size in four bytes. Type 15 is a zlib stream of another element, type 14 an array: flags,
+//! sizes, name, numbers column by column. All numbers here have their low byte first.
+
+use super::bytes::{little, part, text};
+use super::inflate::inflated;
+use super::raw::Number;
+use crate::read::archive::most_unpacked;
+
+const HEADER: usize = 128;
+const MATRIX: u32 = 14;
+const COMPRESSED: u32 = 15;
+/// Elements looked at; a file of lab data has some dozens.
+const MOST_ELEMENTS: usize = 10_000;
+/// Bit of the flags that says that numbers have an imaginary part.
+const COMPLEX: u32 = 0x800;
+/// Classes of numeric arrays: double, single, and whole numbers of 8 to 64 bits.
+const NUMERIC: std::ops::RangeInclusive<u32> = 6..=15;
+
+/// An array of real numbers in two dimensions.
+pub(super) struct Array {
+    pub name: String,
+    pub number: Number,
+    pub rows: usize,
+    pub columns: usize,
+    /// The numbers, column by column.
+    pub data: Vec<u8>,
+}
+
+/// Type and data of an element, and where the next begins.
+struct Element<'a> {
+    kind: u32,
+    data: &'a [u8],
+    next: usize,
+}
+
+fn element(bytes: &[u8], at: usize) -> Option<Element<'_>> {
+    let first: u32 = little(bytes, at)?;
+    if first >> 16 != 0 {
+        let data = part(bytes, at + 4, (first >> 16) as usize).filter(|data| data.len() <= 4)?;
+        let kind = first & 0xffff;
+        return Some(Element {
+            kind,
+            data,
+            next: at + 8,
+        });
+    }
+    let size = little::<u32>(bytes, at + 4)? as usize;
+    let data = part(bytes, at + 8, size)?;
+    let end = at + 8 + size;
+    let next = match first {
+        COMPRESSED => end,
+        _ => end.checked_next_multiple_of(8)?,
+    };
+    Some(Element {
+        kind: first,
+        data,
+        next,
+    })
+}
+
+/// The numeric arrays of a file; none where it breaks off or cannot be unpacked.
+pub(super) fn arrays(bytes: &[u8]) -> Option<Vec<Array>> {
+    let mut found = Vec::new();
+    let mut at = HEADER;
+    let mut most = most_unpacked(bytes.len() as u64);
+    for _ in 0..MOST_ELEMENTS {
+        if at >= bytes.len() {
+            break;
+        }
+        let outer = element(bytes, at)?;
+        match outer.kind {
+            COMPRESSED => {
+                let content = inflated(outer.data, most)?;
+                most -= content.len() as u64;
+                let inner = element(&content, 0)?;
+                if inner.kind == MATRIX {
+                    found.extend(array(inner.data));
+                }
+            }
+            MATRIX => found.extend(array(outer.data)),
+            _ => {}
+        }
+        at = outer.next;
+    }
+    Some(found)
+}
+
+/// The array in the data of a matrix element; none where it is no array of real numbers in two dimensions.
+fn array(bytes: &[u8]) -> Option<Array> {
+    let flags = element(bytes, 0)?;
+    let kind: u32 = little(flags.data, 0)?;
+    if !NUMERIC.contains(&(kind & 0xff)) || kind & COMPLEX != 0 {
+        return None;
+    }
+    let sizes = element(bytes, flags.next)?;
+    let size = |at| usize::try_from(little::<i32>(sizes.data, at)?).ok();
+    let (rows, columns) = (size(0)?, size(4)?);
+    let name = element(bytes, sizes.next)?;
+    let numbers = element(bytes, name.next)?;
+    let number = storage(numbers.kind)?;
+    let whole = rows.checked_mul(columns)?.checked_mul(number.width())?;
+    (sizes.data.len() == 8 && whole > 0 && whole == numbers.data.len()).then_some(())?;
+    Some(Array {
+        name: text(name.data, 0, name.data.len())?,
+        number,
+        rows,
+        columns,
+        data: numbers.data.to_vec(),
+    })
+}
+
+/// Storage by the type of an element.
+fn storage(kind: u32) -> Option<Number> {
+    Some(match kind {
+        1 => Number::I8,
+        2 => Number::U8,
+        3 => Number::I16,
+        4 => Number::U16,
+        5 => Number::I32,
+        6 => Number::U32,
+        7 => Number::F32,
+        9 => Number::F64,
+        12 => Number::I64,
+        13 => Number::U64,
+        _ => return None,
+    })
+}

@@ -1,0 +1,53 @@
+//! Areal formats of instruments: a header, and a matrix of heights that is decoded where it is asked for.
+//!
+//! A reader of a format finds where in the file the matrix lies and how a number becomes a height
+//! ([`raw`]); rows, columns and means of it are then the same for all ([`trace`]). No code of other
+//! readers was taken; each file names where its layout is described.
+
+mod al3d;
+mod bytes;
+mod held;
+mod inflate;
+mod mat;
+mod mat_elements;
+mod metropro;
+mod opd;
+mod opdx;
+mod opdx_items;
+mod plu;
+mod plux;
+pub(crate) mod raw;
+mod sdf_binary;
+mod sur;
+pub(crate) mod trace;
+mod vk;
+
+pub(crate) use plu::recognised as is_plu;
+
+use super::error::ReadError;
+use super::format::Format;
+use super::text::Stream;
+use trace::Areal;
+
+/// The surface or profile in a file of an areal format; none where `format` is another.
+pub(crate) fn read(
+    file: &str,
+    format: Format,
+    stream: &mut dyn Stream,
+    size: u64,
+) -> Result<Option<Areal>, ReadError> {
+    let held = |stream: &mut dyn Stream| held::whole(file, stream, size);
+    Ok(Some(match format {
+        Format::DigitalSurf => sur::read(file, &held(stream)?)?,
+        Format::AliconaAl3d => al3d::read(file, held(stream)?)?,
+        Format::KeyenceVk => vk::read(file, stream, size)?,
+        Format::SensofarPlu => plu::read(file, held(stream)?)?,
+        Format::SensofarPlux => plux::read(file, stream, size)?,
+        Format::MetroPro => metropro::read(file, held(stream)?)?,
+        Format::Opd => opd::read(file, held(stream)?)?,
+        Format::SdfBinary => sdf_binary::read(file, held(stream)?)?,
+        Format::Opdx => opdx::read(file, held(stream)?)?,
+        Format::Matlab => mat::read(file, &held(stream)?)?,
+        _ => return Ok(None),
+    }))
+}

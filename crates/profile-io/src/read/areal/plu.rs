@@ -1,0 +1,86 @@
+//! Sensofar PLU: a date, a comment, a calibration, and heights in micrometres as floats.
+//!
+//! Layout: Gwyddion sensofar.c and SurfaceTopography. The header has 500 bytes; then come rows, columns and
+//! the heights of the first layer. 1000001 stands for no height. The format has no mark: the header starts
+//! with a date such as `Fri Mar 10 16:35:59 2023` and a zero.
+
+use super::bytes::{little, text};
+use super::raw::{Layout, Missing, Number, Raw, Unit};
+use super::trace::{Areal, Heights};
+use crate::read::archive::damaged;
+use crate::read::error::ReadError;
+use crate::read::format::Format;
+use crate::read::metadata::short;
+
+const FORMAT: Format = Format::SensofarPlu;
+const DATE: usize = 24;
+const HEADER: usize = 500;
+/// Places in the header.
+const COMMENT: usize = 132;
+const X_PIXEL: usize = 404;
+const Y_PIXEL: usize = 408;
+const KIND: usize = 428;
+/// Kinds of measurement.
+const IMAGE: u32 = 0;
+const PROFILE: u32 = 1;
+const TOPOGRAPHY: u32 = 3;
+const THICKNESS: u32 = 5;
+/// Stands for no height.
+const NONE: f64 = 1_000_001.0;
+
+/// Whether a file that starts with `head` is one.
+pub(crate) fn recognised(head: &[u8]) -> bool {
+    const DAYS: [&[u8]; 7] = [b"Mon", b"Tue", b"Wed", b"Thu", b"Fri", b"Sat", b"Sun"];
+    let Some(date) = head.get(..=DATE).filter(|_| head.len() > HEADER) else {
+        return false;
+    };
+    let digits = |at: usize, count: usize| date[at..at + count].iter().all(u8::is_ascii_digit);
+    DAYS.contains(&&date[..3])
+        && date[DATE] == 0
+        && [13, 16].into_iter().all(|at| date[at] == b':')
+        && digits(11, 2)
+        && digits(20, 4)
+}
+
+/// Reads the first layer.
+pub(super) fn read(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
+    let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
+    let cut = || fault("the header is cut off", "");
+    let kind: u32 = little(&bytes, KIND).ok_or_else(cut)?;
+    if kind == IMAGE || kind == THICKNESS {
+        return Err(ReadError::NotHeights {
+            file: file.to_owned(),
+            format: FORMAT,
+            content: if kind == IMAGE {
+                "a picture"
+            } else {
+                "a thickness"
+            },
+        });
+    }
+    if kind != PROFILE && kind != TOPOGRAPHY {
+        return Err(fault(
+            "the kind of its measurement is not known",
+            &kind.to_string(),
+        ));
+    }
+    let count = |at| little::<u32>(&bytes, at).map(|count| count as usize);
+    let (rows, columns) = (
+        count(HEADER).ok_or_else(cut)?,
+        count(HEADER + 4).ok_or_else(cut)?,
+    );
+    let rows = if kind == PROFILE { 1 } else { rows };
+    let pixel = |at| little::<f32>(&bytes, at).map_or(f64::NAN, |pixel| f64::from(pixel.abs()));
+    let [dx, dy] = [pixel(X_PIXEL), pixel(Y_PIXEL)].map(|pixel| Unit::MICROMETRE.metres(pixel));
+    let date = text(&bytes, 0, DATE);
+    let title = text(&bytes, COMMENT, 256);
+    let layout = Layout::packed(HEADER + 8, columns, rows, Number::F32);
+    let raw = Raw::new(bytes, Number::F32, layout);
+    let mut raw = raw.ok_or_else(|| fault("fewer heights than the header says", ""))?;
+    (raw.unit, raw.missing) = (Unit::MICROMETRE, Missing::Equal(NONE));
+    let mut found = Areal::new(FORMAT, Heights::Raw(raw)).spaced(dx, dy);
+    found.metadata.date = date.as_deref().and_then(short);
+    found.metadata.title = title.as_deref().and_then(short);
+    found.metadata.instrument = Some("Sensofar".into());
+    Ok(found)
+}

@@ -1,0 +1,80 @@
+//! Binary SDF (ISO 25178-71, EUNA 15178, "BCR").
+//!
+//! A header of 81 bytes (85 in version 2, whose counts have 32 bits), then the heights row by row. A height
+//! is number · Zscale metres; the least number of a type stands for none. Layout: ISO 25178-71 as its public
+//! readers state it (Gwyddion sdfile.c, SurfaceTopography, surfalize).
+
+use super::bytes::{Cursor, text};
+use super::raw::{Layout, Missing, Number, Raw};
+use super::trace::{Areal, Heights};
+use crate::read::archive::damaged;
+use crate::read::error::ReadError;
+use crate::read::format::Format;
+use crate::read::metadata::short;
+
+const FORMAT: Format = Format::SdfBinary;
+/// Marks of the version with counts of 32 bits.
+const WIDE: &[u8] = b"bISO-2.0";
+
+/// Storage by the number of the type, and what stands for no height.
+const TYPES: [(Number, Missing); 8] = [
+    (Number::U8, Missing::None),
+    (Number::U16, Missing::None),
+    (Number::U32, Missing::None),
+    (Number::F32, Missing::Equal(f32::MIN as f64)),
+    (Number::I8, Missing::Equal(i8::MIN as f64)),
+    (Number::I16, Missing::Equal(i16::MIN as f64)),
+    (Number::I32, Missing::Equal(i32::MIN as f64)),
+    (Number::F64, Missing::Equal(f64::MIN)),
+];
+
+/// Reads the surface or profile.
+pub(super) fn read(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
+    let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
+    let (instrument, date) = (text(&bytes, 8, 10), text(&bytes, 18, 12));
+    let wide = bytes.starts_with(WIDE);
+    let mut header = Cursor {
+        bytes: &bytes,
+        at: 42,
+    };
+    let read = header_of(&mut header, wide);
+    let ([columns, rows], scales, [compression, kind, _]) =
+        read.ok_or_else(|| fault("the header is cut off", ""))?;
+    let first = header.at;
+    if compression != 0 {
+        return Err(fault(
+            "the heights are compressed",
+            &compression.to_string(),
+        ));
+    }
+    let Some(&(number, missing)) = TYPES.get(usize::from(kind)) else {
+        return Err(fault(
+            "the type of its numbers is not known",
+            &kind.to_string(),
+        ));
+    };
+    let raw = Raw::new(bytes, number, Layout::packed(first, columns, rows, number));
+    let mut raw = raw.ok_or_else(|| fault("fewer heights than the header says", ""))?;
+    (raw.scale, raw.missing) = (scales[2], missing);
+    let mut found = Areal::new(FORMAT, Heights::Raw(raw)).spaced(scales[0], scales[1]);
+    found.metadata.instrument = instrument.as_deref().and_then(short);
+    found.metadata.date = date.as_deref().and_then(short);
+    Ok(found)
+}
+
+type Header = ([usize; 2], [f64; 3], [u8; 3]);
+
+/// Points and profiles; scales of x, y and z; compression, type and check.
+fn header_of(header: &mut Cursor<'_>, wide: bool) -> Option<Header> {
+    let mut count = || {
+        Some(match wide {
+            true => header.number::<u32>()? as usize,
+            false => usize::from(header.number::<u16>()?),
+        })
+    };
+    let counts = [count()?, count()?];
+    let scales = [header.number()?, header.number()?, header.number()?];
+    header.number::<f64>()?;
+    let kinds = [header.number()?, header.number()?, header.number()?];
+    Some((counts, scales, kinds))
+}

@@ -1,0 +1,179 @@
+//! A surface as it was found in a file, and the traces that are taken from it.
+
+use super::raw::Raw;
+use crate::read::error::ReadError;
+use crate::read::format::Format;
+use crate::read::grid::SpacingSource;
+use crate::read::metadata::Metadata;
+use crate::read::options::{Axis, LengthUnit, ReadOptions, TraceLine};
+use crate::read::surface::Surface;
+use crate::read::trace::Trace;
+use crate::read::units;
+use crate::warning::Warning;
+
+/// Heights of a surface or of a profile, which has one row.
+#[derive(Debug, Clone)]
+pub(crate) enum Heights {
+    /// In the bytes of the file, decoded where asked for.
+    Raw(Raw),
+    /// Row by row, NaN where there is none.
+    Values { values: Vec<f64>, columns: usize },
+}
+
+impl Heights {
+    fn size(&self) -> [usize; 2] {
+        match self {
+            Self::Raw(raw) => raw.size(),
+            Self::Values { values, columns } => [*columns, values.len() / (*columns).max(1)],
+        }
+    }
+
+    fn height(&self, column: usize, row: usize) -> f64 {
+        match self {
+            Self::Raw(raw) => raw.height(column, row),
+            Self::Values { values, columns } => {
+                let found = values.get(row * columns + column);
+                found.copied().unwrap_or(f64::NAN)
+            }
+        }
+    }
+}
+
+/// Findings of the reader of an areal format.
+#[derive(Debug, Clone)]
+pub(crate) struct Areal {
+    pub format: Format,
+    pub heights: Heights,
+    /// Spacings along rows and from row to row \[m\], where the file states them.
+    pub spacings: [Option<f64>; 2],
+    /// Whether the heights are in metres; else their unit is not stated.
+    pub has_unit: bool,
+    pub metadata: Metadata,
+    pub warnings: Vec<Warning>,
+}
+
+impl Areal {
+    /// Heights in metres, nothing else known.
+    pub(crate) fn new(format: Format, heights: Heights) -> Self {
+        Self {
+            format,
+            heights,
+            spacings: [None; 2],
+            has_unit: true,
+            metadata: Metadata::default(),
+            warnings: Vec::new(),
+        }
+    }
+
+    /// The same with spacings \[m\]; those that are none are left out.
+    pub(super) fn spaced(self, dx: f64, dy: f64) -> Self {
+        let real = |dx: f64| (dx.is_finite() && dx > 0.0).then_some(dx);
+        Self {
+            spacings: [real(dx), real(dy)],
+            ..self
+        }
+    }
+
+    /// The trace that `options` ask for.
+    pub(crate) fn trace(mut self, file: &str, options: &ReadOptions) -> Result<Trace, ReadError> {
+        let [columns, rows] = self.heights.size();
+        let (across, points) = match options.line {
+            TraceLine::Row | TraceLine::Mean => (rows, columns),
+            TraceLine::Column | TraceLine::MeanColumn => (columns, rows),
+        };
+        let at = |point: usize, line: usize| match options.line {
+            TraceLine::Row | TraceLine::Mean => self.heights.height(point, line),
+            TraceLine::Column | TraceLine::MeanColumn => self.heights.height(line, point),
+        };
+        let heights: Vec<f64> = match options.line {
+            TraceLine::Mean | TraceLine::MeanColumn => {
+                let mean = |point| mean((0..across).map(|line| at(point, line)));
+                (0..points).map(mean).collect()
+            }
+            TraceLine::Row | TraceLine::Column => {
+                let asked = options.row.unwrap_or(usize::from(across == 1));
+                if asked == 0 || asked > across {
+                    return Err(ReadError::SeveralProfiles {
+                        file: file.to_owned(),
+                        rows: across,
+                        points,
+                        asked,
+                    });
+                }
+                (0..points).map(|point| at(point, asked - 1)).collect()
+            }
+        };
+        if options.line.is_mean() && across > 1 {
+            self.warnings.push(Warning::MeanLine { lines: across });
+        }
+        let axis = usize::from(matches!(
+            options.line,
+            TraceLine::Column | TraceLine::MeanColumn
+        ));
+        let spacing = self.spacings[axis].map(|dx| (dx, SpacingSource::Header));
+        let z_unit = match self.has_unit {
+            true => LengthUnit::Metre,
+            false => units::of_heights(file, self.format, &heights, options)?,
+        };
+        Ok(Trace {
+            spacing,
+            z_unit,
+            metadata: self.metadata,
+            warnings: self.warnings,
+            ..Trace::new(self.format, heights)
+        })
+    }
+
+    /// The whole surface.
+    pub(crate) fn surface(self, file: &str, options: &ReadOptions) -> Result<Surface, ReadError> {
+        let [columns, rows] = self.heights.size();
+        let unit = match (self.has_unit, options.z_unit) {
+            (true, None) => LengthUnit::Metre,
+            (_, Some(unit)) => unit,
+            (false, None) => {
+                return Err(ReadError::NoUnit {
+                    file: file.to_owned(),
+                    axis: Axis::Height,
+                    span: span(&self.heights),
+                });
+            }
+        };
+        let mut z = Vec::with_capacity(columns.saturating_mul(rows));
+        for row in 0..rows {
+            z.extend((0..columns).map(|column| unit.metres(self.heights.height(column, row))));
+        }
+        let spacings = match options.dx {
+            Some(dx) => [Some(dx.si()), self.spacings[1]],
+            None => self.spacings,
+        };
+        Ok(Surface::new(
+            file,
+            self.format,
+            z,
+            columns,
+            spacings,
+            self.metadata,
+            self.warnings,
+        ))
+    }
+}
+
+/// Mean of the heights that are known, NaN where none is.
+fn mean(heights: impl Iterator<Item = f64>) -> f64 {
+    let known = heights.filter(|z| z.is_finite());
+    let (sum, count) = known.fold((0.0, 0_u64), |(sum, count), z| (sum + z, count + 1));
+    sum / count as f64
+}
+
+/// Highest minus lowest height, in the unit of the file.
+fn span(heights: &Heights) -> f64 {
+    let [columns, rows] = heights.size();
+    let all = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    for z in all.map(|(column, row)| heights.height(column, row)) {
+        if z.is_finite() {
+            (low, high) = (low.min(z), high.max(z));
+        }
+    }
+    high - low
+}

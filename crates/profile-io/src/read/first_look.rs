@@ -1,0 +1,65 @@
+//! The dialect of a table, or why a text has none.
+
+use super::dialect::{self, Sniffed};
+use super::error::{FirstLine, ReadError};
+use super::layout::Dialect;
+use super::options::ReadOptions;
+use super::table;
+use super::text::{Line, Text};
+
+/// The error for a file without a row of numbers.
+pub(super) fn no_data(text: &mut Text<'_>) -> Result<ReadError, ReadError> {
+    let (mut count, mut first) = (0, None);
+    let mut lines = text.lines()?;
+    while let Some(line) = lines.next()? {
+        if !line.is_blank() {
+            count += 1;
+            first.get_or_insert_with(|| table::shortened(line.text));
+        }
+    }
+    Ok(ReadError::NoData {
+        file: text.file.to_owned(),
+        lines: count,
+        first: FirstLine(first),
+    })
+}
+
+/// The dialect, none where no line is a row of numbers in any.
+pub(super) fn sniff(
+    name: &str,
+    lines: &[Line<'_>],
+    options: &ReadOptions,
+) -> Result<Option<Sniffed>, ReadError> {
+    let stated = dialect::Stated {
+        separator: options.separator,
+        decimal: options.decimal,
+        columns: options.columns,
+    };
+    if let Some(sniffed) = dialect::sniff(lines, stated) {
+        return Ok(Some(sniffed));
+    }
+    let free = dialect::sniff(
+        lines,
+        dialect::Stated {
+            columns: options.columns,
+            ..Default::default()
+        },
+    );
+    let Some(free) = free else {
+        return Ok(None);
+    };
+    // The file is a table, but not in the stated dialect: show the first cell that fails.
+    let used = Dialect {
+        separator: options.separator.unwrap_or(free.dialect.separator),
+        decimal: options.decimal.unwrap_or(free.dialect.decimal),
+    };
+    let line = &lines[free.first];
+    let mut cells = used.cells(line.text);
+    match cells.find(|cell| used.cell(cell) == dialect::Cell::Other) {
+        Some(cell) => Err(table::unreadable(name, lines, line, cell, used)),
+        None => Err(ReadError::SeparatorDoesNotFit {
+            file: name.to_owned(),
+            separator: used.separator,
+        }),
+    }
+}
