@@ -266,8 +266,8 @@ function lacking() {
   if (!first) return false;
   first.setAttribute("aria-invalid", "true");
   first.focus();
-  const label = first.closest("label") ?? document.querySelector(`label[for="${first.id}"]`);
-  status.textContent = `Fill in first: ${label.firstChild.textContent.trim()}`;
+  const name = first.ariaLabel ?? first.closest("label").firstChild.textContent.trim();
+  status.textContent = `Fill in first: ${name}`;
   return true;
 }
 

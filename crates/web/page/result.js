@@ -37,7 +37,6 @@ export function showResult(found, given) {
   shown = [];
   element("welcome").hidden = true;
   element("result").hidden = false;
-  element("title").textContent = found.title;
   element("time").textContent = `Computed in ${found.seconds.toFixed(1)} s on this machine.`;
   element("summary").textContent = found.summary;
   const names = Object.keys(found.files);
