@@ -48,7 +48,8 @@ class Engine {
   // Has a worker at hand before it is needed.
   warm() {
     this.#worker ??= this.#start();
-    return this.#worker;
+    // Whoever asks it is told.
+    this.#worker.catch(() => {});
   }
 
   #heard({ id, answer, failure, done, total }) {

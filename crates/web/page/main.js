@@ -31,6 +31,8 @@ const state = {
   files: { pinion: "", wheel: "" },
   // Whether the form is at rest, since the text says more.
   apart: false,
+  // Whether a profile was chosen by the user.
+  own: false,
 };
 
 const bare = (name) => name.split(/[/\\]/).pop();
@@ -39,6 +41,8 @@ const bare = (name) => name.split(/[/\\]/).pop();
 
 function write() {
   if (state.apart) return;
+  // The form writes TOML, whatever it was filled from.
+  state.name = state.name.replace(/\.json$/i, ".toml");
   text.value = caseText(state.files);
 }
 
@@ -51,7 +55,8 @@ async function adopt(whole) {
   if (text.value !== given) return;
   fill(input);
   for (const body of ["pinion", "wheel"]) state.files[body] = input.surface?.[body]?.file ?? "";
-  const back = await questions.ask("keys", { name: state.name, text: caseText(state.files) }).catch(() => null);
+  const shows = { name: "form.toml", text: caseText(state.files) };
+  const back = await questions.ask("keys", shows).catch(() => null);
   if (text.value !== given) return;
   setApart(JSON.stringify(back) !== JSON.stringify(input));
   await Promise.all(["pinion", "wheel"].map(look));
@@ -134,6 +139,7 @@ const same = (a, b) => a?.length === b.length && a.every((byte, at) => byte === 
 async function setFlank(body, file) {
   clearError();
   const name = hold(file, body);
+  state.own = true;
   // A text of its own names its files itself; one of this name is now at hand.
   if (!state.apart) state.files[body] = name;
   write();
@@ -203,29 +209,29 @@ async function fetched(name) {
   return new Uint8Array(await response.arrayBuffer());
 }
 
-// A worked case with its profiles, or, where flanks have been chosen, with those.
+// A worked case with its synthetic profiles, or without, on the flanks that have been chosen.
 async function start(name, withProfiles) {
-  const own = !withProfiles && [state.files.pinion, state.files.wheel].some((each) => state.held.has(each));
-  const mine = { ...state.files };
+  const { ...mine } = state.files;
   state.name = `${name}.toml`;
   const given = new TextDecoder().decode(await fetched(state.name));
   if (withProfiles) {
     const { surface } = await questions.ask("keys", { name: state.name, text: given });
     const names = [surface.pinion.file, surface.wheel?.file].filter(Boolean).map(bare);
     for (const each of names) state.held.set(each, await fetched(each));
+    state.own = false;
   }
   await adopt(given);
-  if (own || !withProfiles) {
-    state.files = own ? mine : { pinion: "", wheel: "" };
-    setApart(false);
-    write();
-    await Promise.all(["pinion", "wheel"].map(look));
-  }
+  if (withProfiles) return;
+  state.files = mine;
+  form.elements.namedItem("title").value = CASES.find(([known]) => known === name)[1];
+  setApart(false);
+  write();
+  await Promise.all(["pinion", "wheel"].map(look));
 }
 
 element("preset").append(new Option("a worked case …", ""), ...CASES.map(([name, title]) => new Option(title, name)));
 element("preset").addEventListener("change", ({ target }) => {
-  if (target.value) start(target.value, false).catch(refuse);
+  if (target.value) start(target.value, !state.own).catch(refuse);
 });
 element("demo").addEventListener("click", async () => {
   clearError();

@@ -35,9 +35,10 @@ function grow(frame) {
 export function showResult(found, given) {
   for (const place of shown) URL.revokeObjectURL(place);
   shown = [];
+  document.title = `${found.title} - Asperity`;
   element("welcome").hidden = true;
   element("result").hidden = false;
-  element("time").textContent = `Computed in ${found.seconds.toFixed(1)} s on this machine.`;
+  element("time").textContent = `Computed in ${found.seconds.toFixed(2)} s on this machine.`;
   element("summary").textContent = found.summary;
   const names = Object.keys(found.files);
   const links = [link(given.name, given.text), ...names.map((name) => link(name, found.files[name]))];
@@ -45,7 +46,8 @@ export function showResult(found, given) {
   const report = element("report");
   report.onload = () => grow(report);
   report.srcdoc = new TextDecoder().decode(found.files["report.html"]);
-  element("main").scrollIntoView({ block: "nearest" });
+  const { top } = element("main").getBoundingClientRect();
+  if (top < 0 || top > innerHeight / 2) element("main").scrollIntoView({ block: "start" });
 }
 
 export function clearError() {

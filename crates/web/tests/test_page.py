@@ -356,6 +356,37 @@ def test_nothing_sticks_out_at_any_width(chromium, site, width, scheme):
     context.close()
 
 
+def test_a_page_without_its_program_says_so(chromium, site):
+    context = chromium.new_context()
+    context.route("**/asperity_bg.wasm", lambda route: route.fulfill(status=404, body=""))
+    page = context.new_page()
+    page.goto(site[0])
+    page.wait_for_selector("#error:visible")
+    assert "asperity_bg.wasm: 404" in page.inner_text("#error")
+    context.close()
+
+
+def test_a_page_opened_as_a_file_says_what_to_do(chromium):
+    context = chromium.new_context()
+    page = context.new_page()
+    page.goto((FOLDER / "index.html").as_uri())
+    assert "http.server" in page.inner_text("#unserved")
+    context.close()
+
+
+def test_a_case_as_json_is_filled_into_the_form_and_goes_on_as_toml(page, tmp_path):
+    inputs = command(CASES / "e-drive.toml", "--no-band", "--set", "model.positions=2", "--set", "model.offsets=1")["inputs"]
+    inputs["model"] = {}
+    (tmp_path / "own.json").write_text(json.dumps(inputs))
+    drop(page, [tmp_path / "own.json", PROFILES / "ground_pinion.csv", PROFILES / "ground_wheel.csv"])
+    page.wait_for_selector("#look-wheel:has-text('points')")
+    assert page.is_hidden("#apart")
+    fill(page, "title", "from JSON")
+    assert page.input_value("#text").startswith('title = "from JSON"\n\n[gears]\n')
+    assert run(page) == "done"
+    assert b"from JSON" in result(page, "own.toml")
+
+
 def test_the_page_may_ask_no_other_address(page):
     refused = page.evaluate("() => fetch('http://127.0.0.1:9/').then(() => 'sent', () => 'refused')")
     assert refused == "refused"

@@ -49,7 +49,9 @@ fn main() -> ExitCode {
 }
 
 fn build(folder: &Path) -> Result<(), Box<dyn Error>> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..").canonicalize()?;
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../..")
+        .canonicalize()?;
     let binary = compile(&root)?;
     fs::create_dir_all(folder)?;
     Bindgen::new()
@@ -63,8 +65,14 @@ fn build(folder: &Path) -> Result<(), Box<dyn Error>> {
     for (from, to, endings) in COPIED {
         copy(&root.join(from), &folder.join(to), endings)?;
     }
-    println!("wrote {}; serve it by any file server, e.g.", folder.display());
-    println!("  python3 -m http.server --bind 127.0.0.1 --directory {}", folder.display());
+    println!(
+        "wrote {}; serve it by any file server, e.g.",
+        folder.display()
+    );
+    println!(
+        "  python3 -m http.server --bind 127.0.0.1 --directory {}",
+        folder.display()
+    );
     Ok(())
 }
 
@@ -95,7 +103,9 @@ fn compile(root: &Path) -> Result<PathBuf, Box<dyn Error>> {
     }
     let told = String::from_utf8(done.stdout)?;
     let binaries = told.lines().filter_map(binary_of);
-    binaries.last().ok_or_else(|| "cargo named no binary of the page".into())
+    binaries
+        .last()
+        .ok_or_else(|| "cargo named no binary of the page".into())
 }
 
 /// The binary that a message of cargo tells of.
