@@ -53,7 +53,7 @@ fn tags(text: &str) -> BTreeSet<String> {
 #[test]
 fn every_row_points_at_a_tagged_formula_and_a_test_that_exist() {
     let sources = sources();
-    for equation in asperity::equations::all() {
+    for equation in asperity_calibration::equations::all() {
         let (_, text) = sources
             .iter()
             .find(|(name, _)| name == equation.file)
@@ -84,7 +84,10 @@ fn every_row_points_at_a_tagged_formula_and_a_test_that_exist() {
 
 #[test]
 fn every_tag_in_the_sources_has_a_row_and_no_row_is_double() {
-    let rows: Vec<&str> = asperity::equations::all().iter().map(|e| e.tag).collect();
+    let rows: Vec<&str> = asperity_calibration::equations::all()
+        .iter()
+        .map(|e| e.tag)
+        .collect();
     let unique: BTreeSet<&str> = rows.iter().copied().collect();
     assert_eq!(rows.len(), unique.len(), "a tag has two rows");
     for (name, text) in sources() {
@@ -98,7 +101,7 @@ fn every_tag_in_the_sources_has_a_row_and_no_row_is_double() {
 fn the_page_of_equations_is_what_the_program_prints() {
     let page = fs::read_to_string(root().join("docs/EQUATIONS.md")).unwrap();
     assert!(
-        page == asperity::equations::markdown(),
+        page == asperity::equations::markdown(&asperity_calibration::equations::all()),
         "docs/EQUATIONS.md is stale: run `asperity equations --markdown > docs/EQUATIONS.md`"
     );
 }
@@ -121,7 +124,10 @@ const NOT_COMPUTED: &[&str] = &[
 
 #[test]
 fn every_number_of_the_paper_has_a_row() {
-    let rows: BTreeSet<&str> = asperity::equations::all().iter().map(|e| e.tag).collect();
+    let rows: BTreeSet<&str> = asperity_calibration::equations::all()
+        .iter()
+        .map(|e| e.tag)
+        .collect();
     for number in 1..=37 {
         assert!(rows.contains(format!("P{number}").as_str()), "P{number}");
     }
@@ -131,7 +137,10 @@ fn every_number_of_the_paper_has_a_row() {
 /// are asked of it.
 #[test]
 fn every_tagged_formula_notes_its_tag_when_it_runs_and_no_other() {
-    let rows: BTreeSet<&str> = asperity::equations::all().iter().map(|e| e.tag).collect();
+    let rows: BTreeSet<&str> = asperity_calibration::equations::all()
+        .iter()
+        .map(|e| e.tag)
+        .collect();
     let mut missing = Vec::new();
     for (name, text) in sources() {
         let is_library = name.starts_with("crates/") && name.contains("/src/");

@@ -189,7 +189,7 @@ fn regime_agrees_with_the_run() {
 #[test]
 fn equations_are_listed_and_explained() {
     let bench = Bench::new();
-    let all: Vec<&Equation> = asperity::equations::all();
+    let all: Vec<&Equation> = asperity_calibration::equations::all();
     let listed = bench.run(&["equations"]).well().out;
     assert_eq!(listed.lines().count(), all.len());
     for equation in &all {

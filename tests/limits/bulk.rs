@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use asperity::band::UncertainParameter;
 use asperity::case::{LoadedCase, load_with};
 use asperity::quantity::Temperature;
 use asperity::{losses, pipeline};
@@ -92,4 +93,26 @@ fn tables_made_before_give_the_same_temperature() {
     let anew = losses(&case, &|_, _| {}).unwrap();
     assert_eq!(kept.bulk, anew.bulk);
     assert_eq!(kept.summary, anew.summary);
+}
+
+#[test]
+fn parameters_set_past_the_keys_act_at_the_temperature_found() {
+    let case = case("e-drive.toml", r#"{ law = "iso", lubrication = "jet" }"#);
+    let tables = pipeline::contact_tables(&case).unwrap();
+    let loss = |parameter: UncertainParameter, factor: f64| {
+        let (value, _) = parameter.range(&case).unwrap().unwrap();
+        let mut changed = case.clone();
+        parameter.set(&mut changed, factor * value).unwrap();
+        let found = pipeline::losses_with(&tables, &changed, &|_, _| {}).unwrap();
+        found.summary.loss_w
+    };
+    for parameter in [
+        UncertainParameter::BoundaryFriction,
+        UncertainParameter::BoundaryLayer,
+        UncertainParameter::LimitingShear,
+        UncertainParameter::EyringStress,
+    ] {
+        let [less, more] = [0.8, 1.25].map(|factor| loss(parameter, factor));
+        assert!(more > 1.0001 * less, "{}: {less} {more}", parameter.name());
+    }
 }

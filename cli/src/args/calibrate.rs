@@ -11,9 +11,12 @@ use super::SetArgs;
 /// A rig's table, or the limits of a rig.
 #[derive(Debug, Args)]
 pub struct CalibrateArgs {
-    /// The rig's table and, unless every row names one, the case; with --design the case alone
-    #[arg(required = true, num_args = 1..=2, value_names = ["RIG.csv", "CASE.toml"])]
-    pub files: Vec<PathBuf>,
+    /// The rig's table; with --design the case alone
+    #[arg(value_name = "RIG.csv")]
+    pub file: PathBuf,
+    /// The case of the rows that name none
+    #[arg(value_name = "CASE.toml")]
+    pub case: Option<PathBuf>,
     /// Keys set past the case.
     #[command(flatten)]
     pub set: SetArgs,

@@ -6,8 +6,8 @@ use std::time::Instant;
 use asperity::LoadedCase;
 use asperity::case::CalibratedName;
 use asperity_calibration::{
-    CalibrationError, Identifiability, Limits, RigCase, RigTable, Watch, before_the_fit,
-    check_place, design_summary, plan, summary, write, write_design,
+    CalibrationError, Identifiability, Limits, RigFiles, Watch, before_the_fit, check_place,
+    design_summary, plan, summary, write, write_design,
 };
 use asperity_studies::map::axis;
 
@@ -24,8 +24,10 @@ pub fn calibrate(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     }
 }
 
-fn failed(error: &CalibrationError) -> Failure {
-    Failure::new(error.code(), error.to_string())
+impl From<CalibrationError> for Failure {
+    fn from(error: CalibrationError) -> Self {
+        Self::new(error.code(), error.to_string())
+    }
 }
 
 fn held(args: &CalibrateArgs) -> Vec<CalibratedName> {
@@ -34,16 +36,10 @@ fn held(args: &CalibrateArgs) -> Vec<CalibratedName> {
 
 fn fit(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
-    let [file, rest @ ..] = args.files.as_slice() else {
-        return Err(Failure::new("E501", "a calibration without a table"));
-    };
-    let text = std::fs::read_to_string(file)
-        .map_err(|error| Failure::new("E103", format!("{}: {error}", file.display())))?;
-    let table =
-        RigTable::read(&file.display().to_string(), &text).map_err(|error| failed(&error))?;
+    let (file, case) = (&args.file, args.case.as_deref());
     let folder = folder(args, stem(file), "calibration");
     place_is_free(&folder)?;
-    let cases = cases(args, file, &table, rest.first())?;
+    let rig = RigFiles::read(file, case, |path| load_case(path, &args.set, None))?;
     let bar = progress(common.quiet);
     bar.set_message("evaluations");
     let tell = |found: &Identifiability| {
@@ -61,9 +57,9 @@ fn fit(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
         },
         before_the_fit: &tell,
     };
-    let found = asperity_calibration::calibrate(table, &text, &cases, &held(args), &watch);
+    let found = rig.calibrate(&held(args), &watch);
     bar.finish_and_clear();
-    let found = found.map_err(|error| failed(&error))?;
+    let found = found?;
     write(&found, &folder).map_err(|error| Failure::new("E401", error.to_string()))?;
     if common.json {
         return print_json(&found);
@@ -71,36 +67,13 @@ fn fit(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     finish(common, summary(&found), &folder, begin)
 }
 
-/// The cases that the rows of a table name, relative to it, and the one beside it.
-fn cases(
-    args: &CalibrateArgs,
-    file: &Path,
-    table: &RigTable,
-    beside: Option<&PathBuf>,
-) -> Result<Vec<RigCase>, Failure> {
-    let names = table.case_names();
-    let mut found = Vec::with_capacity(names.len());
-    for name in names {
-        let path = match (&name, beside) {
-            (Some(name), _) => file.parent().unwrap_or(Path::new(".")).join(name),
-            (None, Some(path)) => path.clone(),
-            (None, None) => {
-                let file = file.display().to_string();
-                return Err(failed(&CalibrationError::NoCase { file }));
-            }
-        };
-        let case = load_case(&path, &args.set, None)?;
-        found.push(RigCase { name, case });
-    }
-    Ok(found)
-}
-
 fn design(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
-    let [file] = args.files.as_slice() else {
+    if args.case.is_some() {
         let message = "--design takes the case alone; leave the table out";
         return Err(Failure::new("E205", message));
-    };
+    }
+    let file = &args.file;
     let folder = folder(args, stem(file), "design");
     place_is_free(&folder)?;
     let case = load_case(file, &args.set, None)?;
@@ -113,11 +86,11 @@ fn design(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
         }
     });
     bar.finish_and_clear();
-    let found = found.map_err(|error| failed(&error))?;
+    let found = found?;
     let simulated = args
         .simulate
         .map(|seed| asperity_calibration::design::simulated(&case, &found, seed));
-    let simulated = simulated.transpose().map_err(|error| failed(&error))?;
+    let simulated = simulated.transpose()?;
     write_design(&found, simulated.as_deref(), &folder)
         .map_err(|error| Failure::new("E401", error.to_string()))?;
     if common.json {

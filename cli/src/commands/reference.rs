@@ -1,6 +1,7 @@
 //! `equations`, `explain` and `schema`: what the program knows about itself.
 
 use asperity::{equations, message};
+use asperity_calibration::equations::all;
 use asperity_core::Equation;
 use serde_json::{Value, json};
 
@@ -11,12 +12,16 @@ use crate::words;
 
 /// `asperity equations`
 pub fn equations(args: &EquationsArgs, common: &Common) -> Result<(), Failure> {
+    let known = all();
     if args.markdown {
-        return print_text(common, &equations::markdown());
+        return print_text(common, &equations::markdown(&known));
     }
     let chosen = match &args.tag {
-        None => equations::all(),
-        Some(tag) => vec![equations::find(tag).ok_or_else(|| unknown_tag(tag))?],
+        None => known,
+        Some(tag) => {
+            let found = equations::with_tag(known, tag);
+            vec![found.ok_or_else(|| unknown_tag(tag))?]
+        }
     };
     if common.json {
         return print_json(&chosen);

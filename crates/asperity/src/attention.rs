@@ -67,7 +67,9 @@ fn bulk(loaded: &LoadedCase, found: &mut Vec<Warning>) {
     };
     let hot = match (report.hotter_c, report.runs_away_from_c) {
         (Some(hotter), _) => format!("once hotter they keep up {hotter:.0} °C as well"),
-        (None, Some(from)) => format!("once at {from:.0} °C their loss heats them on and on"),
+        (None, Some(from)) => {
+            format!("started at {from:.0} °C they find no temperature that keeps itself up")
+        }
         (None, None) => return,
     };
     let text = format!("the flanks keep up {:.0} °C, but {hot}", report.bulk_c);

@@ -5,13 +5,14 @@
 //! laws only. All properties of the oil are those at the bulk temperature, its density included.
 
 use asperity_core::provenance::Provenance;
-use asperity_core::quantity::{Power, Temperature};
+use asperity_core::quantity::{Power, Speed, Temperature};
 use asperity_efficiency::bulk_temperature::{
     self, BulkTemperature, HOTTER_START, HotterStart, iso_rise,
 };
+use asperity_tribo_friction::flash::heat_share;
 
-use crate::case::{BulkModel, LoadedCase, Lubrication};
-pub use crate::case::{BulkReport, FoundBulk};
+use crate::band::keep_parameters;
+use crate::case::{BulkModel, BulkReport, FoundBulk, LoadedCase, Lubrication};
 use crate::error::{Error, PositionError};
 use crate::result::Losses;
 use crate::stations::stations;
@@ -42,12 +43,14 @@ pub(crate) fn settle(
     Ok(settled)
 }
 
-/// The case with its flanks at a temperature.
+/// The case with its flanks at a temperature, its uncertain parameters where they are.
 fn at(loaded: &LoadedCase, bulk: Temperature) -> Result<LoadedCase, Error> {
-    loaded.with(|input| {
+    let mut warmed = loaded.with(|input| {
         input.operation.temperature = bulk;
         input.operation.bulk = None;
-    })
+    })?;
+    keep_parameters(loaded, &mut warmed).map_err(Box::new)?;
+    Ok(warmed)
 }
 
 /// A law with what it needs of the case.
@@ -122,22 +125,15 @@ const fn words(lubrication: Lubrication) -> &'static str {
     }
 }
 
-/// Mean over the path of the share of the frictional heat that goes into the pinion: each flank takes heat by the
-/// square root of conductivity, density, heat capacity and its speed through the contact.
+/// Mean over the path of the share of the frictional heat that goes into the pinion.
 fn pinion_share(loaded: &LoadedCase) -> Result<f64, PositionError> {
-    let materials = &loaded.case.materials;
-    let effusivity = [0, 1].map(|body| {
-        let steel = &materials[body];
-        (steel.conductivity.si() * steel.density.si() * steel.heat_capacity.si()).sqrt()
-    });
-    let stations = stations(&loaded.case)?;
-    let shares = stations.iter().map(|station| {
-        let speeds = [station.motion.u1, station.motion.u2].map(|u| u.si().abs().sqrt());
-        let [pinion, wheel] = [0, 1].map(|body| effusivity[body] * speeds[body]);
-        (pinion / (pinion + wheel), station.weight)
-    });
-    let (sum, weight) = shares.fold((0.0, 0.0), |(sum, all), (share, weight)| {
-        (sum + share * weight, all + weight)
-    });
+    let [pinion, wheel] = &loaded.case.materials;
+    let (mut sum, mut weight) = (0.0, 0.0);
+    for station in stations(&loaded.case)? {
+        let speeds = [station.motion.u1, station.motion.u2];
+        let speeds = speeds.map(|speed| Speed::from_si(speed.si().abs()));
+        sum += station.weight * heat_share([pinion, wheel], speeds)?;
+        weight += station.weight;
+    }
     Ok(sum / weight)
 }

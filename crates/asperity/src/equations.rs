@@ -1,10 +1,10 @@
-//! Every equation of the workspace: the table behind `docs/EQUATIONS.md` and `asperity equations`.
+//! Every equation of the model: with those of the crates above, the table behind `docs/EQUATIONS.md`.
 
 use asperity_core::{Equation, Reference};
 
-/// Every equation, those of the 2022 paper first and by number, the others by tag.
+/// Every equation of the model, in order.
 pub fn all() -> Vec<&'static Equation> {
-    let mut equations: Vec<&'static Equation> = asperity_core::equations()
+    let equations = asperity_core::equations()
         .chain(asperity_profile_io::equations::EQUATIONS)
         .chain(asperity_roughness::equations::EQUATIONS)
         .chain(asperity_gear::equations::EQUATIONS)
@@ -16,9 +16,13 @@ pub fn all() -> Vec<&'static Equation> {
         .chain(asperity_efficiency::equations::EQUATIONS)
         .chain(crate::load_share::equations::EQUATIONS)
         .chain(crate::band::equations::EQUATIONS)
-        .chain(crate::records::equations::EQUATIONS)
-        .chain(crate::calibration_equations::EQUATIONS)
-        .collect();
+        .chain(crate::records::equations::EQUATIONS);
+    in_order(equations)
+}
+
+/// Those of the 2022 paper first and by number, the others by tag.
+pub fn in_order(equations: impl IntoIterator<Item = &'static Equation>) -> Vec<&'static Equation> {
+    let mut equations: Vec<&'static Equation> = equations.into_iter().collect();
     equations
         .sort_by_key(|equation| (paper_number(equation.tag).unwrap_or(u32::MAX), equation.tag));
     equations
@@ -29,15 +33,22 @@ fn paper_number(tag: &str) -> Option<u32> {
     tag.strip_prefix('P')?.parse().ok()
 }
 
-/// The equation with this tag, whatever its case.
+/// The equation of the model with this tag, whatever its case.
 ///
 /// ```
 /// assert_eq!(asperity::equations::find("p7").map(|e| e.tag), Some("P7"));
 /// ```
 pub fn find(tag: &str) -> Option<&'static Equation> {
-    all()
-        .into_iter()
-        .find(|equation| equation.tag.eq_ignore_ascii_case(tag.trim()))
+    with_tag(all(), tag)
+}
+
+/// The one of `equations` with this tag, whatever its case.
+pub fn with_tag(
+    equations: impl IntoIterator<Item = &'static Equation>,
+    tag: &str,
+) -> Option<&'static Equation> {
+    let is_it = |equation: &&Equation| equation.tag.eq_ignore_ascii_case(tag.trim());
+    equations.into_iter().find(is_it)
 }
 
 /// The sources of `equations`, each once, by key.
@@ -53,8 +64,7 @@ pub fn bibliography(equations: &[&'static Equation]) -> Vec<Reference> {
 }
 
 /// `docs/EQUATIONS.md`.
-pub fn markdown() -> String {
-    let equations = all();
+pub fn markdown(equations: &[&'static Equation]) -> String {
     let mut page = String::from(
         "# Equations\n\n\
         The file of each equation, its formula as used, and the test that verifies it. Tags `P1` to `P37` are the\n\
@@ -62,7 +72,7 @@ pub fn markdown() -> String {
         `asperity equations --markdown`; `asperity equations P7` prints one row.\n\n\
         | tag | gives | formula as used | file | test | sources |\n|---|---|---|---|---|---|\n",
     );
-    for equation in &equations {
+    for equation in equations {
         let keys: Vec<_> = equation.references.iter().map(|r| r.key).collect();
         page.push_str(&format!(
             "| {} | {} | {} | [{}](../{}) | `{}` | {} |\n",
@@ -80,13 +90,13 @@ pub fn markdown() -> String {
         ));
     }
     page.push_str("\n## Misprints of the paper\n\n| equation | printed, and what is used instead |\n|---|---|\n");
-    for equation in &equations {
+    for equation in equations {
         if let Some(misprint) = equation.misprint {
             page.push_str(&format!("| {} | {} |\n", equation.tag, cell(misprint)));
         }
     }
     page.push_str("\n## Sources\n\n");
-    for reference in bibliography(&equations) {
+    for reference in bibliography(equations) {
         page.push_str(&format!("- `{}` {}\n", reference.key, reference.text));
     }
     page

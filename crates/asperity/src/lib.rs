@@ -29,7 +29,6 @@ mod attention;
 pub mod band;
 mod branch;
 mod bulk;
-mod calibration_equations;
 pub mod case;
 mod chosen_laws;
 mod comparison;

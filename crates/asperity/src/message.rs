@@ -172,7 +172,7 @@ explanations! {
     "W423" "load over the teeth did not settle": "The load map used up its iterations before the loads settled." => "Try another model.load_distribution, and please report the case.";
     "W424" "stiffness from ISO 6336-1": "The root of a tooth is undercut or cannot be drawn from the rack, so its compliance cannot be computed from its outline." => "Check gears.pinion.dedendum and gears.wheel.dedendum, or choose model.load_distribution = \"iso-stiffness\".";
     "W425" "tips may foul": "A ring with fewer than ten teeth more than its pinion may foul its tips away from the line of action, which is not checked." => "Check the tip clearance on the drawing.";
-    "W426" "a hotter state beside the bulk temperature": "Friction that rises with the temperature can keep up a hotter state, or heat the flanks on and on: a start 60 K above the oil does not end at the bulk temperature found. All numbers are of that one." => "Look at the loss over operation.temperature, as asperity map shows it; a better cooled mesh has one state alone.";
+    "W426" "a hotter state beside the bulk temperature": "Friction that rises with the temperature can keep up a hotter state, or heat the flanks until the laws of the oil end: a start 60 K above the oil does not end at the bulk temperature found. All numbers are of that one." => "Look at the loss over operation.temperature, as asperity map shows it; a better cooled mesh has one state alone.";
 }
 
 #[cfg(test)]

@@ -1,12 +1,12 @@
 //! The one file that knows the order of the model, the paper's Fig. 2.
 //!
-//! Where the case asks for it, the bulk temperature that the loss keeps up first ([`settled`]). The load over the flanks and the cells of the path; then at every mesh position, in parallel: motion and load,
-//! Hertz contact, smooth film; then at every
-//! offset of the traces: roughness under the contact, Λ* and with it the regime, the rough contact and from it
-//! the load share, friction in film, lubricated asperities and boundary layer. That is all that the losses
-//! need ([`losses`]); their contacts can be kept for other oils, speeds and temperatures ([`contact_tables`]). A
-//! run goes on with the contacts of the load shares that did not solve them ([`contacts`]), and at the first
-//! offset the fields and the stress below them ([`run`]). Then the sums: cycle mean at each offset, mean and spread over the
+//! Where the case asks for it, first the bulk temperature that the loss keeps up ([`settled`]). The load over the
+//! flanks and the cells of the path; then at every mesh position, in parallel: motion and load, Hertz contact, smooth
+//! film; then at every offset of the traces: roughness under the contact, Λ* and with it the regime, the rough contact
+//! and from it the load share, friction in film, lubricated asperities and boundary layer. That is all that the losses
+//! need ([`losses`]); their contacts can be kept for other oils, speeds and temperatures ([`contact_tables`]). A run
+//! goes on with the contacts of the load shares that did not solve them ([`contacts`]), and at the first offset the
+//! fields and the stress below them ([`run`]). Then the sums: cycle mean at each offset, mean and spread over the
 //! offsets.
 
 use std::borrow::Cow;

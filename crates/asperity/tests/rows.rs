@@ -6,6 +6,7 @@ use std::path::Path;
 
 use asperity::case::load;
 use asperity::prelude::RunResult;
+use asperity::result::PositionRow;
 
 fn result(positions: usize) -> RunResult {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases/e-drive.toml");
@@ -22,7 +23,20 @@ fn close(value: f64, expected: f64) {
 }
 
 #[test]
-fn the_loss_of_a_position_is_the_sum_of_its_parts() {
+fn the_loss_of_a_position_is_friction_times_load_times_sliding() {
+    // The load over the face and the sliding vary within the cell that a position stands for, the less the more
+    // cells there are; in that with the pitch point sliding changes its sign.
+    let farthest = |positions| {
+        let ratio = |row: &PositionRow| {
+            let load = 1e3 * row.line_load_n_per_mm;
+            row.sliding_w_per_m / (row.mu * load * row.sliding_m_per_s.abs())
+        };
+        let rows = result(positions).path;
+        let fast = rows.iter().filter(|row| row.slide_to_roll.abs() > 0.1);
+        fast.map(|row| (ratio(row) - 1.0).abs()).fold(0.0, f64::max)
+    };
+    let [coarse, fine] = [6, 24].map(farthest);
+    assert!(coarse < 0.3 && fine < 0.3 * coarse, "{coarse} {fine}");
     for row in result(6).path {
         let parts = row.film_w_per_m + row.lubricated_asperity_w_per_m + row.boundary_w_per_m;
         close(row.sliding_w_per_m, parts);

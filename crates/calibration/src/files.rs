@@ -1,8 +1,11 @@
-//! A calibration from files.
+//! A rig's table with its cases, from files.
 
+use std::io::{Error, ErrorKind};
 use std::path::Path;
 
+use asperity::LoadedCase;
 use asperity::case::CalibratedName;
+use asperity::profile_io::read::whole_file;
 
 use crate::calibrate::{Watch, calibrate};
 use crate::error::CalibrationError;
@@ -10,8 +13,87 @@ use crate::result::Calibration;
 use crate::rig::RigCase;
 use crate::rig_table::RigTable;
 
-/// Calibrates the parameters that are not `held` on the table in the file `rig`; `case` is that of rows which name
-/// none. The file names in the table are relative to it.
+/// Bytes of the largest table: a rig measures no more.
+const LARGEST_TABLE: u64 = 10_000_000;
+
+/// A table with its text and the cases of its rows.
+pub struct RigFiles {
+    /// The table.
+    pub table: RigTable,
+    /// The text that it was read from.
+    pub text: String,
+    /// Its cases.
+    pub cases: Vec<RigCase>,
+}
+
+impl RigFiles {
+    /// Reads the table in the file `rig` and the cases of its rows by `load`: those that it names, relative to it,
+    /// and `case` for rows that name none.
+    ///
+    /// # Errors
+    /// When a file cannot be read.
+    pub fn read<E: From<CalibrationError>>(
+        rig: &Path,
+        case: Option<&Path>,
+        load: impl Fn(&Path) -> Result<LoadedCase, E>,
+    ) -> Result<Self, E> {
+        let file = rig.display().to_string();
+        let named = |name: Option<&str>| match (name, case) {
+            (Some(name), _) => load(&rig.parent().unwrap_or(Path::new(".")).join(name)),
+            (None, Some(path)) => load(path),
+            (None, None) => Err(CalibrationError::NoCase { file: file.clone() }.into()),
+        };
+        Self::of_text(&file, table_text(rig)?, named)
+    }
+
+    /// Reads the table in `text`, called `name` in messages, and the case of every name in it by `case`; none is
+    /// that of rows which name none.
+    ///
+    /// # Errors
+    /// When the table says something that cannot be, or `case` fails.
+    pub fn of_text<E: From<CalibrationError>>(
+        name: &str,
+        text: String,
+        case: impl Fn(Option<&str>) -> Result<LoadedCase, E>,
+    ) -> Result<Self, E> {
+        let table = RigTable::read(name, &text)?;
+        let cases = table.case_names().into_iter().map(|name| {
+            let case = case(name.as_deref())?;
+            Ok(RigCase { name, case })
+        });
+        let cases = cases.collect::<Result<Vec<RigCase>, E>>()?;
+        Ok(Self { table, text, cases })
+    }
+
+    /// Calibrates the parameters that are not `held`.
+    ///
+    /// # Errors
+    /// As [`calibrate`].
+    pub fn calibrate(
+        self,
+        held: &[CalibratedName],
+        watch: &Watch<'_>,
+    ) -> Result<Calibration, CalibrationError> {
+        calibrate(self.table, &self.text, &self.cases, held, watch)
+    }
+}
+
+/// The text of the table in `file`.
+///
+/// # Errors
+/// When it cannot be read, is larger than 10 MB or is no text.
+pub fn table_text(file: &Path) -> Result<String, CalibrationError> {
+    let read = || {
+        let bytes = whole_file(file, LARGEST_TABLE)?;
+        String::from_utf8(bytes).map_err(|_| Error::new(ErrorKind::InvalidData, "it is no text"))
+    };
+    read().map_err(|reason| CalibrationError::Open {
+        file: file.display().to_string(),
+        reason,
+    })
+}
+
+/// Calibrates on the table in the file `rig`; `case` is that of rows which name none.
 ///
 /// # Errors
 /// As [`calibrate`], and when a file cannot be read.
@@ -21,24 +103,11 @@ pub fn calibrate_files(
     held: &[CalibratedName],
     watch: &Watch<'_>,
 ) -> Result<Calibration, CalibrationError> {
-    let file = rig.display().to_string();
-    let text = std::fs::read_to_string(rig).map_err(|reason| CalibrationError::Open {
-        file: file.clone(),
-        reason,
-    })?;
-    let table = RigTable::read(&file, &text)?;
-    let cases = table.case_names().into_iter().map(|name| {
-        let path = match (&name, case) {
-            (Some(name), _) => rig.parent().unwrap_or(Path::new(".")).join(name),
-            (None, Some(path)) => path.to_owned(),
-            (None, None) => return Err(CalibrationError::NoCase { file: file.clone() }),
-        };
-        let case = asperity::case::load(&path, None).map_err(|source| CalibrationError::Model {
+    let load = |path: &Path| {
+        asperity::case::load(path, None).map_err(|source| CalibrationError::Model {
             place: path.display().to_string(),
             source: Box::new(source),
-        })?;
-        Ok(RigCase { name, case })
-    });
-    let cases = cases.collect::<Result<Vec<RigCase>, CalibrationError>>()?;
-    calibrate(table, &text, &cases, held, watch)
+        })
+    };
+    RigFiles::read(rig, case, load)?.calibrate(held, watch)
 }

@@ -18,6 +18,7 @@ mod block;
 pub mod bootstrap;
 mod calibrate;
 pub mod design;
+pub mod equations;
 mod error;
 mod files;
 pub mod fit;
@@ -45,7 +46,7 @@ pub use block::block;
 pub use calibrate::{Watch, calibrate};
 pub use design::{Design, Limits, plan};
 pub use error::{CalibrationError, RowFault};
-pub use files::calibrate_files;
+pub use files::{RigFiles, calibrate_files, table_text};
 pub use result::{
     Calibration, Evidence, FittedParameter, FittedPoint, HeldOut, HelpfulPoint, Identifiability,
     IdentifiedParameter, NuisanceRow, SCHEMA_VERSION, StageRow, Verdict,

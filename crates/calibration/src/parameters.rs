@@ -73,8 +73,8 @@ impl Parameter {
 
     /// Its name in words.
     #[must_use]
-    pub const fn words(&self) -> &'static str {
-        words(self.name)
+    pub fn words(&self) -> &'static str {
+        UncertainParameter::from(self.name).name()
     }
 
     /// Its value in the unit that it is shown in.
@@ -99,17 +99,6 @@ impl Parameter {
             CalibratedName::EyringStress => "MPa",
             _ => "",
         }
-    }
-}
-
-/// Name of a parameter in words.
-#[must_use]
-pub const fn words(name: CalibratedName) -> &'static str {
-    match name {
-        CalibratedName::BoundaryFriction => "boundary friction",
-        CalibratedName::BoundaryLayer => "boundary layer",
-        CalibratedName::LimitingShear => "limiting shear",
-        CalibratedName::EyringStress => "Eyring stress",
     }
 }
 

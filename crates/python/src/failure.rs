@@ -13,6 +13,7 @@ use asperity::referee::RefereeError;
 use asperity::remedy::{Remedy, Setting, Value};
 use asperity::roughness::RoughnessError;
 use asperity::tribo_friction::FrictionError;
+use asperity_calibration::CalibrationError;
 use asperity_report::ReportError;
 use asperity_studies::export::ExportError;
 use asperity_studies::map::{AxisError, MapError};
@@ -216,6 +217,12 @@ impl From<ReportError> for Failure {
             _ => "E401",
         };
         Self::new(code, error.to_string())
+    }
+}
+
+impl From<CalibrationError> for Failure {
+    fn from(error: CalibrationError) -> Self {
+        Self::new(error.code(), error.to_string())
     }
 }
 

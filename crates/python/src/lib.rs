@@ -2,6 +2,7 @@
 //! Python's lock, arrays and JSON out. Nothing here computes; units, tables and charts are made in Python.
 
 mod arrays;
+mod calibration;
 mod case;
 mod contact;
 mod ehl;
@@ -20,6 +21,8 @@ use pyo3::prelude::*;
 /// The compiled part of the package asperity.
 #[pymodule]
 mod _asperity {
+    #[pymodule_export]
+    use super::calibration::{Calibration, calibrate};
     #[pymodule_export]
     use super::case::{Case, schema};
     #[pymodule_export]

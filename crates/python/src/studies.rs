@@ -6,7 +6,7 @@ use asperity_studies::compare::{self as comparing, Finish};
 use asperity_studies::cycle;
 use asperity_studies::export::{AddedLoss, Format, With, export};
 use asperity_studies::map::{self as mapping, Axes, Numbers, Point};
-use numpy::IntoPyArray;
+use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -139,6 +139,9 @@ const COLUMNS: [Column; 12] = [
     ("mixed_share", |n| Some(n.mixed_share)),
 ];
 
+/// Interpolated values, and whether each lies outside the nodes.
+type Interpolated<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<bool>>);
+
 #[pymethods]
 impl Map {
     /// The map as the command prints it with --json: axes, finishes, warnings, without the points.
@@ -171,10 +174,7 @@ impl Map {
         temperature: usize,
         torque: Vec<f64>,
         speed: Vec<f64>,
-    ) -> PyResult<(
-        Bound<'py, numpy::PyArray1<f64>>,
-        Bound<'py, numpy::PyArray1<bool>>,
-    )> {
+    ) -> PyResult<Interpolated<'py>> {
         let none = || {
             Failure::new(
                 "E402",

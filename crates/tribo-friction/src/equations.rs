@@ -214,6 +214,14 @@ pub const EQUATIONS: &[Equation] = &[
         &[BLOK_1937],
     ),
     Equation::new(
+        "Blok-share",
+        "Share of the frictional heat that goes into a flank",
+        "β = B₁ √u₁/(B₁ √u₁ + B₂ √u₂), B = √(k ρ c)",
+        "crates/tribo-friction/src/flash.rs",
+        "two_flanks_share_the_heat_that_makes_them_equally_hot",
+        &[BLOK_1937],
+    ),
+    Equation::new(
         "Alpha-T",
         "Pressure-viscosity coefficient against temperature",
         "α(T) = α_ref (η₀(T)/η₀(T_ref))^t",

@@ -10,10 +10,13 @@
 
 mod reference_case;
 
+use asperity_core::material::Material;
 use asperity_core::quantity::{
-    DynamicViscosity, Length, LineLoad, Pressure, PressureViscosity, Speed,
+    Density, DynamicViscosity, Length, LineLoad, Pressure, PressureViscosity, SpecificHeat, Speed,
+    ThermalConductivity,
 };
 use asperity_tribo_friction::eyring::EyringConditions;
+use asperity_tribo_friction::flash::heat_share;
 use asperity_tribo_friction::rolling::goksem_factor;
 use asperity_tribo_friction::xu::XuConditions;
 use asperity_tribo_friction::{
@@ -261,6 +264,42 @@ fn flash_temperature_of_the_reference_case() {
             None => assert_eq!(rise, 0.0),
         }
     }
+}
+
+/// Half of the heat would make the faster flank the colder one: the rise of a flank that takes its share alone,
+/// from the other through an insulator, is that of the pair.
+#[test]
+fn two_flanks_share_the_heat_that_makes_them_equally_hot() {
+    let bronze = Material {
+        conductivity: ThermalConductivity::from_si(60.0),
+        density: Density::from_si(8800.0),
+        heat_capacity: SpecificHeat::from_si(377.0),
+        ..STEEL
+    };
+    let speeds = [5.0, 3.2].map(Speed::from_si);
+    let pair = FlashConditions {
+        friction: 0.05,
+        load: LOAD,
+        first_speed: speeds[0],
+        second_speed: speeds[1],
+        half_width: Length::from_si(1e-4),
+        first: STEEL,
+        second: bronze,
+    };
+    let together = flash_temperature(&pair).unwrap();
+    let share = heat_share([&STEEL, &bronze], speeds).unwrap();
+    let heat = 0.05 * LOAD.si() * (5.0 - 3.2);
+    for (steel, speed, part) in [(STEEL, 5.0, share), (bronze, 3.2, 1.0 - share)] {
+        let effusivity =
+            (steel.conductivity.si() * steel.density.si() * steel.heat_capacity.si()).sqrt();
+        let alone = 1.11 * part * heat / (effusivity * (speed * 2e-4_f64).sqrt());
+        close(alone, together, 1e-12);
+    }
+    assert_eq!(
+        heat_share([&STEEL, &bronze], [speeds[0], Speed::from_si(0.0)]).unwrap(),
+        1.0
+    );
+    assert!(heat_share([&STEEL, &bronze], [Speed::from_si(0.0); 2]).is_err());
 }
 
 /// Blok's constant from its integral: the flash temperature of a semi-elliptic source is

@@ -45,6 +45,7 @@ pub use difference::{PairedDifference, difference};
 pub use drawn_losses::DrawnLosses;
 pub use mixture::{Drawn, five_to_ninety_five, quantile};
 pub use parameters::UncertainParameter;
+pub(crate) use parameters::keep_parameters;
 pub use sampling::{CONFIDENCE, effective_windows, window_sampling};
 
 use draws::{Draws, evaluated};

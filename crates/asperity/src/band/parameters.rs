@@ -265,6 +265,24 @@ impl UncertainParameter {
     }
 }
 
+/// Sets the parameters of `to` to those of `from`, whose oil is the same.
+///
+/// # Errors
+/// When a constant is outside its domain at the temperature of `to`.
+pub(crate) fn keep_parameters(from: &LoadedCase, to: &mut LoadedCase) -> Result<(), PositionError> {
+    let (kept, model) = (&from.case.model, &mut to.case.model);
+    model.boundary_friction = kept.boundary_friction;
+    model.boundary_layer = kept.boundary_layer;
+    model.lay = kept.lay;
+    match &from.case.rheology {
+        Some(rheology) => set_traction(to, |constants| {
+            constants.limiting_shear = rheology.constants().limiting_shear;
+            constants.eyring_stress = rheology.constants().eyring_stress;
+        }),
+        None => Ok(()),
+    }
+}
+
 fn set_traction(
     loaded: &mut LoadedCase,
     change: impl FnOnce(&mut TractionConstants),

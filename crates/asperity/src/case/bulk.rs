@@ -26,7 +26,7 @@ pub enum BulkModel {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct BulkReport {
-    /// Law of the rise: `iso` or `network`.
+    /// Law of the rise: `iso` with the lubrication, as in `iso, jet`, or `network`.
     pub law: String,
     /// Temperature of the oil \[°C\].
     pub oil_c: f64,
@@ -45,7 +45,8 @@ pub struct BulkReport {
     /// A hotter temperature that keeps itself up too \[°C\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hotter_c: Option<f64>,
-    /// Temperature from which none keeps itself up any more \[°C\], where the flanks run away from there.
+    /// Start from which no temperature that keeps itself up was found \[°C\]: friction heats the flanks further, or
+    /// leaves the range of its laws.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub runs_away_from_c: Option<f64>,
 }

@@ -15,6 +15,7 @@ from typing import NamedTuple, Optional
 
 from . import _asperity
 from ._asperity import __version__
+from ._calibration import Calibration, calibrate
 from ._case import Case
 from ._compare import Comparison, compare
 from ._contact import Contact, Stress, press_flanks, solve_contact, subsurface_stress
@@ -31,6 +32,7 @@ from ._sweep import Sweep, sweep
 
 __all__ = [
     "AsperityError",
+    "Calibration",
     "Case",
     "Chart",
     "Comparison",
@@ -50,6 +52,7 @@ __all__ = [
     "Sweep",
     "Table",
     "__version__",
+    "calibrate",
     "compare",
     "ehl",
     "explain",

@@ -69,6 +69,16 @@ def subsurface_stress(
 def compare(
     named: list[tuple[str, Case]], threads: Optional[int], progress: _Told
 ) -> Comparison: ...
+def calibrate(
+    name: str,
+    text: Optional[str],
+    folder: _Path,
+    beside: Optional[Case],
+    cases: list[tuple[str, Case]],
+    hold: list[str],
+    threads: Optional[int],
+    progress: _Told,
+) -> Calibration: ...
 def map(
     named: list[tuple[str, Case]],
     torque: _Nodes,
@@ -139,6 +149,13 @@ class Outcome:
 @final
 class Comparison:
     def json(self) -> tuple[str, str]: ...
+    def summary(self) -> str: ...
+    def write(self, folder: _Path) -> None: ...
+
+@final
+class Calibration:
+    def json(self) -> str: ...
+    def keys(self) -> str: ...
     def summary(self) -> str: ...
     def write(self, folder: _Path) -> None: ...
 

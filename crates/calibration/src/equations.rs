@@ -1,5 +1,7 @@
-//! The equations of the crate `asperity-calibration`, which stands above this one, for `docs/EQUATIONS.md`.
+//! The equations of this crate, and with them all of the workspace: the table behind `docs/EQUATIONS.md` and
+//! `asperity equations`.
 
+use asperity::equations;
 use asperity_core::{Equation, Reference};
 
 const FISHER_1925: Reference = Reference {
@@ -19,7 +21,7 @@ const FEDOROV_1972: Reference = Reference {
     text: "V. V. Fedorov, Theory of Optimal Experiments, Academic Press, New York, 1972",
 };
 
-/// Every equation of that crate.
+/// Every equation of this crate.
 pub const EQUATIONS: &[Equation] = &[
     Equation::new(
         "Rig-residual",
@@ -62,3 +64,8 @@ pub const EQUATIONS: &[Equation] = &[
         &[FEDOROV_1972],
     ),
 ];
+
+/// Every equation of the workspace, in order: the model's and this crate's.
+pub fn all() -> Vec<&'static Equation> {
+    equations::in_order(equations::all().into_iter().chain(EQUATIONS))
+}

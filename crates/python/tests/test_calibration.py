@@ -1,0 +1,99 @@
+"""Calibrations from the losses of a rig."""
+
+import csv
+import json
+import subprocess
+
+import pytest
+
+import asperity
+from conftest import PROFILES, json_of
+
+CASE = {
+    "title": "test gears",
+    "gears": {"teeth": [16, 24], "module": "4.5 mm", "face_width": "14 mm", "profile_shift": [0.182, 0.172]},
+    "operation": {"torque": "183.4 N m", "speed": "2166 1/min", "temperature": "90 °C"},
+    "lubricant": {"oil": "m100"},
+    "surface": {
+        "cutoff": "0.25 mm",
+        "pinion": {"file": str(PROFILES / "ground_pinion.csv")},
+        "wheel": {"file": str(PROFILES / "ground_wheel.csv"), "mirrored": True},
+    },
+    "model": {"positions": 4, "offsets": 2, "depths": 0},
+}
+
+
+@pytest.fixture(scope="module")
+def rig(tmp_path_factory, command):
+    """A table of SIMULATED losses beside the case, and what the command finds from them."""
+    folder = tmp_path_factory.mktemp("rig")
+    case = folder / "case.json"
+    case.write_text(json.dumps(CASE))
+    axes = ("--torque", "60,183.4", "--speed", "25..4400:7:log", "--simulate", "4")
+    subprocess.run([command, "calibrate", "--design", case, *axes, "-o", folder / "design"], check=True, capture_output=True)
+    table = folder / "design" / "simulated.csv"
+    return table, case, json_of(command, "calibrate", table, case, "-o", folder / "found")
+
+
+@pytest.fixture(scope="module")
+def columns(rig):
+    """The table as columns."""
+    with open(rig[0], encoding="utf-8") as file:
+        lines = [line for line in file if not line.startswith("#")]
+    rows = list(csv.DictReader(lines))
+    return {name: [row[name] for row in rows] for name in rows[0]}
+
+
+@pytest.fixture(scope="module")
+def found(rig):
+    return asperity.calibrate(*rig[:2])
+
+
+def test_a_table_gives_the_same_parameters_as_the_command(rig, found):
+    ours, theirs = found.to_dict(), rig[2]
+    assert ours.pop("table") == theirs.pop("table")
+    assert ours == theirs and found.is_simulated
+    assert list(found.parameters.key)[:2] == ["boundary_friction", "boundary_layer"]
+    assert "boundary friction" in str(found) and "found" in repr(found) and "<table" in found._repr_html_()
+
+
+def test_columns_and_frames_are_taken_as_tables(rig, columns, found):
+    given = {**columns, "simulated": [True] * len(columns["loss_w"])}
+    told = []
+    same = asperity.calibrate(given, CASE, progress=lambda done, total: told.append(done / total))
+    assert same.parameters.to_dict() == found.parameters.to_dict() and same.is_simulated
+    assert told and told == sorted(told)
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.read_csv(rig[0], comment="#")
+    frame["case"] = "pair"
+    held = asperity.calibrate(frame, cases={"pair": CASE}, hold=["limiting_shear"])
+    assert "limiting_shear" not in held.parameters.key and not held.is_simulated
+    assert len(held.to_pandas()) == len(frame)
+
+
+def test_a_calibrated_case_has_a_narrower_band(found):
+    case = asperity.Case(CASE)
+    calibrated = found.apply(case)
+    width = [run.band.quantiles_w[1] - run.band.quantiles_w[0] for run in (case.run(), calibrated.run())]
+    assert width[1] < 0.8 * width[0]
+
+
+def test_a_calibration_is_written_as_by_the_command(found, tmp_path):
+    found.write(tmp_path / "out")
+    assert (tmp_path / "out" / "calibration.toml").read_text() == found.block
+    assert asperity.read_result(tmp_path / "out").to_dict() == found.to_dict()
+
+
+def test_what_a_table_lacks_is_named(rig, columns, tmp_path):
+    def refused(code, says, *given, **more):
+        with pytest.raises(asperity.AsperityError, match=says) as error:
+            asperity.calibrate(*given, **more)
+        assert error.value.code == code and error.value.help
+
+    refused("E103", "cannot be opened", tmp_path / "no.csv", CASE)
+    refused("E134", "names no case", rig[0])
+    refused("E134", "sigma_w", {name: values for name, values in columns.items() if name != "sigma_w"}, CASE)
+    refused("E134", "differ in length", {**columns, "run": ["1"]}, CASE)
+    refused("E204", "must be one of boundary_friction", rig[0], CASE, hold=["friction"])
+    two = {name: values[:2] for name, values in columns.items()}
+    refused("E310", "cannot be found from these 2 points", two, CASE)
