@@ -89,6 +89,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
 /// The Python module, outside of the workspace: it passes on what the libraries compute.
 const OF_THE_MODULE: &[&str] = &[
     "asperity",
+    "asperity-calibration",
     "asperity-report",
     "asperity-storage",
     "asperity-studies",
