@@ -25,7 +25,7 @@ CASES, PROFILES = ROOT / "fixtures/cases", ROOT / "fixtures/profiles"
 BOUND = 1e-6
 LOSS_BOUND = 1e-9
 # At the points A to E the load is shown of the nearest of evenly spaced lines of contact. There a point lies in the middle
-# between two of them, and rounding decides which is taken; 1.3e-3 was seen. No loss comes from these points.
+# between two of them, and rounding decides which is taken; 1.5e-3 was seen. No loss comes from these points.
 BOUND_AT_POINTS = 5e-3
 # Errors that are left at the end of a solution: rounding themselves, so that their size counts and not their digits.
 EVIDENCE = ("load_error", "duality_gap", "residual")
@@ -144,6 +144,10 @@ def fill(page, key, value):
     page.press(f"[name='{key}']", "Tab")
 
 
+def shown_summary(page):
+    return [line for line in page.inner_text("#summary").splitlines() if not line.startswith("converged")]
+
+
 def test_the_demo_is_the_e_drive_of_the_command(page):
     page.click("#demo")
     page.wait_for_selector("form[data-run=running]")
@@ -155,9 +159,27 @@ def test_the_demo_is_the_e_drive_of_the_command(page):
     print(f"loss {loss!r} W, by the command {exact!r} W, difference {abs(loss / exact - 1):.1e}")
     assert abs(loss / exact - 1) < LOSS_BOUND
     # All that is printed is equal to the last digit, but for what is left of the load at the end of the solution.
-    shown = [line for line in page.inner_text("#summary").splitlines() if line and not line.startswith("converged")]
-    assert shown == summary(CASES / "e-drive.toml")
+    assert shown_summary(page) == summary(CASES / "e-drive.toml")
     assert result(page, "e-drive.toml") == (CASES / "e-drive.toml").read_bytes()
+
+
+@pytest.mark.parametrize("name", ["e-drive-superfinished", "fzg-c"])
+def test_a_worked_case_brings_its_profiles_and_runs_as_the_command_runs_it(page, name):
+    page.select_option("#preset", name)
+    page.wait_for_selector("#look-wheel:has-text('points')")
+    assert page.is_hidden("#apart")
+    assert page.input_value("#text") == (CASES / f"{name}.toml").read_text()
+    assert run(page) == "done"
+    assert compare(json.loads(result(page, "result.json")), command(CASES / f"{name}.toml")) > 1000
+    assert shown_summary(page) == summary(CASES / f"{name}.toml")
+
+
+def test_the_case_of_the_paper_runs_as_the_command_runs_it(page):
+    drop(page, [CASES / "table2.toml", PROFILES / "damaged.txt"])
+    page.wait_for_selector("#look-pinion:has-text('points')")
+    assert run(page) == "done"
+    assert compare(json.loads(result(page, "result.json")), command(CASES / "table2.toml")) > 300
+    assert shown_summary(page) == summary(CASES / "table2.toml")
 
 
 def test_the_report_in_the_page_is_that_of_the_command(page, tmp_path):
