@@ -378,6 +378,21 @@ def test_nothing_sticks_out_at_any_width(chromium, site, width, scheme):
     context.close()
 
 
+def test_a_fault_is_told_and_the_next_question_is_answered(page):
+    told = page.evaluate(
+        """async () => {
+            const { questions } = await import(new URL('engine.js', document.baseURI));
+            const [fault, beside] = await Promise.all(
+                ['no such task', 'oils'].map((task) => questions.ask(task).catch((failure) => failure)));
+            return [fault.code, fault.message, beside.code ?? 'answered', (await questions.ask('oils')).length];
+        }"""
+    )
+    assert told[0] == "E501" and told[1].startswith("a fault of the program: ")
+    # Who asked beside it is told, too, since the worker ends.
+    assert told[2] == "E501"
+    assert told[3] >= 3
+
+
 def test_a_page_without_its_program_says_so(chromium, site):
     context = chromium.new_context()
     context.route("**/asperity_bg.wasm", lambda route: route.fulfill(status=404, body=""))
