@@ -83,7 +83,7 @@ impl Finished {
 /// Runs the case in `text`, called `name`, on `files`; calls `progress` with the positions done and their number.
 ///
 /// # Errors
-/// As [`job::run`]: the failure as JSON.
+/// As [`crate::run`]: the failure as JSON.
 #[wasm_bindgen]
 pub fn run(name: &str, text: &str, files: &Files, progress: Function) -> Result<Finished, JsValue> {
     LISTENER.set(Some(progress));
@@ -103,7 +103,7 @@ pub fn run(name: &str, text: &str, files: &Files, progress: Function) -> Result<
 /// What the file `name` holds, as JSON, with what the form states about it, as JSON, for the flank at `flank`.
 ///
 /// # Errors
-/// As [`crate::look`]: the failure as JSON.
+/// As [`crate::look()`]: the failure as JSON.
 #[wasm_bindgen]
 pub fn look(name: &str, bytes: &[u8], flank: &str, stated: &str) -> Result<String, JsValue> {
     let found = || -> Result<String, Failure> {
@@ -119,7 +119,7 @@ pub fn look(name: &str, bytes: &[u8], flank: &str, stated: &str) -> Result<Strin
 /// The keys of the case in `text` as JSON.
 ///
 /// # Errors
-/// As [`job::keys`]: the failure as JSON.
+/// As [`crate::keys`]: the failure as JSON.
 #[wasm_bindgen]
 pub fn keys(name: &str, text: &str) -> Result<String, JsValue> {
     job::keys(name, text).map_err(thrown)
@@ -128,7 +128,7 @@ pub fn keys(name: &str, text: &str) -> Result<String, JsValue> {
 /// The oils of the library as JSON.
 ///
 /// # Errors
-/// As [`job::oils`]: the failure as JSON.
+/// As [`crate::oils`]: the failure as JSON.
 #[wasm_bindgen]
 pub fn oils() -> Result<String, JsValue> {
     job::oils().map_err(thrown)
