@@ -38,10 +38,10 @@ pub struct Look {
 ///
 /// ```
 /// use asperity_web::{Stated, look};
-/// let heights: String = (0..200).map(|i| format!("{}.25\n", i % 7)).collect();
+/// let heights: String = (0..200).map(|i| format!("0.{}\n", i % 7)).collect();
 /// let stated = Stated { dx: Some("0.5 um".parse()?), z_unit: Some("um".parse()?) };
 /// let found = look("flank.txt", heights.as_bytes(), "surface.pinion", &stated).unwrap();
-/// assert_eq!((found.points, found.spacing_um, found.length_mm), (200, 0.5, 0.0995));
+/// assert_eq!((found.points, found.spacing_um, found.z_unit.as_str()), (200, 0.5, "um"));
 /// let refused = look("flank.txt", heights.as_bytes(), "surface.wheel", &Stated::default()).unwrap_err();
 /// assert!(refused.message.ends_with("in surface.wheel"), "{}", refused.message);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
