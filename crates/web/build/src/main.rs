@@ -102,9 +102,9 @@ fn compile(root: &Path) -> Result<PathBuf, Box<dyn Error>> {
         .into());
     }
     let told = String::from_utf8(done.stdout)?;
-    let binaries = told.lines().filter_map(binary_of);
+    let mut binaries = told.lines().rev().filter_map(binary_of);
     binaries
-        .last()
+        .next()
         .ok_or_else(|| "cargo named no binary of the page".into())
 }
 
