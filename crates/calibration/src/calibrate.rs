@@ -63,10 +63,14 @@ pub fn calibrate(
     watch: &Watch<'_>,
 ) -> Result<Calibration, CalibrationError> {
     let done = AtomicUsize::new(0);
-    let guess = AtomicUsize::new(1);
+    let guess = AtomicUsize::new(0);
     let told = |_: usize| {
         let count = done.fetch_add(1, Ordering::Relaxed) + 1;
-        (watch.progress)(count, guess.load(Ordering::Relaxed).max(count));
+        // Before the points are known there is nothing to guess from.
+        match guess.load(Ordering::Relaxed) {
+            0 => {}
+            guess => (watch.progress)(count, guess.max(count)),
+        }
     };
     let rig = Rig::new(table, cases, held, &told)?;
     // Surfaces of two to three rounds, and the further points of the information.

@@ -15,7 +15,7 @@
 //! lose none at any distance. C is determined but for the constant C₀: without a datum only
 //! differences of displacement mean anything.
 
-use std::f64::consts::PI;
+use std::f64::consts::{LN_2, PI};
 
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, cite};
@@ -74,17 +74,39 @@ pub(crate) fn strip(r: f64) -> f64 {
         let e = 1.0 / r;
         -4.0 * r.ln() + 2.0 * ((r - 1.0) * (-e).ln_1p() - (r + 1.0) * e.ln_1p())
     } else {
-        // The bracket above is −2 + Σ r^(−2k)/(k·(2k+1)).
-        let q = 1.0 / (r * r);
-        let series = q * (1.0 / 3.0 + q * (1.0 / 10.0 + q * (1.0 / 21.0 + q / 36.0)));
-        -4.0 * r.ln() - 4.0 + 2.0 * series
+        far_strip(r, r.ln())
     }
+}
+
+/// The same from `FAR` half cells on; `ln` is the logarithm of r.
+fn far_strip(r: f64, ln: f64) -> f64 {
+    // The bracket above is −2 + Σ r^(−2k)/(k·(2k+1)).
+    let q = 1.0 / (r * r);
+    let series = q * (1.0 / 3.0 + q * (1.0 / 10.0 + q * (1.0 / 21.0 + q / 36.0)));
+    -4.0 * ln - 4.0 + 2.0 * series
 }
 
 /// C/a of the cells at 0, 1, … `points` − 1 cells, with C(0) = 0.
 pub(crate) fn strip_column(points: usize) -> Vec<f64> {
     cite!("P2");
-    (0..points).map(|k| strip(2.0 * k as f64)).collect()
+    strips(points)
+}
+
+fn strips(points: usize) -> Vec<f64> {
+    // Half of the logarithms are those of half the distance and ln 2.
+    let mut logarithms = Vec::with_capacity(points / 2 + 1);
+    let value = |k: usize| {
+        let r = 2.0 * k as f64;
+        let ln = match k {
+            1.. if k % 2 == 0 => logarithms[k / 2] + LN_2,
+            _ => r.ln(),
+        };
+        if k <= points / 2 {
+            logarithms.push(ln);
+        }
+        if r < FAR { strip(r) } else { far_strip(r, ln) }
+    };
+    (0..points).map(value).collect()
 }
 
 /// Nodes and weights of the Gauss-Legendre rules of two and of five points on −1..1, nodes ≥ 0
@@ -118,8 +140,10 @@ const FINE_PERIOD: usize = 1 << 14;
 /// ```
 pub fn periodic_column(points: usize) -> Vec<f64> {
     cite!("Periodic-1");
-    let value = |k: usize| strip(2.0 * k as f64) + periodic_rest(k as f64, points);
-    let mut column: Vec<f64> = (0..=points / 2).map(value).collect();
+    let mut column = strips(points / 2 + 1);
+    for (k, value) in column.iter_mut().enumerate() {
+        *value += periodic_rest(k as f64, points);
+    }
     column.extend_from_within(1..points.div_ceil(2));
     column[points / 2 + 1..].reverse();
     column
@@ -210,6 +234,15 @@ mod tests {
             assert!((kernel.si() / (value * 1e-7) - 1.0).abs() < 1e-14);
         }
         assert_eq!(strip(0.0), 0.0);
+    }
+
+    #[test]
+    fn a_column_holds_the_kernel_at_every_distance() {
+        for (k, value) in strip_column(70_001).into_iter().enumerate() {
+            let expected = strip(2.0 * k as f64);
+            assert!((value - expected).abs() <= 2e-15 * expected.abs(), "{k}");
+        }
+        assert!(strip_column(0).is_empty());
     }
 
     #[test]

@@ -15,6 +15,7 @@ _Nodes = Union[None, str, list[float]]
 _Told = Optional[Callable[[int, int], object]]
 
 __all__ = [
+    "Calibration",
     "Case",
     "Cases",
     "Comparison",
@@ -22,6 +23,7 @@ __all__ = [
     "Outcome",
     "Trace",
     "__version__",
+    "calibrate",
     "compare",
     "ehl",
     "explain",

@@ -63,8 +63,10 @@ class Schema:
 
     @property
     def is_table(self) -> bool:
-        """Whether a table of single keys stands here, and not one of several alternatives."""
-        return any("properties" in node for node in self._nodes) and not any("oneOf" in node for node in self._nodes)
+        """Whether a table of single keys stands here: not one of several alternatives, nor one that needs all its keys."""
+        tables = [node for node in self._nodes if "properties" in node]
+        optional = any(set(node["properties"]) > set(node.get("required", ())) for node in tables)
+        return optional and not any("oneOf" in node for node in self._nodes)
 
 
 def named(profile: Profile) -> str:
