@@ -23,3 +23,7 @@ fixtures:
 # Write docs/EQUATIONS.md anew from the sources.
 equations:
     cargo run --release -- equations --markdown > docs/EQUATIONS.md
+
+# Build the page that runs in a browser; docs/WEB.md tells how to serve it.
+page folder="target/web":
+    cargo run --locked --manifest-path crates/web/build/Cargo.toml -- {{ folder }}

@@ -5,6 +5,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use asperity::case::Place;
+use asperity::key_words::with_keys;
 use asperity::{Error, Remedy};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource};
 
@@ -68,10 +69,6 @@ impl Failure {
 
     fn saying(error: &Error, message: &str) -> Self {
         let place = error.place();
-        let flank = place
-            .and_then(|place| place.key.as_deref())
-            .filter(|key| key.starts_with("surface.wheel"))
-            .map_or("surface.pinion", |_| "surface.wheel");
         let remedy = error.remedy();
         let snippet = || {
             let (text, span) = (error.text()?, place?.span.clone()?);
@@ -82,7 +79,7 @@ impl Failure {
         };
         Self {
             code: error.code(),
-            message: asperity_storage::printable(&words::with_keys(message, &remedy, flank))
+            message: asperity_storage::printable(&with_keys(message, &remedy, error.flank()))
                 .into_owned(),
             place: place.cloned(),
             remedy,

@@ -1,6 +1,7 @@
-//! Words of the terminal for the remedies and explanations of the libraries: settings by their options, or by
-//! their keys where a case file is to be changed.
+//! Words of the terminal for the remedies and explanations of the libraries: settings by their options. Where a case
+//! file is to be changed the library tells its keys.
 
+use asperity::key_words::{ended, explained, table};
 use asperity::message::explain;
 use asperity::remedy::{Action, Remedy, Setting, Value};
 
@@ -27,32 +28,9 @@ fn option(setting: Setting) -> &'static str {
     }
 }
 
-/// The table of a case that `setting` stands in, for the flank at `flank`.
-fn table(setting: Setting, flank: &str) -> Option<&str> {
-    match setting {
-        Setting::Key(_) => None,
-        Setting::Form | Setting::Cutoff | Setting::NoiseCutoff => Some("surface"),
-        _ => Some(flank),
-    }
-}
-
 /// `message` with its remedy in options of the command line.
 pub fn with_options(message: &str, remedy: &Remedy) -> String {
     ended(message, &remedy.sentence(in_options))
-}
-
-/// `message` with its remedy in keys of the case file, for the flank at `flank`.
-pub fn with_keys(message: &str, remedy: &Remedy, flank: &str) -> String {
-    ended(message, &remedy.sentence(|action| in_keys(action, flank)))
-}
-
-/// Appends the advice, unless the message ends in a question that already implies it.
-fn ended(message: &str, advice: &str) -> String {
-    if advice.is_empty() || message.ends_with('?') {
-        message.to_owned()
-    } else {
-        format!("{}. {advice}", message.trim_end_matches('.'))
-    }
 }
 
 fn in_options(action: &Action) -> String {
@@ -91,59 +69,6 @@ fn argument(settings: &[Setting], value: &str) -> String {
             value,
         ) => value.replace(' ', ""),
         (_, value) => value.to_owned(),
-    }
-}
-
-fn in_keys(action: &Action, flank: &str) -> String {
-    match action {
-        Action::Do { what } => what.to_string(),
-        Action::Omit { setting } => match table(*setting, flank) {
-            Some(table) => format!("leave {} out of {table}", setting.key()),
-            None => format!("leave {} out", setting.key()),
-        },
-        Action::Set { settings, to, why } => {
-            let keys: Vec<&str> = settings.iter().map(|setting| setting.key()).collect();
-            let keys = keys.join(" and ");
-            let given = match to {
-                Value::This(value) | Value::Like(value) => {
-                    format!("{keys} = {}", written(settings, value))
-                }
-                Value::OneOf(values) => {
-                    let each: Vec<_> = values
-                        .split(" | ")
-                        .map(|value| written(settings, value))
-                        .collect();
-                    format!("{keys} = {}", each.join(", or "))
-                }
-                _ => keys,
-            };
-            let table = settings.first().and_then(|first| table(*first, flank));
-            let told = match table {
-                Some(table) => format!("write {given} in {table}"),
-                None => format!("set {given}"),
-            };
-            explained(told, why)
-        }
-        _ => String::new(),
-    }
-}
-
-/// A value as it stands in a case file.
-fn written(settings: &[Setting], value: &str) -> String {
-    match settings {
-        [Setting::Columns] => match value.split_once(',') {
-            Some((x, z)) => format!("{{ x = {x}, z = {z} }}"),
-            None => format!("{{ z = {value} }}"),
-        },
-        [Setting::Row] => value.to_owned(),
-        _ => format!("\"{value}\""),
-    }
-}
-
-fn explained(told: String, why: &str) -> String {
-    match why {
-        "" => told,
-        why => format!("{told} {why}"),
     }
 }
 
@@ -191,23 +116,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_remedy_is_told_in_options_or_in_keys() {
+    fn a_remedy_is_told_in_options() {
         let unit = Remedy::set(Setting::ZUnit, Value::OneOf("um | nm | mm".into()));
         assert_eq!(
             with_options("a.csv: no unit", &unit),
             "a.csv: no unit. Pass --z-unit um | nm | mm"
         );
-        assert_eq!(
-            with_keys("a.csv: no unit", &unit, "surface.wheel"),
-            "a.csv: no unit. Write z_unit = \"um\", or \"nm\", or \"mm\" in surface.wheel"
-        );
         let spacing = Remedy::set(Setting::Spacing, Value::Like("0.5 um".into()));
         assert_eq!(with_options("m", &spacing), "m. Pass --dx, e.g. --dx 0.5um");
-        let columns = Remedy::set(Setting::Columns, Value::Like("1,2".into()));
-        assert_eq!(
-            with_keys("m", &columns, "surface.pinion"),
-            "m. Write columns = { x = 1, z = 2 } in surface.pinion"
-        );
         let none = Remedy::set(Setting::Cutoff, Value::This("0 mm".into()));
         assert_eq!(with_options("m", &none), "m. Pass --lambda-c none");
         assert_eq!(with_options("m?", &none), "m?");

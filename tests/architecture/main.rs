@@ -89,10 +89,14 @@ const ALLOWED: &[(&str, &[&str])] = &[
 /// The Python module, outside of the workspace: it passes on what the libraries compute.
 const OF_THE_MODULE: &[&str] = &[
     "asperity",
+    "asperity-calibration",
     "asperity-report",
     "asperity-storage",
     "asperity-studies",
 ];
+
+/// The page, outside of the workspace: the same job as that of the command, in a browser.
+const OF_THE_PAGE: &[&str] = &["asperity", "asperity-report", "asperity-studies"];
 
 fn manifest(folder: &str) -> toml::Table {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
@@ -138,29 +142,63 @@ fn no_crate_uses_one_above_or_beside_it() {
     }
 }
 
-#[test]
-fn the_python_module_stands_on_the_libraries_and_outside_of_the_workspace() {
-    let module = manifest("crates/python");
-    let used = module["dependencies"].as_table().unwrap().keys();
+/// Whether the crate in `folder` uses these of ours, stands outside of the workspace and has its version.
+fn stands_outside(folder: &str, on: &[&str]) -> toml::Table {
+    let outside = manifest(folder);
+    let used = outside["dependencies"].as_table().unwrap().keys();
     let ours: Vec<&str> = used
         .map(String::as_str)
         .filter(|name| name.starts_with("asperity"))
         .collect();
-    assert_eq!(ours, OF_THE_MODULE);
-    let excluded = &manifest(".")["workspace"]["exclude"];
-    let excluded = excluded.as_array().unwrap();
-    assert!(
-        excluded
-            .iter()
-            .any(|folder| folder.as_str() == Some("crates/python"))
-    );
+    assert_eq!(ours, on, "{folder}");
+    let workspace = &manifest(".")["workspace"];
+    let excluded = workspace["exclude"].as_array().unwrap();
+    assert!(excluded.iter().any(|each| each.as_str() == Some(folder)));
+    let version = &workspace["package"]["version"];
+    assert_eq!(&outside["package"]["version"], version, "{folder}");
+    outside
+}
+
+#[test]
+fn the_python_module_stands_on_the_libraries_and_outside_of_the_workspace() {
+    let module = stands_outside("crates/python", OF_THE_MODULE);
     // Both are built with the same versions of what they use, and as releases alike.
     assert_eq!(
         module["profile"]["release"],
         manifest(".")["profile"]["release"]
     );
-    let version = &manifest(".")["workspace"]["package"]["version"];
-    assert_eq!(&module["package"]["version"], version);
+}
+
+#[test]
+fn the_page_stands_on_the_libraries_and_outside_of_the_workspace() {
+    stands_outside("crates/web", OF_THE_PAGE);
+    let versions = |folder: &str| -> BTreeMap<String, BTreeSet<String>> {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("..")
+            .join(folder);
+        let lock = std::fs::read_to_string(path.join("Cargo.lock")).unwrap();
+        let lock: toml::Table = lock.parse().unwrap();
+        let mut found = BTreeMap::<_, BTreeSet<_>>::new();
+        for package in lock["package"].as_array().unwrap() {
+            let text = |key: &str| package[key].as_str().unwrap().to_owned();
+            found
+                .entry(text("name"))
+                .or_default()
+                .insert(text("version"));
+        }
+        found
+    };
+    // The numbers of both come from the same code.
+    let (of_page, of_command) = (versions("crates/web"), versions("."));
+    for name in ["realfft", "rustfft", "libm", "rayon", "toml", "serde_json"] {
+        assert_eq!(of_page[name], of_command[name], "{name}");
+    }
+    let page = manifest("crates/web");
+    let build = manifest("crates/web/build");
+    assert_eq!(
+        page["dependencies"]["wasm-bindgen"],
+        build["dependencies"]["wasm-bindgen-cli-support"]
+    );
 }
 
 #[test]

@@ -51,6 +51,7 @@ pub mod full_film;
 mod full_film_solution;
 pub mod gear_report;
 pub mod kept_fields;
+pub mod key_words;
 pub mod laws;
 pub mod load_report;
 pub mod load_share;

@@ -128,25 +128,47 @@ pub fn write_unsolved(contact: &UnsolvedContact, file: &Path) -> Result<(), Repo
 }
 
 pub(crate) fn fill(outcome: &Outcome, folder: &Path, fields: &Fields) -> Result<(), ReportError> {
-    let result = &outcome.result;
-    write_json(&folder.join(MARK), result)?;
-    tables::write(&folder.join("path.csv"), &result.path)?;
-    tables::write(&folder.join("load.csv"), &result.load.path)?;
-    tables::write(&folder.join("offsets.csv"), &outcome.offsets)?;
-    tables::write(&folder.join("losses.csv"), tables::losses(result))?;
-    tables::write(
-        &folder.join("friction_laws.csv"),
-        tables::friction_laws(result),
-    )?;
     let whole = PageTables::of(outcome, None)?;
+    for (name, text) in texts_of(outcome, &whole)? {
+        write_bytes(&folder.join(name), &text)?;
+    }
     if *fields != Fields::Page {
         write_fields(outcome, &whole, folder, fields)?;
     }
+    Ok(())
+}
+
+/// Name and content of a file of a result.
+pub type FileText = (&'static str, Vec<u8>);
+
+/// The files that [`write_folder`] writes without further fields, in memory.
+///
+/// # Errors
+/// When a number is not finite.
+pub fn texts(outcome: &Outcome) -> Result<Vec<FileText>, ReportError> {
+    texts_of(outcome, &PageTables::of(outcome, None)?)
+}
+
+fn texts_of(outcome: &Outcome, whole: &PageTables) -> Result<Vec<FileText>, ReportError> {
+    fn table<R: Serialize>(
+        name: &'static str,
+        rows: impl IntoIterator<Item = R>,
+    ) -> Result<FileText, ReportError> {
+        Ok((name, tables::text(Path::new(name), rows)?))
+    }
+    let result = &outcome.result;
     let shown = whole.thinned(result, PAGE_TABLES)?;
     check_finite(&shown).map_err(ReportError::not_finite(Path::new(PAGE_TABLES)))?;
-    let text = serde_json::to_string(&shown)?;
-    write_text(&folder.join(PAGE_TABLES), &text)?;
-    write_text(&folder.join(PAGE), &html::render(result, &shown)?)
+    Ok(vec![
+        (MARK, json_text(Path::new(MARK), result)?.into_bytes()),
+        table("path.csv", &result.path)?,
+        table("load.csv", &result.load.path)?,
+        table("offsets.csv", &outcome.offsets)?,
+        table("losses.csv", tables::losses(result))?,
+        table("friction_laws.csv", tables::friction_laws(result))?,
+        (PAGE_TABLES, serde_json::to_vec(&shown)?),
+        (PAGE, html::render(result, &shown)?.into_bytes()),
+    ])
 }
 
 fn write_fields(
@@ -189,10 +211,15 @@ fn write_position(contact: &ContactTables, place: &Path) -> Result<(), ReportErr
 /// # Errors
 /// When the system refuses, a number is not finite, or JSON cannot hold the value.
 pub fn write_json<T: Serialize>(file: &Path, value: &T) -> Result<(), ReportError> {
+    write_text(file, &json_text(file, value)?)
+}
+
+/// JSON that ends with a line feed; `file` is the name in messages.
+fn json_text<T: Serialize>(file: &Path, value: &T) -> Result<String, ReportError> {
     check_finite(value).map_err(ReportError::not_finite(file))?;
     let mut text = serde_json::to_string_pretty(value)?;
     text.push('\n');
-    write_text(file, &text)
+    Ok(text)
 }
 
 /// Writes `text` into a folder that is being made.

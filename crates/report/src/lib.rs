@@ -6,6 +6,7 @@
 //! | to | use |
 //! |---|---|
 //! | write the folder of a run | [`write_folder`] |
+//! | have its files in memory | [`texts`] |
 //! | read a result back | [`read_result`] |
 //! | draw its page | [`html::render`], [`redraw`] |
 //! | print it in 80 columns | [`summary`] |
@@ -23,8 +24,8 @@ mod wrap;
 
 pub use error::{ReportError, TableFault};
 pub use folder::{
-    Fields, check_place, make_folder, read_result, redraw, write_bytes, write_folder, write_json,
-    write_load_points, write_text, write_unsolved,
+    Fields, FileText, check_place, make_folder, read_result, redraw, texts, write_bytes,
+    write_folder, write_json, write_load_points, write_text, write_unsolved,
 };
 pub use page_tables::PageTables;
 pub use planetary::{check_planetary_place, write_planetary};

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use asperity::case::{Formulation, load_with};
 use asperity::result::{Outcome, RunResult};
-use asperity_report::{Fields, ReportError, read_result, redraw, write_folder};
+use asperity_report::{Fields, ReportError, read_result, redraw, texts, write_folder};
 
 fn cases() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases");
@@ -46,6 +46,20 @@ fn every_fixture_case_is_equal_after_a_round_trip_through_json() {
             assert_eq!(serde_json::to_string_pretty(&back).unwrap(), text);
         }
     }
+}
+
+#[test]
+fn the_files_in_memory_are_those_of_the_folder() {
+    let place = tempfile::tempdir().unwrap();
+    let folder = place.path().join("result");
+    let outcome = smallest();
+    write_folder(&outcome, &folder, &Fields::Page).unwrap();
+    let held = texts(&outcome).unwrap();
+    for (name, text) in &held {
+        assert_eq!(&fs::read(folder.join(name)).unwrap(), text, "{name}");
+    }
+    // Beside them stands the manifest alone.
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), held.len() + 1);
 }
 
 #[test]

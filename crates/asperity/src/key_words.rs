@@ -1,0 +1,175 @@
+//! Errors and their remedies in the words of a case: the keys to write and the tables that they stand in.
+//!
+//! A command says the same where a case file is to be changed, a page where it shows the text of the case.
+
+use asperity_core::remedy::{Action, Remedy, Setting, Value};
+
+use crate::error::Error;
+use crate::message::explain;
+
+impl Error {
+    /// The error with its remedy in keys of the case.
+    ///
+    /// ```
+    /// use asperity::case::from_text;
+    /// let text = r#"
+    ///     gears = { teeth = [23, 68], module = "1.8 mm", face_width = "32 mm" }
+    ///     operation = { torque = "145 N m", speed = "9000 1/min", temperature = "90 °C" }
+    ///     lubricant = { oil = "m100" }
+    ///     surface = { pinion = { file = "flank.txt", z_unit = "um" } }
+    /// "#;
+    /// let heights = "0.25\n0.5\n".repeat(100);
+    /// let error = from_text("case.toml", text, &|_| Ok(heights.clone().into_bytes())).unwrap_err();
+    /// assert!(error.in_keys().ends_with("Write dx = \"0.5 um\" in surface.pinion"), "{}", error.in_keys());
+    /// ```
+    pub fn in_keys(&self) -> String {
+        with_keys(&self.to_string(), &self.remedy(), self.flank())
+    }
+
+    /// The flank that the error is about, by its table in the case.
+    pub fn flank(&self) -> &'static str {
+        let key = self.place().and_then(|place| place.key.as_deref());
+        match key {
+            Some(key) if key.starts_with("surface.wheel") => "surface.wheel",
+            _ => "surface.pinion",
+        }
+    }
+}
+
+/// The table of a case that `setting` stands in, for the flank at `flank`; none for a key that names its own.
+pub fn table(setting: Setting, flank: &str) -> Option<&str> {
+    match setting {
+        Setting::Key(_) => None,
+        Setting::Form | Setting::Cutoff | Setting::NoiseCutoff => Some("surface"),
+        _ => Some(flank),
+    }
+}
+
+/// `message` with its remedy in keys of the case file, for the flank at `flank`.
+pub fn with_keys(message: &str, remedy: &Remedy, flank: &str) -> String {
+    ended(message, &remedy.sentence(|action| in_keys(action, flank)))
+}
+
+/// Appends the advice, unless the message ends in a question that already implies it.
+pub fn ended(message: &str, advice: &str) -> String {
+    if advice.is_empty() || message.ends_with('?') {
+        message.to_owned()
+    } else {
+        format!("{}. {advice}", message.trim_end_matches('.'))
+    }
+}
+
+fn in_keys(action: &Action, flank: &str) -> String {
+    match action {
+        Action::Do { what } => what.to_string(),
+        Action::Omit { setting } => match table(*setting, flank) {
+            Some(table) => format!("leave {} out of {table}", setting.key()),
+            None => format!("leave {} out", setting.key()),
+        },
+        Action::Set { settings, to, why } => {
+            let keys: Vec<&str> = settings.iter().map(|setting| setting.key()).collect();
+            let keys = keys.join(" and ");
+            let given = match to {
+                Value::This(value) | Value::Like(value) => {
+                    format!("{keys} = {}", written(settings, value))
+                }
+                Value::OneOf(values) => {
+                    let each: Vec<_> = values
+                        .split(" | ")
+                        .map(|value| written(settings, value))
+                        .collect();
+                    format!("{keys} = {}", each.join(", or "))
+                }
+                _ => keys,
+            };
+            let table = settings.first().and_then(|first| table(*first, flank));
+            let told = match table {
+                Some(table) => format!("write {given} in {table}"),
+                None => format!("set {given}"),
+            };
+            explained(told, why)
+        }
+        _ => String::new(),
+    }
+}
+
+/// A value as it stands in a case file.
+fn written(settings: &[Setting], value: &str) -> String {
+    match settings {
+        [Setting::Columns] => match value.split_once(',') {
+            Some((x, z)) => format!("{{ x = {x}, z = {z} }}"),
+            None => format!("{{ z = {value} }}"),
+        },
+        [Setting::Row] => value.to_owned(),
+        _ => format!("\"{value}\""),
+    }
+}
+
+/// `told` with its end or condition, where there is one.
+pub fn explained(told: String, why: &str) -> String {
+    match why {
+        "" => told,
+        why => format!("{told} {why}"),
+    }
+}
+
+/// General advice for a code, with the keys that it is about.
+///
+/// ```
+/// assert_eq!(
+///     asperity::key_words::advice("E110").as_deref(),
+///     Some("State the spacing of the points, e.g. 0.5 um (dx in surface.pinion).")
+/// );
+/// ```
+pub fn advice(code: &str) -> Option<String> {
+    let entry = explain(code)?;
+    let Some(first) = entry.settings.first() else {
+        return Some(entry.remedy.to_owned());
+    };
+    let keys: Vec<&str> = entry.settings.iter().map(|s| s.key()).collect();
+    let keys = keys.join(", ");
+    let general = entry.remedy.trim_end_matches('.');
+    Some(match table(*first, "surface.pinion") {
+        Some(table) => format!("{general} ({keys} in {table})."),
+        None => format!("{general} ({keys})."),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_remedy_is_told_in_keys() {
+        let unit = Remedy::set(Setting::ZUnit, Value::OneOf("um | nm | mm".into()));
+        assert_eq!(
+            with_keys("a.csv: no unit", &unit, "surface.wheel"),
+            "a.csv: no unit. Write z_unit = \"um\", or \"nm\", or \"mm\" in surface.wheel"
+        );
+        let columns = Remedy::set(Setting::Columns, Value::Like("1,2".into()));
+        assert_eq!(
+            with_keys("m", &columns, "surface.pinion"),
+            "m. Write columns = { x = 1, z = 2 } in surface.pinion"
+        );
+        let none = Remedy::set(Setting::Cutoff, Value::This("0 mm".into()));
+        assert_eq!(
+            with_keys("m", &none, "surface.wheel"),
+            "m. Write cutoff = \"0 mm\" in surface"
+        );
+        assert_eq!(with_keys("m?", &none, "surface.wheel"), "m?");
+    }
+
+    #[test]
+    fn advice_names_the_keys_of_a_code() {
+        assert_eq!(
+            advice("E121").as_deref(),
+            explain("E121").map(|entry| entry.remedy)
+        );
+        assert!(
+            advice("E120")
+                .unwrap()
+                .ends_with("(cutoff, noise_cutoff in surface).")
+        );
+        assert_eq!(advice("none of ours"), None);
+    }
+}

@@ -1,0 +1,106 @@
+//! The job of the page: what `asperity run` does, without a file system.
+
+use asperity::band::run_with_band;
+use asperity::case::{self, CaseInput, LoadedCase, Source, planetary};
+use asperity::core::lubricant::library;
+use asperity::kept_fields::KeptFields;
+use asperity::pipeline::Progress;
+use asperity_report::{FileText, summary, texts};
+use asperity_studies::estimate::estimate;
+use serde_json::json;
+
+use crate::failure::Failure;
+use crate::files::Files;
+
+/// Bytes of fields that the memory of a page has room for, beside what else is in it: it ends at 4 GiB.
+const MOST_BYTES: f64 = 2e9;
+
+/// A result as text.
+#[derive(Debug, Clone)]
+pub struct Finished {
+    /// Title of the case.
+    pub title: String,
+    /// The summary as the command prints it, with all notes.
+    pub summary: String,
+    /// The files of the result folder.
+    pub files: Vec<FileText>,
+}
+
+/// Runs the case in `text`, called `name`, on `files`.
+///
+/// # Errors
+/// When the case cannot be read or run, as for `asperity run`; when it is a planetary set; and when its fields
+/// would not fit into the memory of a page.
+pub fn run(
+    name: &str,
+    text: &str,
+    files: &Files,
+    progress: Progress<'_>,
+) -> Result<Finished, Failure> {
+    let loaded = load(name, text, files)?;
+    check_memory(&loaded)?;
+    let outcome = run_with_band(&loaded, &KeptFields::Highest, progress)
+        .map_err(|error| Failure::of_run(name, &error))?;
+    Ok(Finished {
+        title: outcome.result.title.clone(),
+        summary: summary(&outcome.result),
+        files: texts(&outcome)?,
+    })
+}
+
+fn load(name: &str, text: &str, files: &Files) -> Result<LoadedCase, Failure> {
+    let source = read(name, text)?;
+    if planetary::is_planetary(&source) {
+        let message =
+            format!("{name}: is a planetary set; the page takes a pair of gears, the command both");
+        return Err(Failure::new("E205", message));
+    }
+    case::from_text(name, text, &|file| Ok(files.find(file)?.to_vec()))
+        .map_err(|error| Failure::from(&error))
+}
+
+fn read(name: &str, text: &str) -> Result<Source, Failure> {
+    Source::from_bytes(name, text.as_bytes())
+        .map_err(|error| Failure::from(&asperity::Error::from(error)))
+}
+
+fn check_memory(loaded: &LoadedCase) -> Result<(), Failure> {
+    // A case that has no estimate has no run, which says why.
+    let Ok(work) = estimate(loaded, &KeptFields::Highest) else {
+        return Ok(());
+    };
+    if work.bytes <= MOST_BYTES {
+        return Ok(());
+    }
+    let message = format!(
+        "{} rough contacts take about {:.1} GB of memory (limit {:.0}); reduce model.positions or model.offsets, \
+         or run the case with the command",
+        work.contacts,
+        work.bytes / 1e9,
+        MOST_BYTES / 1e9,
+    );
+    Err(Failure::new("E209", message))
+}
+
+/// The keys of the case in `text` as JSON, for a form to show; its files are not opened.
+///
+/// # Errors
+/// When the text is no case.
+pub fn keys(name: &str, text: &str) -> Result<String, Failure> {
+    let input: CaseInput = read(name, text)?
+        .read()
+        .map_err(|error| Failure::from(&asperity::Error::from(error)))?;
+    Ok(serde_json::to_string(&input)?)
+}
+
+/// The oils of the library as JSON: name, note and source of each.
+///
+/// # Errors
+/// When the library is damaged.
+pub fn oils() -> Result<String, Failure> {
+    let oils = library().map_err(|error| Failure::new("E501", error.to_string()))?;
+    let oils = oils
+        .iter()
+        .map(|oil| json!({ "name": oil.name, "note": oil.note, "source": oil.source }));
+    Ok(serde_json::to_string(&oils.collect::<Vec<_>>())?)
+}

@@ -1,0 +1,15 @@
+//! The case run in a browser: files in memory and the text of a case in, the files of the result out.
+//!
+//! A page gives the same numbers as `asperity run`, since both call the same functions; [`bindings`] is what its
+//! worker sees of them. Nothing here asks for a network, a file or a clock.
+
+pub mod bindings;
+mod failure;
+mod files;
+mod job;
+mod look;
+
+pub use failure::Failure;
+pub use files::Files;
+pub use job::{Finished, keys, oils, run};
+pub use look::{Look, Stated, look};
