@@ -64,7 +64,7 @@ impl HalfPlane {
         let compliance = cell_compliance(spacing, modulus)?;
         let mut buffers = Buffers::default();
         let planner = &mut FftPlanner::new();
-        let filter = displacement_filter(planner, points, boundary, &mut buffers);
+        let filter = displacement_filter(planner, points, boundary, &mut vec![], &mut buffers);
         buffers.reserve(&filter);
         Ok(Self {
             filter,
@@ -157,15 +157,22 @@ pub(crate) fn cite_kernel(boundary: Boundary) {
     }
 }
 
-/// The filter C/a.
+/// The filter C/a. `column` holds the kernel of free ends at the first cells, which is that of every grid; made longer
+/// where it is too short.
 pub(crate) fn displacement_filter(
     planner: &mut FftPlanner<f64>,
     points: usize,
     boundary: Boundary,
+    column: &mut Vec<f64>,
     buffers: &mut Buffers,
 ) -> EvenFilter {
     match boundary {
-        Boundary::FreeEnds => EvenFilter::from_column(planner, &strip_column(points), buffers),
+        Boundary::FreeEnds => {
+            if column.len() < points {
+                *column = strip_column(points);
+            }
+            EvenFilter::from_column(planner, &column[..points], buffers)
+        }
         Boundary::Periodic(PeriodicKernel::Strip) => {
             EvenFilter::from_period(planner, &periodic_column(points), buffers).without_mean()
         }

@@ -172,12 +172,20 @@ impl<T: FftNum> EvenFilter<T> {
         self.convolve(buffers, factor, runs.iter().copied());
     }
 
-    fn convolve(&self, buffers: &mut Buffers<T>, factor: T, runs: impl Iterator<Item = Run>) {
+    fn convolve(
+        &self,
+        buffers: &mut Buffers<T>,
+        factor: T,
+        runs: impl Iterator<Item = Run> + Clone,
+    ) {
         let waves = self.plan.len();
         let signal = &mut buffers.signal[..self.points];
         let wave = &mut buffers.wave[..waves];
         let scratch = &mut buffers.scratch[..self.plan.get_inplace_scratch_len()];
-        wave.fill(Complex::zero());
+        match waves == self.length {
+            true => wave.fill(Complex::zero()),
+            false => clear_gaps(wave, runs.clone(), 2),
+        }
         let Some(alternating) = &self.alternating else {
             vectorised(
                 #[inline(always)]
@@ -200,7 +208,7 @@ impl<T: FftNum> EvenFilter<T> {
             return;
         };
         let twisted = &mut buffers.twisted[..waves];
-        twisted.fill(Complex::zero());
+        clear_gaps(twisted, runs.clone(), 1);
         vectorised(
             #[inline(always)]
             || {
@@ -312,6 +320,18 @@ pub(super) fn turns(count: usize, angle: f64) -> Vec<Complex<f64>> {
     blocks.take(count).collect()
 }
 
+/// Zeroes the places that no run fills whole, where each holds `width` points.
+fn clear_gaps<T: FftNum>(places: &mut [Complex<T>], runs: impl Iterator<Item = Run>, width: usize) {
+    let mut filled = 0;
+    for run in runs {
+        let range = run.range();
+        let next = range.start.div_ceil(width).min(places.len());
+        places[filled..next].fill(Complex::zero());
+        filled = (range.end / width).min(places.len());
+    }
+    places[filled..].fill(Complex::zero());
+}
+
 /// Calls `each` with every run and its values, which follow each other in `signal`.
 #[inline(always)]
 fn for_values<T>(runs: impl Iterator<Item = Run>, signal: &[T], mut each: impl FnMut(Run, &[T])) {
@@ -332,7 +352,7 @@ impl<T: FftNum> Alternating<T> {
         let (early, late) = values.split_at(split - first);
         let places = twisted[first.min(half)..].iter_mut();
         for ((c, w), &x) in places.zip(&self.twist[first.min(half)..]).zip(early) {
-            *c = *c + w.scale(factor * x);
+            *c = w.scale(factor * x);
         }
         if late.is_empty() {
             return;

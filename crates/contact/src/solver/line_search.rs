@@ -255,7 +255,8 @@ mod tests {
             for points in [50, 1_000, 30_000] {
                 let (mut planner, mut singles) = (FftPlanner::new(), FftPlanner::new());
                 let mut buffers = Buffers::default();
-                let filter = displacement_filter(&mut planner, points, boundary, &mut buffers);
+                let filter =
+                    displacement_filter(&mut planner, points, boundary, &mut vec![], &mut buffers);
                 let single = filter.single(&mut singles);
                 let mut single_buffers = Buffers::default();
                 buffers.reserve(&filter);

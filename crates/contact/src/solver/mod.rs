@@ -77,6 +77,8 @@ pub struct Solver {
 /// The operators of every number of points met so far.
 struct Levels {
     boundary: Boundary,
+    /// Kernel of free ends, of which a coarser grid takes the first cells.
+    column: Vec<f64>,
     planner: FftPlanner<f64>,
     inverse_planner: FftPlanner<f32>,
     displacements: BTreeMap<usize, EvenFilter>,
@@ -88,6 +90,7 @@ impl Levels {
     /// Forgets other sizes before a large one is made: memory is then what counts.
     fn make_room(&mut self, points: usize) {
         if points > LARGE_GRID && !self.displacements.contains_key(&points) {
+            self.column = vec![];
             self.displacements.clear();
             self.singles.clear();
             self.inverses.clear();
@@ -99,11 +102,11 @@ impl Levels {
     /// The displacement of a grid, with room for it in `buffers`.
     fn displacement(&mut self, points: usize, buffers: &mut Buffers) -> &EvenFilter {
         self.make_room(points);
-        let planner = &mut self.planner;
-        let filter = self
-            .displacements
-            .entry(points)
-            .or_insert_with(|| displacement_filter(planner, points, self.boundary, buffers));
+        let (planner, column) = (&mut self.planner, &mut self.column);
+        let filter = self.displacements.entry(points).or_insert_with(|| {
+            displacement_filter(planner, points, self.boundary, column, buffers)
+        });
+        shed(column);
         buffers.reserve(filter);
         filter
     }
@@ -117,11 +120,11 @@ impl Levels {
             .entry(points)
             .or_insert_with(|| inverse_filter(planner, points));
         work.single_buffers.reserve(inverse);
-        let (planner, buffers) = (&mut self.planner, &mut work.buffers);
-        let displacement = self
-            .displacements
-            .entry(points)
-            .or_insert_with(|| displacement_filter(planner, points, self.boundary, buffers));
+        let (planner, column, buffers) = (&mut self.planner, &mut self.column, &mut work.buffers);
+        let displacement = self.displacements.entry(points).or_insert_with(|| {
+            displacement_filter(planner, points, self.boundary, column, buffers)
+        });
+        shed(column);
         buffers.reserve(displacement);
         let planner = &mut self.inverse_planner;
         let single = self
@@ -135,6 +138,13 @@ impl Levels {
             inverse,
             boundary: self.boundary,
         }
+    }
+}
+
+/// Gives back a column whose memory counts.
+fn shed(column: &mut Vec<f64>) {
+    if column.len() > LARGE_GRID {
+        *column = vec![];
     }
 }
 
@@ -163,6 +173,7 @@ impl Solver {
             shape: SolverShape { points, boundary },
             levels: Levels {
                 boundary,
+                column: vec![],
                 planner: FftPlanner::new(),
                 inverse_planner: FftPlanner::new(),
                 displacements: BTreeMap::new(),
@@ -233,6 +244,11 @@ impl Solver {
     ) -> Result<Vec<f64>, ContactError> {
         if let Some(start) = discrete.given_start() {
             return Ok(start);
+        }
+        // Buffers that have the size of the finest grid need not grow from grid to grid.
+        if self.shape.points <= LARGE_GRID {
+            let buffers = &mut self.work.buffers;
+            self.levels.displacement(self.shape.points, buffers);
         }
         let mut grids = grids(self.shape.points);
         if !settings.cascade {

@@ -4,10 +4,6 @@ use super::line_search::settle;
 use super::workspace::{Level, Task, Workspace};
 use super::{active_set, projected_gradient};
 
-/// Certificate of a coarser grid over that of its start: the next grid halves the cells, and its
-/// start is hardly better for more (0.1 costs a tenth of a solution on 10⁵ points).
-const GAIN: f64 = 0.5;
-
 /// Improves `work.pressure` until its certificate is within the tolerance or no progress is left;
 /// returns the iterations.
 pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize {
@@ -20,7 +16,7 @@ pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize
     };
     let tolerance = if task.least_tolerance < task.tolerance {
         let start = work.assess(task);
-        let goal = GAIN * start.duality_gap.max(start.penetration);
+        let goal = task.gain * start.duality_gap.max(start.penetration);
         goal.clamp(task.least_tolerance, task.tolerance)
     } else {
         task.tolerance

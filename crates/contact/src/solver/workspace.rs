@@ -46,6 +46,8 @@ pub(crate) struct Task<'a> {
     pub(crate) tolerance: f64,
     /// On a coarser grid the tolerance is tightened to what its start is worth, but to no less.
     pub(crate) least_tolerance: f64,
+    /// That worth: the certificate over that of the start.
+    pub(crate) gain: f64,
     pub(crate) max_iterations: usize,
 }
 
