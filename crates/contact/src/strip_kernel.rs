@@ -98,7 +98,7 @@ fn strips(points: usize) -> Vec<f64> {
     let value = |k: usize| {
         let r = 2.0 * k as f64;
         let ln = match k {
-            1.. if k % 2 == 0 => logarithms[k / 2] + LN_2,
+            1.. if k.is_multiple_of(2) => logarithms[k / 2] + LN_2,
             _ => r.ln(),
         };
         if k <= points / 2 {
