@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
+import os
 from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _asperity
@@ -94,10 +92,10 @@ def calibrate(
         hold: parameters that stay at the value of the case, by their keys: ``["boundary_friction"]``.
         threads, progress: as in `Case.run`.
     """
-    folder, text = Path(), None
+    folder, text = "", None
     if isinstance(rig, (str, PathLike)):
         name = fspath(rig)
-        folder = Path(name).parent
+        folder = os.path.dirname(name)
     else:
         name, text = "rig", _table(rig)
     beside = None if case is None else as_case(case)._raw
@@ -108,6 +106,10 @@ def calibrate(
 
 def _table(rig: Any) -> str:
     """The table as text."""
+    # At their first need: they take time to import.
+    import csv
+    import io
+
     columns = {str(name): list(rig[name]) for name in rig}
     if len({len(column) for column in columns.values()}) > 1:
         raise AsperityError("rig: its columns differ in length", "E134", "Give every column one value per measurement.")
