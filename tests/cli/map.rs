@@ -51,6 +51,61 @@ fn map(bench: &Bench, folder: &str, more: &[&str]) {
 }
 
 #[test]
+fn bands_of_a_map_are_those_of_runs() {
+    let bench = bench(E_DRIVE);
+    let axes = [
+        "--torque=0.5,20,50,80,100",
+        "--speed=500,4000,9000,12000",
+        "--set",
+        "model.load_share=lambda-star",
+    ];
+    let of = |folder: &str, more: &[&str]| {
+        let arguments = [&["map", "case.toml", "-o", folder][..], &axes, more].concat();
+        let said = bench.run(&arguments).well().out;
+        let rows = table(&bench, &format!("{folder}/map.csv"));
+        let banded = rows
+            .into_iter()
+            .filter(|row| !row["loss_torque_q05_nm"].is_empty());
+        (said, banded.collect::<Vec<_>>())
+    };
+    let (said, nodes) = of("m", &[]);
+    assert!(said.contains("sampling at 9 points"), "{said}");
+    let torques: Vec<f64> = nodes.iter().map(|row| number(row, "torque_nm")).collect();
+    assert_eq!(
+        torques,
+        [20.0, 20.0, 20.0, 50.0, 50.0, 50.0, 100.0, 100.0, 100.0]
+    );
+    let row = &nodes[4];
+    let run = bench.run(&[
+        "run",
+        "case.toml",
+        "--json",
+        "--no-output",
+        "--set",
+        "model.load_share=lambda-star",
+        "--set",
+        &format!("operation.torque={} N m", row["torque_nm"]),
+        "--set",
+        &format!("operation.speed={} 1/min", row["speed_rpm"]),
+    ]);
+    let omega = number(row, "speed_rpm") * std::f64::consts::PI / 30.0;
+    let quantiles = &run.well().json()["band"]["quantiles_w"];
+    for (k, column) in ["loss_torque_q05_nm", "loss_torque_q95_nm"]
+        .iter()
+        .enumerate()
+    {
+        let there = quantiles[k].as_f64().unwrap() / omega;
+        assert!(
+            (number(row, column) / there - 1.0).abs() < 1e-14,
+            "{column}"
+        );
+    }
+    let (_, all) = of("f", &["--band", "full"]);
+    assert_eq!(all.len(), 16);
+    assert!(of("n", &["--band", "none"]).1.is_empty());
+}
+
+#[test]
 fn a_map_has_nodes_at_rest_and_its_points_are_those_of_runs() {
     let bench = bench(E_DRIVE);
     map(&bench, "m", &[]);

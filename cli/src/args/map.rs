@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use asperity_studies::export::Format;
+use asperity_studies::map::MapBand;
 use clap::{Args, Subcommand, ValueEnum};
 
 use super::{FinishArg, SetArgs, WorkArgs};
@@ -29,6 +30,9 @@ pub struct MapArgs {
     /// A finish and its traces; give several to see their difference [default: the flanks of the case]
     #[arg(long = "finish", value_name = "NAME=PINION.csv[,WHEEL.csv]")]
     pub finishes: Vec<FinishArg>,
+    /// Points whose loss torque has a 5-95 % band over parameters and sampling, as that of asperity run
+    #[arg(long, value_enum, default_value_t, value_name = "POINTS")]
+    pub band: BandArg,
     /// Cycle whose points are drawn over the map, as asperity cycle takes it
     #[arg(long, value_name = "TRACE.csv")]
     pub cycle: Option<PathBuf>,
@@ -45,6 +49,29 @@ pub struct MapArgs {
     /// Limits of the work.
     #[command(flatten)]
     pub work: WorkArgs,
+}
+
+/// Points of a map with a band.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum BandArg {
+    /// None
+    None,
+    /// Lowest, middle and highest torque and speed at every temperature
+    #[default]
+    Nodes,
+    /// All whose contacts the traces resolve: some twenty times the work
+    Full,
+}
+
+impl BandArg {
+    /// The same for the library.
+    pub fn points(self) -> MapBand {
+        match self {
+            Self::None => MapBand::None,
+            Self::Nodes => MapBand::Nodes,
+            Self::Full => MapBand::Full,
+        }
+    }
 }
 
 /// Programs that a map is written for.

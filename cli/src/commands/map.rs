@@ -48,8 +48,8 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     map::check_place(&folder).map_err(|error| Failure::new("E401", error.to_string()))?;
     let torques = axes.torque_nm.len().div_ceil(2) * finishes.len();
     check_work(&args.work, &first.case, &KeptFields::Highest, torques)?;
-    let found =
-        watched(&finishes, &axes, common).map_err(|error| Failure::about(&args.case, &error))?;
+    let found = watched(&finishes, &axes, args, common)
+        .map_err(|error| Failure::about(&args.case, &error))?;
     let exports = exports(args, &found, cycle.as_ref())?;
     map::write(&found, &visited, &exports, &folder)
         .map_err(|error| Failure::new("E401", error.to_string()))?;
@@ -103,11 +103,16 @@ fn name_of_value(format: ExportArg) -> String {
 }
 
 /// The work with its rate and the time that is left, once it takes a while.
-fn watched(finishes: &[Finish], axes: &Axes, common: &Common) -> Result<Map, asperity::Error> {
+fn watched(
+    finishes: &[Finish],
+    axes: &Axes,
+    args: &MapArgs,
+    common: &Common,
+) -> Result<Map, asperity::Error> {
     let begin = Instant::now();
     let bar = progress(common.quiet);
     bar.set_message("points");
-    let found = map::map(finishes, axes, &|done, total| {
+    let found = map::map(finishes, axes, args.band.points(), &|done, total| {
         if begin.elapsed() >= PATIENCE {
             bar.set_length(total as u64);
             bar.set_position(done as u64);

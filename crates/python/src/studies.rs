@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use asperity_studies::compare::{self as comparing, Finish};
 use asperity_studies::cycle;
 use asperity_studies::export::{AddedLoss, Format, With, export};
-use asperity_studies::map::{self as mapping, Axes, Numbers, Point};
+use asperity_studies::map::{self as mapping, Axes, MapBand, Numbers, Point};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -95,6 +95,7 @@ pub fn map(
     torque: Option<Nodes>,
     speed: Option<Nodes>,
     temperature: Option<Nodes>,
+    band: &str,
     threads: Option<usize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Map> {
@@ -109,8 +110,17 @@ pub fn map(
         &nodes(temperature, || Axes::default_temperature(case))?,
     )
     .map_err(Failure::from)?;
+    let band = match band {
+        "none" => MapBand::None,
+        "nodes" => MapBand::Nodes,
+        "full" => MapBand::Full,
+        other => {
+            let message = format!("band = {other:?}: \"none\", \"nodes\" or \"full\"");
+            return Err(Failure::new("E205", message).into());
+        }
+    };
     in_parallel(py, threads, progress.as_ref(), |told| {
-        let found = mapping::map(&finishes, &axes, &|done, total| told.tell(done, total))?;
+        let found = mapping::map(&finishes, &axes, band, &|done, total| told.tell(done, total))?;
         Ok(Map(found))
     })
 }
@@ -128,6 +138,8 @@ const COLUMNS: [Column; 12] = [
     ("loss_w", |n| Some(n.loss_w)),
     ("loss_torque_nm", |n| Some(n.loss_torque_nm)),
     ("loss_torque_deviation_nm", |n| n.loss_torque_deviation_nm),
+    ("loss_torque_q05_nm", |n| Some(n.loss_torque_quantiles_nm?[0])),
+    ("loss_torque_q95_nm", |n| Some(n.loss_torque_quantiles_nm?[1])),
     ("efficiency", |n| n.efficiency),
     ("efficiency_deviation", |n| n.efficiency_deviation),
     ("sliding_w", |n| Some(n.sliding_w)),

@@ -39,6 +39,7 @@ fn map_of(torque: &[f64], temperatures: &[f64]) -> Map {
                         loss_w: loss * speed_rpm * PI / 30.0,
                         loss_torque_nm: loss,
                         loss_torque_deviation_nm: None,
+                        loss_torque_quantiles_nm: None,
                         efficiency: None,
                         efficiency_deviation: None,
                         sliding_w: 0.0,

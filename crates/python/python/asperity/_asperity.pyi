@@ -86,6 +86,7 @@ def map(
     torque: _Nodes,
     speed: _Nodes,
     temperature: _Nodes,
+    band: str,
     threads: Optional[int],
     progress: _Told,
 ) -> Map: ...

@@ -219,6 +219,7 @@ def map(
     speed: Axis = None,
     temperature: Axis = None,
     finishes: Optional[Mapping[str, Finish]] = None,
+    band: str = "nodes",
     threads: Optional[int] = None,
     progress: Optional[Progress] = None,
 ) -> Map:
@@ -230,6 +231,8 @@ def map(
         speed: nodes, rad/s; default 16 to the largest. A node at standstill is added.
         temperature: nodes of the flanks, K; default that of the case.
         finishes: finishes by name, as in `compare`; default the traces of the case.
+        band: where the loss torque has 5 % and 95 % quantiles over parameters and sampling (``loss_torque_q05_nm``,
+            ``loss_torque_q95_nm``, nan elsewhere): at three torques and three speeds (``"nodes"``), ``"full"`` or ``"none"``.
         threads, progress: as in `Case.run`.
 
     Nodes are numbers in SI units, texts with units (``["1000 1/min", "9000 1/min"]``), or a range in N m, 1/min or
@@ -239,7 +242,7 @@ def map(
     named = cases_of(base, finishes, None) if finishes else [(base.title or "case", base._raw)]
     axes = (_axis(torque, "Torque"), _axis(speed, "AngularSpeed"), _axis(temperature, "Temperature"))
     with Told(progress, "points") as told:
-        return Map(_asperity.map(named, *axes, threads, told))
+        return Map(_asperity.map(named, *axes, band, threads, told))
 
 
 def read_map(folder: Union[str, PathLike[str]]) -> Map:

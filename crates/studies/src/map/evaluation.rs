@@ -7,7 +7,7 @@ use asperity::result::Losses;
 use asperity::reversed::Reversed;
 use asperity::station::Resolution;
 use asperity::surfaces::Texture;
-use asperity::{ContactTables, Error};
+use asperity::{ContactTables, Error, band};
 use asperity_core::quantity::{AngularSpeed, Temperature, Torque};
 use rayon::prelude::*;
 
@@ -20,6 +20,8 @@ pub(super) struct Evaluated {
     pub reversed: Option<Reversed>,
     /// Speed of the pinion \[rad/s\].
     pub omega: f64,
+    /// 5 % and 95 % quantiles of the loss \[W\], where they were asked for.
+    pub quantiles_w: Option<[f64; 2]>,
 }
 
 /// Speed that stands for standstill \[1/min\].
@@ -46,11 +48,12 @@ pub(super) fn at_torque(case: &LoadedCase, torque: Torque) -> Result<LoadedCase,
     })
 }
 
-/// Every speed and temperature at one torque: temperature by temperature.
+/// Every speed and temperature at one torque: temperature by temperature; with a band at the speeds that have one.
 pub(super) fn evaluate(
     case: &LoadedCase,
     torque: Torque,
     (speeds, temperatures): (&[f64], &[f64]),
+    is_banded: &(dyn Fn(f64) -> bool + Sync),
     told: &(dyn Fn() + Sync),
 ) -> Vec<Result<Evaluated, String>> {
     let prepared = at_torque(case, torque).and_then(|case| {
@@ -72,7 +75,7 @@ pub(super) fn evaluate(
     places
         .into_par_iter()
         .map(|place| {
-            let found = at(case, tables.as_ref(), place);
+            let found = at(case, tables.as_ref(), place, is_banded(place.0));
             told();
             found.map_err(|error| code(&error))
         })
@@ -83,6 +86,7 @@ fn at(
     case: &LoadedCase,
     tables: Option<&ContactTables>,
     (speed, temperature): (f64, f64),
+    is_banded: bool,
 ) -> Result<Evaluated, Error> {
     let (speed, temperature) = (speed_of(speed), temperature_of(temperature));
     let case = case.with(|input| {
@@ -93,7 +97,12 @@ fn at(
         Some(tables) => losses_with(tables, &case, &|_, _| {})?,
         None => losses(&case, &|_, _| {})?,
     };
+    let quantiles_w = match is_banded {
+        true => band::quantiles(&case, &found, tables)?,
+        false => None,
+    };
     Ok(Evaluated {
+        quantiles_w,
         reversed: found.reversed(&case.case).ok(),
         losses: found,
         omega: speed.si(),

@@ -11,6 +11,7 @@ use asperity::result::OffsetRow;
 use asperity::surfaces::FlankReport;
 
 use super::axes::Axes;
+use super::band::{Banded, MapBand};
 use super::evaluation::{
     Evaluated, at_torque, computed_speeds, evaluate, resolved_from, shown, torque_of,
 };
@@ -20,11 +21,17 @@ use crate::compare::Finish;
 /// Version of the structure of `map.json`.
 const SCHEMA_VERSION: u32 = 1;
 
-/// Losses of every finish at every node of `axes`. Points without a result have the code of their error.
+/// Losses of every finish at every node of `axes`, with bands where `band` says. Points without a result have the code of
+/// their error.
 ///
 /// # Errors
 /// When there is no finish, or none of its points has a result.
-pub fn map(finishes: &[Finish], axes: &Axes, progress: Progress<'_>) -> Result<Map, Error> {
+pub fn map(
+    finishes: &[Finish],
+    axes: &Axes,
+    band: MapBand,
+    progress: Progress<'_>,
+) -> Result<Map, Error> {
     let mut maps = Vec::with_capacity(finishes.len());
     let sides = finishes
         .iter()
@@ -36,7 +43,7 @@ pub fn map(finishes: &[Finish], axes: &Axes, progress: Progress<'_>) -> Result<M
     let done = AtomicUsize::new(0);
     let told = || progress(1 + done.fetch_add(1, Ordering::Relaxed), total);
     for (finish, sides) in finishes.iter().zip(&sides) {
-        maps.push(of_finish(finish, sides, (axes, &speeds), &told)?);
+        maps.push(of_finish(finish, sides, (axes, &speeds), band, &told)?);
     }
     let first = finishes.first().map(|finish| &finish.case.case);
     let Some(case) = first else {
@@ -90,6 +97,12 @@ impl Sides {
         })
     }
 
+    /// Places with a band of one side, which is both of a finish without coast flanks.
+    fn banded(&self, band: MapBand, axes: &Axes, side: usize) -> Banded {
+        let is_side = |torque: f64| side == usize::from(self.has_coast && torque < 0.0);
+        Banded::of(band, axes, self.from[side], is_side)
+    }
+
     /// Side and torque of all that is computed.
     fn torques(&self) -> Vec<(usize, f64)> {
         let of = |side: usize| self.wanted[side].iter().map(move |torque| (side, *torque));
@@ -104,13 +117,17 @@ fn of_finish(
     finish: &Finish,
     sides: &Sides,
     (axes, speeds): (&Axes, &[f64]),
+    band: MapBand,
     told: &(dyn Fn() + Sync),
 ) -> Result<FinishMap, Error> {
+    let banded = [0, 1].map(|side| sides.banded(band, axes, side));
     let mut computed = Computed::new();
     for (side, torque) in sides.torques() {
         let sign = if side == 1 { -1.0 } else { 1.0 };
         let places = (speeds, axes.temperature_c.as_slice());
-        let found = evaluate(&finish.case, torque_of(sign * torque), places, told);
+        let is_banded = |speed: f64| banded[side].has(torque, speed);
+        let torque_there = torque_of(sign * torque);
+        let found = evaluate(&finish.case, torque_there, places, &is_banded, told);
         computed.insert((side, torque.to_bits()), found);
     }
     let mut points = Vec::with_capacity(axes.points());
@@ -214,6 +231,7 @@ fn numbers(found: &Evaluated, is_reversed: bool) -> Numbers {
         loss_w: summary.loss_w,
         loss_torque_nm: summary.loss_w / found.omega,
         loss_torque_deviation_nm: deviation_of(&losses).map(|loss| loss / found.omega),
+        loss_torque_quantiles_nm: found.quantiles_w.map(|both| both.map(|w| w / found.omega)),
         efficiency,
         efficiency_deviation: deviation,
         sliding_w: summary.sliding_w,
@@ -250,6 +268,7 @@ fn extended(found: &Evaluated, torque_nm: f64, at: f64) -> Numbers {
         loss_w,
         loss_torque_nm: loss_w / found.omega,
         loss_torque_deviation_nm: deviation_of(&losses).map(|loss| loss / found.omega),
+        loss_torque_quantiles_nm: None,
         efficiency,
         efficiency_deviation: is_whole.then(|| deviation_of(&efficiencies)).flatten(),
         sliding_w: share * summary.sliding_w,

@@ -13,13 +13,13 @@
 //! ```
 //! use asperity::case;
 //! use asperity_studies::compare::Finish;
-//! use asperity_studies::map::{Axes, map};
+//! use asperity_studies::map::{Axes, MapBand, map};
 //! let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
 //! let case = case::load_with(file, &|input| {
 //!     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
 //! })?;
 //! let axes = Axes::new(&[-100.0, 100.0], &[1000.0, 9000.0], &[90.0])?;
-//! let found = map(&[Finish { name: "ground".to_owned(), case }], &axes, &|_, _| {})?;
+//! let found = map(&[Finish { name: "ground".to_owned(), case }], &axes, MapBand::None, &|_, _| {})?;
 //! // A node at no torque and one at standstill are added.
 //! assert_eq!(found.axes.torque_nm, [-100.0, 0.0, 100.0]);
 //! assert_eq!(found.axes.speed_rpm, [0.0, 1000.0, 9000.0]);
@@ -29,6 +29,7 @@
 //! ```
 
 mod axes;
+mod band;
 mod evaluation;
 mod grid;
 mod page;
@@ -40,6 +41,7 @@ mod table;
 mod write;
 
 pub use axes::{Axes, AxisError, axis};
+pub use band::MapBand;
 pub use grid::map;
 pub use page::loss_field;
 pub use point::{EXTENDED, FinishMap, Map, MapWarning, Numbers, Point, ranges};

@@ -39,6 +39,7 @@ pub(super) fn render(map: &Map, visited: &[[f64; 2]]) -> String {
             each(&|finish, at| efficiency(map, finish, at, visited)),
         ),
         ("Differences", differences(map, &drawn, visited)),
+        ("Bands", bands(map)),
         ("Ranges", ranges(map)),
         ("Provenance", provenance(map)),
     ];
@@ -240,6 +241,42 @@ fn differences(map: &Map, drawn: &[usize], visited: &[[f64; 2]]) -> Markup {
     html! { div.charts {
         @for finish in others { @for at in drawn { (figure(&drawing(finish, *at))) } }
     } }
+}
+
+/// Rows of the table of bands.
+const MOST_BANDS: usize = 40;
+
+/// The loss torques that have a band; of many points the first ones, and where the others are.
+fn bands(map: &Map) -> Markup {
+    let rows: Vec<_> = map
+        .finishes
+        .iter()
+        .flat_map(|finish| finish.points.iter().map(move |point| (finish, point)))
+        .filter_map(|(finish, point)| {
+            let numbers = point.numbers?;
+            let quantiles = numbers.loss_torque_quantiles_nm?;
+            Some((finish, point, numbers.loss_torque_nm, quantiles))
+        })
+        .collect();
+    if rows.is_empty() {
+        return html! {};
+    }
+    let percent = |value: f64, nominal: f64| format!("{:+.0} %", 100.0 * (value / nominal - 1.0));
+    html! {
+        p { "Loss torque with its 5 to 95 % band over the parameters that nobody knows well and the sampling of the flanks, as "
+            "that of a run." }
+        div.scroll { table {
+            thead { tr { th { "finish" } th.number { "torque, N m" } th.number { "speed, 1/min" }
+                th.number { "temperature, °C" } th.number { "loss torque, N m" } th.number { "5 %" } th.number { "95 %" } } }
+            tbody { @for (finish, point, nominal, [low, high]) in rows.iter().take(MOST_BANDS) { tr {
+                td { (finish.name) }
+                td.number { (format!("{:.4}", point.torque_nm)) } td.number { (format!("{:.0}", point.speed_rpm)) }
+                td.number { (point.temperature_c) } td.number { (format!("{nominal:.4}")) }
+                td.number { (percent(*low, *nominal)) } td.number { (percent(*high, *nominal)) }
+            } } }
+        } }
+        @if rows.len() > MOST_BANDS { p { (rows.len() - MOST_BANDS) " more in map.csv." } }
+    }
 }
 
 fn ranges(map: &Map) -> Markup {

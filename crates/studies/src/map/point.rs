@@ -90,6 +90,8 @@ pub struct Numbers {
     pub loss_torque_nm: f64,
     /// Standard deviation of the loss torque over the offsets of the traces \[N m\]; none with one offset.
     pub loss_torque_deviation_nm: Option<f64>,
+    /// 5 % and 95 % quantiles of the loss torque \[N m\] over parameters and sampling, where they were computed.
+    pub loss_torque_quantiles_nm: Option<[f64; 2]>,
     /// Efficiency; none without power.
     pub efficiency: Option<f64>,
     /// Its standard deviation over the offsets.

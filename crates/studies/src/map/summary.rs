@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use asperity_report::wrapped;
 
-use super::point::{EXTENDED, Map, Numbers};
+use super::point::{EXTENDED, FinishMap, Map, Numbers};
 
 /// The map for the terminal.
 #[must_use]
@@ -48,8 +48,37 @@ pub fn summary(map: &Map) -> String {
             torque
         ));
     }
+    text.push_str(&bands(map));
     text.push_str(&notes(map));
     text
+}
+
+/// How far the bands reach from the loss torque, in percent of it.
+fn bands(map: &Map) -> String {
+    let of = |finish: &FinishMap| {
+        let shares = finish.points.iter().filter_map(|point| {
+            let numbers = point.numbers?;
+            let [low, high] = numbers.loss_torque_quantiles_nm?;
+            let percent = |value: f64| 100.0 * (value / numbers.loss_torque_nm - 1.0);
+            Some([percent(low), percent(high)])
+        });
+        let shares: Vec<[f64; 2]> = shares.collect();
+        let low = shares
+            .iter()
+            .fold(f64::INFINITY, |least, [low, _]| least.min(*low));
+        let high = shares
+            .iter()
+            .fold(f64::NEG_INFINITY, |most, [_, high]| most.max(*high));
+        let points = shares.len();
+        (points > 0).then(|| {
+            let text = format!(
+                "{}: 5-95 % of the loss torque {low:+.0} .. {high:+.0} % at most, over parameters and sampling at {points} points",
+                finish.name
+            );
+            format!("{}\n", wrapped(&text, "     "))
+        })
+    };
+    map.finishes.iter().filter_map(of).collect()
 }
 
 /// What the points are told of, each once, with the finishes it is about unless it is about all.

@@ -29,6 +29,10 @@ pub(super) struct Row<'a> {
     lubricated_asperity_w: Option<f64>,
     boundary_w: Option<f64>,
     finish: Cow<'a, str>,
+    #[serde(default)]
+    loss_torque_q05_nm: Option<f64>,
+    #[serde(default)]
+    loss_torque_q95_nm: Option<f64>,
 }
 
 /// Between two marks of a point.
@@ -38,6 +42,7 @@ impl<'a> Row<'a> {
     fn of(finish: &'a FinishMap, point: &'a Point) -> Self {
         let numbers = point.numbers.as_ref();
         let of = |value: fn(&Numbers) -> f64| numbers.map(value);
+        let quantile = |which: usize| Some(numbers?.loss_torque_quantiles_nm?[which]);
         Self {
             torque_nm: point.torque_nm,
             speed_rpm: point.speed_rpm,
@@ -57,6 +62,8 @@ impl<'a> Row<'a> {
             lubricated_asperity_w: of(|n| n.lubricated_asperity_w),
             boundary_w: of(|n| n.boundary_w),
             finish: asperity_storage::cell(&finish.name),
+            loss_torque_q05_nm: quantile(0),
+            loss_torque_q95_nm: quantile(1),
         }
     }
 
@@ -67,6 +74,10 @@ impl<'a> Row<'a> {
                 loss_w: self.loss_w?,
                 loss_torque_nm: self.loss_torque_nm?,
                 loss_torque_deviation_nm: self.loss_torque_deviation_nm,
+                loss_torque_quantiles_nm: self
+                    .loss_torque_q05_nm
+                    .zip(self.loss_torque_q95_nm)
+                    .map(|(low, high)| [low, high]),
                 efficiency: self.efficiency,
                 efficiency_deviation: self.efficiency_deviation,
                 sliding_w: self.sliding_w?,
