@@ -49,13 +49,8 @@ pub fn plot(args: &ProfilePlotArgs, common: &Common) -> Result<(), Failure> {
 fn series(name: &str, line: Line, profile: &Profile, first: usize) -> Series {
     let dx = 1e3 * profile.spacing().si();
     let heights = profile.heights().iter().enumerate();
-    Series {
-        name: name.to_owned(),
-        line,
-        points: heights
-            .map(|(i, z)| [(first + i) as f64 * dx, 1e6 * z])
-            .collect(),
-    }
+    let points = heights.map(|(i, z)| [(first + i) as f64 * dx, 1e6 * z]);
+    Series::through(name, line, points)
 }
 
 fn along() -> Axis {
@@ -95,15 +90,10 @@ fn material(curve: &[f64], rk: &RkParameters, source: &str) -> Chart {
     let n = curve.len() as f64;
     let ratio = |k: usize| (k as f64 + 0.5) / n * 100.0;
     let points = curve.iter().enumerate();
-    let points = points.map(|(k, z)| [ratio(k), 1e6 * z]).collect();
+    let points = points.map(|(k, z)| [ratio(k), 1e6 * z]);
     let (top, foot) = (um(rk.upper), um(rk.lower));
-    let named = |name: &str, line, points| Series {
-        name: name.to_owned(),
-        line,
-        points,
-    };
-    let peaks = vec![[0.0, top], [rk.mr1, top], [0.0, top + um(rk.rpk)]];
-    let dales = vec![[100.0, foot], [rk.mr2, foot], [100.0, foot - um(rk.rvk)]];
+    let peaks = [[0.0, top], [rk.mr1, top], [0.0, top + um(rk.rpk)]];
+    let dales = [[100.0, foot], [rk.mr2, foot], [100.0, foot - um(rk.rvk)]];
     let title = format!(
         "Material ratio: Rk {:.4}, Rpk {:.4}, Rvk {:.4} µm, Mr1 {:.1}, Mr2 {:.1} %",
         um(rk.rk),
@@ -114,14 +104,14 @@ fn material(curve: &[f64], rk: &RkParameters, source: &str) -> Chart {
     );
     let share = Axis::new("material ratio Mr", "%");
     Chart::new("material-ratio", &title, source, share, height())
-        .with(named("material ratio", Line::Solid, points))
-        .with(named(
+        .with(Series::through("material ratio", Line::Solid, points))
+        .with(Series::through(
             "equivalent line",
             Line::Dashed,
-            vec![[0.0, top], [100.0, foot]],
+            [[0.0, top], [100.0, foot]],
         ))
-        .with(named("Rpk", Line::Dashed, peaks))
-        .with(named("Rvk", Line::Dashed, dales))
+        .with(Series::through("Rpk", Line::Dashed, peaks))
+        .with(Series::through("Rvk", Line::Dashed, dales))
 }
 
 fn spectrum(density: &PowerSpectrum, source: &str) -> Chart {
@@ -130,7 +120,7 @@ fn spectrum(density: &PowerSpectrum, source: &str) -> Chart {
         let wavelength = 1e6 / (k as f64 * density.frequency_step);
         [wavelength, density.density[k] * 1e18]
     });
-    let points = lines.filter(|[_, density]| *density > 0.0).collect();
+    let points = lines.filter(|[_, density]| *density > 0.0);
     let title = "Power spectral density of R (Hann window, one-sided)";
     let wavelength = Axis::new("wavelength", "µm").log();
     Chart::new(
@@ -140,9 +130,5 @@ fn spectrum(density: &PowerSpectrum, source: &str) -> Chart {
         wavelength,
         Axis::new("density C", "µm³").log(),
     )
-    .with(Series {
-        name: "C".to_owned(),
-        line: Line::Solid,
-        points,
-    })
+    .with(Series::through("C", Line::Solid, points))
 }

@@ -145,7 +145,8 @@
     }
     places() {
       if (this.data.kind === "contour") return this.data.columns;
-      const flat = this.data.series[0] ? this.data.series[0].points : [];
+      const first = this.data.series[0];
+      const flat = first ? first.told || first.points : [];
       return flat.filter((v, i) => i % 2 === 0 && v !== null).sort((a, b) => a - b);
     }
 
@@ -253,7 +254,7 @@
         if (r > 0) dots += `M${(x - r).toFixed(2)} ${y.toFixed(2)}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0`;
         joined = true;
       }
-      return d + dots;
+      return (series.filled && d ? d + "Z" : d) + dots;
     }
 
     // Reads off the points nearest to x (and y, in a field).
@@ -270,7 +271,7 @@
       const found = [];
       let at = null;
       for (const series of this.data.series) {
-        const p = series.points;
+        const p = series.told || series.points;
         let best = -1;
         for (let i = 0; i < p.length; i += 2) {
           if (p[i] === null || p[i + 1] === null) continue;
@@ -278,10 +279,10 @@
         }
         if (best < 0) continue;
         if (at === null) at = p[best];
-        found.push([series.name, p[best + 1], p[best]]);
+        found.push([series.name, p[best + 1], series.filled ? null : p[best + 1]]);
       }
       if (at === null) return;
-      this.point(at, found.map((f) => f[1]));
+      this.point(at, found.map((f) => f[2]).filter((y) => y !== null));
       const [across, unit] = [this.data.x.unit, this.data.y.unit].map((u) => (u ? " " + u : ""));
       this.read.textContent = `${digits(at)}${across}: ` +
         found.map((f) => (found.length > 1 ? f[0] + " " : "") + digits(f[1]) + unit).join(", ");
