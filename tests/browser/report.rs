@@ -43,6 +43,20 @@ pub fn assert_sound(opened: &Opened) {
         "{}",
         found["milliseconds"]
     );
+    assert_eq!(
+        found["labels"],
+        serde_json::json!([]),
+        "no label is covered or cut"
+    );
+    for slider in found["sliders"].as_array().unwrap() {
+        assert_eq!(slider["different"], slider["positions"], "{slider}");
+        assert_eq!(
+            (&slider["broken"], &slider["restored"]),
+            (&false.into(), &true.into()),
+            "{slider}"
+        );
+        assert!(slider["width"].as_f64().unwrap() > 150.0, "{slider}");
+    }
     for figure in found["drawn"].as_array().unwrap() {
         assert!(figure["size"].as_f64().unwrap() > 5.0, "{figure} has drawn");
         assert!(
@@ -93,8 +107,15 @@ fn every_chart_of_the_report_draws_and_zooms_and_nothing_is_fetched() {
         let found = opened.selftest();
         assert_eq!(
             found["drawn"].as_array().unwrap().len(),
-            27,
+            29,
             "all charts of a rough contact are there"
+        );
+        let sliders = found["sliders"].as_array().unwrap();
+        assert_eq!(sliders.len(), 1);
+        assert_eq!(
+            sliders[0]["positions"],
+            result(&folder)["path"].as_array().unwrap().len(),
+            "the slider has a place for every position"
         );
     }
 }

@@ -8,7 +8,6 @@ use crate::contact_view::ContactView;
 use crate::error::PositionError;
 use crate::formulation::Scene;
 use crate::result::{PositionFields, SubsurfaceFields};
-use crate::solved::mean;
 use crate::station::Station;
 
 /// Fields of one contact with the largest von Mises stress below it and its depth.
@@ -91,7 +90,9 @@ fn view(fields: &PositionFields, station: &Station) -> ContactView {
         fields.height_pinion[i] - fields.displacement_pinion[i] - form
     };
     let within = |reach: f64| (0..fields.x.len()).filter(move |&i| fields.x[i].abs() <= reach);
-    let level = mean(within(half_width).map(height));
+    let (sum, count) =
+        within(half_width).fold((0.0, 0.0), |(sum, count), i| (sum + height(i), count + 1.0));
+    let level = if count > 0.0 { sum / count } else { 0.0 };
     let column = |value: &dyn Fn(usize) -> f64| -> Vec<f64> {
         within(ContactView::REACH * half_width).map(value).collect()
     };

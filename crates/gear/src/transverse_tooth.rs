@@ -256,7 +256,7 @@ mod tests {
 
     #[test]
     fn an_undercut_tooth_passes_from_its_fillet_to_its_involute_without_a_step() {
-        let pair = pair([12, 40], "0 deg");
+        let pair = pair([14, 20], "0 deg");
         let tooth = pair.transverse_tooth(Gear::Pinion, RootForm::default());
         assert!(tooth.is_root_cut && tooth.involute_start > 0.0);
         let (fillet, involute) = fillet_end(&tooth);

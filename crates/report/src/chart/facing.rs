@@ -64,8 +64,8 @@ const TITLE: f64 = 22.0;
 
 /// Lines of the picture: class, part that the script finds, and what it is called in the legend.
 const FILM: [&str; 3] = ["oil", "film", "gap, filled with oil"];
-const LOWER: [&str; 3] = ["curve c1 solid", "lower", "pinion"];
-const UPPER: [&str; 3] = ["curve c0 solid", "upper", "wheel"];
+const LOWER: [&str; 3] = ["curve c0 solid", "lower", "pinion"];
+const UPPER: [&str; 3] = ["curve c1 solid", "upper", "wheel"];
 const SOLID: [&str; 3] = ["curve c3 solid", "solid", "pressure of asperities"];
 const FLUID: [&str; 3] = ["curve c2 solid", "fluid", "of the film"];
 const HERTZ: [&str; 3] = [
@@ -205,7 +205,7 @@ impl Facing {
             .collect();
         let clip = |panel: &str| {
             format!(
-                "<g clip-path=\"url(#clip-{}-{panel})\"><g class=\"tenths\" transform=\"scale(.1)\">",
+                "<g clip-path=\"url(#clip-{}-{panel})\"><g class=\"curves tenths\" transform=\"scale(.1)\">",
                 self.id
             )
         };
@@ -213,12 +213,12 @@ impl Facing {
         for (part, class, d) in [
             (
                 "below",
-                "flesh c1",
+                "flesh c0",
                 format!("{lower}L{last} {bottom}L{first} {bottom}Z"),
             ),
             (
                 "above",
-                "flesh c0",
+                "flesh c1",
                 format!("{upper}L{last} {top}L{first} {top}Z"),
             ),
             (FILM[1], FILM[0], format!("{lower}{back}Z")),

@@ -325,6 +325,34 @@
       press("Escape");
       return { id: chart.figure.id, readOff, dragged, restored, keyed, whole: shape(chart) === before };
     });
+    // Labels that another covers, or that reach out of their drawing.
+    const labels = [...document.querySelectorAll("svg.chart")].flatMap((svg) => {
+      const name = svg.closest("figure") ? svg.closest("figure").id : svg.getAttribute("aria-label");
+      const frame = svg.getBoundingClientRect(), faults = [];
+      const all = [...svg.querySelectorAll("text")].filter((t) => t.textContent.trim())
+        .map((t) => ({ text: t.textContent, box: t.getBoundingClientRect() })).filter(({ box }) => box.width > 0);
+      all.forEach(({ text, box }, k) => {
+        const out = Math.max(frame.left - box.left, box.right - frame.right, frame.top - box.top, box.bottom - frame.bottom);
+        if (out > 2) faults.push({ name, cut: text, by: out });
+        for (const other of all.slice(k + 1)) {
+          const wide = Math.min(box.right, other.box.right) - Math.max(box.left, other.box.left);
+          const high = Math.min(box.bottom, other.box.bottom) - Math.max(box.top, other.box.top);
+          // A box has air above and below its letters.
+          if (wide > 1 && high > 0.35 * Math.min(box.height, other.box.height)) faults.push({ name, clash: [text, other.text] });
+        }
+      });
+      return faults;
+    });
+    const sliders = [...document.querySelectorAll("figure.facing .slider input")].map((input) => {
+      const figure = input.closest("figure"), first = input.value;
+      const state = () => [...figure.querySelectorAll("[data-part]")]
+        .map((p) => p.getAttribute("d") || p.getAttribute("cx")).join() + figure.querySelector(".told").textContent;
+      const go = (v) => { input.value = String(v); input.dispatchEvent(new Event("input")); return state(); };
+      const before = state(), states = [];
+      for (let k = 0; k <= Number(input.max); k += 1) states.push(go(k));
+      return { id: figure.id, width: input.getBoundingClientRect().width, different: new Set(states).size,
+        positions: Number(input.max) + 1, broken: states.some((s) => /NaN|undefined|null/.test(s)), restored: go(first) === before };
+    });
     const drawn = [...document.querySelectorAll("figure")].map((figure) => {
       const box = figure.querySelector("svg.chart").getBoundingClientRect();
       const shapes = figure.querySelectorAll(".curves path, .field path, rect.bar, rect.mixed, rect.film");
@@ -334,7 +362,7 @@
     const report = document.createElement("pre");
     report.id = "selftest";
     report.hidden = true;
-    report.textContent = JSON.stringify({ zoom: outcome, drawn, faults, resources: performance.getEntriesByType("resource").map((r) => r.name), milliseconds: performance.now() });
+    report.textContent = JSON.stringify({ zoom: outcome, drawn, labels, sliders, faults, resources: performance.getEntriesByType("resource").map((r) => r.name), milliseconds: performance.now() });
     document.body.append(report);
   }
   if (location.hash === "#selftest") selftest();

@@ -16,7 +16,7 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
     let facing = facing(result, tables);
     html! {
         div.charts {
-            (figure(&mesh::picture(result)))
+            @if let Some(mesh) = mesh::picture(result) { (figure(&mesh)) }
             @if let Some(facing) = facing { (slider(facing)) }
         }
         @if result.flanks.iter().all(|flank| flank.roll_lengths_mm.is_none()) {
@@ -59,6 +59,7 @@ fn facing(result: &RunResult, tables: &PageTables) -> Option<Facing> {
     };
     let found: Vec<(&ContactView, &PositionRow)> = (tables.views.iter())
         .filter_map(|view| Some((view, row(view)?)))
+        .filter(|(view, row)| is_whole(view) && row.half_width_um > 0.0)
         .collect();
     let highest = || {
         shown_position(result, None)
@@ -95,6 +96,18 @@ fn facing(result: &RunResult, tables: &PageTables) -> Option<Facing> {
         frame.text = text;
     }
     Some(facing)
+}
+
+/// Whether the columns are of one length; those of a damaged file may not be.
+fn is_whole(view: &ContactView) -> bool {
+    let columns = [
+        &view.pinion_um,
+        &view.wheel_um,
+        &view.pressure_solid_mpa,
+        &view.pressure_fluid_mpa,
+    ];
+    let n = view.x_um.len();
+    n > 1 && columns.iter().all(|column| column.len() == n)
 }
 
 fn frame(view: &ContactView, row: &PositionRow) -> FacingFrame {

@@ -104,9 +104,12 @@ impl Seat {
     }
 }
 
-/// The picture of the pair of `result`.
-pub(super) fn picture(result: &RunResult) -> Drawing {
+/// The picture of the pair of `result`; none of gears that a damaged file made up.
+pub(super) fn picture(result: &RunResult) -> Option<Drawing> {
     let gears = &result.gears;
+    if !can_be_drawn(gears) {
+        return None;
+    }
     let mesh = Mesh {
         gears,
         angle: gears.working_pressure_angle.si(),
@@ -134,7 +137,7 @@ pub(super) fn picture(result: &RunResult) -> Drawing {
     let contacts = contacts
         .iter()
         .filter(|s| **s >= path.a.si() && **s <= path.e.si());
-    Drawing::Mesh(MeshPicture {
+    Some(Drawing::Mesh(MeshPicture {
         id: "mesh".to_owned(),
         title: "The pair in mesh, to scale, transverse section".to_owned(),
         source: "result.json".to_owned(),
@@ -145,7 +148,33 @@ pub(super) fn picture(result: &RunResult) -> Drawing {
         contacts: contacts.map(|s| mesh.place(*s)).collect(),
         traces: traces(result, &mesh),
         reach: MILLI * reach,
-    })
+    }))
+}
+
+/// Whether there is a picture of the numbers: teeth that can be counted out, radii in order.
+fn can_be_drawn(gears: &GearPair) -> bool {
+    const MOST_TEETH: u32 = 10_000;
+    let module = gears.transverse_module.si();
+    let body = |gear: usize| {
+        let [base, pitch, tip] = [
+            gears.base_radius[gear],
+            gears.working_pitch_radius[gear],
+            gears.tip_radius[gear],
+        ]
+        .map(|radius| radius.si().abs());
+        (1..=MOST_TEETH).contains(&gears.teeth[gear])
+            && base > module
+            && pitch >= base
+            && tip > base
+            && [pitch, tip].iter().all(|radius| radius.is_finite())
+    };
+    let path = &gears.path;
+    let angle = gears.working_pressure_angle.si();
+    module > 0.0
+        && (0..2).all(body)
+        && path.length.si().is_finite()
+        && path.e > path.a
+        && (0.0..std::f64::consts::FRAC_PI_2).contains(&angle)
 }
 
 /// What the second gear is called.
@@ -297,4 +326,198 @@ fn traces(result: &RunResult, mesh: &Mesh<'_>) -> Vec<MeshTrace> {
         })
     };
     [0, 1].into_iter().filter_map(placed).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity::gear::GearPairInput;
+
+    use super::*;
+
+    fn input(teeth: [u32; 2], module: &str, helix: &str) -> GearPairInput {
+        let width = "20 mm".parse().unwrap();
+        GearPairInput::standard(
+            teeth,
+            module.parse().unwrap(),
+            helix.parse().unwrap(),
+            width,
+        )
+    }
+
+    fn pairs() -> Vec<GearPair> {
+        let high = GearPairInput {
+            addendum: 1.35,
+            ..input([60, 90], "2 mm", "0 deg")
+        };
+        let shifted = GearPairInput {
+            profile_shift: Some([0.182, 0.172]),
+            ..input([16, 24], "4.5 mm", "0 deg")
+        };
+        vec![
+            GearPair::new(&input([23, 68], "1.8 mm", "23.4 deg")).unwrap(),
+            GearPair::new(&shifted).unwrap(),
+            GearPair::new(&high).unwrap(),
+            GearPair::new(&input([50, 120], "1.3 mm", "30 deg")).unwrap(),
+            GearPair::internal(&input([24, 75], "1.5 mm", "0 deg")).unwrap(),
+        ]
+    }
+
+    fn drawn(gears: &GearPair) -> Mesh<'_> {
+        Mesh {
+            gears,
+            angle: gears.working_pressure_angle.si(),
+        }
+    }
+
+    fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+        (a[0] - b[0]).hypot(a[1] - b[1])
+    }
+
+    fn outlines(gears: &GearPair) -> [Vec<[f64; 2]>; 2] {
+        let mesh = drawn(gears);
+        let reach = reach(gears, std::f64::consts::PI * gears.transverse_module.si());
+        [Gear::Pinion, Gear::Wheel].map(|gear| {
+            // Long addenda want deep roots.
+            let root = match gears.teeth {
+                [60, 90] => RootForm {
+                    dedendum: 1.6,
+                    fillet_radius: 0.25,
+                },
+                _ => RootForm::default(),
+            };
+            let tooth = gears.transverse_tooth(gear, root);
+            let seat = mesh.seat(gear as usize, gears.path.c.si());
+            outline(gears, gear as usize, &seat, &tooth, reach)
+        })
+    }
+
+    /// Distance of a point from a closed line.
+    fn from_line(line: &[[f64; 2]], point: [f64; 2]) -> f64 {
+        let next = line.iter().cycle().skip(1);
+        let distances = line.iter().zip(next).map(|(a, b)| {
+            let edge = [b[0] - a[0], b[1] - a[1]];
+            let square = edge[0] * edge[0] + edge[1] * edge[1];
+            let along = (point[0] - a[0]) * edge[0] + (point[1] - a[1]) * edge[1];
+            let share = if square > 0.0 {
+                (along / square).clamp(0.0, 1.0)
+            } else {
+                0.0
+            };
+            distance(point, [a[0] + share * edge[0], a[1] + share * edge[1]])
+        });
+        distances.fold(f64::INFINITY, f64::min)
+    }
+
+    fn is_inside(line: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+        let next = line.iter().cycle().skip(1);
+        let crossings = line.iter().zip(next).filter(|([x1, y1], [x2, y2])| {
+            (*y1 > y) != (*y2 > y) && x < x1 + (y - y1) / (y2 - y1) * (x2 - x1)
+        });
+        crossings.count() % 2 == 1
+    }
+
+    /// What the chord between two points of a flank may miss of it \[mm\].
+    const CHORD: f64 = 2e-3;
+
+    #[test]
+    fn the_point_of_contact_lies_on_both_flanks_wherever_it_is() {
+        for gears in pairs() {
+            let (mesh, path) = (drawn(&gears), &gears.path);
+            for share in [0.0, 0.3, 0.5, 1.0] {
+                let s = path.a.si() + share * path.length.si();
+                for body in [0, 1] {
+                    let seat = mesh.seat(body, s);
+                    let point = seat.flank(seat.roll, 0.0);
+                    assert!(distance(point, mesh.place(s)) < 1e-9, "{:?}", gears.teeth);
+                }
+            }
+            for line in outlines(&gears) {
+                assert!(from_line(&line, [0.0; 2]) < CHORD, "{:?}", gears.teeth);
+            }
+        }
+    }
+
+    #[test]
+    fn the_pinion_pushes_and_neither_gear_cuts_into_the_other() {
+        for gears in pairs() {
+            let [pinion, wheel] = outlines(&gears);
+            let [x, y] = drawn(&gears).along().map(|part| 0.05 * part);
+            assert!(is_inside(&pinion, [-x, -y]) && !is_inside(&wheel, [-x, -y]));
+            assert!(is_inside(&wheel, [x, y]) && !is_inside(&pinion, [x, y]));
+            for (own, other) in [(&pinion, &wheel), (&wheel, &pinion)] {
+                let inside = own.iter().filter(|point| is_inside(other, **point));
+                let deepest = inside
+                    .map(|point| from_line(other, *point))
+                    .fold(0.0, f64::max);
+                // Bodies end at the edge of the picture, beyond which they may meet.
+                assert!(deepest < 2.0 * CHORD, "{:?}: {deepest} mm", gears.teeth);
+            }
+        }
+    }
+
+    #[test]
+    fn the_line_of_action_is_tangent_to_both_base_circles() {
+        for gears in pairs() {
+            let mesh = drawn(&gears);
+            let [dx, dy] = mesh.along();
+            let mut feet = feet(&mesh);
+            feet.sort_by(|a, b| a.label.cmp(&b.label));
+            for (body, foot) in feet.iter().enumerate() {
+                let seat = mesh.seat(body, gears.path.c.si());
+                let [cx, cy] = [foot.at[0] - seat.centre[0], foot.at[1] - seat.centre[1]];
+                assert!((cx * dx + cy * dy).abs() < 1e-9, "{}", foot.label);
+                assert!(
+                    (cx.hypot(cy) - MILLI * seat.base).abs() < 1e-9,
+                    "{}",
+                    foot.label
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn contact_begins_at_the_tip_of_the_wheel_and_ends_at_that_of_the_pinion() {
+        for gears in pairs() {
+            let (mesh, path) = (drawn(&gears), &gears.path);
+            for (body, s) in [(1, path.a), (0, path.e)] {
+                let centre = mesh.seat(body, path.c.si()).centre;
+                let radius = distance(mesh.place(s.si()), centre);
+                assert!((radius - MILLI * gears.tip_radius[body].si().abs()).abs() < 1e-9);
+            }
+        }
+    }
+
+    #[test]
+    fn letters_follow_each_other_along_the_path() {
+        let letters = |gears: &GearPair| -> String {
+            let found = points(&drawn(gears));
+            assert!(found.windows(2).all(|pair| pair[0].at[0] <= pair[1].at[0]));
+            found.into_iter().map(|point| point.label).collect()
+        };
+        let [helical, spur, high, ..] = &pairs()[..] else {
+            panic!("there are three pairs")
+        };
+        assert_eq!(letters(helical), "ABCDE");
+        assert_eq!(letters(spur), "ABCDE");
+        // With more than two pairs in contact, D lies before B.
+        assert!(high.path.eps_alpha > 2.0);
+        assert_eq!(letters(high), "ADCBE");
+        let short = GearPair::new(&input([20, 25], "1 mm", "45 deg")).unwrap();
+        assert_eq!(short.path.eps_alpha < 1.0, letters(&short) == "ACE");
+    }
+
+    #[test]
+    fn a_trace_lies_inside_its_tooth_beside_the_flank() {
+        for gears in pairs() {
+            let mesh = drawn(&gears);
+            let lines = outlines(&gears);
+            let inside = 0.05 * gears.normal_module.si();
+            for body in [0, 1] {
+                let seat = mesh.seat(body, gears.path.c.si());
+                let point = seat.flank(seat.roll, inside);
+                assert!(is_inside(&lines[body], point), "{:?} {body}", gears.teeth);
+                assert!((from_line(&lines[body], point) - MILLI * inside).abs() < CHORD);
+            }
+        }
+    }
 }
