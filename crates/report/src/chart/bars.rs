@@ -40,14 +40,13 @@ fn width_of(text: &str) -> f64 {
     LETTER * text.chars().count() as f64
 }
 
-/// A name in one line, or in two of about equal length where it is long.
+/// A name in one line, or in two where it is long: before its brackets, else of about equal length.
 fn lines(name: &str) -> Vec<&str> {
-    const LONG: usize = 18;
-    let letters = name.chars().count();
-    let blanks = name.char_indices().filter(|(_, letter)| *letter == ' ');
-    let nearest = blanks.min_by_key(|(at, _)| name.len().abs_diff(2 * at));
-    match nearest {
-        Some((at, _)) if letters > LONG => vec![&name[..at], &name[at + 1..]],
+    const LONG: usize = 22;
+    let blanks = name.match_indices(' ').map(|(at, _)| at);
+    let nearest = blanks.min_by_key(|at| name.len().abs_diff(2 * at));
+    match name.find(" (").or(nearest) {
+        Some(at) if name.chars().count() > LONG => vec![&name[..at], &name[at + 1..]],
         _ => vec![name],
     }
 }
@@ -155,6 +154,10 @@ mod tests {
     #[test]
     fn long_names_stand_in_two_lines() {
         assert_eq!(lines("rolling"), ["rolling"]);
+        assert_eq!(
+            lines("benedict-kelley (with asperities)"),
+            ["benedict-kelley", "(with asperities)"]
+        );
         assert_eq!(
             lines("load share by Lambda*, dry asperities"),
             ["load share by Lambda*,", "dry asperities"]

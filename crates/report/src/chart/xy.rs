@@ -296,7 +296,9 @@ impl Chart {
         const SAMPLE: f64 = 46.0;
         let mut rows: Vec<Vec<(f64, String, String)>> = Vec::new();
         let mut at = f64::INFINITY;
-        for (name, class) in self.legend() {
+        // As in a page, one curve is named by the title alone.
+        let named = self.legend().into_iter();
+        for (name, class) in named.filter(|_| self.series.len() > 1) {
             let width = SAMPLE + LETTER * name.chars().count() as f64;
             if at + width > 630.0 {
                 rows.push(Vec::new());
