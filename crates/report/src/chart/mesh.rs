@@ -69,7 +69,7 @@ pub struct MeshPicture {
 }
 
 /// Height of the picture over its width.
-const FLAT: f64 = 0.66;
+const FLAT: f64 = 0.72;
 const MARGIN: f64 = 4.0;
 
 /// Place of the picture on the canvas.

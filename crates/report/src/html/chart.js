@@ -347,11 +347,13 @@
       const figure = input.closest("figure"), first = input.value;
       const state = () => [...figure.querySelectorAll("[data-part]")]
         .map((p) => p.getAttribute("d") || p.getAttribute("cx")).join() + figure.querySelector(".told").textContent;
+      const isDrawn = () => [...figure.querySelectorAll("path[data-part]")].every((p) => /^M[-\d][-\d LZ]+$/.test(p.getAttribute("d")));
       const go = (v) => { input.value = String(v); input.dispatchEvent(new Event("input")); return state(); };
       const before = state(), states = [];
-      for (let k = 0; k <= Number(input.max); k += 1) states.push(go(k));
+      let drawn = true;
+      for (let k = 0; k <= Number(input.max); k += 1) { states.push(go(k)); drawn = drawn && isDrawn(); }
       return { id: figure.id, width: input.getBoundingClientRect().width, different: new Set(states).size,
-        positions: Number(input.max) + 1, broken: states.some((s) => /NaN|undefined|null/.test(s)), restored: go(first) === before };
+        positions: Number(input.max) + 1, broken: !drawn, restored: go(first) === before };
     });
     const drawn = [...document.querySelectorAll("figure")].map((figure) => {
       const box = figure.querySelector("svg.chart").getBoundingClientRect();

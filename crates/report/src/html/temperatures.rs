@@ -59,12 +59,11 @@ pub(super) fn along_the_path(result: &RunResult, axis: Axis, marks: &[Mark]) -> 
     )
     .marked(marks);
     let mean = above(|row| Some(row.flash_k));
-    chart = chart.with(Series::new(
-        "contact, mean of the offsets",
-        line(Line::Solid),
-        &s,
-        &mean,
-    ));
+    let name = match result.summary.offsets {
+        1 => "contact",
+        _ => "contact, mean of the offsets",
+    };
+    chart = chart.with(Series::new(name, line(Line::Solid), &s, &mean));
     let largest = above(|row| row.flash_max_k);
     if result.summary.offsets > 1 && largest.iter().any(|value| value.is_finite()) {
         chart = chart.with(Series::new(
