@@ -2,7 +2,10 @@
 
 use std::path::Path;
 
-use asperity::case::Formulation;
+use asperity::band::run_with_band;
+use asperity::case::{CaseInput, FlankPlaceInput, Formulation, load_with};
+use asperity::kept_fields::KeptFields;
+use asperity::result::Outcome;
 use asperity_report::Fields;
 use serde_json::Value;
 
@@ -14,15 +17,31 @@ const PATIENCE_MS: f64 = 5000.0;
 
 /// Runs a shipped case and writes its folder.
 fn folder(case: &str, formulation: Option<Formulation>) -> (tempfile::TempDir, std::path::PathBuf) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+    let loaded = asperity::case::load(&shipped(case), formulation).unwrap();
+    written(&asperity::run(&loaded, &|_, _| {}).unwrap())
+}
+
+fn shipped(case: &str) -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../fixtures/cases")
-        .join(case);
-    let loaded = asperity::case::load(&path, formulation).unwrap();
-    let outcome = asperity::run(&loaded, &|_, _| {}).unwrap();
+        .join(case)
+}
+
+fn written(outcome: &Outcome) -> (tempfile::TempDir, std::path::PathBuf) {
     let place = tempfile::tempdir().unwrap();
     let target = place.path().join("result");
-    asperity_report::write_folder(&outcome, &target, &Fields::All).unwrap();
+    asperity_report::write_folder(outcome, &target, &Fields::All).unwrap();
     (place, target)
+}
+
+/// A small e-drive, changed.
+fn changed(change: &dyn Fn(&mut CaseInput)) -> (tempfile::TempDir, std::path::PathBuf) {
+    let small = |input: &mut CaseInput| {
+        (input.model.positions, input.model.offsets) = (Some(6), Some(2));
+        change(input);
+    };
+    let loaded = load_with(&shipped("e-drive.toml"), &small).unwrap();
+    written(&run_with_band(&loaded, &KeptFields::Highest, &|_, _| {}).unwrap())
 }
 
 fn result(folder: &Path) -> Value {
@@ -43,6 +62,20 @@ pub fn assert_sound(opened: &Opened) {
         "{}",
         found["milliseconds"]
     );
+    assert_eq!(
+        found["labels"],
+        serde_json::json!([]),
+        "no label is covered or cut"
+    );
+    for slider in found["sliders"].as_array().unwrap() {
+        assert_eq!(slider["different"], slider["positions"], "{slider}");
+        assert_eq!(
+            (&slider["broken"], &slider["restored"]),
+            (&false.into(), &true.into()),
+            "{slider}"
+        );
+        assert!(slider["width"].as_f64().unwrap() > 150.0, "{slider}");
+    }
     for figure in found["drawn"].as_array().unwrap() {
         assert!(figure["size"].as_f64().unwrap() > 5.0, "{figure} has drawn");
         assert!(
@@ -93,8 +126,15 @@ fn every_chart_of_the_report_draws_and_zooms_and_nothing_is_fetched() {
         let found = opened.selftest();
         assert_eq!(
             found["drawn"].as_array().unwrap().len(),
-            27,
+            29,
             "all charts of a rough contact are there"
+        );
+        let sliders = found["sliders"].as_array().unwrap();
+        assert_eq!(sliders.len(), 1);
+        assert_eq!(
+            sliders[0]["positions"],
+            result(&folder)["path"].as_array().unwrap().len(),
+            "the slider has a place for every position"
         );
     }
 }
@@ -108,6 +148,64 @@ fn the_report_of_the_paper_formulation_draws_with_its_one_position() {
     let opened = chromium::open(browser, &folder.join("report.html"), 1000);
     assert_sound(&opened);
     assert_same_numbers(&opened, &result(&folder));
+}
+
+#[test]
+fn gears_of_all_kinds_are_drawn_with_labels_that_can_be_read_at_any_width() {
+    let Some(browser) = chromium::find() else {
+        return;
+    };
+    let at = |roll: &str| {
+        Some(FlankPlaceInput {
+            roll_length: Some(roll.parse().unwrap()),
+            ..FlankPlaceInput::default()
+        })
+    };
+    let pages = [
+        changed(&|input| {
+            input.gears.teeth = [24, -75];
+            input.gears.helix = None;
+        }),
+        changed(&|input| {
+            let wheel = input.surface.wheel.as_mut().unwrap();
+            (wheel.mirrored, wheel.at) = (None, at("20 mm"));
+            input.surface.pinion.at = at("5 mm");
+        }),
+        // Few teeth of a coarse pair, and many fine ones at a steep helix, whose B and D lie beyond the path.
+        changed(&|input| {
+            input.gears.teeth = [17, 18];
+            input.gears.helix = None;
+        }),
+        changed(&|input| {
+            input.gears.teeth = [20, 190];
+            input.gears.helix = Some("42 deg".parse().unwrap());
+            input.gears.module = "1.4 mm".parse().unwrap();
+        }),
+    ];
+    for (number, (_keep, folder)) in pages.iter().enumerate() {
+        for width in [1600, 1000, 500, 360] {
+            let opened = chromium::open(browser, &folder.join("report.html"), width);
+            assert_sound(&opened);
+            let found = opened.selftest();
+            assert_eq!(found["sliders"][0]["positions"], 6, "page {number}");
+            let traces = opened.document.matches("class=\"trace").count();
+            // Each has its line and its sample in the legend.
+            assert_eq!(traces, if number == 1 { 4 } else { 0 }, "page {number}");
+        }
+    }
+}
+
+#[test]
+fn a_page_without_scripts_shows_the_first_contact_and_no_slider() {
+    let (_keep, folder) = changed(&|_| {});
+    let page = std::fs::read_to_string(folder.join("report.html")).unwrap();
+    let figure = page.split("id=\"facing\"").nth(1).unwrap();
+    let figure = &figure[..figure.find("<script").unwrap()];
+    assert!(figure.contains("<label class=\"slider\" hidden"));
+    assert!(figure.contains("data-part=\"film\" d=\"M") && figure.contains("Position "));
+    /// Bytes of a page with a few positions.
+    const LARGEST: usize = 1_000_000;
+    assert!(page.len() < LARGEST, "{}", page.len());
 }
 
 #[test]

@@ -108,6 +108,7 @@ pub fn result(bytes: &[u8]) -> bool {
         flanks: [None, None],
         load_map: Vec::new(),
         contact: None,
+        views: Vec::new(),
         file: None,
     };
     let Ok(page) = html::render(&result, &tables) else {

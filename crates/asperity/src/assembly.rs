@@ -75,6 +75,8 @@ impl Solved<'_> {
             equations: Vec::new(),
             references: Vec::new(),
         };
+        let views = self.positions.iter();
+        let views = views.filter_map(|position| position.view.clone()).collect();
         let fields = self
             .positions
             .into_iter()
@@ -83,6 +85,7 @@ impl Solved<'_> {
             result,
             offsets: offset_rows(&self.meshes),
             fields: fields.collect(),
+            views,
             load_map: self.map.clone(),
             traces: [0, 1].map(|body| self.loaded.flanks[body].trace.clone()),
         })
@@ -260,7 +263,8 @@ fn row(case: &Case, position: &Position, rolling: f64, per_width: f64) -> Positi
         .iter()
         .filter_map(|offset| offset.lambda_star)
         .collect();
-    let force = over(|offset| offset.friction_force);
+    let frictions: Vec<f64> = offsets.iter().map(|o| o.friction_force).collect();
+    let force = mean(frictions.iter().copied());
     let share = mixed_share(position);
     let solid = over(|offset| 1.0 - offset.film_share);
     let gaps: Vec<f64> = offsets
@@ -310,7 +314,12 @@ fn row(case: &Case, position: &Position, rolling: f64, per_width: f64) -> Positi
         mu_film: over(|offset| offset.friction.mu),
         mu: force / station.load.si(),
         flash_k: over(|offset| offset.flash),
+        flash_max_k: offsets
+            .iter()
+            .map(|offset| offset.flash)
+            .max_by(f64::total_cmp),
         sliding_w_per_m: force * sliding,
+        sliding_deviation_w_per_m: deviation(&frictions).map(|force| force * sliding),
         film_w_per_m: parts[0] * sliding,
         lubricated_asperity_w_per_m: parts[1] * sliding,
         boundary_w_per_m: parts[2] * sliding,

@@ -26,6 +26,10 @@ pub struct FlankRecord {
     pub preparation: Option<PreparationRecord>,
     /// Parameters of the prepared trace.
     pub parameters: Option<Parameters>,
+    /// Roll lengths of the first and the last point of the prepared trace \[mm\], where its place on the flank is
+    /// known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub roll_lengths_mm: Option<[f64; 2]>,
 }
 
 /// Details of the reading of a file: [`Reading`] without its heights.
@@ -91,6 +95,9 @@ impl From<&FlankReport> for FlankRecord {
             mirrored: flank.mirrored,
             preparation: flank.preparation.clone(),
             parameters: flank.parameters.clone(),
+            roll_lengths_mm: flank
+                .roll_lengths
+                .map(|ends| ends.map(|end| end.si() * 1e3)),
         }
     }
 }

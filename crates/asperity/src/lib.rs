@@ -33,6 +33,7 @@ pub mod case;
 mod chosen_laws;
 mod comparison;
 mod contact_tables;
+pub mod contact_view;
 mod decision;
 mod deformation_losses;
 mod detail;

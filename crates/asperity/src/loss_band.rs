@@ -34,6 +34,9 @@ pub struct LossBand {
     /// 5 % and 95 % quantiles of the sliding loss per metre of contact line by the parameters, at each position
     /// \[W/m\].
     pub path_sliding_w_per_m: Vec<[f64; 2]>,
+    /// The same with the sampling of the flanks \[W/m\]; empty in older results.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub path_with_sampling_w_per_m: Vec<[f64; 2]>,
 }
 
 /// A parameter of the band.

@@ -11,8 +11,8 @@
 //! Traces are stored along x, so the window of a contact is a run of neighbouring points on both. Points of a window
 //! beyond the end of a trace are those of its mirror image there.
 
-use asperity_core::cite;
 use asperity_core::quantity::Length;
+use asperity_core::{Profile, cite};
 
 use crate::error::PositionError;
 use crate::station::Station;
@@ -54,6 +54,15 @@ impl PlacedTrace {
         cite!("Flank-window");
         let arc = roll.si() * roll.si() / (2.0 * self.base_radius);
         self.direction * (arc - self.first_arc) / spacing.si()
+    }
+
+    /// Roll lengths of the first and the last point of `trace`; 0 where it reaches below the base circle.
+    pub(crate) fn roll_lengths(&self, trace: &Profile) -> [Length; 2] {
+        let last = self.first_arc + self.direction * trace.length().si();
+        [self.first_arc, last].map(|arc| {
+            // ρ = √(2 r_b l), [Flank-arc] solved for ρ.
+            Length::from_si((2.0 * self.base_radius * arc.max(0.0)).sqrt())
+        })
     }
 }
 

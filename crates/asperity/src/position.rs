@@ -5,6 +5,7 @@ use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::Regime;
 
 use crate::contact_tables::KeptContact;
+use crate::contact_view::ContactView;
 use crate::friction::{InFilm, Rubbing};
 use crate::full_film::FullFilm;
 use crate::load_share::LoadShareSolution;
@@ -20,6 +21,8 @@ pub(crate) struct Position {
     pub offsets: Vec<Offset>,
     /// Fields of the first offset, where they were asked for.
     pub fields: Option<PositionFields>,
+    /// The flanks facing each other at the first offset, where fields were asked for.
+    pub view: Option<ContactView>,
     /// The full film by its elastohydrodynamic solution, where the case asks for it and an offset has one.
     pub full_film: Option<FullFilm>,
     /// Largest von Mises stress below the first offset's contact, and its depth.

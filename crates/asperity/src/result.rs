@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 
 pub use crate::case::BulkReport;
 use crate::case::{CaseInput, DefaultUsed, Formulation};
+use crate::contact_view::ContactView;
 pub use crate::film_constants::FilmConstant;
 use crate::flank_record::FlankRecord;
 pub use crate::full_film::FullFilmRow;
@@ -242,8 +243,14 @@ pub struct PositionRow {
     pub mu: f64,
     /// Flash temperature \[K\].
     pub flash_k: f64,
+    /// The largest flash temperature of an offset \[K\]; absent from older results.
+    #[serde(default)]
+    pub flash_max_k: Option<f64>,
     /// Sliding loss per metre of contact line, mean over that length \[W/m\].
     pub sliding_w_per_m: f64,
+    /// Standard deviation of the sliding loss over the offsets \[W/m\]; absent with one offset.
+    #[serde(default)]
+    pub sliding_deviation_w_per_m: Option<f64>,
     /// Its part in the film \[W/m\].
     pub film_w_per_m: f64,
     /// Its part in lubricated asperities \[W/m\].
@@ -496,6 +503,8 @@ pub struct Outcome {
     pub offsets: Vec<OffsetRow>,
     /// Fields of every position, of its first offset.
     pub fields: Vec<PositionFields>,
+    /// The flanks facing each other at every position whose contact was solved, whatever fields are held.
+    pub views: Vec<ContactView>,
     /// Load over the flanks, point by point.
     pub load_map: LoadMap,
     /// Traces of pinion and wheel as read; absent for a flank known by its roughness values alone.

@@ -58,6 +58,7 @@ impl Run<'_> {
         let mut position = Position {
             offsets: Vec::with_capacity(count),
             fields: None,
+            view: None,
             full_film: None,
             von_mises: None,
             doubts: Vec::new(),
@@ -272,6 +273,7 @@ impl Run<'_> {
         if self.detail == Detail::Fields && position.offsets.is_empty() {
             carried.history = strategy.load_path(&scene, &carried, solver)?;
             let found = fields(&scene, carried, offset.friction.mu)?;
+            position.view = Some(found.view);
             position.fields = Some(found.fields);
             position.von_mises = found.von_mises;
         }

@@ -238,4 +238,7 @@ pub struct FlankReport {
     pub preparation: Option<PreparationRecord>,
     /// Parameters of the prepared trace.
     pub parameters: Option<Parameters>,
+    /// Roll lengths of the first and the last point of the prepared trace, where its place on the flank is known.
+    #[serde(skip)]
+    pub roll_lengths: Option<[Length; 2]>,
 }

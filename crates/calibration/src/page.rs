@@ -114,10 +114,9 @@ fn by_temperature<'a>(found: &'a Calibration) -> Vec<(f64, Vec<&'a FittedPoint>)
 fn series(found: &Calibration, of: impl Fn(&FittedPoint) -> [f64; 2]) -> Vec<Series> {
     by_temperature(found)
         .into_iter()
-        .map(|(at, points)| Series {
-            name: format!("{at:.0} °C"),
-            line: Line::Scatter,
-            points: points.into_iter().map(&of).collect(),
+        .map(|(at, points)| {
+            let points = points.into_iter().map(&of);
+            Series::through(&format!("{at:.0} °C"), Line::Scatter, points)
         })
         .collect()
 }
@@ -252,13 +251,8 @@ pub(crate) fn render_design(design: &Design) -> String {
     temperatures.dedup();
     let of = |at: f64| {
         let kept = points.iter().filter(move |point| point.temperature_c == at);
-        Series {
-            name: format!("{at:.0} °C"),
-            line: Line::Scatter,
-            points: kept
-                .map(|point| [point.speed_rpm, point.torque_nm])
-                .collect(),
-        }
+        let places = kept.map(|point| [point.speed_rpm, point.torque_nm]);
+        Series::through(&format!("{at:.0} °C"), Line::Scatter, places)
     };
     let chart = Chart::new(
         "design",

@@ -303,6 +303,14 @@ pub const EQUATIONS: &[Equation] = &[
         &[WEBER_BANASCHEK_1953],
     ),
     Equation::new(
+        "Tooth-4",
+        "Fillet of a helical tooth in the transverse section",
+        "P = ((h + k) t cos β, r − h − k) turned by −((h + k) t cos β − (E + k t)/cos β)/r, k = ρ/√(1 + t²)",
+        "crates/gear/src/transverse_tooth.rs",
+        "the_fillet_of_a_helical_tooth_meets_its_involute",
+        &[],
+    ),
+    Equation::new(
         "Compliance-1",
         "Bending, shear and compression of a tooth",
         "q₁ = cos² a′ [12 (1 − ν²)/E ∫ (L − η)²/(2X)³ dη + (2.4 (1 + ν)/E + tan² a′ (1 − ν²)/E) ∫ dη/(2X)]",

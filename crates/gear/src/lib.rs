@@ -64,6 +64,7 @@ pub mod relief;
 mod tips;
 mod tooth_compliance;
 pub mod tooth_outline;
+pub mod transverse_tooth;
 
 pub use contact_length::ContactLengths;
 pub use equations::EQUATIONS;
@@ -86,6 +87,7 @@ pub use path_of_contact::PathOfContact;
 pub use positions::{MeshPosition, PositionRule};
 pub use relief::{AmountDirection, EndRelief, MicroGeometry, Relief, ReliefExtent, ReliefShape};
 pub use tooth_outline::RootForm;
+pub use transverse_tooth::TransverseTooth;
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

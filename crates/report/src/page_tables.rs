@@ -1,10 +1,11 @@
 //! Tables that a page shows beside the result.
 
+use asperity::contact_view::ContactView;
 use asperity::result::{Outcome, PositionRow, RunResult};
 use serde::{Deserialize, Serialize};
 
 use crate::error::ReportError;
-use crate::tables::{ContactTables, FlankTables, LoadMapRow, load_map};
+use crate::tables::{ContactTables, FlankTables, LoadMapRow, load_map, thinned_views};
 
 /// Rows of a table that a page keeps.
 const ROWS: usize = 400;
@@ -18,6 +19,9 @@ pub struct PageTables {
     pub load_map: Vec<LoadMapRow>,
     /// The mesh position shown; none where no rough contact was solved.
     pub contact: Option<ContactTables>,
+    /// The flanks facing each other along the path; empty where no rough contact was solved.
+    #[serde(default)]
+    pub views: Vec<ContactView>,
     /// File that holds the tables, where they have no files of their own.
     pub file: Option<String>,
 }
@@ -48,6 +52,7 @@ impl PageTables {
             flanks: [flank(0)?, flank(1)?],
             load_map: load_map(&outcome.load_map),
             contact,
+            views: outcome.views.clone(),
             file: None,
         })
     }
@@ -72,6 +77,7 @@ impl PageTables {
             flanks: [flank(0), flank(1)],
             load_map: self.load_map.clone(),
             contact,
+            views: thinned_views(&self.views, self.contact.as_ref().map(|at| at.position)),
             file: Some(file.to_owned()),
         })
     }

@@ -49,21 +49,16 @@ pub fn plot(args: &ProfilePlotArgs, common: &Common) -> Result<(), Failure> {
 fn series(name: &str, line: Line, profile: &Profile, first: usize) -> Series {
     let dx = 1e3 * profile.spacing().si();
     let heights = profile.heights().iter().enumerate();
-    Series {
-        name: name.to_owned(),
-        line,
-        points: heights
-            .map(|(i, z)| [(first + i) as f64 * dx, 1e6 * z])
-            .collect(),
-    }
+    let points = heights.map(|(i, z)| [(first + i) as f64 * dx, 1e6 * z]);
+    Series::through(name, line, points)
 }
 
 fn along() -> Axis {
-    Axis::new("position x", "mm")
+    Axis::new("position", "mm")
 }
 
 fn height() -> Axis {
-    Axis::new("height z", "µm")
+    Axis::new("height", "µm")
 }
 
 fn primary(found: &Evaluated, source: &str) -> Chart {
@@ -95,15 +90,17 @@ fn material(curve: &[f64], rk: &RkParameters, source: &str) -> Chart {
     let n = curve.len() as f64;
     let ratio = |k: usize| (k as f64 + 0.5) / n * 100.0;
     let points = curve.iter().enumerate();
-    let points = points.map(|(k, z)| [ratio(k), 1e6 * z]).collect();
+    let points = points.map(|(k, z)| [ratio(k), 1e6 * z]);
     let (top, foot) = (um(rk.upper), um(rk.lower));
-    let named = |name: &str, line, points| Series {
-        name: name.to_owned(),
-        line,
-        points,
-    };
-    let peaks = vec![[0.0, top], [rk.mr1, top], [0.0, top + um(rk.rpk)]];
-    let dales = vec![[100.0, foot], [rk.mr2, foot], [100.0, foot - um(rk.rvk)]];
+    let peak = top + um(rk.rpk);
+    let peaks = [[0.0, top], [0.0, peak], [rk.mr1, top], [0.0, top]];
+    let floor = foot - um(rk.rvk);
+    let dales = [
+        [rk.mr2, foot],
+        [100.0, floor],
+        [100.0, foot],
+        [rk.mr2, foot],
+    ];
     let title = format!(
         "Material ratio: Rk {:.4}, Rpk {:.4}, Rvk {:.4} µm, Mr1 {:.1}, Mr2 {:.1} %",
         um(rk.rk),
@@ -112,37 +109,33 @@ fn material(curve: &[f64], rk: &RkParameters, source: &str) -> Chart {
         rk.mr1,
         rk.mr2
     );
-    let share = Axis::new("material ratio Mr", "%");
+    let share = Axis::new("material ratio", "%");
     Chart::new("material-ratio", &title, source, share, height())
-        .with(named("material ratio", Line::Solid, points))
-        .with(named(
+        .with(Series::through("material ratio", Line::Solid, points))
+        .with(Series::through(
             "equivalent line",
             Line::Dashed,
-            vec![[0.0, top], [100.0, foot]],
+            [[0.0, top], [100.0, foot]],
         ))
-        .with(named("Rpk", Line::Dashed, peaks))
-        .with(named("Rvk", Line::Dashed, dales))
+        .with(Series::through("Rpk", Line::Solid, peaks))
+        .with(Series::through("Rvk", Line::Solid, dales))
 }
 
 fn spectrum(density: &PowerSpectrum, source: &str) -> Chart {
     let lines = (1..density.density.len()).map(|k| {
-        // Wavelength in um; m³ are 1e18 um³.
-        let wavelength = 1e6 / (k as f64 * density.frequency_step);
-        [wavelength, density.density[k] * 1e18]
+        // Frequency in 1/mm; m³ are 1e18 µm³.
+        let frequency = 1e-3 * k as f64 * density.frequency_step;
+        [frequency, density.density[k] * 1e18]
     });
-    let points = lines.filter(|[_, density]| *density > 0.0).collect();
+    let points = lines.filter(|[_, density]| *density > 0.0);
     let title = "Power spectral density of R (Hann window, one-sided)";
-    let wavelength = Axis::new("wavelength", "µm").log();
+    let frequency = Axis::new("spatial frequency", "1/mm").log();
     Chart::new(
         "spectrum",
         title,
         source,
-        wavelength,
-        Axis::new("density C", "µm³").log(),
+        frequency,
+        Axis::new("density", "µm³").log(),
     )
-    .with(Series {
-        name: "C".to_owned(),
-        line: Line::Solid,
-        points,
-    })
+    .with(Series::through("density", Line::Solid, points))
 }

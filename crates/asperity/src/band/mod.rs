@@ -186,7 +186,8 @@ fn band(
         sampling: drawn.sampling(loaded),
         alternatives: alternatives.collect(),
         trust: trust(loaded),
-        path_sliding_w_per_m: along_path(rows, &draws.losses),
+        path_sliding_w_per_m: along_path(rows, &draws.losses, None),
+        path_with_sampling_w_per_m: along_path(rows, &draws.losses, drawn.effective_windows()),
     };
     Ok((band, drawn))
 }
@@ -222,17 +223,30 @@ fn trust(loaded: &LoadedCase) -> Trust {
     }
 }
 
-/// Quantiles of the sliding loss of every position over the draws.
-fn along_path(nominal: &[PositionRow], draws: &[Losses]) -> Vec<[f64; 2]> {
+/// Quantiles of the sliding loss of every position over the draws, each mean with its sampling error where
+/// `effective` windows count as independent.
+fn along_path(nominal: &[PositionRow], draws: &[Losses], effective: Option<f64>) -> Vec<[f64; 2]> {
     let at = |k: usize| {
         let drawn = draws.iter().filter_map(|found| found.path.get(k));
-        let values: Vec<Drawn> = drawn.map(|row| Drawn::exact(row.sliding_w_per_m)).collect();
-        match values.is_empty() {
-            true => [nominal[k].sliding_w_per_m; 2],
-            false => five_to_ninety_five(&values),
+        let mut values: Vec<Drawn> = drawn.map(|row| drawn_mean(row, effective)).collect();
+        if values.is_empty() {
+            values.push(drawn_mean(&nominal[k], effective));
         }
+        five_to_ninety_five(&values)
     };
     (0..nominal.len()).map(at).collect()
+}
+
+/// The mean sliding loss of a position with its standard error s/√n_e over `effective` windows n_e.
+fn drawn_mean(row: &PositionRow, effective: Option<f64>) -> Drawn {
+    match (row.sliding_deviation_w_per_m, effective) {
+        (Some(deviation), Some(windows)) if windows > 1.0 => Drawn {
+            value: row.sliding_w_per_m,
+            standard_error: deviation / windows.sqrt(),
+            freedom: windows - 1.0,
+        },
+        _ => Drawn::exact(row.sliding_w_per_m),
+    }
 }
 
 impl DrawnLosses {

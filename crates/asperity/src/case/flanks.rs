@@ -311,6 +311,7 @@ fn trace(
         preparation: Some(prepared.record),
         parameters: Some(parameters),
         reading: read.reading,
+        roll_lengths: placed.map(|placed| placed.roll_lengths(&prepared.profile)),
     };
     Ok(Flank {
         texture: Texture::Trace(prepared.profile),

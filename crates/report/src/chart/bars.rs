@@ -33,22 +33,40 @@ pub struct BarChart {
     pub bars: Vec<Bar>,
 }
 
-/// Room for names of this many letters left of the bars.
-fn room(letters: usize) -> f64 {
-    const LEAST: f64 = 150.0;
+/// Width of a letter as narrow pages draw it, where letters are largest against the drawing.
+const LETTER: f64 = 9.4;
+
+fn width_of(text: &str) -> f64 {
+    LETTER * text.chars().count() as f64
+}
+
+/// A name in one line, or in two where it is long: before its brackets, else of about equal length.
+fn lines(name: &str) -> Vec<&str> {
+    const LONG: usize = 22;
+    let blanks = name.match_indices(' ').map(|(at, _)| at);
+    let nearest = blanks.min_by_key(|at| name.len().abs_diff(2 * at));
+    match name.find(" (").or(nearest) {
+        Some(at) if name.chars().count() > LONG => vec![&name[..at], &name[at + 1..]],
+        _ => vec![name],
+    }
+}
+
+/// Room for the names left of the bars.
+fn room<'a>(names: impl Iterator<Item = &'a str>) -> f64 {
+    const LEAST: f64 = 110.0;
     const MOST: f64 = 0.5 * WIDTH;
-    const LETTER: f64 = 7.0;
-    (20.0 + LETTER * letters as f64).clamp(LEAST, MOST)
+    let longest = names.flat_map(lines).map(width_of).fold(0.0, f64::max);
+    (20.0 + longest).clamp(LEAST, MOST)
 }
 
 impl BarChart {
     /// The chart as SVG.
     pub fn svg(&self, dress: Dress) -> String {
-        const RIGHT: f64 = WIDTH - 130.0;
-        const PITCH: f64 = 34.0;
+        const PITCH: f64 = 36.0;
         const THICK: f64 = 20.0;
-        let names = self.bars.iter().map(|bar| bar.name.chars().count());
-        let left = room(names.max().unwrap_or(0));
+        /// Half the distance of the lines of a name.
+        const HALF_LINE: f64 = 8.0;
+        let left = room(self.bars.iter().map(|bar| bar.name.as_str()));
         let top = if dress == Dress::Alone { 36.0 } else { 10.0 };
         let bottom = top + PITCH * self.bars.len() as f64 + 4.0;
         let height = bottom + 46.0;
@@ -57,7 +75,8 @@ impl BarChart {
                 .map(|value| bar.spread.map_or(value, |[_, high]| value.max(high)))
         });
         let range = self.axis.clone().from_zero().range(ends);
-        let place = |value: f64| left + range.share(value) * (RIGHT - left);
+        let right = self.right(left, |value| range.share(value));
+        let place = |value: f64| left + range.share(value) * (right - left);
         let mut canvas = Canvas::default();
         for (value, label) in range.ticks(5) {
             canvas.line("grid", [place(value), top], [place(value), bottom]);
@@ -71,7 +90,12 @@ impl BarChart {
         for (index, bar) in self.bars.iter().enumerate() {
             let y = top + 8.0 + PITCH * index as f64;
             let middle = y + 0.5 * THICK;
-            canvas.label("name", [left - 8.0, middle + 4.0], Anchor::End, &bar.name);
+            let lines = lines(&bar.name);
+            let above = HALF_LINE * (lines.len() - 1) as f64;
+            for (number, line) in lines.iter().enumerate() {
+                let base = middle + 4.0 - above + 2.0 * HALF_LINE * number as f64;
+                canvas.label("name", [left - 8.0, base], Anchor::End, line);
+            }
             let mut end = left;
             if let Some(value) = bar.value {
                 end = place(value);
@@ -85,7 +109,7 @@ impl BarChart {
             canvas.label("name", [end + 7.0, middle + 4.0], Anchor::Start, &bar.text);
         }
         canvas.line("axis", [left, top], [left, bottom]);
-        let middle = 0.5 * (left + RIGHT);
+        let middle = 0.5 * (left + right);
         canvas.label(
             "name",
             [middle, height - 8.0],
@@ -93,6 +117,24 @@ impl BarChart {
             &self.axis.text(),
         );
         document(dress, &self.title, height, &canvas.into_text())
+    }
+
+    /// Right end of the axis, so that the text beside every bar fits.
+    fn right(&self, left: f64, share: impl Fn(f64) -> f64) -> f64 {
+        const EDGE: f64 = WIDTH - 10.0;
+        const BESIDE: f64 = 7.0;
+        const LEAST: f64 = 60.0;
+        let room = |bar: &Bar| {
+            let end = bar.spread.map_or(0.0, |[_, high]| high).max(bar.value?);
+            let free = EDGE - left - BESIDE - width_of(&bar.text);
+            Some(left + free / share(end).max(f64::EPSILON))
+        };
+        let least = self
+            .bars
+            .iter()
+            .filter_map(room)
+            .fold(EDGE - 20.0, f64::min);
+        least.max(left + LEAST)
     }
 }
 
@@ -102,5 +144,47 @@ fn whisker(canvas: &mut Canvas, ends: [f64; 2], [top, bottom]: [f64; 2]) {
     canvas.line("whisker", [ends[0], middle], [ends[1], middle]);
     for x in ends {
         canvas.line("whisker", [x, top], [x, bottom]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_names_stand_in_two_lines() {
+        assert_eq!(lines("rolling"), ["rolling"]);
+        assert_eq!(
+            lines("benedict-kelley (with asperities)"),
+            ["benedict-kelley", "(with asperities)"]
+        );
+        assert_eq!(
+            lines("load share by Lambda*, dry asperities"),
+            ["load share by Lambda*,", "dry asperities"]
+        );
+        assert_eq!(
+            lines("a-name-without-any-blank-in-it"),
+            ["a-name-without-any-blank-in-it"]
+        );
+    }
+
+    #[test]
+    fn the_longest_text_beside_a_bar_fits() {
+        let bar = |value: f64, text: &str| Bar {
+            name: "law".to_owned(),
+            value: Some(value),
+            spread: None,
+            text: text.to_owned(),
+        };
+        let chart = BarChart {
+            id: "bars".to_owned(),
+            title: "Bars".to_owned(),
+            source: "bars.csv".to_owned(),
+            axis: Axis::new("loss", "W"),
+            bars: vec![bar(1.0, "1 W"), bar(9.0, "9 W, outside its range")],
+        };
+        let right = chart.right(110.0, |value| value / 10.0);
+        assert!(110.0 + 0.9 * (right - 110.0) + 7.0 + width_of("9 W, outside its range") <= WIDTH);
+        assert!(right > 110.0 + 60.0);
     }
 }

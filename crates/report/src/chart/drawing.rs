@@ -3,6 +3,8 @@
 use super::bars::BarChart;
 use super::contour::Contour;
 use super::dress::Dress;
+use super::facing::Facing;
+use super::mesh::MeshPicture;
 use super::pie::PieChart;
 use super::strip::Strip;
 use super::xy::Chart;
@@ -20,6 +22,10 @@ pub enum Drawing {
     Strip(Strip),
     /// A field.
     Contour(Contour),
+    /// Two gears in mesh.
+    Mesh(MeshPicture),
+    /// Two flanks in contact.
+    Facing(Facing),
 }
 
 impl Drawing {
@@ -31,6 +37,8 @@ impl Drawing {
             Self::Pie(chart) => chart.svg(dress),
             Self::Strip(chart) => chart.svg(dress),
             Self::Contour(chart) => chart.svg(dress),
+            Self::Mesh(chart) => chart.svg(dress),
+            Self::Facing(chart) => chart.svg(dress),
         }
     }
 
@@ -42,6 +50,8 @@ impl Drawing {
             Self::Pie(chart) => &chart.id,
             Self::Strip(chart) => &chart.id,
             Self::Contour(chart) => &chart.id,
+            Self::Mesh(chart) => &chart.id,
+            Self::Facing(chart) => &chart.id,
         }
     }
 
@@ -53,6 +63,8 @@ impl Drawing {
             Self::Pie(chart) => &chart.title,
             Self::Strip(chart) => &chart.title,
             Self::Contour(chart) => &chart.title,
+            Self::Mesh(chart) => &chart.title,
+            Self::Facing(chart) => &chart.title,
         }
     }
 
@@ -64,6 +76,8 @@ impl Drawing {
             Self::Pie(chart) => &chart.source,
             Self::Strip(chart) => &chart.source,
             Self::Contour(chart) => &chart.source,
+            Self::Mesh(chart) => &chart.source,
+            Self::Facing(chart) => &chart.source,
         }
     }
 
@@ -72,7 +86,7 @@ impl Drawing {
         match self {
             Self::Curves(chart) => Some(chart.data()),
             Self::Contour(chart) => Some(chart.data()),
-            Self::Bars(_) | Self::Pie(_) | Self::Strip(_) => None,
+            Self::Bars(_) | Self::Pie(_) | Self::Strip(_) | Self::Mesh(_) | Self::Facing(_) => None,
         }
     }
 
@@ -80,6 +94,8 @@ impl Drawing {
     pub fn legend(&self) -> Vec<(String, String)> {
         match self {
             Self::Curves(chart) => chart.legend(),
+            Self::Mesh(picture) => picture.legend(),
+            Self::Facing(_) => Facing::legend(),
             _ => Vec::new(),
         }
     }

@@ -2,8 +2,9 @@
 //! the table it was drawn from.
 //!
 //! A [`Chart`] holds curves over an axis, a [`BarChart`] bars from zero, a [`PieChart`] parts of a whole, a
-//! [`Strip`] shares along the path of contact, a [`Contour`] a field. Each draws itself for a page, which adds title and legend
-//! as text, or alone as a file.
+//! [`Strip`] shares along the path of contact, a [`Contour`] a field, a [`MeshPicture`] two gears in mesh, a [`Facing`] two
+//! flanks in contact at one of several positions. Each draws itself for a page, which adds title and legend as text, or alone
+//! as a file.
 
 mod axis;
 mod bars;
@@ -12,8 +13,11 @@ mod contour;
 mod decimate;
 mod drawing;
 mod dress;
+mod facing;
 mod frame;
+mod mesh;
 mod pie;
+mod spread;
 mod stacked;
 mod strip;
 mod xy;
@@ -24,6 +28,8 @@ pub use contour::Contour;
 pub use decimate::decimated;
 pub use drawing::Drawing;
 pub use dress::{Dress, STYLE};
+pub use facing::{Facing, FacingFrame};
+pub use mesh::{MeshBody, MeshPicture, MeshPoint, MeshTrace};
 pub use pie::{PieChart, Slice};
 pub use stacked::stacked;
 pub use strip::Strip;

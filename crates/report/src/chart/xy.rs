@@ -28,6 +28,18 @@ pub enum Line {
     Dots,
     /// Dots alone.
     Scatter,
+    /// A full line in the colour of text, for a sum.
+    Ink,
+    /// A filled area.
+    Area,
+    /// A shaded band about a curve.
+    Band,
+}
+
+impl Line {
+    fn is_filled(self) -> bool {
+        matches!(self, Self::Area | Self::Band)
+    }
 }
 
 /// A curve.
@@ -37,17 +49,60 @@ pub struct Series {
     pub name: String,
     /// Line style.
     pub line: Line,
-    /// Points in the units of the axes; one that is not finite breaks the line.
+    /// Points in the units of the axes; one that is not finite breaks the line. Of an area they go around it.
     pub points: Vec<[f64; 2]>,
+    /// Values that are read off an area, which are not those of its outline; empty otherwise.
+    pub told: Vec<[f64; 2]>,
 }
 
 impl Series {
     /// A curve through `x` and `y`.
     pub fn new(name: &str, line: Line, x: &[f64], y: &[f64]) -> Self {
+        Self::through(name, line, x.iter().zip(y).map(|(x, y)| [*x, *y]))
+    }
+
+    /// A curve through `points`.
+    pub fn through(name: &str, line: Line, points: impl IntoIterator<Item = [f64; 2]>) -> Self {
         Self {
             name: name.to_owned(),
             line,
-            points: x.iter().zip(y).map(|(x, y)| [*x, *y]).collect(),
+            points: points.into_iter().collect(),
+            told: Vec::new(),
+        }
+    }
+
+    /// The area over `x` between `low` and `high`, of which their difference is read off.
+    pub fn area(name: &str, x: &[f64], low: &[f64], high: &[f64]) -> Self {
+        let own = low.iter().zip(high).map(|(low, high)| high - low);
+        Self {
+            told: x.iter().copied().zip(own).map(|(x, y)| [x, y]).collect(),
+            ..Self::between(name, Line::Area, x, low, high)
+        }
+    }
+
+    /// The band over `x` between `low` and `high`, of which nothing is read off.
+    pub fn band(name: &str, x: &[f64], low: &[f64], high: &[f64]) -> Self {
+        Self::between(name, Line::Band, x, low, high)
+    }
+
+    fn between(name: &str, line: Line, x: &[f64], low: &[f64], high: &[f64]) -> Self {
+        let there = x.iter().zip(high);
+        let back = x.iter().zip(low).rev();
+        Self {
+            name: name.to_owned(),
+            line,
+            points: there.chain(back).map(|(x, y)| [*x, *y]).collect(),
+            told: Vec::new(),
+        }
+    }
+}
+
+impl Series {
+    /// The points thinned to `columns`; an area, whose outline goes there and back, as it is.
+    fn drawn(&self, columns: usize) -> Vec<[f64; 2]> {
+        match self.line.is_filled() {
+            true => self.points.clone(),
+            false => decimated(&self.points, columns),
         }
     }
 }
@@ -187,7 +242,7 @@ impl Chart {
         self.draw_marks(&mut canvas, &frame);
         canvas.raw(&format!("<g class=\"curves\" clip-path=\"url(#{clip})\">"));
         for (index, series) in self.series.iter().enumerate() {
-            let few = decimated(&series.points, DRAWN_COLUMNS);
+            let few = series.drawn(DRAWN_COLUMNS);
             canvas.path(
                 &class(index, series.line),
                 &outline(&frame, series.line, &few),
@@ -241,7 +296,9 @@ impl Chart {
         const SAMPLE: f64 = 46.0;
         let mut rows: Vec<Vec<(f64, String, String)>> = Vec::new();
         let mut at = f64::INFINITY;
-        for (name, class) in self.legend() {
+        // As in a page, one curve is named by the title alone.
+        let named = self.legend().into_iter();
+        for (name, class) in named.filter(|_| self.series.len() > 1) {
             let width = SAMPLE + LETTER * name.chars().count() as f64;
             if at + width > 630.0 {
                 rows.push(Vec::new());
@@ -281,10 +338,17 @@ impl Chart {
             .series
             .iter()
             .map(|series| {
-                let few = decimated(&series.points, ZOOM_COLUMNS);
-                let flat: Vec<Value> = few.iter().flatten().map(|v| short(*v)).collect();
-                json!({"name": series.name, "points": flat, "joined": series.line != Line::Scatter,
-                    "radius": match series.line { Line::Dots => 2.0, Line::Scatter => 3.5, _ => 0.0 }})
+                let flat = |points: &[[f64; 2]]| -> Vec<Value> {
+                    points.iter().flatten().map(|v| short(*v)).collect()
+                };
+                let mut data = json!({"name": series.name, "points": flat(&series.drawn(ZOOM_COLUMNS)),
+                    "joined": series.line != Line::Scatter,
+                    "radius": match series.line { Line::Dots => 2.0, Line::Scatter => 3.5, _ => 0.0 }});
+                if series.line.is_filled() {
+                    data["filled"] = json!(true);
+                    data["told"] = json!(flat(&series.told));
+                }
+                data
             })
             .collect();
         data["kind"] = json!("curves");
@@ -325,6 +389,9 @@ fn class(index: usize, line: Line) -> String {
         Line::Dashed => "dashed",
         Line::Dots => "dots",
         Line::Scatter => "scatter",
+        Line::Ink => return "curve ink".to_owned(),
+        Line::Area => return format!("area c{}", index % COLOURS),
+        Line::Band => return "area spread".to_owned(),
     };
     format!("curve c{} {kind}", index % COLOURS)
 }
@@ -332,7 +399,7 @@ fn class(index: usize, line: Line) -> String {
 /// The path of a curve, with a circle at each point where there are dots.
 fn outline(frame: &Frame, line: Line, points: &[[f64; 2]]) -> String {
     let radius = match line {
-        Line::Solid | Line::Dashed => None,
+        Line::Solid | Line::Dashed | Line::Ink | Line::Area | Line::Band => None,
         Line::Dots => Some(2.0),
         Line::Scatter => Some(3.5),
     };
@@ -356,6 +423,9 @@ fn outline(frame: &Frame, line: Line, points: &[[f64; 2]]) -> String {
             );
         }
         joined = true;
+    }
+    if line.is_filled() && !d.is_empty() {
+        d.push('Z');
     }
     d + &dots
 }

@@ -145,7 +145,8 @@
     }
     places() {
       if (this.data.kind === "contour") return this.data.columns;
-      const flat = this.data.series[0] ? this.data.series[0].points : [];
+      const first = this.data.series[0];
+      const flat = first ? first.told || first.points : [];
       return flat.filter((v, i) => i % 2 === 0 && v !== null).sort((a, b) => a - b);
     }
 
@@ -253,7 +254,7 @@
         if (r > 0) dots += `M${(x - r).toFixed(2)} ${y.toFixed(2)}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0`;
         joined = true;
       }
-      return d + dots;
+      return (series.filled && d ? d + "Z" : d) + dots;
     }
 
     // Reads off the points nearest to x (and y, in a field).
@@ -270,7 +271,7 @@
       const found = [];
       let at = null;
       for (const series of this.data.series) {
-        const p = series.points;
+        const p = series.told || series.points;
         let best = -1;
         for (let i = 0; i < p.length; i += 2) {
           if (p[i] === null || p[i + 1] === null) continue;
@@ -278,10 +279,10 @@
         }
         if (best < 0) continue;
         if (at === null) at = p[best];
-        found.push([series.name, p[best + 1], p[best]]);
+        found.push([series.name, p[best + 1], series.filled ? null : p[best + 1]]);
       }
       if (at === null) return;
-      this.point(at, found.map((f) => f[1]));
+      this.point(at, found.map((f) => f[2]).filter((y) => y !== null));
       const [across, unit] = [this.data.x.unit, this.data.y.unit].map((u) => (u ? " " + u : ""));
       this.read.textContent = `${digits(at)}${across}: ` +
         found.map((f) => (found.length > 1 ? f[0] + " " : "") + digits(f[1]) + unit).join(", ");
@@ -324,6 +325,36 @@
       press("Escape");
       return { id: chart.figure.id, readOff, dragged, restored, keyed, whole: shape(chart) === before };
     });
+    // Labels that another covers, or that reach out of their drawing.
+    const labels = [...document.querySelectorAll("svg.chart")].flatMap((svg) => {
+      const name = svg.closest("figure") ? svg.closest("figure").id : svg.getAttribute("aria-label");
+      const frame = svg.getBoundingClientRect(), faults = [];
+      const all = [...svg.querySelectorAll("text")].filter((t) => t.textContent.trim())
+        .map((t) => ({ text: t.textContent, box: t.getBoundingClientRect() })).filter(({ box }) => box.width > 0);
+      all.forEach(({ text, box }, k) => {
+        const out = Math.max(frame.left - box.left, box.right - frame.right, frame.top - box.top, box.bottom - frame.bottom);
+        if (out > 2) faults.push({ name, cut: text, by: out });
+        for (const other of all.slice(k + 1)) {
+          const wide = Math.min(box.right, other.box.right) - Math.max(box.left, other.box.left);
+          const high = Math.min(box.bottom, other.box.bottom) - Math.max(box.top, other.box.top);
+          // A box has air above and below its letters.
+          if (wide > 1 && high > 0.35 * Math.min(box.height, other.box.height)) faults.push({ name, clash: [text, other.text] });
+        }
+      });
+      return faults;
+    });
+    const sliders = [...document.querySelectorAll("figure.facing .slider input")].map((input) => {
+      const figure = input.closest("figure"), first = input.value;
+      const state = () => [...figure.querySelectorAll("[data-part]")]
+        .map((p) => p.getAttribute("d") || p.getAttribute("cx")).join() + figure.querySelector(".told").textContent;
+      const isDrawn = () => [...figure.querySelectorAll("path[data-part]")].every((p) => /^M[-\d][-\d LZ]+$/.test(p.getAttribute("d")));
+      const go = (v) => { input.value = String(v); input.dispatchEvent(new Event("input")); return state(); };
+      const before = state(), states = [];
+      let drawn = true;
+      for (let k = 0; k <= Number(input.max); k += 1) { states.push(go(k)); drawn = drawn && isDrawn(); }
+      return { id: figure.id, width: input.getBoundingClientRect().width, different: new Set(states).size,
+        positions: Number(input.max) + 1, broken: !drawn, restored: go(first) === before };
+    });
     const drawn = [...document.querySelectorAll("figure")].map((figure) => {
       const box = figure.querySelector("svg.chart").getBoundingClientRect();
       const shapes = figure.querySelectorAll(".curves path, .field path, rect.bar, rect.mixed, rect.film");
@@ -333,7 +364,7 @@
     const report = document.createElement("pre");
     report.id = "selftest";
     report.hidden = true;
-    report.textContent = JSON.stringify({ zoom: outcome, drawn, faults, resources: performance.getEntriesByType("resource").map((r) => r.name), milliseconds: performance.now() });
+    report.textContent = JSON.stringify({ zoom: outcome, drawn, labels, sliders, faults, resources: performance.getEntriesByType("resource").map((r) => r.name), milliseconds: performance.now() });
     document.body.append(report);
   }
   if (location.hash === "#selftest") selftest();

@@ -122,8 +122,8 @@ fn facing([id, title]: [&str; 2], x: &[f64], pinion: &[f64], gap: &[f64], source
     let wheel: Vec<f64> = pinion.iter().zip(gap).map(|(z, g)| z + g).collect();
     let heights = Axis::new("height", "µm");
     let chart = Chart::new(id, title, source, across(), heights)
-        .with(Series::new("wheel, above", Line::Solid, x, &wheel))
-        .with(Series::new("pinion, below", Line::Solid, x, pinion));
+        .with(Series::new("pinion, below", Line::Solid, x, pinion))
+        .with(Series::new("wheel, above", Line::Solid, x, &wheel));
     Drawing::Curves(chart)
 }
 

@@ -109,7 +109,7 @@ fn with_construction(chart: Chart, material: &RkParameters) -> Chart {
     let (mr1, mr2) = (material.mr1, material.mr2);
     chart
         .with(Series::new(
-            "line of Rk",
+            "equivalent line",
             Line::Dashed,
             &[0.0, 100.0],
             &[upper, lower],

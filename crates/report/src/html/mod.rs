@@ -3,15 +3,20 @@
 //! The page is drawn from the result and the tables beside it and from nothing else, so it cannot say
 //! another number than they do. Every chart is complete without scripts.
 
+mod along;
 mod band;
 mod contact;
+mod facing;
 mod flanks;
 mod inputs;
 mod load;
+mod losses;
 mod lubricated;
+mod mesh;
 mod overview;
 mod page;
 mod path;
+mod temperatures;
 
 pub use contact::drawings as drawings_of_contact;
 pub use lubricated::{
@@ -32,6 +37,7 @@ use crate::page_tables::PageTables;
 pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, ReportError> {
     let sections = [
         ("Summary", overview::section(result)),
+        ("In mesh", facing::section(result, tables)),
         ("Along the path of contact", path::section(result, tables)),
         ("In the contact", contact::section(result, tables)?),
         ("Flanks", flanks::section(result, tables)),

@@ -45,34 +45,46 @@ pub fn page(title: &str, subtitle: &str, sections: &[(&str, Markup)]) -> String 
 /// A chart with its title, legend, table and, where there is anything to zoom, its data.
 pub fn figure(drawing: &Drawing) -> Markup {
     let data = drawing.data();
-    let legend = drawing.legend();
     html! {
         figure.zoomable[data.is_some()] id=(drawing.id()) {
             figcaption { (drawing.title()) }
-            @if legend.len() > 1 {
-                ul.legend {
-                    @for (name, class) in &legend {
-                        li { (PreEscaped(sample(class))) (name) }
-                    }
-                }
-            }
+            (legend(drawing))
             (PreEscaped(drawing.svg(Dress::Page)))
             p.under {
                 span.source { "data: " code { (drawing.source()) } }
                 @if data.is_some() { output.read aria-live="polite" {} }
             }
-            @if let Some(data) = data {
-                script type="application/json" { (PreEscaped(data.to_string().replace('<', "\\u003c"))) }
+            @if let Some(data) = data { (embedded(&data)) }
+        }
+    }
+}
+
+/// The legend of a drawing with more than one line.
+pub(super) fn legend(drawing: &Drawing) -> Markup {
+    let legend = drawing.legend();
+    html! {
+        @if legend.len() > 1 {
+            ul.legend {
+                @for (name, class) in &legend {
+                    li { (PreEscaped(sample(class))) (name) }
+                }
             }
         }
     }
 }
 
+/// Data that the scripts of the page read.
+pub(super) fn embedded(data: &serde_json::Value) -> Markup {
+    let text = data.to_string().replace('<', "\\u003c");
+    html! { script type="application/json" { (PreEscaped(text)) } }
+}
+
 fn sample(class: &str) -> String {
-    let d = if class.ends_with("scatter") {
-        "M10 6a4 4 0 1 0 8 0a4 4 0 1 0 -8 0"
-    } else {
-        "M1 6h26"
+    let is_area = ["area", "oil"].iter().any(|kind| class.starts_with(kind));
+    let d = match class.ends_with("scatter") {
+        true => "M10 6a4 4 0 1 0 8 0a4 4 0 1 0 -8 0",
+        false if is_area => "M1 1h26v10h-26z",
+        false => "M1 6h26",
     };
     format!(
         "<svg class=\"sample\" viewBox=\"0 0 28 12\" aria-hidden=\"true\"><path class=\"{class}\" d=\"{d}\"/></svg>"

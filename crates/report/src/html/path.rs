@@ -3,20 +3,21 @@
 use asperity::result::{PositionRow, RunResult};
 use maud::{Markup, html};
 
-use super::load;
+use super::along::{SOURCE, along, points};
 use super::page::figure;
-use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series, Strip};
+use super::{load, losses, temperatures};
+use crate::chart::{Axis, Chart, Drawing, Line, Series, Strip};
 use crate::page_tables::PageTables;
 
-/// The table of this section.
-const SOURCE: &str = "path.csv";
-
 pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
-    let mut drawings = drawings(result);
-    drawings.insert(1, load::along_the_path(result, along(), &points(result)));
-    if let Some(map) = load::map(tables, along()) {
-        drawings.insert(2, map);
-    }
+    let marks = points(result);
+    let mut drawings = vec![
+        losses::along_the_path(result, along(), &marks),
+        temperatures::along_the_path(result, along(), &marks),
+        load::along_the_path(result, along(), &marks),
+    ];
+    drawings.extend(load::map(tables, along()));
+    drawings.extend(curves(result));
     html! {
         @if result.path.len() < 2 {
             p { "One position was computed; it is shown as a dot between A and E." }
@@ -65,24 +66,6 @@ fn records(result: &RunResult) -> Markup {
             }
         }
     }
-}
-
-/// The points A to E [mm from T₁].
-fn points(result: &RunResult) -> Vec<Mark> {
-    let path = &result.gears.path;
-    let named = [
-        ("A", path.a),
-        ("B", path.b),
-        ("C", path.c),
-        ("D", path.d),
-        ("E", path.e),
-    ];
-    let mut points = named.map(|(label, at)| Mark {
-        at: 1e3 * at.si(),
-        label: label.to_owned(),
-    });
-    points.sort_by(|a, b| a.at.total_cmp(&b.at));
-    points.to_vec()
 }
 
 /// Function that takes a value from a row; none where it is not known.
@@ -143,29 +126,9 @@ const CHARTS: &[Along] = &[
             ("in the film", |row| Some(row.mu_film)),
         ],
     },
-    Along {
-        id: "local-loss",
-        title: "Local loss per length of contact line",
-        axis: ["loss", "kW/m"],
-        curves: &[
-            ("sliding, all", |row| Some(1e-3 * row.sliding_w_per_m)),
-            ("in the film", |row| Some(1e-3 * row.film_w_per_m)),
-            ("lubricated asperities", |row| {
-                Some(1e-3 * row.lubricated_asperity_w_per_m)
-            }),
-            ("boundary layer", |row| Some(1e-3 * row.boundary_w_per_m)),
-            ("rolling", |row| Some(1e-3 * row.rolling_w_per_m)),
-        ],
-    },
-    Along {
-        id: "flash",
-        title: "Flash temperature",
-        axis: ["above the bulk", "K"],
-        curves: &[("flash", |row| Some(row.flash_k))],
-    },
 ];
 
-fn drawings(result: &RunResult) -> Vec<Drawing> {
+fn curves(result: &RunResult) -> Vec<Drawing> {
     let marks = points(result);
     let s: Vec<f64> = result.path.iter().map(|row| row.s_mm).collect();
     let line = |number: usize| match (s.len(), number) {
@@ -208,8 +171,4 @@ pub(super) fn strip(result: &RunResult) -> Drawing {
         film: of(|row| row.film_share),
         marks: points(result),
     })
-}
-
-fn along() -> Axis {
-    Axis::new("distance from T₁ along the line of action", "mm")
 }

@@ -6,6 +6,7 @@ mod flanks;
 mod load;
 mod losses;
 mod thin;
+mod views;
 
 pub use contact::{
     ContactTables, ConvergenceRow, SubsurfaceRow, SurfaceRow, convergence, folder_of,
@@ -14,3 +15,4 @@ pub use csv_table::{Row, read, text, write};
 pub use flanks::{BODIES, FlankTables, MaterialRatioRow, SpectrumRow, TraceRow, files_of};
 pub use load::{LoadMapRow, LoadPointRow, load_map, load_points};
 pub use losses::{FrictionLawRow, LossRow, friction_laws, losses};
+pub(crate) use views::thinned_views;

@@ -129,6 +129,10 @@ fn differences(comparison: &Comparison) -> Option<Drawing> {
         Axis::new("offset", ""),
         Axis::new("difference", "W").from_zero(),
     );
+    // The first is the line at zero, so that every finish keeps its colour.
+    let number: Vec<f64> = first.offsets.iter().map(|row| row.offset as f64).collect();
+    let zero = vec![0.0; number.len()];
+    chart = chart.with(Series::new(&first.name, Line::Dashed, &number, &zero));
     for finish in others {
         let number: Vec<f64> = finish.offsets.iter().map(|row| row.offset as f64).collect();
         let pairs = finish.offsets.iter().zip(&first.offsets);
@@ -140,7 +144,7 @@ fn differences(comparison: &Comparison) -> Option<Drawing> {
             &difference,
         ));
     }
-    Some(Drawing::Curves(chart.level(0.0, &first.name)))
+    Some(Drawing::Curves(chart))
 }
 
 fn roughness(comparison: &Comparison) -> Markup {

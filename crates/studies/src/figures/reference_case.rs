@@ -94,6 +94,8 @@ fn renamed(mut drawing: Drawing, title: &str, table: &str) -> Drawing {
         Drawing::Pie(chart) => (&mut chart.title, &mut chart.source),
         Drawing::Strip(chart) => (&mut chart.title, &mut chart.source),
         Drawing::Contour(chart) => (&mut chart.title, &mut chart.source),
+        Drawing::Mesh(chart) => (&mut chart.title, &mut chart.source),
+        Drawing::Facing(chart) => (&mut chart.title, &mut chart.source),
     };
     title.clone_into(own_title);
     table.clone_into(source);

@@ -1,0 +1,306 @@
+//! Outline of a tooth in the transverse section, for drawings: root of the tool, involute, tip.
+//!
+//! Source: ISO 21771:2007 (involute); envelope of the rounded edge of a rack that is longer by 1/cos β in the
+//! transverse section, own derivation.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | r, r_b | reference and base radius | m |
+//! | ρ | roll length on the involute | m |
+//! | γ | half the angle that the tooth fills at a radius | rad |
+//! | h_fP*, ρ_fP* | dedendum and tip rounding of the rack, in normal modules | - |
+//! | ψ, t | place on the rounding, 0 at its deepest point; t = tan ψ | rad, - |
+//!
+//! The load over the teeth uses the normal section instead ([`crate::tooth_outline`]).
+
+use asperity_core::cite;
+use asperity_core::numerics::find_root;
+
+use crate::error::Gear;
+use crate::pair::GearPair;
+use crate::tooth_outline::RootForm;
+
+/// Points on a fillet and on an involute.
+const POINTS: usize = 24;
+
+/// One half of a tooth, symmetric about its middle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TransverseTooth {
+    /// Radius \[m\] and half the angle that the tooth fills there \[rad\], from the middle of the tooth space at the
+    /// root to the middle of the tip.
+    pub outline: Vec<[f64; 2]>,
+    /// Roll length at which the involute ends at the root \[m\].
+    pub involute_start: f64,
+    /// Whether the root is that of the tool; a straight one stands for a root that the tool cannot make.
+    pub is_root_cut: bool,
+    involute: Involute,
+}
+
+/// γ over the roll length of an involute.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Involute {
+    /// 1, or −1 for a ring.
+    sign: f64,
+    base_radius: f64,
+    base_half_angle: f64,
+}
+
+impl Involute {
+    /// γ = (π/2 + 2 x tan αₙ)/z ± (inv αₜ − inv α) at the roll length ρ; minus for a ring.
+    fn half_angle(&self, roll: f64) -> f64 {
+        let t = roll / self.base_radius;
+        self.base_half_angle - self.sign * (t - t.atan())
+    }
+
+    fn roll_at(&self, radius: f64) -> f64 {
+        let square = (radius - self.base_radius) * (radius + self.base_radius);
+        square.max(0.0).sqrt()
+    }
+
+    fn point(&self, roll: f64) -> [f64; 2] {
+        [self.base_radius.hypot(roll), self.half_angle(roll)]
+    }
+}
+
+/// Envelope of the rounded edge of a rack in the transverse section.
+#[derive(Debug, Clone, Copy)]
+struct Fillet {
+    depth: f64,
+    rounding: f64,
+    edge: f64,
+    radius: f64,
+    teeth: f64,
+    /// cos β.
+    lean: f64,
+}
+
+impl Fillet {
+    /// P = ((h + k) t cos β, r − h − k), k = ρ/√(1 + t²), turned back by ((h + k) t cos β − (E + k t)/cos β)/r;
+    /// h and E as in Tooth-2                                                       [Tooth-4]
+    ///
+    /// Radius of the point and γ there.
+    fn point(&self, t: f64) -> [f64; 2] {
+        cite!("Tooth-4");
+        let k = self.rounding / (1.0 + t * t).sqrt();
+        let (x, y) = (
+            (self.depth + k) * t * self.lean,
+            self.radius - self.depth - k,
+        );
+        let turn = (x - (self.edge + k * t) / self.lean) / self.radius;
+        let space = x.atan2(y) - turn;
+        [x.hypot(y), std::f64::consts::PI / self.teeth - space]
+    }
+}
+
+impl TransverseTooth {
+    /// Half the angle that the tooth fills at the roll length `roll` \[m\], in radians.
+    #[must_use]
+    pub fn half_angle(&self, roll: f64) -> f64 {
+        self.involute.half_angle(roll)
+    }
+}
+
+impl GearPair {
+    /// A tooth of `gear` as a tool with the root `root` leaves it. Of a pair of which only the sum of the profile
+    /// shifts is known, that sum is divided as the tip radii suggest.
+    ///
+    /// ```
+    /// use asperity_gear::{Gear, GearPair, GearPairInput, RootForm};
+    /// let pair = GearPair::new(&GearPairInput::standard(
+    ///     [20, 40], "2 mm".parse()?, "0 deg".parse()?, "20 mm".parse()?,
+    /// ))?;
+    /// let tooth = pair.transverse_tooth(Gear::Pinion, RootForm::default());
+    /// let tip = tooth.outline[tooth.outline.len() - 1];
+    /// assert!(tooth.is_root_cut && (tip[0] - pair.tip_radius[0].si()).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn transverse_tooth(&self, gear: Gear, root: RootForm) -> TransverseTooth {
+        let index = gear as usize;
+        let is_ring = self.internal && index == 1;
+        let sign = if is_ring { -1.0 } else { 1.0 };
+        let shifts = self.profile_shift;
+        let shift = shifts.unwrap_or_else(|| self.likely_profile_shift())[index];
+        let teeth = f64::from(self.teeth[index]);
+        let normal = self.normal_pressure_angle.si();
+        let reference = self.transverse_pressure_angle.si();
+        let half_reference = (std::f64::consts::FRAC_PI_2 + 2.0 * shift * normal.tan()) / teeth;
+        let involute = Involute {
+            sign,
+            base_radius: self.base_radius[index].si().abs(),
+            base_half_angle: half_reference + sign * (reference.tan() - reference),
+        };
+        let tip = self.tip_radius[index].si().abs();
+        let radius = self.reference_radius[index].si().abs();
+        let module = self.normal_module.si();
+        let depth = module * (root.dedendum - shift);
+        let root_radius = radius - sign * depth;
+        let fillet = Fillet {
+            depth: depth - module * root.fillet_radius,
+            rounding: module * root.fillet_radius,
+            edge: module
+                * (std::f64::consts::FRAC_PI_4
+                    - root.dedendum * normal.tan()
+                    - (1.0 - normal.sin()) * root.fillet_radius / normal.cos()),
+            radius,
+            teeth,
+            lean: self.helix.si().cos(),
+        };
+        let cut = if is_ring {
+            None
+        } else {
+            cut_root(&fillet, &involute, 1.0 / normal.tan())
+        };
+        let middle = std::f64::consts::PI / teeth;
+        let (foot, involute_start) = match &cut {
+            Some((points, start)) => (points.clone(), *start),
+            None => {
+                let start = involute.roll_at(root_radius);
+                (vec![[root_radius, involute.half_angle(start)]], start)
+            }
+        };
+        let end = involute.roll_at(tip);
+        let step = (end - involute_start) / POINTS as f64;
+        let flank = (0..=POINTS).map(|k| involute.point(involute_start + step * k as f64));
+        let from_middle = foot.first().map(|point| [point[0], middle]);
+        let mut outline: Vec<[f64; 2]> = from_middle.into_iter().chain(foot).collect();
+        outline.extend(flank);
+        outline.push([tip, 0.0]);
+        for point in &mut outline {
+            // A tooth ends in the middle of its spaces; pointed tips are refused by the pair.
+            point[1] = point[1].clamp(0.0, middle);
+        }
+        TransverseTooth {
+            outline,
+            involute_start,
+            is_root_cut: cut.is_some() || is_ring,
+            involute,
+        }
+    }
+}
+
+/// Points of the fillet, and the roll length at which the involute takes over; none where the rack is pointed above
+/// its rounding, cuts the teeth off at their roots, or does not reach the involute.
+fn cut_root(fillet: &Fillet, involute: &Involute, end: f64) -> Option<(Vec<[f64; 2]>, f64)> {
+    let foot = fillet.point(0.0);
+    if fillet.edge < 0.0 || fillet.depth + fillet.rounding >= fillet.radius || foot[1] <= 0.0 {
+        return None;
+    }
+    // Positive where the fillet is wider than the involute.
+    let excess = |t: f64| {
+        let [radius, angle] = fillet.point(t);
+        angle - involute.half_angle(involute.roll_at(radius))
+    };
+    let last = fillet.point(end);
+    // The straight part of the rack makes the involute from here on, unless it has been cut away.
+    let sin = end.recip() / (fillet.lean.powi(2) + end.recip().powi(2)).sqrt();
+    let start =
+        fillet.radius * sin - (fillet.depth + fillet.rounding / (1.0 + end * end).sqrt()) / sin;
+    let (stop, start) = if start >= 0.0 {
+        (end, involute.roll_at(last[0]))
+    } else {
+        let base = find_root(
+            |t| fillet.point(t)[0] - involute.base_radius,
+            0.0,
+            end,
+            1e-12 * end,
+        )
+        .map_or(0.0, |root| root.value);
+        let stop = find_root(excess, base, end * (1.0 - 1e-9), 1e-12 * end)
+            .ok()?
+            .value;
+        (stop, involute.roll_at(fillet.point(stop)[0]))
+    };
+    let points = (0..=POINTS).map(|k| fillet.point(stop * k as f64 / POINTS as f64));
+    Some((points.collect(), start))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::GearPairInput;
+
+    fn pair(teeth: [u32; 2], helix: &str) -> GearPair {
+        GearPair::new(&GearPairInput::standard(
+            teeth,
+            "2 mm".parse().unwrap(),
+            helix.parse().unwrap(),
+            "20 mm".parse().unwrap(),
+        ))
+        .unwrap()
+    }
+
+    fn fillet_end(tooth: &TransverseTooth) -> ([f64; 2], [f64; 2]) {
+        // Middle of the space, then POINTS + 1 points of the fillet, then the involute.
+        (tooth.outline[POINTS + 1], tooth.outline[POINTS + 2])
+    }
+
+    #[test]
+    fn the_fillet_of_a_helical_tooth_meets_its_involute() {
+        for (teeth, helix) in [
+            ([23, 68], "23.4 deg"),
+            ([40, 41], "0 deg"),
+            ([30, 90], "45 deg"),
+        ] {
+            let pair = pair(teeth, helix);
+            for gear in [Gear::Pinion, Gear::Wheel] {
+                let tooth = pair.transverse_tooth(gear, RootForm::default());
+                assert!(tooth.is_root_cut);
+                let (fillet, involute) = fillet_end(&tooth);
+                // Radius and angle at which two independent formulas meet, to rounding.
+                assert!((fillet[0] / involute[0] - 1.0).abs() < 1e-12, "{teeth:?}");
+                assert!((fillet[1] - involute[1]).abs() < 1e-12, "{teeth:?} {helix}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_undercut_tooth_passes_from_its_fillet_to_its_involute_without_a_step() {
+        let pair = pair([14, 20], "0 deg");
+        let tooth = pair.transverse_tooth(Gear::Pinion, RootForm::default());
+        assert!(tooth.is_root_cut && tooth.involute_start > 0.0);
+        let (fillet, involute) = fillet_end(&tooth);
+        assert!((fillet[0] / involute[0] - 1.0).abs() < 1e-9);
+        assert!((fillet[1] - involute[1]).abs() < 1e-9);
+        // The fillet has cut into the involute: its neck is narrower than where it meets that.
+        let neck = tooth.outline.iter().map(|point| point[1]).take(POINTS + 1);
+        assert!(neck.fold(f64::INFINITY, f64::min) < involute[1]);
+    }
+
+    #[test]
+    fn the_root_lies_a_dedendum_below_the_reference_circle() {
+        let tooth = pair([20, 40], "0 deg").transverse_tooth(Gear::Pinion, RootForm::default());
+        // r − 1.25 m = 20 mm − 2.5 mm.
+        assert!((tooth.outline[0][0] - 17.5e-3).abs() < 1e-12);
+        assert!((tooth.outline[0][1] - std::f64::consts::PI / 20.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_pointed_tool_leaves_a_straight_root() {
+        let root = RootForm {
+            dedendum: 1.25,
+            fillet_radius: 0.9,
+        };
+        let tooth = pair([20, 40], "0 deg").transverse_tooth(Gear::Pinion, root);
+        assert!(!tooth.is_root_cut && tooth.outline.iter().flatten().all(|v| v.is_finite()));
+    }
+
+    #[test]
+    fn a_ring_tooth_is_thinner_towards_its_tip() {
+        let ring = GearPair::internal(&GearPairInput::standard(
+            [24, 75],
+            "1.5 mm".parse().unwrap(),
+            "0 deg".parse().unwrap(),
+            "20 mm".parse().unwrap(),
+        ))
+        .unwrap();
+        let tooth = ring.transverse_tooth(Gear::Wheel, RootForm::default());
+        let (root, tip) = (tooth.outline[1], tooth.outline[tooth.outline.len() - 2]);
+        assert!(tip[0] < root[0] && tip[1] < root[1]);
+        // Half the pitch at the reference circle of a ring without shift.
+        let reference = 1.5e-3 * 75.0 / 2.0;
+        let roll = tooth.involute.roll_at(reference);
+        let half = tooth.half_angle(roll);
+        assert!((half - std::f64::consts::FRAC_PI_2 / 75.0).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,338 @@
+//! Two flanks facing each other in contact at one of several positions: heights to one scale, the gap between them
+//! filled, the pressures below on the same places.
+
+use std::fmt::Write as _;
+
+use serde_json::{Value, json};
+
+use super::axis::{Axis, Range};
+use super::canvas::{Anchor, Canvas};
+use super::dress::Dress;
+use super::frame::{TICKS_ACROSS, TICKS_UP, WIDTH, document};
+use super::spread::spread;
+use super::xy::Mark;
+
+/// The contact at one position.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FacingFrame {
+    /// What is told of it beside the picture.
+    pub text: String,
+    /// Its place on the path of contact, in the unit of the marks.
+    pub at: f64,
+    /// Places across the contact, in half-widths, rising.
+    pub x: Vec<f64>,
+    /// Height of the lower flank \[µm\].
+    pub lower: Vec<f64>,
+    /// Height of the upper flank \[µm\].
+    pub upper: Vec<f64>,
+    /// Pressure of touching asperities \[MPa\].
+    pub solid: Vec<f64>,
+    /// Pressure in the film \[MPa\].
+    pub fluid: Vec<f64>,
+    /// Hertz pressure of smooth dry flanks \[MPa\].
+    pub hertz: f64,
+}
+
+/// Two flanks in contact, one frame a position.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Facing {
+    /// Name for links.
+    pub id: String,
+    /// Title of the drawing.
+    pub title: String,
+    /// The table it was drawn from.
+    pub source: String,
+    /// The positions, along the path; not empty.
+    pub frames: Vec<FacingFrame>,
+    /// Frame that is shown first.
+    pub first: usize,
+    /// The points of the path of contact.
+    pub marks: Vec<Mark>,
+    /// Half-widths shown to either side.
+    pub reach: f64,
+}
+
+const LEFT: f64 = 66.0;
+const RIGHT: f64 = WIDTH - 18.0;
+/// The bar of the path, top and bottom of both panels.
+const BAR: f64 = 26.0;
+const FLANKS: [f64; 2] = [48.0, 258.0];
+const PRESSURES: [f64; 2] = [280.0, 404.0];
+const HEIGHT: f64 = 450.0;
+/// Room for a title where the drawing is a file of its own.
+const TITLE: f64 = 22.0;
+
+/// Lines of the picture: class, part that the script finds, and what it is called in the legend.
+const FILM: [&str; 3] = ["oil", "film", "gap, filled with oil"];
+const LOWER: [&str; 3] = ["curve c0 solid", "lower", "pinion"];
+const UPPER: [&str; 3] = ["curve c1 solid", "upper", "wheel"];
+const SOLID: [&str; 3] = ["curve c3 solid", "solid", "pressure of asperities"];
+const FLUID: [&str; 3] = ["curve c2 solid", "fluid", "of the film"];
+const HERTZ: [&str; 3] = [
+    "curve hertz dashed",
+    "hertz",
+    "of smooth dry flanks (Hertz)",
+];
+
+/// Ranges of the axes, the same for all frames.
+struct Scales {
+    x: Range,
+    height: Range,
+    pressure: Range,
+    path: Range,
+}
+
+/// A frame in tenths of a unit of the drawing, which keep the page small.
+struct Placed {
+    x: Vec<i64>,
+    lower: Vec<i64>,
+    upper: Vec<i64>,
+    solid: Vec<i64>,
+    fluid: Vec<i64>,
+    hertz: Vec<i64>,
+    at: i64,
+}
+
+fn tenths(value: f64) -> i64 {
+    (10.0 * value).round() as i64
+}
+
+fn between([top, bottom]: [f64; 2], share: f64) -> f64 {
+    bottom - share * (bottom - top)
+}
+
+/// Points of the ellipse of Hertz.
+const ELLIPSE: usize = 48;
+
+impl Facing {
+    fn scales(&self) -> Scales {
+        /// Half-widths within which all heights are seen.
+        const SEEN: f64 = 1.25;
+        let frames = || self.frames.iter();
+        let seen = |frame: &FacingFrame| -> Vec<f64> {
+            let within = (0..frame.x.len()).filter(|&k| frame.x[k].abs() <= SEEN);
+            within
+                .flat_map(|k| [frame.lower[k], frame.upper[k]])
+                .collect()
+        };
+        let heights = Axis::new("height", "µm").range(frames().flat_map(seen));
+        let pressures = frames().flat_map(|frame| {
+            let hertz = std::iter::once(frame.hertz);
+            hertz.chain(frame.solid.iter().chain(&frame.fluid).copied())
+        });
+        let pressure = Axis::new("pressure", "MPa").from_zero().range(pressures);
+        let places = frames()
+            .map(|frame| frame.at)
+            .chain(self.marks.iter().map(|m| m.at));
+        let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
+            (a.min(v), b.max(v))
+        });
+        let x = Axis::new("", "")
+            .within(-self.reach, self.reach)
+            .range(std::iter::empty());
+        Scales {
+            x,
+            height: heights,
+            pressure,
+            path: Range { low, high, ..x },
+        }
+    }
+
+    fn px(range: &Range, value: f64) -> f64 {
+        LEFT + range.share(value) * (RIGHT - LEFT)
+    }
+
+    fn placed(&self, frame: &FacingFrame, scales: &Scales) -> Placed {
+        let rows = |panel: [f64; 2], range: &Range, values: &[f64]| -> Vec<i64> {
+            let row = |value: &f64| tenths(between(panel, range.share(*value)));
+            values.iter().map(row).collect()
+        };
+        let ellipse = (0..=ELLIPSE).map(|k| {
+            let x = 2.0 * k as f64 / ELLIPSE as f64 - 1.0;
+            frame.hertz * (1.0 - x * x).max(0.0).sqrt()
+        });
+        let ellipse: Vec<f64> = ellipse.collect();
+        Placed {
+            x: frame
+                .x
+                .iter()
+                .map(|x| tenths(Self::px(&scales.x, *x)))
+                .collect(),
+            lower: rows(FLANKS, &scales.height, &frame.lower),
+            upper: rows(FLANKS, &scales.height, &frame.upper),
+            solid: rows(PRESSURES, &scales.pressure, &frame.solid),
+            fluid: rows(PRESSURES, &scales.pressure, &frame.fluid),
+            hertz: rows(PRESSURES, &scales.pressure, &ellipse),
+            at: tenths(Self::px(&scales.path, frame.at)),
+        }
+    }
+
+    /// Heights over lengths of frame `index` as drawn, where a half-width has `half_width` micrometres.
+    #[must_use]
+    pub fn exaggeration(&self, half_width: f64) -> f64 {
+        let scales = self.scales();
+        let up = (FLANKS[1] - FLANKS[0]) / (scales.height.high - scales.height.low);
+        let across = (RIGHT - LEFT) / (scales.x.high - scales.x.low) / half_width;
+        up / across
+    }
+
+    /// The picture as SVG, at its first frame.
+    pub fn svg(&self, dress: Dress) -> String {
+        let scales = self.scales();
+        let down = if dress == Dress::Alone { TITLE } else { 0.0 };
+        let mut canvas = Canvas::default();
+        if dress == Dress::Alone {
+            canvas.raw(&format!("<g transform=\"translate(0 {TITLE})\">"));
+        }
+        self.axes(&mut canvas, &scales);
+        if let Some(frame) = self.frames.get(self.first) {
+            self.draw(&mut canvas, &self.placed(frame, &scales));
+        }
+        if dress == Dress::Alone {
+            canvas.close();
+        }
+        document(dress, &self.title, HEIGHT + down, &canvas.into_text())
+    }
+
+    fn draw(&self, canvas: &mut Canvas, placed: &Placed) {
+        let [top, bottom] = FLANKS.map(tenths);
+        let lower = line(&placed.x, &placed.lower);
+        let upper = line(&placed.x, &placed.upper);
+        let ends = placed.x.first().zip(placed.x.last());
+        let (first, last) = ends.map_or((0, 0), |(a, b)| (*a, *b));
+        let back: String = (placed.x.iter().zip(&placed.upper).rev())
+            .map(|(x, y)| format!("L{x} {y}"))
+            .collect();
+        let clip = |panel: &str| {
+            format!(
+                "<g clip-path=\"url(#clip-{}-{panel})\"><g class=\"curves tenths\" transform=\"scale(.1)\">",
+                self.id
+            )
+        };
+        canvas.raw(&clip("flanks"));
+        for (part, class, d) in [
+            (
+                "below",
+                "flesh c0",
+                format!("{lower}L{last} {bottom}L{first} {bottom}Z"),
+            ),
+            (
+                "above",
+                "flesh c1",
+                format!("{upper}L{last} {top}L{first} {top}Z"),
+            ),
+            (FILM[1], FILM[0], format!("{lower}{back}Z")),
+            (LOWER[1], LOWER[0], lower.clone()),
+            (UPPER[1], UPPER[0], upper.clone()),
+        ] {
+            canvas.raw(&format!(
+                "<path class=\"{class}\" data-part=\"{part}\" d=\"{d}\"/>"
+            ));
+        }
+        canvas.raw("</g></g>");
+        canvas.raw(&clip("pressures"));
+        let ellipse = line(&self.ellipse_places(), &placed.hertz);
+        for ([class, part, _], d) in [
+            (HERTZ, ellipse),
+            (FLUID, line(&placed.x, &placed.fluid)),
+            (SOLID, line(&placed.x, &placed.solid)),
+        ] {
+            canvas.raw(&format!(
+                "<path class=\"{class}\" data-part=\"{part}\" d=\"{d}\"/>"
+            ));
+        }
+        canvas.raw("</g></g>");
+        canvas.raw(&format!(
+            "<circle class=\"touch\" data-part=\"dot\" cx=\"{}\" cy=\"{BAR}\" r=\"5\"/>",
+            placed.at as f64 / 10.0
+        ));
+    }
+
+    fn ellipse_places(&self) -> Vec<i64> {
+        let x = self.scales().x;
+        let place = |k: usize| tenths(Self::px(&x, 2.0 * k as f64 / ELLIPSE as f64 - 1.0));
+        (0..=ELLIPSE).map(place).collect()
+    }
+
+    fn axes(&self, canvas: &mut Canvas, scales: &Scales) {
+        for (name, [top, bottom]) in [("flanks", FLANKS), ("pressures", PRESSURES)] {
+            canvas.raw(&format!(
+                "<clipPath id=\"clip-{}-{name}\"><rect x=\"{LEFT}\" y=\"{top}\" width=\"{}\" height=\"{}\"/></clipPath>",
+                self.id,
+                RIGHT - LEFT,
+                bottom - top
+            ));
+            canvas.rect("box", [LEFT, top], [RIGHT - LEFT, bottom - top]);
+        }
+        let panels = [
+            (FLANKS, &scales.height, TICKS_UP, "height [µm]"),
+            (PRESSURES, &scales.pressure, 3, "pressure [MPa]"),
+        ];
+        for (panel, range, wanted, name) in panels {
+            for (value, label) in range.ticks(wanted) {
+                let y = between(panel, range.share(value));
+                canvas.line("grid", [LEFT, y], [RIGHT, y]);
+                canvas.label("tick", [LEFT - 6.0, y + 4.0], Anchor::End, &label);
+            }
+            canvas.upright("name", [14.0, 0.5 * (panel[0] + panel[1])], name);
+        }
+        for (value, label) in scales.x.ticks(TICKS_ACROSS) {
+            let x = Self::px(&scales.x, value);
+            for [top, bottom] in [FLANKS, PRESSURES] {
+                let class = if value.abs() == 1.0 { "mark" } else { "grid" };
+                canvas.line(class, [x, top], [x, bottom]);
+            }
+            canvas.label("tick", [x, PRESSURES[1] + 17.0], Anchor::Middle, &label);
+        }
+        let below = [0.5 * (LEFT + RIGHT), HEIGHT - 8.0];
+        let name = "distance from the middle of the contact, in half-widths";
+        canvas.label("name", below, Anchor::Middle, name);
+        self.bar(canvas, scales);
+    }
+
+    /// The path of contact with its points, above both panels.
+    fn bar(&self, canvas: &mut Canvas, scales: &Scales) {
+        /// Least distance of two letters.
+        const APART: f64 = 15.0;
+        canvas.line("axis", [LEFT, BAR], [RIGHT, BAR]);
+        canvas.label("letter", [LEFT - 8.0, BAR + 4.0], Anchor::End, "path");
+        let places: Vec<f64> = (self.marks.iter())
+            .map(|mark| Self::px(&scales.path, mark.at))
+            .collect();
+        for ((mark, at), letter) in self.marks.iter().zip(&places).zip(spread(&places, APART)) {
+            canvas.line("axis", [*at, BAR - 4.0], [*at, BAR + 4.0]);
+            canvas.label("letter", [letter, BAR - 9.0], Anchor::Middle, &mark.label);
+        }
+    }
+
+    /// Names of lines with the classes they are drawn in.
+    pub fn legend() -> Vec<(String, String)> {
+        let named = |[class, _, name]: [&str; 3]| (name.to_owned(), class.to_owned());
+        [UPPER, LOWER, FILM, SOLID, FLUID, HERTZ]
+            .map(named)
+            .to_vec()
+    }
+
+    /// Frames for the script of the slider, in tenths of a unit of the drawing.
+    pub fn frames(&self) -> Value {
+        let scales = self.scales();
+        let frames: Vec<Value> = self
+            .frames
+            .iter()
+            .map(|frame| {
+                let placed = self.placed(frame, &scales);
+                json!({"text": frame.text, "at": placed.at, "x": placed.x, "lower": placed.lower,
+                    "upper": placed.upper, "solid": placed.solid, "fluid": placed.fluid, "hertz": placed.hertz})
+            })
+            .collect();
+        json!({"ellipse": self.ellipse_places(), "top": tenths(FLANKS[0]), "bottom": tenths(FLANKS[1]), "frames": frames})
+    }
+}
+
+fn line(xs: &[i64], ys: &[i64]) -> String {
+    let mut d = String::with_capacity(10 * xs.len());
+    for (k, (x, y)) in xs.iter().zip(ys).enumerate() {
+        let _ = write!(d, "{}{x} {y}", if k == 0 { 'M' } else { 'L' });
+    }
+    d
+}

@@ -1,0 +1,31 @@
+//! The axis along the path of contact, with its points A to E.
+
+use asperity::result::RunResult;
+
+use crate::chart::{Axis, Mark};
+
+/// The table of the path.
+pub(super) const SOURCE: &str = "path.csv";
+
+/// The points A to E [mm from T₁].
+pub(super) fn points(result: &RunResult) -> Vec<Mark> {
+    let path = &result.gears.path;
+    let named = [
+        ("A", path.a),
+        ("B", path.b),
+        ("C", path.c),
+        ("D", path.d),
+        ("E", path.e),
+    ];
+    let mut points = named.map(|(label, at)| Mark {
+        at: 1e3 * at.si(),
+        label: label.to_owned(),
+    });
+    points.sort_by(|a, b| a.at.total_cmp(&b.at));
+    points.to_vec()
+}
+
+/// The axis along the path.
+pub(super) fn along() -> Axis {
+    Axis::new("distance from T₁ along the line of action", "mm")
+}

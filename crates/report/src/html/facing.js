@@ -1,0 +1,26 @@
+// Shows the contact at the position of the slider. The first one stands in the page without it.
+"use strict";
+for (const figure of document.querySelectorAll("figure.facing")) {
+  const { ellipse, top, bottom, frames } = JSON.parse(figure.querySelector("script").textContent);
+  const label = figure.querySelector(".slider");
+  if (!label) continue;
+  const slider = label.querySelector("input"), told = figure.querySelector(".told");
+  const part = (name) => figure.querySelector(`[data-part="${name}"]`);
+  const line = (xs, ys) => xs.map((x, k) => `${k ? "L" : "M"}${x} ${ys[k]}`).join("");
+
+  const show = (number) => {
+    const frame = frames[number], { x } = frame;
+    const lower = line(x, frame.lower), upper = line(x, frame.upper);
+    const closed = (y) => `L${x[x.length - 1]} ${y}L${x[0]} ${y}Z`;
+    const back = x.map((at, k) => `L${at} ${frame.upper[k]}`).reverse().join("");
+    const outlines = {
+      lower, upper, below: lower + closed(bottom), above: upper + closed(top), film: lower + back + "Z",
+      solid: line(x, frame.solid), fluid: line(x, frame.fluid), hertz: line(ellipse, frame.hertz),
+    };
+    for (const [name, d] of Object.entries(outlines)) part(name).setAttribute("d", d);
+    part("dot").setAttribute("cx", String(frame.at / 10));
+    told.textContent = frame.text;
+  };
+  slider.addEventListener("input", () => show(Number(slider.value)));
+  label.hidden = false;
+}

@@ -1,0 +1,147 @@
+//! The mesh at a glance: the pair in mesh, and the flanks facing each other at the position of a slider.
+
+use asperity::contact_view::ContactView;
+use asperity::result::{PositionRow, RunResult};
+use maud::{Markup, PreEscaped, html};
+
+use super::along::points;
+use super::page::{embedded, figure, legend};
+use super::{mesh, temperatures};
+use crate::chart::{Drawing, Dress, Facing, FacingFrame};
+use crate::page_tables::{PageTables, shown_position};
+
+const SLIDER: &str = include_str!("facing.js");
+
+pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
+    let facing = facing(result, tables);
+    html! {
+        div.charts {
+            @if let Some(mesh) = mesh::picture(result) { (figure(&mesh)) }
+            @if let Some(facing) = facing { (slider(facing)) }
+        }
+        @if result.flanks.iter().all(|flank| flank.roll_lengths_mm.is_none()) {
+            p.sub { "Where the traces lie on their flanks is not known: no key " code { "at" } " says so." }
+        }
+    }
+}
+
+/// The figure with its slider, which the script brings up.
+fn slider(facing: Facing) -> Markup {
+    let first = facing.first;
+    let last = facing.frames.len() - 1;
+    let text = facing.frames[first].text.clone();
+    let frames = facing.frames();
+    let drawing = Drawing::Facing(facing);
+    html! {
+        figure.facing id=(drawing.id()) {
+            figcaption { (drawing.title()) }
+            (legend(&drawing))
+            @if last > 0 {
+                label.slider hidden {
+                    span { "position" }
+                    input type="range" min="0" max=(last) step="1" value=(first) aria-label="Position along the path of contact, from A to E";
+                }
+            }
+            (PreEscaped(drawing.svg(Dress::Page)))
+            p.under { output.told aria-live="polite" { (text) } }
+            p.under { span.source { "data: " code { (drawing.source()) } } }
+            (embedded(&frames))
+        }
+        script { (PreEscaped(SLIDER)) }
+    }
+}
+
+/// The flanks facing each other along the path; none where no rough contact was solved.
+fn facing(result: &RunResult, tables: &PageTables) -> Option<Facing> {
+    let row = |view: &ContactView| {
+        let mut rows = result.path.iter();
+        rows.find(|row| row.position == view.position)
+    };
+    let found: Vec<(&ContactView, &PositionRow)> = (tables.views.iter())
+        .filter_map(|view| Some((view, row(view)?)))
+        .filter(|(view, row)| is_whole(view) && row.half_width_um > 0.0)
+        .collect();
+    let highest = || {
+        shown_position(result, None)
+            .ok()
+            .flatten()
+            .map(|row| row.position)
+    };
+    let shown = tables
+        .contact
+        .as_ref()
+        .map(|at| at.position)
+        .or_else(highest);
+    let first = found
+        .iter()
+        .position(|(view, _)| Some(view.position) == shown);
+    let frames: Vec<FacingFrame> = found.iter().map(|(view, row)| frame(view, row)).collect();
+    if frames.is_empty() {
+        return None;
+    }
+    let mut facing = Facing {
+        id: "facing".to_owned(),
+        title: "The flanks facing each other under load".to_owned(),
+        source: tables.source("page.json"),
+        frames,
+        first: first.unwrap_or(0),
+        marks: points(result),
+        reach: ContactView::REACH,
+    };
+    let texts: Vec<String> = found
+        .iter()
+        .map(|(_, row)| told(result, row, facing.exaggeration(row.half_width_um)))
+        .collect();
+    for (frame, text) in facing.frames.iter_mut().zip(texts) {
+        frame.text = text;
+    }
+    Some(facing)
+}
+
+/// Whether the columns are of one length; those of a damaged file may not be.
+fn is_whole(view: &ContactView) -> bool {
+    let columns = [
+        &view.pinion_um,
+        &view.wheel_um,
+        &view.pressure_solid_mpa,
+        &view.pressure_fluid_mpa,
+    ];
+    let n = view.x_um.len();
+    n > 1 && columns.iter().all(|column| column.len() == n)
+}
+
+fn frame(view: &ContactView, row: &PositionRow) -> FacingFrame {
+    FacingFrame {
+        text: String::new(),
+        at: row.s_mm,
+        x: view.x_um.iter().map(|x| x / row.half_width_um).collect(),
+        lower: view.pinion_um.clone(),
+        upper: view.wheel_um.clone(),
+        solid: view.pressure_solid_mpa.clone(),
+        fluid: view.pressure_fluid_mpa.clone(),
+        hertz: row.hertz_pressure_mpa,
+    }
+}
+
+/// What is told of a position: where it is, the contact, and how far heights are drawn out.
+fn told(result: &RunResult, row: &PositionRow, exaggeration: f64) -> String {
+    let mut parts = vec![
+        format!("Position {} of {}", row.position, result.path.len()),
+        format!("{:.2} mm from T₁", row.s_mm),
+        format!("half-width {:.0} µm", row.half_width_um),
+        format!("p₀ {:.0} MPa", row.hertz_pressure_mpa),
+    ];
+    if let Some(gap) = row.mean_gap_um {
+        parts.push(format!("mean gap {gap:.3} µm"));
+    }
+    parts.push(format!(
+        "{:.0} % of the load on asperities",
+        100.0 * (1.0 - row.film_share)
+    ));
+    let contact = temperatures::bulk(result) + row.flash_k;
+    parts.push(format!("{contact:.0} °C in the contact"));
+    format!(
+        "{}. Heights are drawn {exaggeration:.0} times as large as lengths.",
+        parts.join(", ")
+    )
+}

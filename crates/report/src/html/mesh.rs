@@ -1,0 +1,523 @@
+//! The pair in mesh: geometry of its picture from the result.
+//!
+//! The pitch point is the origin, the pinion's axis below it, and the line of action rises to the right, so that
+//! contact moves from A on the left to E on the right.
+
+use asperity::case::GearFlankInput;
+use asperity::gear::{Gear, GearPair, RootForm, TransverseTooth};
+use asperity::result::RunResult;
+
+use crate::chart::{Drawing, MeshBody, MeshPicture, MeshPoint, MeshTrace};
+use crate::tables::BODIES;
+
+/// Millimetres of a metre.
+const MILLI: f64 = 1e3;
+
+/// Place of a gear whose flank touches the other at a point of the path.
+struct Seat {
+    centre: [f64; 2],
+    /// Base radius \[m\].
+    base: f64,
+    /// Direction from the axis to the foot of its perpendicular on the line of action \[rad\].
+    foot: f64,
+    /// Roll length of the point of contact \[m\].
+    roll: f64,
+    /// Direction in which the foot moves on the base circle as the roll length grows: 1 turns left.
+    turn: f64,
+    /// Direction from the flank to the middle of its tooth: 1 turns left.
+    side: f64,
+}
+
+/// The mesh drawn at the moment when a pair touches at the pitch point.
+struct Mesh<'a> {
+    gears: &'a GearPair,
+    /// Angle of the line of action.
+    angle: f64,
+}
+
+impl Mesh<'_> {
+    fn along(&self) -> [f64; 2] {
+        [self.angle.cos(), self.angle.sin()]
+    }
+
+    /// The place s of the path of contact \[mm\].
+    fn place(&self, s: f64) -> [f64; 2] {
+        let from_pitch_point = MILLI * (s - self.gears.path.c.si());
+        self.along().map(|part| part * from_pitch_point)
+    }
+
+    /// Gear 0 or 1 in contact at the place s of the path.
+    fn seat(&self, body: usize, s: f64) -> Seat {
+        let gears = self.gears;
+        let base = gears.base_radius[body].si().abs();
+        let pitch = gears.working_pitch_radius[body].si();
+        // Feet lie at the angle of the line of action beside the line of centres.
+        let up = std::f64::consts::FRAC_PI_2 + self.angle;
+        let from_second = gears.path.t1t2.si() - s;
+        match (body, gears.internal) {
+            (0, _) => Seat {
+                centre: [0.0, -MILLI * pitch],
+                base,
+                foot: up,
+                roll: s,
+                turn: 1.0,
+                side: 1.0,
+            },
+            (_, false) => Seat {
+                centre: [0.0, MILLI * pitch],
+                base,
+                foot: up - std::f64::consts::PI,
+                roll: from_second,
+                turn: 1.0,
+                side: 1.0,
+            },
+            // The ring's axis lies below, too; its flank is concave and its teeth are outside of it.
+            (_, true) => Seat {
+                centre: [0.0, MILLI * pitch],
+                base,
+                foot: up,
+                roll: -from_second,
+                turn: 1.0,
+                side: -1.0,
+            },
+        }
+    }
+}
+
+impl Seat {
+    /// The point of the flank with the roll length `roll`, moved by `inside` into the tooth \[m\].
+    fn flank(&self, roll: f64, inside: f64) -> [f64; 2] {
+        let foot = self.foot + self.turn * (roll - self.roll) / self.base;
+        let (sin, cos) = foot.sin_cos();
+        // The string runs off the foot to the right of the radius.
+        let length = roll - self.side * inside;
+        [
+            self.centre[0] + MILLI * (self.base * cos + length * sin),
+            self.centre[1] + MILLI * (self.base * sin - length * cos),
+        ]
+    }
+
+    /// Direction of the middle of the tooth in contact.
+    fn middle(&self, tooth: &TransverseTooth) -> f64 {
+        let at = self.foot - (self.roll / self.base).atan();
+        at + self.side * tooth.half_angle(self.roll)
+    }
+}
+
+/// The picture of the pair of `result`; none of gears that a damaged file made up.
+pub(super) fn picture(result: &RunResult) -> Option<Drawing> {
+    let gears = &result.gears;
+    if !can_be_drawn(gears) {
+        return None;
+    }
+    let mesh = Mesh {
+        gears,
+        angle: gears.working_pressure_angle.si(),
+    };
+    let path = &gears.path;
+    let pitch = std::f64::consts::PI * gears.transverse_module.si();
+    let reach = reach(gears, pitch);
+    let teeth =
+        [Gear::Pinion, Gear::Wheel].map(|gear| gears.transverse_tooth(gear, root(result, gear)));
+    let bodies = [0, 1].map(|body| {
+        let seat = mesh.seat(body, path.c.si());
+        let radii = [
+            gears.tip_radius[body],
+            gears.working_pitch_radius[body],
+            gears.base_radius[body],
+        ];
+        MeshBody {
+            name: format!("{}, {} teeth", name(gears, body), gears.teeth[body]),
+            centre: seat.centre,
+            radii: radii.map(|radius| MILLI * radius.si().abs()),
+            outline: outline(gears, body, &seat, &teeth[body], reach),
+        }
+    });
+    let contacts = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| path.c.si() + k * path.base_pitch.si());
+    let contacts = contacts
+        .iter()
+        .filter(|s| **s >= path.a.si() && **s <= path.e.si());
+    Some(Drawing::Mesh(MeshPicture {
+        id: "mesh".to_owned(),
+        title: "The pair in mesh, to scale, transverse section".to_owned(),
+        source: "result.json".to_owned(),
+        bodies,
+        path: points(&mesh),
+        feet: feet(&mesh),
+        along: mesh.along(),
+        contacts: contacts.map(|s| mesh.place(*s)).collect(),
+        traces: traces(result, &mesh),
+        reach: MILLI * reach,
+    }))
+}
+
+/// Whether there is a picture of the numbers: teeth that can be counted out, radii in order.
+fn can_be_drawn(gears: &GearPair) -> bool {
+    const MOST_TEETH: u32 = 10_000;
+    let module = gears.transverse_module.si();
+    let body = |gear: usize| {
+        let [base, pitch, tip] = [
+            gears.base_radius[gear],
+            gears.working_pitch_radius[gear],
+            gears.tip_radius[gear],
+        ]
+        .map(|radius| radius.si().abs());
+        (1..=MOST_TEETH).contains(&gears.teeth[gear])
+            && base > module
+            && pitch >= base
+            && tip > base
+            && [pitch, tip].iter().all(|radius| radius.is_finite())
+    };
+    let path = &gears.path;
+    let angle = gears.working_pressure_angle.si();
+    module > 0.0
+        && (0..2).all(body)
+        && path.length.si().is_finite()
+        && path.e > path.a
+        && (0.0..std::f64::consts::FRAC_PI_2).contains(&angle)
+}
+
+/// What the second gear is called.
+fn name(gears: &GearPair, body: usize) -> &'static str {
+    match (body, gears.internal) {
+        (1, true) => "ring",
+        _ => BODIES[body],
+    }
+}
+
+/// Half of the width that is shown \[m\]: some pitches, and the path with room for its letters.
+fn reach(gears: &GearPair, pitch: f64) -> f64 {
+    const PITCHES: f64 = 1.7;
+    const ROOM: f64 = 1.2;
+    let path = &gears.path;
+    let longest = (path.e - path.c).si().max((path.c - path.a).si());
+    (PITCHES * pitch).max(ROOM * longest * gears.working_pressure_angle.si().cos())
+}
+
+/// Root of the rack of `gear`, as the case gives it.
+fn root(result: &RunResult, gear: Gear) -> RootForm {
+    let input = &result.inputs.gears;
+    let given: GearFlankInput = match gear {
+        Gear::Pinion => input.pinion,
+        Gear::Wheel => input.wheel,
+    }
+    .unwrap_or_default();
+    let rack = RootForm::default();
+    RootForm {
+        dedendum: given.dedendum.unwrap_or(rack.dedendum),
+        fillet_radius: given.fillet_radius.unwrap_or(rack.fillet_radius),
+    }
+}
+
+/// The points A to E that lie on the path, from A on.
+fn points(mesh: &Mesh<'_>) -> Vec<MeshPoint> {
+    let path = &mesh.gears.path;
+    let named = [
+        ("A", path.a),
+        ("B", path.b),
+        ("C", path.c),
+        ("D", path.d),
+        ("E", path.e),
+    ];
+    // The ends of single contact of helical gears may lie beyond the path.
+    let mut on_path: Vec<_> = named
+        .into_iter()
+        .filter(|(_, s)| *s >= path.a && *s <= path.e)
+        .collect();
+    on_path.sort_by(|(_, a), (_, b)| a.si().total_cmp(&b.si()));
+    let point = |(label, s): (&str, asperity_core::quantity::Length)| MeshPoint {
+        label: label.to_owned(),
+        at: mesh.place(s.si()),
+    };
+    on_path.into_iter().map(point).collect()
+}
+
+/// Feet of the perpendiculars from both axes.
+fn feet(mesh: &Mesh<'_>) -> Vec<MeshPoint> {
+    let named = [("T₁", 0.0), ("T₂", mesh.gears.path.t1t2.si())];
+    let foot = |(label, s): (&str, f64)| MeshPoint {
+        label: label.to_owned(),
+        at: mesh.place(s),
+    };
+    let mut feet = named.map(foot).to_vec();
+    if mesh.gears.internal {
+        // Both feet of a ring pair lie before A; the line goes on to E.
+        feet.reverse();
+    }
+    feet
+}
+
+/// Outline of the teeth that are seen and the body behind them \[mm\].
+fn outline(
+    gears: &GearPair,
+    body: usize,
+    seat: &Seat,
+    tooth: &TransverseTooth,
+    reach: f64,
+) -> Vec<[f64; 2]> {
+    /// Teeth beyond the edge of the picture.
+    const SPARE: f64 = 1.0;
+    let count = f64::from(gears.teeth[body]);
+    let angle = std::f64::consts::TAU / count;
+    let radius = gears.working_pitch_radius[body].si().abs();
+    let seen = (reach / radius).min(1.0).asin() / angle + SPARE;
+    let is_whole = 2.0 * seen + 1.0 >= count || reach >= 0.8 * radius;
+    let (first, last) = match is_whole {
+        true => (0, gears.teeth[body] as i32 - 1),
+        false => (-(seen.ceil() as i32), seen.ceil() as i32),
+    };
+    let middle = seat.middle(tooth);
+    let at = |radius: f64, direction: f64| {
+        let (sin, cos) = direction.sin_cos();
+        [
+            seat.centre[0] + MILLI * radius * cos,
+            seat.centre[1] + MILLI * radius * sin,
+        ]
+    };
+    let mut points = Vec::new();
+    for k in first..=last {
+        let middle = middle + angle * f64::from(k);
+        let half = tooth.outline.iter();
+        points.extend(half.clone().map(|[r, half]| at(*r, middle - half)));
+        points.extend(half.rev().map(|[r, half]| at(*r, middle + half)));
+    }
+    let is_ring = gears.internal && body == 1;
+    if !is_whole {
+        // The body behind the teeth, to below or above the picture.
+        let far = if body == 0 { -MILLI } else { MILLI } * reach;
+        let sides = [points.last().copied(), points.first().copied()];
+        points.extend(sides.into_iter().flatten().map(|[x, _]| [x, far]));
+    } else if is_ring {
+        const RIM: f64 = 1.2;
+        const ARCS: u32 = 4;
+        let [root, _] = tooth.outline[0];
+        let start = middle - 0.5 * angle;
+        let around = (0..=ARCS * gears.teeth[body]).rev();
+        points
+            .extend(around.map(|k| at(RIM * root, start + angle / f64::from(ARCS) * f64::from(k))));
+    }
+    points
+}
+
+/// Where the traces lie, as lines beside the flanks in contact at the pitch point.
+fn traces(result: &RunResult, mesh: &Mesh<'_>) -> Vec<MeshTrace> {
+    /// Points of a line.
+    const POINTS: usize = 24;
+    /// Distance of the line from the flank, in modules.
+    const INSIDE: f64 = 0.06;
+    let inside = INSIDE * mesh.gears.normal_module.si();
+    let line = |body: usize, [first, last]: [f64; 2]| -> Vec<[f64; 2]> {
+        let seat = mesh.seat(body, mesh.gears.path.c.si());
+        let step = (last - first) / POINTS as f64;
+        (0..=POINTS)
+            .map(|k| seat.flank((first + step * k as f64) / MILLI, inside))
+            .collect()
+    };
+    let placed = |body: usize| {
+        let ends = result.flanks[body].roll_lengths_mm?;
+        let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        Some(MeshTrace {
+            body,
+            name: format!(
+                "trace of the {}, roll length {low:.2} to {high:.2} mm",
+                name(mesh.gears, body)
+            ),
+            line: line(body, ends),
+        })
+    };
+    [0, 1].into_iter().filter_map(placed).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity::gear::GearPairInput;
+
+    use super::*;
+
+    fn input(teeth: [u32; 2], module: &str, helix: &str) -> GearPairInput {
+        let width = "20 mm".parse().unwrap();
+        GearPairInput::standard(
+            teeth,
+            module.parse().unwrap(),
+            helix.parse().unwrap(),
+            width,
+        )
+    }
+
+    fn pairs() -> Vec<GearPair> {
+        let high = GearPairInput {
+            addendum: 1.35,
+            ..input([60, 90], "2 mm", "0 deg")
+        };
+        let shifted = GearPairInput {
+            profile_shift: Some([0.182, 0.172]),
+            ..input([16, 24], "4.5 mm", "0 deg")
+        };
+        vec![
+            GearPair::new(&input([23, 68], "1.8 mm", "23.4 deg")).unwrap(),
+            GearPair::new(&shifted).unwrap(),
+            GearPair::new(&high).unwrap(),
+            GearPair::new(&input([50, 120], "1.3 mm", "30 deg")).unwrap(),
+            GearPair::internal(&input([24, 75], "1.5 mm", "0 deg")).unwrap(),
+        ]
+    }
+
+    fn drawn(gears: &GearPair) -> Mesh<'_> {
+        Mesh {
+            gears,
+            angle: gears.working_pressure_angle.si(),
+        }
+    }
+
+    fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+        (a[0] - b[0]).hypot(a[1] - b[1])
+    }
+
+    fn outlines(gears: &GearPair) -> [Vec<[f64; 2]>; 2] {
+        let mesh = drawn(gears);
+        let reach = reach(gears, std::f64::consts::PI * gears.transverse_module.si());
+        [Gear::Pinion, Gear::Wheel].map(|gear| {
+            // Long addenda want deep roots.
+            let root = match gears.teeth {
+                [60, 90] => RootForm {
+                    dedendum: 1.6,
+                    fillet_radius: 0.25,
+                },
+                _ => RootForm::default(),
+            };
+            let tooth = gears.transverse_tooth(gear, root);
+            let seat = mesh.seat(gear as usize, gears.path.c.si());
+            outline(gears, gear as usize, &seat, &tooth, reach)
+        })
+    }
+
+    /// Distance of a point from a closed line.
+    fn from_line(line: &[[f64; 2]], point: [f64; 2]) -> f64 {
+        let next = line.iter().cycle().skip(1);
+        let distances = line.iter().zip(next).map(|(a, b)| {
+            let edge = [b[0] - a[0], b[1] - a[1]];
+            let square = edge[0] * edge[0] + edge[1] * edge[1];
+            let along = (point[0] - a[0]) * edge[0] + (point[1] - a[1]) * edge[1];
+            let share = if square > 0.0 {
+                (along / square).clamp(0.0, 1.0)
+            } else {
+                0.0
+            };
+            distance(point, [a[0] + share * edge[0], a[1] + share * edge[1]])
+        });
+        distances.fold(f64::INFINITY, f64::min)
+    }
+
+    fn is_inside(line: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+        let next = line.iter().cycle().skip(1);
+        let crossings = line.iter().zip(next).filter(|([x1, y1], [x2, y2])| {
+            (*y1 > y) != (*y2 > y) && x < x1 + (y - y1) / (y2 - y1) * (x2 - x1)
+        });
+        crossings.count() % 2 == 1
+    }
+
+    /// What the chord between two points of a flank may miss of it \[mm\].
+    const CHORD: f64 = 2e-3;
+
+    #[test]
+    fn the_point_of_contact_lies_on_both_flanks_wherever_it_is() {
+        for gears in pairs() {
+            let (mesh, path) = (drawn(&gears), &gears.path);
+            for share in [0.0, 0.3, 0.5, 1.0] {
+                let s = path.a.si() + share * path.length.si();
+                for body in [0, 1] {
+                    let seat = mesh.seat(body, s);
+                    let point = seat.flank(seat.roll, 0.0);
+                    assert!(distance(point, mesh.place(s)) < 1e-9, "{:?}", gears.teeth);
+                }
+            }
+            for line in outlines(&gears) {
+                assert!(from_line(&line, [0.0; 2]) < CHORD, "{:?}", gears.teeth);
+            }
+        }
+    }
+
+    #[test]
+    fn the_pinion_pushes_and_neither_gear_cuts_into_the_other() {
+        for gears in pairs() {
+            let [pinion, wheel] = outlines(&gears);
+            let [x, y] = drawn(&gears).along().map(|part| 0.05 * part);
+            assert!(is_inside(&pinion, [-x, -y]) && !is_inside(&wheel, [-x, -y]));
+            assert!(is_inside(&wheel, [x, y]) && !is_inside(&pinion, [x, y]));
+            for (own, other) in [(&pinion, &wheel), (&wheel, &pinion)] {
+                let inside = own.iter().filter(|point| is_inside(other, **point));
+                let deepest = inside
+                    .map(|point| from_line(other, *point))
+                    .fold(0.0, f64::max);
+                // Bodies end at the edge of the picture, beyond which they may meet.
+                assert!(deepest < 2.0 * CHORD, "{:?}: {deepest} mm", gears.teeth);
+            }
+        }
+    }
+
+    #[test]
+    fn the_line_of_action_is_tangent_to_both_base_circles() {
+        for gears in pairs() {
+            let mesh = drawn(&gears);
+            let [dx, dy] = mesh.along();
+            let mut feet = feet(&mesh);
+            feet.sort_by(|a, b| a.label.cmp(&b.label));
+            for (body, foot) in feet.iter().enumerate() {
+                let seat = mesh.seat(body, gears.path.c.si());
+                let [cx, cy] = [foot.at[0] - seat.centre[0], foot.at[1] - seat.centre[1]];
+                assert!((cx * dx + cy * dy).abs() < 1e-9, "{}", foot.label);
+                assert!(
+                    (cx.hypot(cy) - MILLI * seat.base).abs() < 1e-9,
+                    "{}",
+                    foot.label
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn contact_begins_at_the_tip_of_the_wheel_and_ends_at_that_of_the_pinion() {
+        for gears in pairs() {
+            let (mesh, path) = (drawn(&gears), &gears.path);
+            for (body, s) in [(1, path.a), (0, path.e)] {
+                let centre = mesh.seat(body, path.c.si()).centre;
+                let radius = distance(mesh.place(s.si()), centre);
+                assert!((radius - MILLI * gears.tip_radius[body].si().abs()).abs() < 1e-9);
+            }
+        }
+    }
+
+    #[test]
+    fn letters_follow_each_other_along_the_path() {
+        let letters = |gears: &GearPair| -> String {
+            let found = points(&drawn(gears));
+            assert!(found.windows(2).all(|pair| pair[0].at[0] <= pair[1].at[0]));
+            found.into_iter().map(|point| point.label).collect()
+        };
+        let [helical, spur, high, ..] = &pairs()[..] else {
+            panic!("there are three pairs")
+        };
+        assert_eq!(letters(helical), "ABCDE");
+        assert_eq!(letters(spur), "ABCDE");
+        // With more than two pairs in contact, D lies before B.
+        assert!(high.path.eps_alpha > 2.0);
+        assert_eq!(letters(high), "ADCBE");
+        let short = GearPair::new(&input([20, 25], "1 mm", "45 deg")).unwrap();
+        assert_eq!(short.path.eps_alpha < 1.0, letters(&short) == "ACE");
+    }
+
+    #[test]
+    fn a_trace_lies_inside_its_tooth_beside_the_flank() {
+        for gears in pairs() {
+            let mesh = drawn(&gears);
+            let lines = outlines(&gears);
+            let inside = 0.05 * gears.normal_module.si();
+            for body in [0, 1] {
+                let seat = mesh.seat(body, gears.path.c.si());
+                let point = seat.flank(seat.roll, inside);
+                assert!(is_inside(&lines[body], point), "{:?} {body}", gears.teeth);
+                assert!((from_line(&lines[body], point) - MILLI * inside).abs() < CHORD);
+            }
+        }
+    }
+}

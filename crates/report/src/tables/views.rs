@@ -1,0 +1,108 @@
+//! Fewer positions and points of the flanks facing each other, for a page.
+
+use asperity::contact_view::ContactView;
+
+use super::thin::thin;
+
+/// Positions that a page keeps.
+const POSITIONS: usize = 48;
+/// Points of a position that a page keeps: more than it has pixels for.
+const POINTS: usize = 600;
+
+/// At most 48 of `views` in even steps, the first, the last and that of the position `shown` among them; of each at
+/// most 600 points with the extremes of both flanks and both pressures. Numbers keep what can be seen: 0.01 µm along
+/// the contact, nanometres of height, 0.1 MPa.
+pub(crate) fn thinned_views(views: &[ContactView], shown: Option<usize>) -> Vec<ContactView> {
+    let count = views.len().min(POSITIONS);
+    let mut kept: Vec<usize> = (0..count)
+        .map(|k| k * (views.len() - 1) / count.saturating_sub(1).max(1))
+        .collect();
+    let wanted = views.iter().position(|view| Some(view.position) == shown);
+    if let Some(wanted) = wanted.filter(|wanted| !kept.contains(wanted)) {
+        // In place of its nearest neighbour that is no end.
+        let inner = 1..kept.len().saturating_sub(1);
+        if let Some(nearest) = inner.min_by_key(|k| kept[*k].abs_diff(wanted)) {
+            kept[nearest] = wanted;
+        }
+    }
+    kept.into_iter().map(|k| thinned(&views[k])).collect()
+}
+
+/// Columns of a view at one place.
+type Row = [f64; 5];
+
+fn thinned(view: &ContactView) -> ContactView {
+    let rows: Vec<Row> = (0..view.x_um.len())
+        .map(|k| {
+            [
+                view.x_um[k],
+                view.pinion_um[k],
+                view.wheel_um[k],
+                view.pressure_solid_mpa[k],
+                view.pressure_fluid_mpa[k],
+            ]
+        })
+        .collect();
+    let columns: [fn(&Row) -> f64; 4] = [|row| row[1], |row| row[2], |row| row[3], |row| row[4]];
+    let rows = match rows.len() > POINTS {
+        true => thin(&rows, &columns, POINTS),
+        false => rows,
+    };
+    let column = |k: usize, steps: f64| -> Vec<f64> {
+        rows.iter()
+            .map(|row| (row[k] * steps).round() / steps)
+            .collect()
+    };
+    let columns = [
+        column(1, 1e3),
+        column(2, 1e3),
+        column(3, 10.0),
+        column(4, 10.0),
+    ];
+    ContactView::new(view.position, column(0, 100.0), columns)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn views(count: usize, points: usize) -> Vec<ContactView> {
+        let view = |position: usize| {
+            let x = (0..points).map(|k| k as f64).collect();
+            let spike = |at: usize| -> Vec<f64> {
+                (0..points)
+                    .map(|k| if k == at { 9.0 } else { 0.0 })
+                    .collect()
+            };
+            ContactView::new(
+                position,
+                x,
+                [spike(1), spike(points / 2), spike(3), spike(5)],
+            )
+        };
+        (1..=count).map(view).collect()
+    }
+
+    #[test]
+    fn ends_and_the_position_shown_stay() {
+        let few = thinned_views(&views(1000, 8), Some(501));
+        assert_eq!((few.len(), few[0].position), (48, 1));
+        assert_eq!(few[47].position, 1000);
+        assert!(few.iter().any(|view| view.position == 501));
+        assert!(
+            few.windows(2)
+                .all(|pair| pair[0].position < pair[1].position)
+        );
+        assert!(thinned_views(&[], None).is_empty());
+        assert_eq!(thinned_views(&views(1, 8), Some(1)).len(), 1);
+    }
+
+    #[test]
+    fn spikes_survive() {
+        let few = &thinned_views(&views(1, 10_000), None)[0];
+        assert!(few.x_um.len() <= 600);
+        for column in [&few.pinion_um, &few.wheel_um, &few.pressure_solid_mpa] {
+            assert!(column.contains(&9.0));
+        }
+    }
+}
