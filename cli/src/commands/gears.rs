@@ -51,7 +51,7 @@ fn derived(preset: &GearPreset) -> Result<(Length, f64), Failure> {
 
 fn table(gears: &[GearPreset]) -> Result<String, Failure> {
     let mut text = format!(
-        "{:16} {:>7} {:>8} {:>6} {:>11} {:>9} {:>9}  {}\n",
+        "{:16} {:>7} {:>8} {:>6} {:>9} {:>8} {:>8}  {}\n",
         "name", "teeth", "m_n mm", "beta", "b mm", "a mm", "least", "sources"
     );
     let mm = |length: Length| length.si() * 1e3;
@@ -62,7 +62,7 @@ fn table(gears: &[GearPreset]) -> Result<String, Failure> {
         let (distance, _) = derived(preset)?;
         let rows = preset.rows();
         let line = format!(
-            "{:16} {:>7} {:>8} {:>6} {:>11} {:>9.2} {:>9}  {}",
+            "{:16} {:>7} {:>8} {:>6} {:>9} {:>8.2} {:>8}  {}",
             preset.name,
             format!("{z1}/{z2}"),
             mm(numbers.module.value),
@@ -84,7 +84,7 @@ fn table(gears: &[GearPreset]) -> Result<String, Failure> {
         "",
     ));
     Ok(format!(
-        "{text}\n{LETTERS}\nasperity gears NAME shows every number; asperity demo --gears NAME writes a case.\n"
+        "{text}\n{LETTERS}\nasperity gears NAME shows every number; asperity demo --gears NAME writes a\ncase.\n"
     ))
 }
 

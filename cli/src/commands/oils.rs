@@ -72,7 +72,8 @@ pub fn oils(args: &PresetArgs, common: &Common) -> Result<(), Failure> {
 fn numbers(oil: &LibraryOil) -> String {
     let values = serde_json::to_value(&oil.lubricant).unwrap_or_default();
     let line = |(key, certainty): (&String, &Certainty)| {
-        format!("  {key:22} {certainty:8} {}\n", values[key])
+        let line = format!("  {key:22} {certainty:8} {}", values[key]);
+        wrapped(&line, "      ") + "\n"
     };
     oil.certainty.iter().map(line).collect()
 }

@@ -10,12 +10,14 @@ use serde_json::{Value, json};
 use crate::failure::Failure;
 
 /// What the letters stand for.
-pub const LETTERS: &str = "Certainty: A read in the source, B quoted by others, C derived; assumed: not known of this one.";
+pub const LETTERS: &str = "Certainty: A read in the source, B quoted by others, C derived; assumed: not\nknown of this one.";
 
 /// A preset that cannot be had.
 pub fn refused(error: &PresetError) -> Failure {
     match error {
-        PresetError::Unknown { kind, name, known } => unknown(kind, name, known),
+        PresetError::Unknown { kind, name, known } => {
+            unknown(if *kind == "steels" { "steel" } else { kind }, name, known)
+        }
         error => Failure::new("E501", error.to_string()),
     }
 }
@@ -23,7 +25,7 @@ pub fn refused(error: &PresetError) -> Failure {
 /// A name that no preset has, with the one most like it.
 pub fn unknown(kind: &str, name: &str, known: &[String]) -> Failure {
     let nearest = nearest_name(name, known);
-    let meant = nearest.map_or(String::new(), |name| format!(". Did you mean \"{name}\"?"));
+    let meant = nearest.map_or(".".to_owned(), |name| format!(". Did you mean \"{name}\"?"));
     let known = known.join(", ");
     Failure::new(
         "E220",

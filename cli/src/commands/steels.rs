@@ -72,7 +72,7 @@ fn table(steels: &[SteelPreset]) -> Result<String, Failure> {
         "",
     ));
     Ok(format!(
-        "{text}\n{LETTERS}\nIn a case: [material.pinion] steel = \"16MnCr5\", and hardness = \"58 HRC\" where it differs.\n"
+        "{text}\n{LETTERS}\nIn a case: [material.pinion] steel = \"16MnCr5\", and hardness = \"58 HRC\" where\nit differs.\n"
     ))
 }
 

@@ -199,13 +199,13 @@ fn harden(
         }
         (None, None) => return Ok(()),
     };
-    let flow = hardness.flow_pressure()?;
+    let flow = six_digits(hardness.flow_pressure()?);
     standards.flow_pressure = Standard::from(
         flow,
         format!("9.80665 MPa per HV of the hardness {hardness}{of}"),
     );
     if given.elastic_limit.is_none() && !steel.is_some_and(SteelPreset::is_powder_metal) {
-        let limit = noted(hardness.yield_strength()?, notes);
+        let limit = six_digits(noted(hardness.yield_strength()?, notes));
         standards.elastic_limit = Standard::from(
             limit,
             format!("pavlina_2008, from the hardness {hardness}{of}"),
@@ -222,19 +222,26 @@ fn sinter(
     notes: &mut Vec<OutOfRange>,
 ) -> Result<(), DomainError> {
     let at = |relation: &str| format!("{relation}, from the density {density}");
-    let poisson = powder_metal::poisson(density)?;
+    let poisson = (1e6 * powder_metal::poisson(density)?).round() / 1e6;
     standards.poisson = Standard::from(poisson, at("hirose_2009"));
     let conductivity = powder_metal::conductivity(standards.conductivity.value, density)?;
+    let conductivity = six_digits(conductivity);
     standards.conductivity = Standard::from(conductivity, at("maxwell_1873"));
     if given.young.is_none() {
-        let young = noted(powder_metal::young(density)?, notes);
+        let young = six_digits(noted(powder_metal::young(density)?, notes));
         standards.young = Standard::from(young, at("mpif_35_1997"));
     }
     if given.elastic_limit.is_none() {
-        let strength = noted(powder_metal::strength(density)?, notes);
+        let strength = six_digits(noted(powder_metal::strength(density)?, notes));
         standards.elastic_limit = Standard::from(strength, at("ace_powder_metal_mpif_35"));
     }
     Ok(())
+}
+
+/// A value that follows from a relation, to six digits: as the result lists it, and as a case could give it.
+fn six_digits<Q: Quantity>(quantity: Q) -> Q {
+    let text = format!("{:.5e}", quantity.si());
+    Q::from_si(text.parse().unwrap_or(quantity.si()))
 }
 
 /// The value, its notes kept once.
