@@ -1,6 +1,6 @@
 //! Surfaces of instruments in the command and in cases.
 
-use crate::bench::{Bench, heights, with_line};
+use crate::bench::{Bench, heights, rows, with_line};
 
 /// A Digital Surf file of `count` rows of `points` points, 0.5 um apart, of this kind of content.
 fn sur(points: usize, count: usize, kind: i16, replica: i16) -> Vec<u8> {
@@ -138,6 +138,41 @@ fn files_without_heights_and_replicas_are_told() {
         "--json",
     ]);
     assert!(said.well().json()["warnings"].to_string().contains("W321"));
+}
+
+#[test]
+fn a_stated_unit_never_shrinks_a_surface_that_has_its_own() {
+    let bench = Bench::new();
+    bench.write("flank.sur", sur(6000, 1, 2, 0));
+    bench.write_flanks();
+    let ra = |file: &str, unit: &[&str]| {
+        let info = ["profile", "info", file, "--lambda-c", "0.25 mm", "--json"];
+        let found = bench.run(&[&info, unit].concat()).well().json();
+        let ra = found["iso4287"]["ra_um"].as_f64().unwrap();
+        (ra, found["warnings"].to_string())
+    };
+    let (plain, _) = ra("flank.sur", &[]);
+    let (stated, notes) = ra("flank.sur", &["--z-unit", "um"]);
+    assert!(
+        stated == plain && notes.contains("W323"),
+        "{stated} {notes}"
+    );
+    let (_, notes) = ra("pinion.csv", &["--z-unit", "nm"]);
+    assert!(notes.contains("W322"), "{notes}");
+}
+
+#[test]
+fn heights_too_small_for_a_flank_are_refused_by_a_case() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    let small = rows(6000, |i, z| format!("{};{:.9}", 0.5 * i as f64, 1e-6 * z));
+    bench.write("small.csv", format!("x [um];z [um]\n{small}"));
+    bench.write(
+        "case.toml",
+        with_line("pinion", "pinion = { file = \"small.csv\" }"),
+    );
+    let said = bench.run(&["run", "case.toml", "--no-output"]);
+    said.refused(2, "E131", &["small.csv", "no flank is as smooth as"]);
 }
 
 #[test]

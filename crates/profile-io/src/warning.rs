@@ -132,6 +132,26 @@ pub enum Warning {
     /// The file says that a replica was measured.
     #[error("the file says that a replica was measured: its peaks are the valleys of the flank")]
     Replica,
+    /// The stated unit overrides the one of the file.
+    #[error("{stated} was stated for the {axis}, the file says {found}; the stated unit is used")]
+    UnitOverridden {
+        /// Column.
+        axis: Axis,
+        /// As stated.
+        stated: LengthUnit,
+        /// From the file.
+        found: LengthUnit,
+    },
+    /// A unit was stated for lengths that the file scales itself.
+    #[error(
+        "{stated} was stated for the {axis}, but the file has its own scale and unit; the stated one is not used"
+    )]
+    UnitNotUsed {
+        /// Column.
+        axis: Axis,
+        /// As stated.
+        stated: LengthUnit,
+    },
     /// x was a roll length or angle and is now the distance along the involute.
     #[error(
         "x is a {abscissa}; converted with the base radius {base_radius} to the distance along the involute and resampled to {spacing:.4}"
@@ -162,6 +182,7 @@ impl Warning {
                 Remedy::set(Setting::Uneven, Value::This("resample".into()))
             }
             Self::ImplausibleHeights { steepness } => steepness.suspicion.remedy(),
+            Self::UnitNotUsed { axis, .. } => Remedy::omit(axis.setting()),
             Self::Replica => Remedy::act("turn the heights round before exporting"),
             _ => Remedy::none(),
         }
@@ -185,6 +206,8 @@ impl Warning {
             Self::RollLengthConverted { .. } => "W127",
             Self::MeanLine { .. } => "W320",
             Self::Replica => "W321",
+            Self::UnitOverridden { .. } => "W322",
+            Self::UnitNotUsed { .. } => "W323",
         }
     }
 }

@@ -54,7 +54,28 @@ fn heights_in_millimetres_that_are_nanometres_are_named_and_refused() {
         ..ReadOptions::default()
     };
     let right = opened(&text, &options).unwrap();
-    assert!(right.check_heights().is_ok() && right.warnings.is_empty());
+    assert!(right.check_heights().is_ok());
+    assert_eq!(codes(&right), ["W322"]);
+}
+
+#[test]
+fn stated_units_that_differ_from_the_header_are_used_and_told() {
+    let text = um("x [um];z [um]", |i| flank(DX_UM * i as f64));
+    let stated = |x, z| {
+        let options = ReadOptions {
+            x_unit: Some(x),
+            z_unit: Some(z),
+            ..ReadOptions::default()
+        };
+        opened(&text, &options).unwrap()
+    };
+    let same = stated(LengthUnit::Micrometre, LengthUnit::Micrometre);
+    assert_eq!(codes(&same), [""; 0]);
+    let other = stated(LengthUnit::Millimetre, LengthUnit::Nanometre);
+    assert_eq!(codes(&other)[..2], ["W322", "W322"]);
+    assert!((other.spacing / same.spacing - 1e3).abs() < 1e-9);
+    let says = "nm was stated for the heights, the file says um; the stated unit is used";
+    assert_eq!(other.warnings[0].to_string(), says);
 }
 
 #[test]

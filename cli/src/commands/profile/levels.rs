@@ -16,7 +16,7 @@ pub struct Levels {
 }
 
 impl Levels {
-    /// The values that `args` ask for; none of a profile that is too short for a curve.
+    /// The values that `args` ask for. An evaluated profile has Rk parameters, so it has a curve.
     pub fn of(found: &Evaluated, args: &ProfileInfoArgs) -> Self {
         let rough = &found.parts.roughness.profile;
         let (mut ratios, mut heights) = (Vec::new(), Vec::new());

@@ -179,7 +179,7 @@ impl LoadMap {
     }
 
     /// Mean over the face of the load at a place of the path, for display; zero where relief keeps
-    /// the flanks apart.
+    /// the flanks apart. Between two points of a contact line the load is a straight line.
     ///
     /// # Errors
     /// When s is not on the path A to E.
@@ -204,10 +204,8 @@ impl LoadMap {
             let front = xi - eps_beta * across;
             let (tooth, phase) = (front.floor() as i64, front.rem_euclid(1.0));
             let points = self.points_at(phase)?;
-            let nearest = (points.iter())
-                .filter(|point| point.tooth == tooth)
-                .min_by(|a, b| (a.xi - xi).abs().total_cmp(&(b.xi - xi).abs()));
-            sum += nearest.map_or(0.0, |point| point.load);
+            let line = points.iter().filter(|point| point.tooth == tooth);
+            sum += between_neighbours(xi, line.map(|point| (point.xi, point.load)));
         }
         Ok(LineLoad::from_si(sum / f64::from(DISPLAY_PHASES)))
     }
@@ -230,5 +228,39 @@ impl LoadMap {
         }
         let mean = strips.iter().sum::<f64>() / FACE_STRIPS as f64;
         strips.iter().copied().fold(0.0, f64::max) / mean
+    }
+}
+
+/// The value at `place` on the straight line between its neighbours among `points` (place, value), that of the
+/// outermost beyond them; zero without points.
+fn between_neighbours(place: f64, points: impl Iterator<Item = (f64, f64)>) -> f64 {
+    let (mut below, mut above) = (None::<(f64, f64)>, None::<(f64, f64)>);
+    for point in points {
+        match point.0 <= place {
+            true if below.is_none_or(|at| at.0 <= point.0) => below = Some(point),
+            false if above.is_none_or(|at| at.0 > point.0) => above = Some(point),
+            _ => {}
+        }
+    }
+    match (below, above) {
+        (Some((low, first)), Some((high, last))) => {
+            first + (last - first) * (place - low) / (high - low)
+        }
+        (Some((_, value)), None) | (None, Some((_, value))) => value,
+        (None, None) => 0.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::between_neighbours;
+
+    #[test]
+    fn a_place_between_two_points_has_a_load_between_theirs() {
+        let at =
+            |place| between_neighbours(place, [(2.0, 5.0), (0.0, 1.0), (1.0, 4.0)].into_iter());
+        let found = [-1.0, 0.0, 0.5, 1.0, 1.75, 2.0, 3.0].map(at);
+        assert_eq!(found, [1.0, 1.0, 2.5, 4.0, 4.75, 5.0, 5.0]);
+        assert_eq!(between_neighbours(0.0, std::iter::empty()), 0.0);
     }
 }

@@ -255,7 +255,7 @@ impl Found<'_> {
             warnings,
             profile,
         }
-        .checked())
+        .checked(false))
     }
 
     /// Meaning of the x column: as stated, else by its label.
@@ -300,6 +300,25 @@ impl Found<'_> {
         }
     }
 
+    /// The warning that a stated unit differs from that of the header, or of the format where the header has none.
+    fn unit_overridden(
+        &self,
+        axis: Axis,
+        column: usize,
+        of_format: Option<LengthUnit>,
+    ) -> Option<Warning> {
+        let stated = match axis {
+            Axis::Trace => self.options.x_unit,
+            Axis::Height => self.options.z_unit,
+        }?;
+        let label = self.labels.get(column);
+        let found = match label.and_then(|label| label.unit.as_ref()) {
+            Some(header::Stated::Length(unit)) => Some(*unit),
+            _ => of_format,
+        };
+        trace::unit_overridden(axis, stated, found?)
+    }
+
     fn no_spacing(&self, hint: SpacingHint) -> ReadError {
         ReadError::NoSpacing {
             file: self.name.to_owned(),
@@ -327,6 +346,7 @@ impl Found<'_> {
         let (low, high) = extremes(heights);
         let span = high - low;
         let z_stated = self.unit(Axis::Height, self.chosen.z)?.or(special.unit);
+        warnings.extend(self.unit_overridden(Axis::Height, self.chosen.z, special.unit));
         if let Some(dx) = self.options.dx {
             warnings.extend(x.and_then(|x| self.overridden(x, dx)));
             let length = dx.si() * (heights.len() - 1) as f64;
@@ -350,6 +370,7 @@ impl Found<'_> {
             return Err(self.no_spacing(SpacingHint::None));
         };
         let x_stated = self.unit(Axis::Trace, x_column)?;
+        warnings.extend(self.unit_overridden(Axis::Trace, x_column, None));
         if x_stated.is_none() && grid::counts_points(x) {
             return Err(self.no_spacing(SpacingHint::XCounts));
         }

@@ -1,6 +1,6 @@
 //! A matrix of heights as text: one trace a row, without x and without labels.
 
-use super::areal::trace::{Areal, Heights};
+use super::areal::trace::{Areal, HeightUnit, Heights};
 use super::dialect::{Cell, Sniffed};
 use super::error::ReadError;
 use super::format::Format;
@@ -40,7 +40,7 @@ pub(super) fn surface(
         }
     }
     Ok(Areal {
-        has_unit: false,
+        unit: HeightUnit::Unstated,
         ..Areal::new(FORMAT, Heights::Values { values, columns })
     })
 }

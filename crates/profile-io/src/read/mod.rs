@@ -30,6 +30,7 @@ mod mahr;
 mod matrix;
 pub(crate) mod metadata;
 mod mitutoyo;
+mod natural_spline;
 pub(crate) mod options;
 mod plain_row;
 mod ptb;

@@ -52,11 +52,11 @@ pub struct Reading {
 }
 
 impl Reading {
-    /// Refuses heights that no flank has, for computing with them: a root mean square slope above 2, or
-    /// a single step steeper than 5. The reading carries the same as a warning.
+    /// Refuses heights that no flank has, for computing with them: a root mean square slope above 2 or below 1e-6
+    /// (of heights that are not all equal), or a single step steeper than 5. The reading carries the same as a warning.
     ///
     /// # Errors
-    /// When the heights are too steep; the error names the unit or the mark for missing points that
+    /// When the heights are too steep or too smooth; the error names the unit or the mark for missing points that
     /// explains it, where one does.
     ///
     /// ```
@@ -86,9 +86,12 @@ impl Reading {
         })
     }
 
-    /// The reading with the warning that its heights are too steep, where they are.
-    pub(super) fn checked(mut self) -> Self {
-        if let Some(steepness) = implausible(&self.profile, self.z_unit) {
+    /// The reading with the warning that no flank has its heights, where none has; `scaled` by the header of the file.
+    pub(super) fn checked(mut self, scaled: bool) -> Self {
+        if let Some(mut steepness) = implausible(&self.profile, self.z_unit) {
+            if scaled {
+                steepness.suspicion = steepness.suspicion.of_scaled();
+            }
             self.warnings
                 .push(Warning::ImplausibleHeights { steepness });
         }

@@ -10,12 +10,12 @@
 //! | s | distance along the involute from the base circle | m |
 //!
 //! Even steps of L are uneven steps of s, so the heights are put on an even grid of s, by a natural cubic
-//! spline (de Boor 1978, chapter IV): straight lines, and cubics through four neighbours too, flatten waves of
-//! six points.
+//! spline `[Spline-1]`: straight lines, and cubics through four neighbours too, flatten waves of six points.
 
 use asperity_core::quantity::Length;
 
 use super::error::ReadError;
+use super::natural_spline;
 use super::options::Abscissa;
 
 /// Points of the even grid over those of the file, at most.
@@ -78,44 +78,13 @@ pub(super) fn along_involute(
     // The finest step keeps the short waves of the coarse end and invents none beyond.
     let intervals = (length / finest).ceil().min(MOST_REFINED * s.len() as f64);
     let spacing = length / intervals;
-    let bends = second_derivatives(&s, z);
-    let mut at = 0;
-    let value = |i: usize| {
-        let position = s[0] + spacing * i as f64;
-        while at + 2 < s.len() && s[at + 1] <= position {
-            at += 1;
-        }
-        let step = s[at + 1] - s[at];
-        let right = (position - s[at]) / step;
-        let left = 1.0 - right;
-        let bend = (left.powi(3) - left) * bends[at] + (right.powi(3) - right) * bends[at + 1];
-        left * z[at] + right * z[at + 1] + bend * step * step / 6.0
-    };
-    let heights = (0..=intervals as usize).map(value).collect();
+    let positions = (0..=intervals as usize).map(|i| s[0] + spacing * i as f64);
+    let heights = natural_spline::at_rising(positions, &s, z);
     Ok(AlongInvolute {
         heights,
         spacing,
         start: s[0],
     })
-}
-
-/// Second derivatives at the points of the natural cubic spline through them: its tridiagonal system, which is
-/// dominated by its diagonal, by elimination.
-fn second_derivatives(x: &[f64], z: &[f64]) -> Vec<f64> {
-    let last = x.len() - 1;
-    let mut above = vec![0.0; x.len()];
-    let mut bends = vec![0.0; x.len()];
-    for i in 1..last {
-        let (before, after) = (x[i] - x[i - 1], x[i + 1] - x[i]);
-        let slopes = (z[i + 1] - z[i]) / after - (z[i] - z[i - 1]) / before;
-        let pivot = 2.0 * (before + after) - before * above[i - 1];
-        above[i] = after / pivot;
-        bends[i] = (6.0 * slopes - before * bends[i - 1]) / pivot;
-    }
-    for i in (1..last).rev() {
-        bends[i] -= above[i] * bends[i + 1];
-    }
-    bends
 }
 
 #[cfg(test)]

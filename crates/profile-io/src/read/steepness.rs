@@ -6,6 +6,7 @@
 //!
 //! Ground and superfinished flanks have Rdq of 0.02 to 0.3. Stylus tips have flanks of 45 or 30 degrees to
 //! the vertical, so a stylus follows no slope above 2; a single step may be steeper, at a burr or a chip.
+//! Mirrors have Rdq of 1e-4; below 1e-6 there is no surface.
 
 use std::fmt;
 
@@ -17,6 +18,8 @@ use super::options::LengthUnit;
 
 /// Rdq above which heights are not believed.
 const LARGEST_RDQ: f64 = 2.0;
+/// Rdq below which heights are not believed, unless there are none at all.
+const SMALLEST_RDQ: f64 = 1e-6;
 /// Slope of a single step above which heights are not believed.
 const STEEPEST_STEP: f64 = 5.0;
 /// Rdq that flanks have in the right unit, from mirror finish to coarse turning.
@@ -53,6 +56,11 @@ pub enum Suspicion {
         /// Unit in which they are plausible.
         likely: LengthUnit,
     },
+    /// The scale in the header of the file is off by this factor.
+    Scale {
+        /// Factor that would make them those of a flank.
+        factor: f64,
+    },
     /// One value far away from all others marks missing points.
     Sentinel {
         /// The value, in the unit of the file.
@@ -67,12 +75,23 @@ pub enum Suspicion {
 }
 
 impl Suspicion {
+    /// The same of a file that scales its heights itself, so that no unit of theirs can be stated.
+    pub(super) fn of_scaled(self) -> Self {
+        match self {
+            Self::Unit { read, likely } => Self::Scale {
+                factor: likely.metres(1.0) / read.metres(1.0),
+            },
+            other => other,
+        }
+    }
+
     /// Remedy.
     pub fn remedy(self) -> Remedy {
         match self {
             Self::Unit { likely, .. } => {
                 Remedy::set(Setting::ZUnit, Value::This(likely.to_string().into()))
             }
+            Self::Scale { .. } => Remedy::act("export the heights anew, as text with their unit"),
             Self::Sentinel { .. } => Remedy::act("write NaN for the missing points"),
             Self::Unknown => Remedy::act("look for single spikes")
                 .or_set(Setting::ZUnit, Value::Any)
@@ -83,9 +102,14 @@ impl Suspicion {
 
 impl fmt::Display for Steepness {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let how = if self.rdq < SMALLEST_RDQ {
+            "smooth"
+        } else {
+            "steep"
+        };
         write!(
             f,
-            "no flank is as steep as these heights: slopes of {:.3e} root mean square, {:.3e} after point {}",
+            "no flank is as {how} as these heights: slopes of {:.3e} root mean square, {:.3e} after point {}",
             self.rdq,
             self.steepest,
             self.at + 1
@@ -94,6 +118,10 @@ impl fmt::Display for Steepness {
             Suspicion::Unit { read, likely } => write!(
                 f,
                 "; they were read in {read} and would be plausible in {likely}"
+            ),
+            Suspicion::Scale { factor } => write!(
+                f,
+                "; they were scaled as the header says and would be plausible times {factor:e}"
             ),
             Suspicion::Sentinel {
                 value,
@@ -167,7 +195,8 @@ impl Slopes {
     }
 
     fn are_plausible(&self) -> bool {
-        self.rdq <= LARGEST_RDQ && self.steepest <= STEEPEST_STEP
+        let too_smooth = self.rdq > 0.0 && self.rdq < SMALLEST_RDQ;
+        self.rdq <= LARGEST_RDQ && self.steepest <= STEEPEST_STEP && !too_smooth
     }
 }
 
@@ -196,15 +225,22 @@ fn sentinel(profile: &Profile, unit: LengthUnit) -> Option<Suspicion> {
     })
 }
 
-/// The coarsest finer unit in which the slopes are those of flanks.
+/// The coarsest finer unit, or the finest coarser one, in which the slopes are those of flanks.
 fn other_unit(rdq: f64, read: LengthUnit) -> Option<Suspicion> {
     use LengthUnit::{Metre, Micrometre, Millimetre, Nanometre};
     let plausible = |likely: &LengthUnit| {
         let factor = likely.metres(1.0) / read.metres(1.0);
-        rdq > LARGEST_RDQ && factor < 0.5 && USUAL_RDQ.contains(&(rdq * factor))
+        let is_right_way = match rdq < SMALLEST_RDQ {
+            true => factor > 2.0,
+            false => rdq > LARGEST_RDQ && factor < 0.5,
+        };
+        is_right_way && USUAL_RDQ.contains(&(rdq * factor))
     };
-    let mut finer = [Metre, Millimetre, Micrometre, Nanometre].into_iter();
-    let likely = finer.find(plausible)?;
+    let mut finer = [Metre, Millimetre, Micrometre, Nanometre];
+    if rdq < SMALLEST_RDQ {
+        finer.reverse();
+    }
+    let likely = finer.into_iter().find(plausible)?;
     Some(Suspicion::Unit { read, likely })
 }
 
@@ -229,6 +265,15 @@ mod tests {
         let likely = LengthUnit::Nanometre;
         let expected = Suspicion::Unit { read, likely };
         assert_eq!(found(0.2, LengthUnit::Millimetre), Some(expected));
+    }
+
+    #[test]
+    fn heights_that_are_too_small_name_a_coarser_unit_and_a_plane_is_one() {
+        let found = implausible(&rough(0.2e-12), LengthUnit::Micrometre).unwrap();
+        let (read, likely) = (LengthUnit::Micrometre, LengthUnit::Metre);
+        assert_eq!(found.suspicion, Suspicion::Unit { read, likely });
+        assert!(found.to_string().starts_with("no flank is as smooth as"));
+        assert_eq!(implausible(&rough(0.0), LengthUnit::Micrometre), None);
     }
 
     #[test]

@@ -9,7 +9,7 @@ use super::grid::{self, SpacingSource};
 use super::header::FilterState;
 use super::layout::TableLayout;
 use super::metadata::Metadata;
-use super::options::{Encoding, LengthUnit, ReadOptions};
+use super::options::{Axis, Encoding, LengthUnit, ReadOptions};
 use super::reading::Reading;
 use crate::warning::Warning;
 
@@ -22,6 +22,8 @@ pub(super) struct Trace {
     /// Spacing in `x_unit` and how it was found.
     pub spacing: Option<(f64, SpacingSource)>,
     pub x_unit: LengthUnit,
+    /// Whether factors of the header made the lengths what they are, so that a stated unit fits none of them.
+    pub scaled: bool,
     pub filter_state: FilterState,
     pub metadata: Metadata,
     pub warnings: Vec<Warning>,
@@ -40,6 +42,7 @@ impl Trace {
             z_unit: LengthUnit::Metre,
             spacing: None,
             x_unit: LengthUnit::Metre,
+            scaled: false,
             filter_state: FilterState::Unknown,
             metadata: Metadata::default(),
             warnings: Vec::new(),
@@ -53,9 +56,23 @@ impl Trace {
     pub(super) fn finish(self, file: &str, options: &ReadOptions) -> Result<Reading, ReadError> {
         grid::enough(file, self.heights.len())?;
         let mut warnings = self.warnings;
-        let x_unit = options.x_unit.unwrap_or(self.x_unit);
-        let z_unit = options.z_unit.unwrap_or(self.z_unit);
         let stated = options.dx;
+        let mut unit = |axis, stated: Option<LengthUnit>, found| match stated {
+            Some(stated) if self.scaled => {
+                warnings.push(Warning::UnitNotUsed { axis, stated });
+                found
+            }
+            Some(stated) => {
+                warnings.extend(unit_overridden(axis, stated, found));
+                stated
+            }
+            None => found,
+        };
+        let z_unit = unit(Axis::Height, options.z_unit, self.z_unit);
+        let x_unit = match (stated, self.spacing) {
+            (None, Some(_)) => unit(Axis::Trace, options.x_unit, self.x_unit),
+            _ => options.x_unit.unwrap_or(self.x_unit),
+        };
         let (spacing, spacing_source) = match (stated, self.spacing) {
             (Some(dx), column) => {
                 let column = column.map(|(dx, _)| Length::from_si(x_unit.metres(dx)));
@@ -96,8 +113,21 @@ impl Trace {
             warnings,
             profile,
         }
-        .checked())
+        .checked(self.scaled))
     }
+}
+
+/// The warning that a stated unit differs from the one that the file states.
+pub(super) fn unit_overridden(
+    axis: Axis,
+    stated: LengthUnit,
+    found: LengthUnit,
+) -> Option<Warning> {
+    (stated != found).then_some(Warning::UnitOverridden {
+        axis,
+        stated,
+        found,
+    })
 }
 
 /// The warning that a stated spacing differs from the one in the file.

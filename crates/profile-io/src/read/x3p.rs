@@ -12,7 +12,7 @@ use std::ops::Range;
 use md5::{Digest, Md5};
 
 use super::archive::{Archive, damaged};
-use super::areal::trace::{Areal, Heights};
+use super::areal::trace::{Areal, HeightUnit, Heights};
 use super::error::ReadError;
 use super::format::Format;
 use super::grid::SpacingSource;
@@ -128,6 +128,7 @@ pub(super) fn surface(file: &str, stream: &mut dyn Stream, size: u64) -> Result<
         spacings,
         metadata: found.main.metadata,
         warnings: found.warnings,
+        unit: HeightUnit::Metres,
         ..Areal::new(FORMAT, heights)
     })
 }

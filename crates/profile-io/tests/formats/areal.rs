@@ -177,6 +177,30 @@ fn a_column_is_read_along_y_with_its_own_spacing() {
 }
 
 #[test]
+fn a_unit_stated_for_a_file_that_scales_its_heights_changes_nothing_and_is_told() {
+    for (name, bytes) in all() {
+        let stated = ReadOptions {
+            x_unit: "mm".parse().ok(),
+            z_unit: "um".parse().ok(),
+            ..options(TraceLine::Row, Some(1))
+        };
+        if name.ends_with(".mat") {
+            continue;
+        }
+        let plain = trace(name, &bytes, TraceLine::Row, Some(1)).unwrap();
+        let found = read_bytes(name, &bytes, &stated).unwrap();
+        assert_eq!(found.profile, plain.profile, "{name}");
+        let codes: Vec<_> = found.warnings.iter().map(Warning::code).collect();
+        let not_used = codes.iter().filter(|code| **code == "W323").count();
+        assert_eq!(not_used, 2, "{name} {codes:?}");
+        let whole = read_surface_bytes(name, &bytes, &stated).unwrap();
+        assert!(whole.warnings.iter().any(|note| note.code() == "W323"));
+        let height = |surface: &Surface| surface.z.iter().copied().fold(0.0, f64::max);
+        assert_eq!(height(&whole), height(&surface(name, &bytes)), "{name}");
+    }
+}
+
+#[test]
 fn a_vector_of_matlab_is_a_profile_and_needs_its_unit_and_spacing() {
     for (rows, columns) in [(COLUMNS, 1), (1, COLUMNS)] {
         let vector = mat_array("z", rows, columns, |x, y| um(x.max(y), 0));

@@ -1,11 +1,12 @@
 //! MATLAB data of level 5: a profile as a vector, a surface as a matrix.
 //!
-//! The file has neither units nor spacing. Where it holds several arrays, the one named `z` is read.
+//! The file has neither units nor spacing. Of several arrays the first is read that is
+//! named `z`, `heights`, `height` or `profile`, in capitals or not.
 
 use super::bytes::part;
 use super::mat_elements::{Array, arrays};
 use super::raw::{Layout, Raw};
-use super::trace::{Areal, Heights};
+use super::trace::{Areal, HeightUnit, Heights};
 use crate::read::archive::damaged;
 use crate::read::error::ReadError;
 use crate::read::format::Format;
@@ -73,7 +74,7 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
     let raw = Raw::new(array.data, array.number, layout);
     let raw = raw.ok_or_else(|| fault("an array has fewer numbers than its size", ""))?;
     let mut found = Areal::new(FORMAT, Heights::Raw(raw));
-    found.has_unit = false;
+    found.unit = HeightUnit::Unstated;
     found.metadata.title = short(&array.name);
     Ok(found)
 }

@@ -12,6 +12,15 @@ const MOST_ITEMS: usize = 100_000;
 const LONGEST_PATH: usize = 1000;
 /// Types of items.
 const MATRIX: u8 = 0x00;
+const BOOLEAN: u8 = 0x01;
+const I16: u8 = 0x04;
+const U16: u8 = 0x05;
+const I32: u8 = 0x06;
+const U32: u8 = 0x07;
+const I64: u8 = 0x0a;
+const U64: u8 = 0x0b;
+const F32: u8 = 0x0c;
+const F64: u8 = 0x0d;
 const TYPE_ID: u8 = 0x0e;
 const STRING: u8 = 0x12;
 const QUANTITY: u8 = 0x13;
@@ -110,15 +119,15 @@ impl Reader<'_> {
             STRINGS => self.texts()?,
             TYPE_ID => self.skipped_named()?,
             MATRIX => self.matrix()?,
-            0x01 => Item::Number(self.number::<u8>()?),
-            0x04 => Item::Number(self.number::<i16>()?),
-            0x05 => Item::Number(self.number::<u16>()?),
-            0x06 => Item::Number(self.number::<i32>()?),
-            0x07 => Item::Number(self.number::<u32>()?),
-            0x0a => Item::Number(self.cursor.number::<i64>()? as f64),
-            0x0b => Item::Number(self.cursor.number::<u64>()? as f64),
-            0x0c => Item::Number(self.number::<f32>()?),
-            0x0d => Item::Number(self.number::<f64>()?),
+            BOOLEAN => Item::Number(self.number::<u8>()?),
+            I16 => Item::Number(self.number::<i16>()?),
+            U16 => Item::Number(self.number::<u16>()?),
+            I32 => Item::Number(self.number::<i32>()?),
+            U32 => Item::Number(self.number::<u32>()?),
+            I64 => Item::Number(self.cursor.number::<i64>()? as f64),
+            U64 => Item::Number(self.cursor.number::<u64>()? as f64),
+            F32 => Item::Number(self.number::<f32>()?),
+            F64 => Item::Number(self.number::<f64>()?),
             _ => return None,
         };
         self.found.push((path, item));

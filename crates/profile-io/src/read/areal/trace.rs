@@ -7,7 +7,7 @@ use crate::read::grid::SpacingSource;
 use crate::read::metadata::Metadata;
 use crate::read::options::{Axis, LengthUnit, ReadOptions, TraceLine};
 use crate::read::surface::Surface;
-use crate::read::trace::Trace;
+use crate::read::trace::{Trace, unit_overridden};
 use crate::read::units;
 use crate::warning::Warning;
 
@@ -39,6 +39,17 @@ impl Heights {
     }
 }
 
+/// What a file says of the unit of its heights.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum HeightUnit {
+    /// Nothing.
+    Unstated,
+    /// Its numbers are metres.
+    Metres,
+    /// Scales in its header have made metres of its numbers.
+    Scaled,
+}
+
 /// Findings of the reader of an areal format.
 #[derive(Debug, Clone)]
 pub(crate) struct Areal {
@@ -46,20 +57,19 @@ pub(crate) struct Areal {
     pub heights: Heights,
     /// Spacings along rows and from row to row \[m\], where the file states them.
     pub spacings: [Option<f64>; 2],
-    /// Whether the heights are in metres; else their unit is not stated.
-    pub has_unit: bool,
+    pub unit: HeightUnit,
     pub metadata: Metadata,
     pub warnings: Vec<Warning>,
 }
 
 impl Areal {
-    /// Heights in metres, nothing else known.
+    /// Heights that the header scales to metres, nothing else known.
     pub(crate) fn new(format: Format, heights: Heights) -> Self {
         Self {
             format,
             heights,
             spacings: [None; 2],
-            has_unit: true,
+            unit: HeightUnit::Scaled,
             metadata: Metadata::default(),
             warnings: Vec::new(),
         }
@@ -111,13 +121,14 @@ impl Areal {
             TraceLine::Column | TraceLine::MeanColumn
         ));
         let spacing = self.spacings[axis].map(|dx| (dx, SpacingSource::Header));
-        let z_unit = match self.has_unit {
-            true => LengthUnit::Metre,
-            false => units::of_heights(file, self.format, &heights, options)?,
+        let z_unit = match self.unit {
+            HeightUnit::Metres | HeightUnit::Scaled => LengthUnit::Metre,
+            HeightUnit::Unstated => units::of_heights(file, self.format, &heights, options)?,
         };
         Ok(Trace {
             spacing,
             z_unit,
+            scaled: self.unit == HeightUnit::Scaled,
             metadata: self.metadata,
             warnings: self.warnings,
             ..Trace::new(self.format, heights)
@@ -125,15 +136,29 @@ impl Areal {
     }
 
     /// The whole surface.
-    pub(crate) fn surface(self, file: &str, options: &ReadOptions) -> Result<Surface, ReadError> {
+    pub(crate) fn surface(
+        mut self,
+        file: &str,
+        options: &ReadOptions,
+    ) -> Result<Surface, ReadError> {
         let [columns, rows] = self.heights.size();
-        let unit = match (self.has_unit, options.z_unit) {
-            (true, None) => LengthUnit::Metre,
-            (_, Some(unit)) => unit,
-            (false, None) => {
+        let axis = Axis::Height;
+        let unit = match (self.unit, options.z_unit) {
+            (HeightUnit::Metres | HeightUnit::Scaled, None) => LengthUnit::Metre,
+            (HeightUnit::Scaled, Some(stated)) => {
+                self.warnings.push(Warning::UnitNotUsed { axis, stated });
+                LengthUnit::Metre
+            }
+            (HeightUnit::Metres, Some(stated)) => {
+                let overridden = unit_overridden(axis, stated, LengthUnit::Metre);
+                self.warnings.extend(overridden);
+                stated
+            }
+            (HeightUnit::Unstated, Some(stated)) => stated,
+            (HeightUnit::Unstated, None) => {
                 return Err(ReadError::NoUnit {
                     file: file.to_owned(),
-                    axis: Axis::Height,
+                    axis,
                     span: span(&self.heights),
                 });
             }
