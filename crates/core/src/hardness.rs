@@ -12,7 +12,6 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::checked::{Checked, FittedRange};
 use crate::citation::{Equation, Reference};
-use crate::cite;
 use crate::error::DomainError;
 use crate::quantity::Pressure;
 use crate::unit_text;
@@ -169,7 +168,7 @@ impl Hardness {
     /// # Errors
     /// As [`vickers`](Self::vickers).
     pub fn flow_pressure(self) -> Result<Pressure, DomainError> {
-        cite!("Hardness-1");
+        crate::cite!("Hardness-1");
         Ok(Pressure::from_si(1e6 * KILOGRAM_FORCE * self.vickers()?))
     }
 
@@ -180,7 +179,7 @@ impl Hardness {
     /// # Errors
     /// As [`vickers`](Self::vickers), and below 32 HV, where the line has no strength.
     pub fn yield_strength(self) -> Result<Checked<Pressure>, DomainError> {
-        cite!("Pavlina-1");
+        crate::cite!("Pavlina-1");
         let vickers = self.vickers()?;
         let strength = 2.876 * vickers - 90.7;
         DomainError::require(

@@ -10,7 +10,6 @@
 
 use crate::checked::{Checked, FittedRange};
 use crate::citation::{Equation, Reference};
-use crate::cite;
 use crate::error::DomainError;
 use crate::quantity::{Density, Pressure, ThermalConductivity};
 
@@ -127,7 +126,7 @@ pub fn porosity(density: Density) -> Result<f64, DomainError> {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn young(density: Density) -> Result<Checked<Pressure>, DomainError> {
-    cite!("Sinter-1");
+    crate::cite!("Sinter-1");
     let relative = 1.0 - porosity(density)?;
     let mut outside = Vec::new();
     FITTED.check(density.si(), &mut outside);
@@ -144,7 +143,7 @@ pub fn young(density: Density) -> Result<Checked<Pressure>, DomainError> {
 /// # Errors
 /// As [`porosity`].
 pub fn poisson(density: Density) -> Result<f64, DomainError> {
-    cite!("Sinter-2");
+    crate::cite!("Sinter-2");
     let porosity = porosity(density)?;
     Ok(0.300 - 0.266 * porosity + 0.579 * porosity * porosity)
 }
@@ -156,7 +155,7 @@ pub fn poisson(density: Density) -> Result<f64, DomainError> {
 /// # Errors
 /// As [`porosity`].
 pub fn strength(density: Density) -> Result<Checked<Pressure>, DomainError> {
-    cite!("Sinter-3");
+    crate::cite!("Sinter-3");
     porosity(density)?;
     let mut outside = Vec::new();
     FITTED.check(density.si(), &mut outside);
@@ -176,7 +175,7 @@ pub fn conductivity(
     pore_free: ThermalConductivity,
     density: Density,
 ) -> Result<ThermalConductivity, DomainError> {
-    cite!("Sinter-4");
+    crate::cite!("Sinter-4");
     let porosity = porosity(density)?;
     Ok(pore_free * ((1.0 - porosity) / (1.0 + 0.5 * porosity)))
 }
