@@ -93,10 +93,12 @@ impl Pores {
         let dx = profile.spacing().si();
         let mut depth = vec![0.0_f64; profile.len()];
         let mut random = Random::new(self.seed);
+        let end = length + reach;
         let mut middle = -reach;
-        while rate > 0.0 {
+        loop {
             middle += -(-random.uniform()).ln_1p() / rate;
-            if middle > length + reach {
+            // Without pores the way to the next one is endless, or nought over nought.
+            if middle.is_nan() || middle > end {
                 break;
             }
             // A line crosses a disc in proportion to its diameter.
