@@ -68,6 +68,7 @@ impl Run<'_> {
             solver: None,
             film: RoughFilm::at(self.case, self.laws, self.surfaces, &position.station)?,
             smooth: self.smooth_friction(&position.station)?,
+            film_alone: None,
             recorded: None,
         };
         let records = self
@@ -143,7 +144,13 @@ impl Run<'_> {
             boundary_part: decision.shared.boundary_part,
             solved: solution.copied(),
             recorded: workspace.recorded,
-            friction: self.in_film(station, &roughness, &decision, (full_film, solved))?,
+            friction: self.in_film(
+                station,
+                &roughness,
+                &decision,
+                (full_film, solved),
+                &mut workspace.film_alone,
+            )?,
             rubbing: Rubbing::of_share(case, station, &decision.shared),
             friction_force: 0.0,
             flash: 0.0,
@@ -182,13 +189,15 @@ impl Run<'_> {
         }
     }
 
-    /// Friction in the film: of the load share where that solved for it, by the law otherwise.
+    /// Friction in the film: of the load share where that solved for it, by the law otherwise. That of a film alone
+    /// sees no roughness, so that all offsets of a position have it from the first one.
     fn in_film(
         &self,
         station: &Station,
         roughness: &Roughness,
         decision: &Decision,
         (full_film, solved): (Option<&FullFilm>, Option<Checked<LoadShareSolution>>),
+        film_alone: &mut Option<InFilm>,
     ) -> Result<InFilm, PositionError> {
         let case = self.case;
         let by_full_film = full_film.and_then(|film| film.coefficient);
@@ -197,7 +206,14 @@ impl Run<'_> {
                 mu: case.model.friction_scale * mu,
                 outside: solved.map(|solved| solved.outside).unwrap_or_default(),
             }),
-            _ => friction::in_film(case, self.laws.friction.as_ref(), station, roughness),
+            _ => {
+                if let Some(found) = film_alone.as_ref().filter(|_| self.is_film_alone()) {
+                    return Ok(found.clone());
+                }
+                let found =
+                    friction::in_film(case, self.laws.friction.as_ref(), station, roughness)?;
+                Ok(film_alone.insert(found).clone())
+            }
         }
     }
 
@@ -269,6 +285,8 @@ struct Workspace<'a> {
     film: Option<RoughFilm<'a>>,
     /// Friction coefficient of the smooth film.
     smooth: Option<f64>,
+    /// Friction in the film of the last offset, by the law of the case.
+    film_alone: Option<InFilm>,
     recorded: Option<RecordedShare>,
 }
 

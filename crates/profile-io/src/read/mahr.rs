@@ -4,6 +4,7 @@
 //! offset of the machine. The layout is known from files, not from a definition.
 
 use super::archive::damaged;
+use super::decimal;
 use super::error::ReadError;
 use super::format::Format;
 use super::grid::SpacingSource;
@@ -98,8 +99,27 @@ impl Header {
     }
 }
 
+/// X and Z of "index=X Y Z C 0" in plain numbers with single blanks, as nearly all points are written.
+fn plain_point(line: &[u8]) -> Option<(f64, f64)> {
+    let equals = line.iter().position(|byte| *byte == b'=')?;
+    let mut rest = &line[equals + 1..];
+    let mut values = [0.0; 5];
+    for (i, value) in values.iter_mut().enumerate() {
+        if i > 0 {
+            rest = rest.strip_prefix(b" ")?;
+        }
+        (*value, rest) = decimal::prefix(rest, b'.')?;
+    }
+    let [x, _, z, _, lock] = values;
+    let plain = rest.is_empty() && lock == 0.0 && x.is_finite() && z.is_finite();
+    plain.then_some((x, z))
+}
+
 /// X and Z of "index=X Y Z C Lock"; Z is NaN for a locked point.
 fn point(file: &str, line: &str) -> Result<(f64, f64), ReadError> {
+    if let Some(found) = plain_point(line.as_bytes()) {
+        return Ok(found);
+    }
     let broken = || damaged(file, FORMAT, "a point cannot be read", line);
     let (_, values) = line.split_once('=').ok_or_else(broken)?;
     let mut fields = values.split_whitespace();

@@ -87,10 +87,15 @@ fn agrees(value: f64, expected: f64) -> bool {
     (value - expected).abs() <= DIGITS * expected.abs()
 }
 
+/// Whether the first number has other decimals than all of the next ten thousand, which have the same.
 fn first_is_written_unlike_the_rest(text: &mut Text<'_>, first: usize) -> Result<bool, ReadError> {
+    const LOOKED_AT: usize = 10_000;
     let (mut header, mut usual) = (None, None);
     let mut lines = text.lines()?;
     while let Some(line) = lines.next()? {
+        if line.number > first + LOOKED_AT {
+            break;
+        }
         if line.number < first || line.is_blank() {
             continue;
         }

@@ -10,6 +10,7 @@
 //! | `CZ A 22401 um 1.0e0 D` | axis, absolute, points, unit, factor, type |
 
 use super::archive::damaged;
+use super::decimal;
 use super::error::ReadError;
 use super::format::Format;
 use super::grid::SpacingSource;
@@ -23,6 +24,8 @@ use crate::warning::Warning;
 const FORMAT: Format = Format::Smd;
 /// Fields looked at in a line; an axis has seven.
 const MOST_FIELDS: usize = 64;
+/// Of the sum of all bytes.
+const MODULUS: u32 = 65_536;
 const END_OF_RECORD: char = '\u{3}';
 const END_OF_FILE: char = '\u{1a}';
 
@@ -51,7 +54,22 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Trace, ReadError>
     let mut lines = text.lines()?;
     while let Some(line) = lines.next()? {
         let sum_before = sum;
-        sum = line.whole.chars().fold(sum, add);
+        sum = match line.whole.is_ascii() {
+            true => (line.whole.bytes()).fold(sum, |sum, byte| sum + u32::from(byte)) % MODULUS,
+            false => line.whole.chars().fold(sum, add),
+        };
+        // Nearly all lines of a file are heights that stand alone.
+        if record == 3
+            && let Some(height) = decimal::whole(line.text.trim_end(), b'.')
+            && height.is_finite()
+            && z.as_ref().is_some_and(|z: &Axis| heights.len() <= z.points)
+        {
+            if heights.is_empty() {
+                first_line = line.number;
+            }
+            heights.push(height);
+            continue;
+        }
         let ends = line.text.contains(END_OF_RECORD) || (!marked && line.text.trim().is_empty());
         let content = line.text.split([END_OF_RECORD, END_OF_FILE]).next();
         let fields: Vec<&str> = content
@@ -177,14 +195,14 @@ fn filter_state(metadata: &Metadata) -> FilterState {
 /// Adds a character to the sum of the bytes, modulo 65 536. Characters above 127 count as one byte, as in
 /// the code pages these files are written in.
 fn add(sum: u32, c: char) -> u32 {
-    (sum + c as u32 % 256) % 65_536
+    (sum + c as u32 % 256) % MODULUS
 }
 
 /// The warning that record 4 is not the sum of the bytes before it.
 fn check(stated: &str, sum: u32) -> Option<Warning> {
     let agrees = stated
         .parse::<u64>()
-        .is_ok_and(|stated| stated % 65_536 == u64::from(sum));
+        .is_ok_and(|stated| stated % u64::from(MODULUS) == u64::from(sum));
     (!agrees).then(|| Warning::ChecksumDiffers {
         what: "file".into(),
         stated: super::table::shortened(stated),
