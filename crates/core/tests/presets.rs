@@ -1,5 +1,7 @@
 //! The gears and steels of the library: every number has its certainty and a source that is listed.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests may panic")]
+
 use std::collections::BTreeSet;
 
 use asperity_core::lubricant::library;
