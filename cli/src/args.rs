@@ -89,7 +89,19 @@ pub enum Command {
     #[command(after_help = "Example:\n  asperity diff results/before results/after")]
     Diff(DiffArgs),
     /// List the oils of the library, any of which a case can name in lubricant.oil
-    Oils,
+    #[command(after_help = "Examples:\n  asperity oils\n  asperity oils m100")]
+    Oils(PresetArgs),
+    /// List the steels of the library, any of which a case can name in material.pinion.steel
+    #[command(
+        after_help = "Examples:\n  asperity steels\n  asperity steels 16MnCr5\n\n\
+        Certainty: A read in the source, B quoted by others, C derived, assumed: not known of this steel."
+    )]
+    Steels(PresetArgs),
+    /// List the gears of the library, of which demo --gears NAME writes a case
+    #[command(after_help = "Examples:\n  asperity gears\n  asperity gears fzg-c\n  \
+        asperity demo --gears vw-id3-1\n\n\
+        Certainty: A read in the source, B quoted by others, C derived, assumed: not known of these gears.")]
+    Gears(PresetArgs),
     /// Make a case from the file of another program
     #[command(subcommand)]
     Case(CaseCommand),
@@ -183,13 +195,26 @@ pub enum Command {
         markdown: bool,
     },
     /// Write a worked case with synthetic profiles into a new folder
+    #[command(
+        after_help = "Examples:\n  asperity demo\n  asperity demo --gears fzg-c my-first-case"
+    )]
     Demo {
-        /// The folder to make [default: demo; with --paper: table2]
+        /// The folder to make [default: demo; with --paper: table2; with --gears: the name of the gears]
         folder: Option<PathBuf>,
         /// Write Table 2 of the 2022 paper on a synthetic damaged flank instead
         #[arg(long)]
         paper: bool,
+        /// Write a case with these gears of the library instead; asperity gears lists them
+        #[arg(long, value_name = "NAME", conflicts_with = "paper")]
+        gears: Option<String>,
     },
+}
+
+/// A list of presets, or one of them.
+#[derive(Debug, Args)]
+pub struct PresetArgs {
+    /// Name of one, to show every number with its certainty and source [default: a table of all]
+    pub name: Option<String>,
 }
 
 /// A case to check.

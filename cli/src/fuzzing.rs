@@ -2,6 +2,7 @@
 //! return. No part of the interface.
 
 use asperity_calibration::{RigRow, RigTable};
+use asperity_rexs::{Flanks, Model, RexsError, case_text, stages};
 use clap::Parser;
 
 use crate::args::Cli;
@@ -28,6 +29,39 @@ pub fn gap(bytes: &[u8]) -> bool {
 pub fn arguments(text: &str) -> bool {
     let arguments = std::iter::once("asperity").chain(text.lines());
     Cli::try_parse_from(arguments).is_ok()
+}
+
+/// Reads a gearbox file: lists its stages, and writes a case for each; every case is text or refused.
+///
+/// # Panics
+/// When a refusal says nothing, or a case is empty.
+pub fn rexs(bytes: &[u8]) -> bool {
+    let told = |error: &RexsError| assert!(!error.to_string().is_empty());
+    let model = match Model::read(bytes) {
+        Ok(model) => model,
+        Err(error) => {
+            told(&error);
+            return false;
+        }
+    };
+    let found = match stages(&model) {
+        Ok(found) => found,
+        Err(error) => {
+            told(&error);
+            return false;
+        }
+    };
+    let mut is_written = false;
+    for number in 1..=found.len() {
+        match case_text(&model, "box.rexs", number, 1, &Flanks::default()) {
+            Ok(case) => {
+                assert!(!case.toml.is_empty());
+                is_written = true;
+            }
+            Err(error) => told(&error),
+        }
+    }
+    is_written
 }
 
 /// Reads the table of a rig; every number of one that is read is finite, and every loss has its weight.

@@ -79,8 +79,17 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
         Command::Schema { markdown } => commands::reference::schema(*markdown, common),
         Command::Check(args) => commands::check::check(args, common),
         Command::Diff(args) => commands::diff::diff(args, common),
-        Command::Oils => commands::oils::oils(common),
+        Command::Oils(args) => commands::oils::oils(args, common),
+        Command::Steels(args) => commands::steels::steels(args, common),
+        Command::Gears(args) => commands::gears::gears(args, common),
         Command::Case(CaseCommand::FromRexs(args)) => commands::from_rexs::from_rexs(args, common),
-        Command::Demo { folder, paper } => commands::demo::demo(folder.as_deref(), *paper, common),
+        Command::Demo {
+            folder,
+            gears: Some(name),
+            ..
+        } => commands::demo::preset(name, folder.as_deref(), common),
+        Command::Demo { folder, paper, .. } => {
+            commands::demo::demo(folder.as_deref(), *paper, common)
+        }
     }
 }

@@ -78,6 +78,18 @@ impl Said {
         assert!(!self.err.contains('\u{1b}'), "no colours in a pipe");
     }
 
+    /// Checks an error that a command with `--json` tells: its code, and what its message must say.
+    #[track_caller]
+    pub fn refused_json(&self, code: &str, says: &str) {
+        assert_ne!(self.status, 0, "{self:?}");
+        let error = &self.json()["error"];
+        assert_eq!(error["code"], code, "{error:#}");
+        assert!(
+            error["message"].as_str().unwrap().contains(says),
+            "{error:#}"
+        );
+    }
+
     /// Standard output with lines that were broken for the terminal in one piece.
     pub fn unwrapped(&self) -> String {
         let whole = |text: String, line: &str| match line.strip_prefix("    ") {

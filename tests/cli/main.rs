@@ -25,6 +25,7 @@ mod kills;
 mod map;
 mod mutated;
 mod outside;
+mod presets;
 mod profile_reports;
 mod result_messages;
 mod results;

@@ -171,6 +171,15 @@ fn damaged_tables_of_a_rig_are_read_or_refused() {
 }
 
 #[test]
+fn damaged_gearbox_files_are_read_or_refused() {
+    let folder = crate::bench::root().join("crates/rexs/tests/gearboxes");
+    let text = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap();
+    let seeds = [text("chain.rexs"), text("planetary.rexs")];
+    let seeds: Vec<&str> = seeds.iter().map(String::as_str).collect();
+    hold(&seeds, 1500, asperity_cli::fuzzing::rexs);
+}
+
+#[test]
 fn damaged_command_lines_are_read_or_refused() {
     let seeds = [
         "compare\ncase.toml\n--finish\nground=a.csv,b.csv\n--finish\nhoned=c.csv\n--offsets\n8",

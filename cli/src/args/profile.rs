@@ -29,6 +29,15 @@ pub enum ProfileCommand {
     /// Remove form and waviness, and write the roughness profile
     Filter(ProfileFilterArgs),
     /// Generate a synthetic profile from a recipe, and report the parameters achieved
+    #[command(
+        after_help = "Examples:\n  asperity profile generate -o rough.csv --rq \"0.4 um\" --seed 2\n  \
+        asperity profile generate --recipe porous.json -o porous.csv\n\n\
+        A recipe is a surface (self-affine, non-gaussian, plateau-honed, ground) and what is done to it (pits,\n\
+        pores, scratches, mirrored). Open pores of a sintered steel, a model:\n  \
+        {\"surface\": {\"self-affine\": {\"points\": 6001, \"spacing\": \"0.5 um\", \"rq\": \"0.3 um\", \"hurst\": 0.8,\n  \
+        \"roll-off\": \"100 um\", \"short-cut\": \"5 um\", \"seed\": 1}},\n  \
+        \"pores\": {\"porosity\": 0.08, \"diameter\": \"20 um\", \"depth-ratio\": 0.25, \"seed\": 2}}"
+    )]
     Generate(ProfileGenerateArgs),
     /// Compare the parameters of several profiles, relative to the first
     Compare(ProfileInfoArgs),

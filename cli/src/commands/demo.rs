@@ -2,10 +2,12 @@
 
 use std::path::Path;
 
+use asperity_core::{DomainError, presets};
 use asperity_fixtures::TextFile;
 use asperity_storage::{StorageError, new_folder};
 use serde_json::json;
 
+use super::presets::refused;
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
@@ -14,26 +16,11 @@ use crate::output::{print_json, print_text};
 pub fn demo(folder: Option<&Path>, paper: bool, common: &Common) -> Result<(), Failure> {
     let usual = if paper { "table2" } else { "demo" };
     let folder = folder.unwrap_or(Path::new(usual));
-    let name = folder.display();
-    if folder.exists() {
-        return Err(Failure::new(
-            "E401",
-            format!(
-                "{name}: exists already; name another folder, e.g. asperity demo my-first-case"
-            ),
-        ));
-    }
+    refuse_existing(folder)?;
     let files = match paper {
         true => asperity_fixtures::demo::table_2().map(paper_files),
         false => asperity_fixtures::demo::files(),
     };
-    let files =
-        files.map_err(|error| Failure::new("E501", format!("the demo cannot be made: {error}")))?;
-    write(&files, folder).map_err(|error| Failure::new("E401", error.to_string()))?;
-    if common.json {
-        let names: Vec<&str> = files.iter().map(|file| file.name).collect();
-        return print_json(&json!({ "folder": folder, "files": names }));
-    }
     let (what, option) = match paper {
         true => (
             "case.toml and a damaged flank (synthetic)",
@@ -44,6 +31,52 @@ pub fn demo(folder: Option<&Path>, paper: bool, common: &Common) -> Result<(), F
             "",
         ),
     };
+    finish(files, folder, what, option, common)
+}
+
+/// `asperity demo --gears`
+pub fn preset(name: &str, folder: Option<&Path>, common: &Common) -> Result<(), Failure> {
+    let gears = presets::gear(name).map_err(|error| refused(&error))?;
+    let sources = presets::sources().map_err(|error| refused(&error))?;
+    let folder = folder.unwrap_or(Path::new(&gears.name));
+    refuse_existing(folder)?;
+    let files = asperity_fixtures::preset::files(&gears, &sources);
+    let what = format!(
+        "{}, two pairs of flanks (synthetic), a README; case.toml tells the source of every number",
+        gears.title
+    );
+    finish(files, folder, &what, "", common)
+}
+
+fn refuse_existing(folder: &Path) -> Result<(), Failure> {
+    match folder.exists() {
+        false => Ok(()),
+        true => Err(Failure::new(
+            "E401",
+            format!(
+                "{}: exists already; name another folder, e.g. asperity demo my-first-case",
+                folder.display()
+            ),
+        )),
+    }
+}
+
+/// Writes the files and tells so.
+fn finish(
+    files: Result<Vec<TextFile>, DomainError>,
+    folder: &Path,
+    what: &str,
+    option: &str,
+    common: &Common,
+) -> Result<(), Failure> {
+    let files =
+        files.map_err(|error| Failure::new("E501", format!("the demo cannot be made: {error}")))?;
+    write(&files, folder).map_err(|error| Failure::new("E401", error.to_string()))?;
+    if common.json {
+        let names: Vec<&str> = files.iter().map(|file| file.name).collect();
+        return print_json(&json!({ "folder": folder, "files": names }));
+    }
+    let name = folder.display();
     print_text(
         common,
         &format!("wrote {name}: {what}\nnext: asperity run {name}/case.toml{option}\n"),

@@ -15,13 +15,16 @@ pub mod film;
 mod finish;
 pub mod from_rexs;
 pub mod gear;
+pub mod gears;
 pub mod map;
 pub mod oils;
+mod presets;
 pub mod profile;
 pub mod reference;
 pub mod regime;
 pub mod report;
 pub mod run;
+pub mod steels;
 pub mod sweep;
 mod work;
 

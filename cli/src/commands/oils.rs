@@ -1,11 +1,13 @@
 //! `asperity oils`: the oils of the library.
 
-use asperity_core::lubricant::{LubricantError, LubricantInput, library};
+use asperity_core::lubricant::{LibraryOil, LubricantError, LubricantInput, library};
+use asperity_core::presets::Certainty;
 use asperity_core::quantity::Temperature;
 use asperity_report::{COLUMNS, wrapped};
 use serde_json::{Value, json};
 
-use crate::args::Common;
+use super::presets::{LETTERS, unknown};
+use crate::args::{Common, PresetArgs};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 
@@ -13,9 +15,16 @@ use crate::output::{print_json, print_text};
 const SHOWN: [f64; 2] = [40.0, 100.0];
 
 /// `asperity oils`
-pub fn oils(common: &Common) -> Result<(), Failure> {
+pub fn oils(args: &PresetArgs, common: &Common) -> Result<(), Failure> {
     let internal = |error: &dyn std::fmt::Display| Failure::new("E501", error.to_string());
-    let oils = library().map_err(|error| internal(&error))?;
+    let mut oils = library().map_err(|error| internal(&error))?;
+    if let Some(name) = &args.name {
+        let known: Vec<String> = oils.iter().map(|oil| oil.name.clone()).collect();
+        oils.retain(|oil| oil.name.eq_ignore_ascii_case(name.trim()));
+        if oils.is_empty() {
+            return Err(unknown("oil", name, &known));
+        }
+    }
     let mut listed = Vec::new();
     let mut text = format!(
         "{:22} {:>12} {:>12} {:>12}\n",
@@ -29,6 +38,9 @@ pub fn oils(common: &Common) -> Result<(), Failure> {
             "{:22} {cold:>12.1} {hot:>12.2} {alpha:>12.1}\n",
             oil.name
         ));
+        if args.name.is_some() {
+            text.push_str(&numbers(oil));
+        }
         for line in [&oil.note, &oil.source] {
             let line = wrapped(&format!("  {line}"), "  ");
             text.push_str(&format!("{line}\n"));
@@ -37,6 +49,7 @@ pub fn oils(common: &Common) -> Result<(), Failure> {
             "name": oil.name,
             "note": oil.note,
             "source": oil.source,
+            "certainty": oil.certainty,
             "lubricant": oil.lubricant,
             "dynamic_viscosity_40_mpa_s": cold,
             "dynamic_viscosity_100_mpa_s": hot,
@@ -50,9 +63,19 @@ pub fn oils(common: &Common) -> Result<(), Failure> {
     print_text(
         common,
         &format!(
-            "{text}A viscosity given at one temperature only is used at the bulk temperature of the case.\n"
+            "{text}{LETTERS}\nA viscosity given at one temperature only is used at the bulk temperature of the case.\n"
         ),
     )
+}
+
+/// A line per number of an oil, with its certainty.
+fn numbers(oil: &LibraryOil) -> String {
+    let values = serde_json::to_value(&oil.lubricant).unwrap_or_default();
+    let line = |(key, certainty): (&String, &Certainty)| {
+        let line = format!("  {key:22} {certainty:8} {}", values[key]);
+        wrapped(&line, "      ") + "\n"
+    };
+    oil.certainty.iter().map(line).collect()
 }
 
 /// Viscosity \[mPa s\] and α \[1/GPa\] of an oil at the temperatures shown.

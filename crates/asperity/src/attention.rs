@@ -31,8 +31,8 @@ pub(crate) fn warnings(
     summary: &Summary,
 ) -> Result<Vec<Warning>, PositionError> {
     let mut found = Vec::new();
-    for note in &loaded.case.oil_notes {
-        found.push(Warning::new("W401", note.to_string()));
+    for note in loaded.case.oil_notes.iter().chain(&loaded.case.steel_notes) {
+        found.push(Warning::new(code(note), note.to_string()));
     }
     bulk(loaded, &mut found);
     ranges(positions, &mut found);
@@ -83,7 +83,8 @@ pub(crate) fn outside(
     summary: &Summary,
 ) -> Result<Vec<String>, PositionError> {
     let named = |note: &OutOfRange| format!("{} {}: {}", code(note), note.correlation, note.name);
-    let mut found: BTreeSet<String> = loaded.case.oil_notes.iter().map(named).collect();
+    let of_the_case = loaded.case.oil_notes.iter().chain(&loaded.case.steel_notes);
+    let mut found: BTreeSet<String> = of_the_case.map(named).collect();
     for position in positions {
         found.extend(position.station.outside.iter().map(named));
         let offsets = position.offsets.iter();
@@ -102,9 +103,11 @@ pub(crate) fn outside(
     Ok(found.into_iter().collect())
 }
 
-/// Code of an input that left its range: held at its end, or not.
+/// Code of an input that left its range: held at its end, the density of a sintered steel, or any other.
 fn code(note: &OutOfRange) -> &'static str {
-    if note.correlation.contains("held") {
+    if note.correlation.contains("sintered steel") {
+        "W428"
+    } else if note.correlation.contains("held") {
         "W403"
     } else {
         "W401"

@@ -113,6 +113,7 @@ explanations! {
     "E210" "unknown tag or code": "No equation has that tag, or no message has that code." => "Look the name up in the list.";
     "E211" "the tolerance is too large": "A contact solved to a tolerance above 1e-4 can have grossly wrong pressures, and saves hardly any time." => "Give a tolerance of at most 1e-4; 1e-8 is the default.";
     "E212" "a number beyond physical sense": "The value is beyond that of any gear drive, usually because of a wrong unit or a misplaced decimal point." => "Check the unit; the message names the usual range.";
+    "E220" "no such preset": "No gears, steel or oil of the library has this name." => "Take one of the names that the message lists.";
     "E301" "a position did not converge": "The contact at a mesh position did not reach its tolerance. No efficiency is reported." => "Loosen model.tolerance, or look for spikes in the profile.";
     "E302" "the surface is too soft for the load": "The flow pressure is below what the load needs, so no pressure distribution can carry it." => "Check material.pinion.flow_pressure and elastic_limit; case-hardened steel has 6 to 8 GPa and 1.5 to 2 GPa, respectively.";
     "E303" "a measured profile is needed": "The rough contact presses two profiles together, but a flank is given by roughness values only." => "Give surface.pinion.file and surface.wheel.file, or run the case in the corrected formulation.";
@@ -179,6 +180,7 @@ explanations! {
     "W424" "stiffness from ISO 6336-1": "The root of a tooth is undercut or cannot be drawn from the rack, so its compliance cannot be computed from its outline." => "Check gears.pinion.dedendum and gears.wheel.dedendum, or choose model.load_distribution = \"iso-stiffness\".";
     "W425" "tips may foul": "A ring with fewer than ten teeth more than its pinion may foul its tips away from the line of action, which is not checked." => "Check the tip clearance on the drawing.";
     "W426" "a hotter state beside the bulk temperature": "Friction that rises with the temperature can keep up a hotter state, or heat the flanks until the laws of the oil end: a start 60 K above the oil does not end at the bulk temperature found. All numbers are of that one." => "Look at the loss over operation.temperature, as asperity map shows it; a better cooled mesh has one state alone.";
+    "W428" "density outside the fitted range": "Modulus and strength of a sintered steel were taken from its density by relations fitted to 6.7 to 7.4 g/cm3, and the density lies outside." => "Give young, poisson and elastic_limit as measured.";
 }
 
 #[cfg(test)]

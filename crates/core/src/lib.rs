@@ -9,9 +9,12 @@ pub mod cancel;
 pub mod checked;
 pub mod citation;
 pub mod error;
+pub mod hardness;
 pub mod lubricant;
 pub mod material;
 pub mod numerics;
+pub mod powder_metal;
+pub mod presets;
 pub mod profile;
 pub mod provenance;
 pub mod quantity;
@@ -27,5 +30,8 @@ pub use remedy::{Action, Remedy, Setting};
 
 /// Every equation of this crate.
 pub fn equations() -> impl Iterator<Item = &'static Equation> {
-    material::EQUATIONS.iter().chain(lubricant::EQUATIONS)
+    (material::EQUATIONS.iter())
+        .chain(lubricant::EQUATIONS)
+        .chain(hardness::EQUATIONS)
+        .chain(powder_metal::EQUATIONS)
 }

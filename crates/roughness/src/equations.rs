@@ -56,6 +56,12 @@ pub const JACOBS_2017: Reference = Reference {
     text: "T. D. B. Jacobs, T. Junge and L. Pastewka, Quantitative characterization of surface topography using spectral analysis, Surface Topography: Metrology and Properties 5 (2017) 013001, doi:10.1088/2051-672X/aa51f8",
 };
 
+/// Share of a volume from that of its cuts.
+pub const DELESSE_1847: Reference = Reference {
+    key: "delesse_1847",
+    text: "A. Delesse, 1847, the share of a volume is that of its cuts, as told by University of Iowa, Central Microscopy, Methodology - Stereology, uiowa.edu/~cemrf",
+};
+
 /// Lower envelopes of parabolas in linear time.
 pub const FELZENSZWALB_2012: Reference = Reference {
     key: "felzenszwalb_2012",
@@ -361,6 +367,14 @@ pub const EQUATIONS: &[Equation] = &[
         "generate/damage.rs",
         "a_pit_and_a_scratch_have_their_depth_and_area",
         []
+    ),
+    equation!(
+        "Pore-1",
+        "Open pores of a sintered steel along a trace",
+        "n = −ln(1 − P)/⟨c⟩",
+        "generate/pores.rs",
+        "the_share_of_the_trace_that_is_pore_is_the_porosity_in_the_mean",
+        [DELESSE_1847]
     ),
     equation!(
         "Scratch-1",

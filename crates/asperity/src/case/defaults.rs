@@ -45,6 +45,25 @@ impl Defaults {
         });
     }
 
+    /// The given value, or that of a preset or a relation, which is written down with its source.
+    pub(super) fn take_from<T: Serialize>(
+        &mut self,
+        key: &'static str,
+        given: Option<T>,
+        value: T,
+        source: Option<String>,
+    ) -> T {
+        given.unwrap_or_else(|| {
+            let text = serde_json::to_string(&value).unwrap_or_default();
+            self.0.push(DefaultUsed {
+                key: key.into(),
+                value: text,
+                source: source.map(Cow::Owned),
+            });
+            value
+        })
+    }
+
     /// Writes down what was assumed of the oil.
     pub(super) fn assume(&mut self, assumption: &Assumption) {
         self.0.push(DefaultUsed {

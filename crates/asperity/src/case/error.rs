@@ -135,6 +135,26 @@ pub enum CaseError {
         /// The reason.
         source: asperity_core::lubricant::LubricantError,
     },
+    /// A steel that the library does not have.
+    #[error("{place}: {key} = \"{name}\": the library has no such steel{}; it has: {}", did_you_mean(nearest.as_deref()), known.join(", "))]
+    UnknownSteel {
+        /// Place in the case file.
+        place: Place,
+        /// The key, with its table.
+        key: &'static str,
+        /// The name asked for.
+        name: String,
+        /// The steel whose name is most like it.
+        nearest: Option<String>,
+        /// The names there are.
+        known: Vec<String>,
+    },
+    /// The library of steels cannot be read.
+    #[error("{source}")]
+    Steels {
+        /// The reason.
+        source: asperity_core::presets::PresetError,
+    },
     /// A file that the case names and that cannot be opened.
     #[error("{file}: cannot be opened: {reason} (named at {place}, {key})")]
     OpenNamed {
@@ -213,6 +233,8 @@ impl CaseError {
             } if source.value > LOOSEST_TOLERANCE => "E211",
             Self::Impossible { .. } => "E212",
             Self::Domain { .. } | Self::NotForTheseGears { .. } => "E209",
+            Self::UnknownSteel { .. } => "E220",
+            Self::Steels { .. } => "E501",
             Self::OpenNamed { .. } => "E103",
             Self::Profile { source, .. } => source.code(),
             Self::Preparation { .. } => "E120",
@@ -224,6 +246,10 @@ impl CaseError {
         match self {
             Self::Open { .. } => Remedy::act("check the path"),
             Self::UnknownKey {
+                nearest: Some(nearest),
+                ..
+            }
+            | Self::UnknownSteel {
                 nearest: Some(nearest),
                 ..
             } => Remedy::act(format!("write {nearest}")),
@@ -247,9 +273,13 @@ impl CaseError {
             | Self::NotForTheseGears { place, .. }
             | Self::Lubricant { place, .. }
             | Self::FilmFriction { place, .. }
+            | Self::UnknownSteel { place, .. }
             | Self::OpenNamed { place, .. }
             | Self::Profile { place, .. } => Some(place),
-            Self::Open { .. } | Self::Folder { .. } | Self::Preparation { .. } => None,
+            Self::Open { .. }
+            | Self::Folder { .. }
+            | Self::Steels { .. }
+            | Self::Preparation { .. } => None,
         }
     }
 }

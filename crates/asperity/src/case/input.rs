@@ -5,6 +5,7 @@
 
 use std::path::{Path, PathBuf};
 
+use asperity_core::hardness::Hardness;
 use asperity_core::lubricant::LubricantInput;
 use asperity_core::quantity::{
     Angle, AngularSpeed, Area, Density, Length, Mass, Pressure, Ratio, SpecificHeat, Temperature,
@@ -179,9 +180,16 @@ pub struct GearsInput {
 }
 
 /// Elastic and thermal constants; all have the values of case-hardened steel by default.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BodyInput {
+    /// Name of a steel in the library (`asperity steels` lists them); the other keys override its values.
+    /// `powder-metal` needs `density`, from which its constants follow.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub steel: Option<String>,
+    /// Hardness of the flanks, from which `flow_pressure` and `elastic_limit` follow; default that of `steel`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hardness: Option<Hardness>,
     /// Young's modulus E.
     pub young: Option<Pressure>,
     /// Poisson's ratio ν.
@@ -199,7 +207,7 @@ pub struct BodyInput {
 }
 
 /// Steel of both gears.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MaterialInput {
     /// The pinion; also the wheel unless given.

@@ -76,6 +76,20 @@ fn properties(object: &Value) -> impl Iterator<Item = &str> + Clone {
         .flat_map(|map| map.keys().map(String::as_str))
 }
 
+/// The name of `known` most like `seen`, whatever the case of its letters, if any is like it at all.
+///
+/// ```
+/// let known = ["18CrNiMo7-6", "42CrMo4"].map(str::to_owned);
+/// assert_eq!(asperity::case::nearest_name("18crnimo", &known).as_deref(), Some("18CrNiMo7-6"));
+/// assert_eq!(asperity::case::nearest_name("brass", &known), None);
+/// ```
+pub fn nearest_name(seen: &str, known: &[String]) -> Option<String> {
+    let lower: Vec<String> = known.iter().map(|name| name.to_lowercase()).collect();
+    let found = nearest(&seen.to_lowercase(), lower.iter().map(String::as_str))?;
+    let index = lower.iter().position(|name| *name == found)?;
+    known.get(index).cloned()
+}
+
 /// Names that older versions and other programs have for a key, and ours.
 const OTHER_NAMES: [(&str, &str); 6] = [
     ("load_sharing", "load_distribution"),

@@ -60,6 +60,7 @@ pub use input::{
     MaterialInput, ModelInput, NamedPoint, OneOrTwo, OperationInput, PathPoint, SurfaceInput,
     VehicleInput, schema,
 };
+pub use known_keys::nearest_name;
 pub use law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
 pub use loaded::{
     LoadedCase, Resolver, from_text, load, load_holding, load_set, load_with, open_source,

@@ -94,7 +94,7 @@ pub struct PlanetaryInput {
 }
 
 /// Steel of the set.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlanetaryMaterialInput {
     /// The sun; also planets and ring unless given.
@@ -507,7 +507,7 @@ fn mesh_case(input: &PlanetaryCaseInput, mesh: &Mesh) -> CaseInput {
     gears.addendum = set.addendum;
     (gears.pinion, gears.wheel) = (flanks[i], flanks[j]);
     let steel = &input.material;
-    let steels = [Some(steel.sun), steel.planet, steel.ring];
+    let steels = [Some(&steel.sun), steel.planet.as_ref(), steel.ring.as_ref()];
     let surface = &input.surface;
     let traces = [
         Some(surface.sun.clone()),
@@ -520,9 +520,9 @@ fn mesh_case(input: &PlanetaryCaseInput, mesh: &Mesh) -> CaseInput {
         formulation: None,
         gears,
         material: MaterialInput {
-            pinion: steels[i].unwrap_or(steel.sun),
+            pinion: steels[i].unwrap_or(&steel.sun).clone(),
             // Its own, that of the sun otherwise, which the planet need not share.
-            wheel: Some(steels[j].unwrap_or(steel.sun)),
+            wheel: Some(steels[j].unwrap_or(&steel.sun).clone()),
         },
         operation: input.operation,
         lubricant: input.lubricant.clone(),

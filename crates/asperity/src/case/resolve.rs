@@ -22,7 +22,7 @@ use super::key_names::key_of;
 use super::model::{Model, model};
 use super::plausibility::{refuse_impossible, refuse_stiff_oil};
 use super::source::Source;
-use super::steel::materials;
+use super::steel::{Steels, steels};
 use crate::laws::Laws;
 
 /// Cut-offs of gear practice: λc 0.25 mm, which a flank a few millimetres long holds several times, λs 2.5 µm.
@@ -64,6 +64,8 @@ pub struct Case {
     pub oil: LubricantState,
     /// The oil in the film, where film friction or load share look at it.
     pub rheology: Option<FilmRheology>,
+    /// Properties of the steels outside the range of their relations.
+    pub steel_notes: Vec<OutOfRange>,
     /// Properties of the oil outside the range of its laws.
     pub oil_notes: Vec<OutOfRange>,
     /// Preparation of the traces.
@@ -97,7 +99,11 @@ pub(super) fn resolve_checked(
     let formulation = defaults.take("formulation", input.formulation, Formulation::default());
     let gears = gears(&input, source, &mut defaults)?;
     let micro_geometry = micro_geometry(&input, source, &mut defaults)?;
-    let (materials, flow_pressure) = materials(&input, source, &mut defaults)?;
+    let Steels {
+        materials,
+        flow_pressure,
+        notes: steel_notes,
+    } = steels(&input, source, &mut defaults)?;
     let modulus =
         reduced_modulus(&materials[0], &materials[1]).map_err(domain(source, "material.pinion"))?;
     let operation = input.operation;
@@ -176,6 +182,7 @@ pub(super) fn resolve_checked(
         lubricant,
         oil: oil_state,
         rheology,
+        steel_notes,
         oil_notes: oil.outside,
         preparation,
         model,

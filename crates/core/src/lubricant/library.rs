@@ -1,8 +1,11 @@
 //! The oils that come with the program, one data file per source.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 
 use super::{LubricantError, LubricantInput};
+use crate::presets::Certainty;
 
 /// The data files, named after their sources.
 const FILES: [(&str, &str); 4] = [
@@ -33,6 +36,8 @@ pub struct LibraryOil {
     pub source: String,
     /// Notes for its use.
     pub note: String,
+    /// How well each of its keys is known.
+    pub certainty: BTreeMap<String, Certainty>,
     /// The numbers.
     pub lubricant: LubricantInput,
 }
@@ -49,6 +54,7 @@ struct File {
 struct Entry {
     name: String,
     note: String,
+    certainty: BTreeMap<String, Certainty>,
     lubricant: LubricantInput,
 }
 
@@ -76,6 +82,7 @@ pub fn library() -> Result<Vec<LibraryOil>, LubricantError> {
             name: entry.name,
             source: source.clone(),
             note: entry.note,
+            certainty: entry.certainty,
             lubricant: entry.lubricant,
         }));
     }

@@ -311,7 +311,7 @@ def read_profile(
     return Profile._of(raw, fspath(path).replace("\\", "/").rsplit("/", 1)[-1])
 
 
-_RECIPE_LENGTHS = ("spacing", "rq", "roll_off", "short_cut", "grit_spacing", "grit_radius", "grit_protrusion", "depth", "width")
+_RECIPE_LENGTHS = ("spacing", "rq", "roll_off", "short_cut", "grit_spacing", "grit_radius", "grit_protrusion", "depth", "width", "diameter")
 
 
 def _length(value: Optional[Scalar]) -> Optional[str]:
@@ -334,6 +334,7 @@ def generate(
     *,
     amplitudes: str = "fixed",
     pits: Optional[Mapping[str, Any]] = None,
+    pores: Optional[Mapping[str, Any]] = None,
     scratches: Optional[Mapping[str, Any]] = None,
     mirrored: bool = False,
     name: Optional[str] = None,
@@ -347,6 +348,7 @@ def generate(
             grit_spacing, grit_radius, grit_protrusion, seed); lengths in m.
         amplitudes: ``"fixed"`` or ``"random"``, of self-affine surfaces.
         pits, scratches: count, width, depth, seed of damage added.
+        pores: porosity, diameter, depth_ratio, seed of open pores of a sintered steel added.
         mirrored: whether the result is reversed.
 
     Self-affine spectra after Jacobs, Junge and Pastewka (2017).
@@ -355,6 +357,7 @@ def generate(
         "surface": {surface: _with_units(recipe)},
         "amplitudes": amplitudes,
         "pits": None if pits is None else _with_units(pits),
+        "pores": None if pores is None else _with_units(pores),
         "scratches": None if scratches is None else _with_units(scratches),
         "mirrored": mirrored,
     }

@@ -8,6 +8,7 @@ use super::damage::{Pits, Scratches};
 use super::ground::Ground;
 use super::non_gaussian::NonGaussian;
 use super::plateau::PlateauHoned;
+use super::pores::Pores;
 use super::self_affine::{Amplitudes, SelfAffine};
 use crate::error::RoughnessError;
 
@@ -37,6 +38,9 @@ pub struct Recipe {
     /// Pits or micropitting added.
     #[serde(default)]
     pub pits: Option<Pits>,
+    /// Open pores of a sintered steel added.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pores: Option<Pores>,
     /// Scratches added.
     #[serde(default)]
     pub scratches: Option<Scratches>,
@@ -52,6 +56,7 @@ impl Recipe {
             surface,
             amplitudes: Amplitudes::default(),
             pits: None,
+            pores: None,
             scratches: None,
             mirrored: false,
         }
@@ -83,6 +88,9 @@ impl Recipe {
         let mut profile = made.profile;
         if let Some(pits) = self.pits {
             profile = pits.add_to(&profile)?;
+        }
+        if let Some(pores) = self.pores {
+            profile = pores.add_to(&profile)?;
         }
         if let Some(scratches) = self.scratches {
             profile = scratches.add_to(&profile)?;

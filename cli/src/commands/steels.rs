@@ -1,0 +1,119 @@
+//! `asperity steels`: the steels of the library.
+
+use asperity_core::DomainError;
+use asperity_core::presets::{self, SteelPreset};
+use asperity_report::wrapped;
+use serde_json::{Value, json};
+
+use super::presets::{LETTERS, figures, figures_json, least, refused};
+use crate::args::{Common, PresetArgs};
+use crate::failure::Failure;
+use crate::output::{print_json, print_text};
+
+/// `asperity steels`
+pub fn steels(args: &PresetArgs, common: &Common) -> Result<(), Failure> {
+    let shown = match &args.name {
+        Some(name) => vec![presets::steel(name).map_err(|error| refused(&error))?],
+        None => presets::steels().map_err(|error| refused(&error))?,
+    };
+    if common.json {
+        let listed: Result<Vec<Value>, Failure> = shown.iter().map(listed).collect();
+        return print_json(&json!({ "steels": listed? }));
+    }
+    let text = match (&args.name, shown.first()) {
+        (Some(_), Some(one)) => whole(one)?,
+        _ => table(&shown)?,
+    };
+    print_text(common, &text)
+}
+
+fn internal(error: &DomainError) -> Failure {
+    Failure::new("E501", error.to_string())
+}
+
+/// Flow pressure \[GPa\] and elastic limit \[MPa\] at the hardness of the preset.
+fn strength(steel: &SteelPreset) -> Result<(f64, Option<f64>), Failure> {
+    let hardness = steel.hardness.value;
+    let flow = hardness.flow_pressure().map_err(|error| internal(&error))?;
+    let limit = match steel.is_powder_metal() {
+        true => None,
+        false => {
+            let limit = hardness
+                .yield_strength()
+                .map_err(|error| internal(&error))?;
+            Some(limit.value.si() / 1e6)
+        }
+    };
+    Ok((flow.si() / 1e9, limit))
+}
+
+fn table(steels: &[SteelPreset]) -> Result<String, Failure> {
+    let mut text = format!(
+        "{:13} {:>7} {:>8} {:>7} {:>6} {:>8} {:>9} {:>9}\n",
+        "steel", "E GPa", "nu", "HV", "p_f", "limit", "least", "treatment"
+    );
+    for steel in steels {
+        let (flow, limit) = strength(steel)?;
+        let vickers = steel.hardness.value.vickers();
+        text.push_str(&format!(
+            "{:13} {:>7.1} {:>8} {:>7.0} {flow:>6.2} {:>8} {:>9} {}\n",
+            steel.name,
+            steel.young.value.si() / 1e9,
+            steel.poisson.value,
+            vickers.map_err(|error| internal(&error))?,
+            limit.map_or("density".to_owned(), |limit| format!("{limit:.0}")),
+            least(&steel.rows()),
+            steel.treatment,
+        ));
+    }
+    text.push_str(&wrapped(
+        "p_f: flow pressure in GPa, 9.80665 MPa per HV. limit: elastic limit in MPa, 2.876 HV - 90.7 (Pavlina and Van \
+         Tyne 2008; fitted up to 632 HV). least: the least certain of the numbers.",
+        "",
+    ));
+    Ok(format!(
+        "{text}\n{LETTERS}\nIn a case: [material.pinion] steel = \"16MnCr5\", and hardness = \"58 HRC\" where\nit differs.\n"
+    ))
+}
+
+fn whole(steel: &SteelPreset) -> Result<String, Failure> {
+    let number = steel
+        .number
+        .as_ref()
+        .map_or(String::new(), |number| format!(" ({number})"));
+    let head = format!(
+        "{}{number}, {}. {}",
+        steel.name, steel.treatment, steel.note
+    );
+    let (flow, limit) = strength(steel)?;
+    let follows = match limit {
+        Some(limit) => format!(
+            "flow pressure {flow:.3} GPa (9.80665 MPa per HV, Hardness-1), elastic limit {limit:.0} MPa (Pavlina-1)"
+        ),
+        None => format!(
+            "flow pressure {flow:.3} GPa (Hardness-1); with the density follow young (Sinter-1), poisson (Sinter-2), \
+             elastic_limit (Sinter-3) and conductivity (Sinter-4)"
+        ),
+    };
+    Ok(format!(
+        "{}\n{}\n{}",
+        wrapped(&head, "  "),
+        wrapped(&format!("  {follows}"), "    "),
+        figures(&steel.rows())?
+    ))
+}
+
+fn listed(steel: &SteelPreset) -> Result<Value, Failure> {
+    let (figures, sources) = figures_json(&steel.rows())?;
+    let (flow, limit) = strength(steel)?;
+    Ok(json!({
+        "name": steel.name,
+        "number": steel.number,
+        "treatment": steel.treatment,
+        "note": steel.note,
+        "figures": figures,
+        "flow_pressure_gpa": flow,
+        "elastic_limit_mpa": limit,
+        "sources": sources,
+    }))
+}

@@ -1,0 +1,196 @@
+//! Pores of a sintered steel that a finished flank cuts open: a model, not a measurement.
+//!
+//! Open pores are discs on the surface, at random places, which may overlap; the trace crosses them at random.
+//! Each is a bowl whose depth over its diameter is stated. The share of the volume of a body that is pore is that of
+//! its cuts (principle of Delesse, 1847), and of lines in them as well: the share along the trace is the porosity in
+//! the mean.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | P | share of the trace that is pore, in the mean | - |
+//! | D, c | diameter of a pore, chord along which the trace crosses it | m |
+//! | n | pores crossed per length | 1/m |
+
+use asperity_core::cite;
+use asperity_core::quantity::Length;
+use asperity_core::{DomainError, Profile};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::random::Random;
+
+/// Smallest and largest diameter over the mean; diameters are spread evenly between.
+const SPREAD: [f64; 2] = [0.5, 1.5];
+/// Mean chord of the pores that a line crosses over the mean diameter: π/4·⟨D²⟩/⟨D⟩² of that spread.
+const MEAN_CHORD: f64 = std::f64::consts::FRAC_PI_4 * (13.0 / 12.0);
+/// Largest share that the model is meant for.
+const MOST: f64 = 0.5;
+/// Most pores on a trace.
+const MOST_PORES: f64 = 1e6;
+
+/// Open pores at random places, from half to one and a half times the mean diameter.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Pores {
+    /// Share of the trace that is pore, in the mean: the porosity of the flank.
+    pub porosity: f64,
+    /// Mean diameter of the pores on the surface.
+    pub diameter: Length,
+    /// Depth of a pore over its diameter.
+    pub depth_ratio: f64,
+    /// Seed of places and sizes.
+    pub seed: u64,
+}
+
+impl Pores {
+    /// n = −ln(1 − P)/⟨c⟩, ⟨c⟩ = π/4·⟨D²⟩/⟨D⟩; z(x) − d·(1 − (2(x − x_c)/c)²) in a pore        [Pore-1]
+    ///
+    /// Where pores overlap the deeper one counts. The chord at the offset t·D/2 from the middle is c = D √(1 − t²),
+    /// its depth d = r·D·(1 − t²).
+    ///
+    /// # Errors
+    /// When the porosity is negative or not below one half, the diameter not positive, the depth ratio outside 0 to
+    /// 1 (walls would be steeper than any flank's that a stylus traces), or there are more than a million pores.
+    ///
+    /// ```
+    /// use asperity_core::{Profile, quantity::Length};
+    /// use asperity_roughness::generate::Pores;
+    /// let flat = Profile::new(Length::from_si(0.5e-6), vec![0.0; 200_000])?;
+    /// let pores = Pores { porosity: 0.1, diameter: "20 um".parse()?, depth_ratio: 0.25, seed: 1 };
+    /// let porous = pores.add_to(&flat)?;
+    /// let open = porous.heights().iter().filter(|z| **z < 0.0).count() as f64 / 200_000.0;
+    /// assert!((open - 0.1).abs() < 0.02);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn add_to(&self, profile: &Profile) -> Result<Profile, DomainError> {
+        cite!("Pore-1");
+        let porosity = DomainError::require(
+            (0.0..MOST).contains(&self.porosity),
+            "porosity",
+            self.porosity,
+            "-",
+            "must not be negative, and below 0.5",
+        )?;
+        let mean = DomainError::positive("diameter", self.diameter)?;
+        let ratio = DomainError::require(
+            (0.0..=1.0).contains(&self.depth_ratio),
+            "depth ratio",
+            self.depth_ratio,
+            "-",
+            "must lie from 0 to 1",
+        )?;
+        let rate = -(-porosity).ln_1p() / (MEAN_CHORD * mean);
+        // Pores with their middle beyond an end reach into the trace.
+        let reach = 0.5 * SPREAD[1] * mean;
+        let length = profile.length().si();
+        DomainError::require(
+            rate * (length + 2.0 * reach) <= MOST_PORES,
+            "pores on the trace",
+            rate * (length + 2.0 * reach),
+            "-",
+            "must not exceed 1000000",
+        )?;
+        let dx = profile.spacing().si();
+        let mut depth = vec![0.0_f64; profile.len()];
+        let mut random = Random::new(self.seed);
+        let end = length + reach;
+        let mut middle = -reach;
+        loop {
+            middle += -(-random.uniform()).ln_1p() / rate;
+            // Without pores the way to the next one is endless, or nought over nought.
+            if middle.is_nan() || middle > end {
+                break;
+            }
+            // A line crosses a disc in proportion to its diameter.
+            let [low, high] = SPREAD.map(|edge| edge * edge);
+            let diameter = mean * random.between(low, high).sqrt();
+            let inner = 1.0 - random.uniform().powi(2);
+            let half = 0.5 * diameter * inner.sqrt();
+            let deepest = ratio * diameter * inner;
+            let first = ((middle - half) / dx).ceil().max(0.0) as usize;
+            let last = ((middle + half) / dx).floor();
+            if last < 0.0 {
+                continue;
+            }
+            let count = (last as usize).saturating_add(1);
+            for (i, depth) in depth.iter_mut().enumerate().take(count).skip(first) {
+                let along = (i as f64 * dx - middle) / half;
+                *depth = depth.max(deepest * (1.0 - along * along));
+            }
+        }
+        let heights = profile.heights().iter().zip(depth).map(|(z, d)| z - d);
+        Profile::new(profile.spacing(), heights.collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn open(porosity: f64, seed: u64) -> f64 {
+        let flat = Profile::new(Length::from_si(0.5e-6), vec![0.0; 40_001]).unwrap();
+        let pores = Pores {
+            porosity,
+            diameter: Length::from_si(20e-6),
+            depth_ratio: 0.25,
+            seed,
+        };
+        let porous = pores.add_to(&flat).unwrap();
+        let z = porous.heights();
+        assert!(z.iter().all(|z| (-7.5e-6..=0.0).contains(z)));
+        z.iter().filter(|z| **z < 0.0).count() as f64 / z.len() as f64
+    }
+
+    #[test]
+    fn the_share_of_the_trace_that_is_pore_is_the_porosity_in_the_mean() {
+        const TRACES: u64 = 60;
+        for porosity in [0.02, 0.1, 0.25] {
+            let found: Vec<f64> = (1..=TRACES).map(|seed| open(porosity, seed)).collect();
+            let mean = found.iter().sum::<f64>() / TRACES as f64;
+            let variance = found.iter().map(|one| (one - mean).powi(2)).sum::<f64>();
+            let error = (variance / (TRACES * (TRACES - 1)) as f64).sqrt();
+            // Four standard errors of the mean of the seeds; the shares differ from trace to trace.
+            assert!(
+                (mean - porosity).abs() < 4.0 * error,
+                "{porosity}: {mean} {error}"
+            );
+            assert!(error < 0.05 * porosity, "{porosity}: {error}");
+        }
+    }
+
+    #[test]
+    fn the_seed_makes_the_pores_and_no_porosity_makes_none() {
+        assert_eq!(open(0.1, 7), open(0.1, 7));
+        assert_ne!(open(0.1, 7), open(0.1, 8));
+        assert_eq!(open(0.0, 1), 0.0);
+    }
+
+    #[test]
+    fn impossible_pores_are_refused() {
+        let flat = Profile::new(Length::from_si(1e-6), vec![0.0; 1000]).unwrap();
+        let good = Pores {
+            porosity: 0.1,
+            diameter: Length::from_si(20e-6),
+            depth_ratio: 0.25,
+            seed: 1,
+        };
+        assert!(good.add_to(&flat).is_ok());
+        for porosity in [-0.1, 0.5, f64::NAN] {
+            assert!(Pores { porosity, ..good }.add_to(&flat).is_err());
+        }
+        for diameter in [0.0, f64::NAN, 1e-12] {
+            let diameter = Length::from_si(diameter);
+            assert!(Pores { diameter, ..good }.add_to(&flat).is_err());
+        }
+        for depth_ratio in [-0.1, 1.1, f64::NAN] {
+            assert!(
+                Pores {
+                    depth_ratio,
+                    ..good
+                }
+                .add_to(&flat)
+                .is_err()
+            );
+        }
+    }
+}
