@@ -172,8 +172,17 @@ fn holds(name: &str, bench: &Bench, least: usize) {
         .filter(|(shown, now)| settled(shown) != settled(now))
         .collect();
     if std::env::var_os("UPDATE_TRANSCRIPTS").is_some() {
-        for (shown, now) in stale {
-            document = document.replacen(&format!("\n{shown}\n"), &format!("\n{now}\n"), 1);
+        // Pairs stand in the order of the document, in which a line may occur twice.
+        let mut from = 0;
+        for (shown, now) in &pairs {
+            let Some(at) = document[from..].find(&format!("\n{shown}\n")) else {
+                continue;
+            };
+            let line = from + at + 1..from + at + 1 + shown.len();
+            from = line.start;
+            if settled(shown) != settled(now) {
+                document.replace_range(line, now);
+            }
         }
         fs::write(&file, document).unwrap();
     } else {

@@ -353,12 +353,17 @@ mod tests {
             profile_shift: Some([0.182, 0.172]),
             ..input([16, 24], "4.5 mm", "0 deg")
         };
+        // A ring reaches deeper than the rack that cut the pinion: with a full addendum it cuts 5 um into its fillet.
+        let short = GearPairInput {
+            addendum: 0.9,
+            ..input([24, 75], "1.5 mm", "0 deg")
+        };
         vec![
             GearPair::new(&input([23, 68], "1.8 mm", "23.4 deg")).unwrap(),
             GearPair::new(&shifted).unwrap(),
             GearPair::new(&high).unwrap(),
             GearPair::new(&input([50, 120], "1.3 mm", "30 deg")).unwrap(),
-            GearPair::internal(&input([24, 75], "1.5 mm", "0 deg")).unwrap(),
+            GearPair::internal(&short).unwrap(),
         ]
     }
 
