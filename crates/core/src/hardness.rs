@@ -59,7 +59,8 @@ pub const EQUATIONS: &[Equation] = &[
 /// Standard acceleration of gravity \[m/s²\]: 1 kgf/mm² is so many MPa.
 const KILOGRAM_FORCE: f64 = 9.80665;
 
-/// HRC, HB (tungsten carbide ball) and HV of non-austenitic steel, every fifth row of ASTM E140, table 1.
+/// HRC, HB (tungsten carbide ball) and HV of non-austenitic steel, every fifth row of ASTM E140, table 1. Some programs
+/// give 613 HB at 60 HRC, which is no such ball's: 58 HRC has 611 HB and 653 HV.
 const SCALES: [(f64, f64, f64); 11] = [
     (20.0, 226.0, 238.0),
     (25.0, 253.0, 266.0),
@@ -69,7 +70,7 @@ const SCALES: [(f64, f64, f64); 11] = [
     (45.0, 421.0, 446.0),
     (50.0, 481.0, 513.0),
     (55.0, 560.0, 595.0),
-    (60.0, 613.0, 697.0),
+    (60.0, 654.0, 697.0),
     (65.0, 739.0, 832.0),
     (68.0, f64::INFINITY, 940.0),
 ];
@@ -269,6 +270,25 @@ mod tests {
         // Half way between 55 and 60 HRC.
         assert!((of("57.5 HRC").vickers().unwrap() - 646.0).abs() < 1e-9);
         assert!((of("286 HB").vickers().unwrap() - 302.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn between_its_rows_the_table_is_that_of_finer_ones_to_a_hundredth() {
+        // Even rows as another quotation of ASTM E140 has them: HRC, HB, HV.
+        for (rockwell, brinell, vickers) in [
+            (22.0, 235.0, 248.0),
+            (48.0, 455.0, 484.0),
+            (52.0, 509.0, 544.0),
+            (58.0, 611.0, 653.0),
+        ] {
+            for (number, scale) in [(rockwell, "HRC"), (brinell, "HB")] {
+                let found = of(&format!("{number} {scale}")).vickers().unwrap();
+                assert!(
+                    (found / vickers - 1.0).abs() < 0.01,
+                    "{number} {scale}: {found}"
+                );
+            }
+        }
     }
 
     #[test]
