@@ -34,9 +34,12 @@ const MIN_CELLS_PER_PATCH: usize = 4;
 const NEAR_NODES: f64 = 3.0;
 /// Near pairs per patch beyond which patches are too crowded for the nodes.
 const MAX_NEAR_PAIRS: usize = 16;
-/// Residual of the inner solution over that it began with, and most iterations. At 1e-3 the outer iterations are as
-/// many as at 1e-2, at 5e-2 up to half as many again.
-const INNER_TOLERANCE: f64 = 1e-2;
+/// Residual of the inner solution over that it began with, of few patches and of many. At a tenth of these the outer
+/// iterations are as many or one fewer, at five times these up to half as many again.
+const INNER_TOLERANCES: [f64; 2] = [1e-2, 3e-3];
+/// Most patches that are few.
+const FEW_PATCHES: usize = 100;
+/// Most iterations of the inner solution.
 const INNER_ITERATIONS: usize = 40;
 
 /// One unknown per patch, and what their interaction needs.
@@ -231,7 +234,8 @@ impl CoarseSpace {
         inner.ascent.resize(count, 0.0);
         inner.image.resize(count, 0.0);
         remove_mean(&mut inner.residual);
-        let goal = INNER_TOLERANCE * INNER_TOLERANCE * dot(&inner.residual, &inner.residual);
+        let tolerance = INNER_TOLERANCES[usize::from(count > FEW_PATCHES)];
+        let goal = tolerance * tolerance * dot(&inner.residual, &inner.residual);
         let mut last = 0.0;
         for _ in 0..INNER_ITERATIONS {
             if dot(&inner.residual, &inner.residual) <= goal {
