@@ -89,6 +89,7 @@ fn nodes(given: Option<Nodes>, default: impl FnOnce() -> Vec<f64>) -> Result<Vec
 
 /// Maps cases by the names of their finishes over torque in N m, speed in 1/min and temperature in °C.
 #[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "those of the function in Python")]
 pub fn map(
     py: Python<'_>,
     named: Vec<(String, PyRef<'_, Case>)>,
@@ -134,7 +135,7 @@ pub fn read_map(py: Python<'_>, folder: PathBuf) -> PyResult<Map> {
 type Column = (&'static str, fn(&Numbers) -> Option<f64>);
 
 /// The numbers of a point.
-const COLUMNS: [Column; 12] = [
+const COLUMNS: [Column; 14] = [
     ("loss_w", |n| Some(n.loss_w)),
     ("loss_torque_nm", |n| Some(n.loss_torque_nm)),
     ("loss_torque_deviation_nm", |n| n.loss_torque_deviation_nm),

@@ -24,8 +24,8 @@ CASES, PROFILES = ROOT / "fixtures/cases", ROOT / "fixtures/profiles"
 # solved to a tolerance of 1e-8 multiplies; 3e-8 was seen. The loss is a mean over many contacts; 7e-12 was seen.
 BOUND = 1e-6
 LOSS_BOUND = 1e-9
-# At the points A to E the load is shown of the nearest of evenly spaced lines of contact. There a point lies in the middle
-# between two of them, and rounding decides which is taken; 1.5e-3 was seen. No loss comes from these points.
+# At the points A to E the load was shown of the nearest of evenly spaced lines of contact, and rounding decided which is
+# nearest; 1.5e-3 was seen. It is interpolated since, which was not compared anew. No loss comes from these points.
 BOUND_AT_POINTS = 5e-3
 # Errors that are left at the end of a solution: rounding themselves, so that their size counts and not their digits.
 EVIDENCE = ("load_error", "duality_gap", "residual")

@@ -101,18 +101,16 @@ impl Header {
 
 /// X and Z of "index=X Y Z C 0" in plain numbers with single blanks, as nearly all points are written.
 fn plain_point(line: &[u8]) -> Option<(f64, f64)> {
-    let equals = line.iter().position(|byte| *byte == b'=')?;
-    let mut rest = &line[equals + 1..];
-    let mut values = [0.0; 5];
-    for (i, value) in values.iter_mut().enumerate() {
-        if i > 0 {
-            rest = rest.strip_prefix(b" ")?;
-        }
-        (*value, rest) = decimal::prefix(rest, b'.')?;
+    /// What follows the next `end`, with something before it.
+    fn after(bytes: &[u8], end: u8) -> Option<&[u8]> {
+        let at = bytes.iter().position(|byte| *byte == end)?;
+        (at > 0).then(|| &bytes[at + 1..])
     }
-    let [x, _, z, _, lock] = values;
-    let plain = rest.is_empty() && lock == 0.0 && x.is_finite() && z.is_finite();
-    plain.then_some((x, z))
+    let (x, rest) = decimal::prefix(after(line, b'=')?, b'.')?;
+    let past_y = after(rest.strip_prefix(b" ")?, b' ')?;
+    let (z, rest) = decimal::prefix(past_y, b'.')?;
+    let is_free = after(rest.strip_prefix(b" ")?, b' ')? == b"0";
+    (is_free && x.is_finite() && z.is_finite()).then_some((x, z))
 }
 
 /// X and Z of "index=X Y Z C Lock"; Z is NaN for a locked point.
@@ -149,4 +147,28 @@ fn even(x: &[f64]) -> Option<f64> {
             .map(off)
             .all(|off| off <= EVENNESS * dx);
     even.then_some(dx)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_in_plain_numbers_read_as_all_others() {
+        let both = |line: &str| (plain_point(line.as_bytes()), point("a", line).ok());
+        let found = Some((12.5, -0.93));
+        assert_eq!(both("7=12.5 0.0 -0.93 0.0 0"), (found, found));
+        for spaced in [
+            "7=12.5  3.0 -0.93 0.0 0",
+            "7=12.5 3.0  -0.93 0.0 0",
+            "7= 12.5 3.0 -0.93 0.0 0",
+        ] {
+            assert_eq!(both(spaced), (None, found), "{spaced}");
+        }
+        let locked = point("a", "7=12.5 0.0 -0.93 0.0 1").unwrap();
+        assert!(locked.0 == 12.5 && locked.1.is_nan());
+        for broken in ["", "=", "7=", "7=1", "7=1 ", "7=1 2", "7=1 2 x 3 0"] {
+            assert!(point("a", broken).is_err(), "{broken}");
+        }
+    }
 }

@@ -252,6 +252,11 @@ fn bands(map: &Map) -> Markup {
         .finishes
         .iter()
         .flat_map(|finish| finish.points.iter().map(move |point| (finish, point)))
+        .filter(|(finish, point)| {
+            // The same flanks lose the same in either direction, and at rest as at 1 1/min.
+            let is_own = point.torque_nm > 0.0 || !finish.coast_files.is_empty();
+            is_own && point.speed_rpm > 0.0
+        })
         .filter_map(|(finish, point)| {
             let numbers = point.numbers?;
             let quantiles = numbers.loss_torque_quantiles_nm?;
@@ -264,13 +269,13 @@ fn bands(map: &Map) -> Markup {
     let percent = |value: f64, nominal: f64| format!("{:+.0} %", 100.0 * (value / nominal - 1.0));
     html! {
         p { "Loss torque with its 5 to 95 % band over the parameters that nobody knows well and the sampling of the flanks, as "
-            "that of a run." }
+            "that of a run; the same at negative torque, unless there are coast flanks." }
         div.scroll { table {
             thead { tr { th { "finish" } th.number { "torque, N m" } th.number { "speed, 1/min" }
                 th.number { "temperature, °C" } th.number { "loss torque, N m" } th.number { "5 %" } th.number { "95 %" } } }
             tbody { @for (finish, point, nominal, [low, high]) in rows.iter().take(MOST_BANDS) { tr {
                 td { (finish.name) }
-                td.number { (format!("{:.4}", point.torque_nm)) } td.number { (format!("{:.0}", point.speed_rpm)) }
+                td.number { (format!("{:.2}", point.torque_nm)) } td.number { (format!("{:.0}", point.speed_rpm)) }
                 td.number { (point.temperature_c) } td.number { (format!("{nominal:.4}")) }
                 td.number { (percent(*low, *nominal)) } td.number { (percent(*high, *nominal)) }
             } } }
