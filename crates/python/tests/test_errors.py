@@ -146,6 +146,7 @@ RAISES = {
     "E209": lambda place: solve_contact(GAP, 1e-6, -115e9, 1e5),
     "E211": lambda place: solve_contact(GAP, 1e-6, 115e9, 1e5, tolerance=1e-2),
     "E212": lambda place: Case(small()).replace({"gears.module": "1.8 m"}),
+    "E220": lambda place: Case(small()).replace({"material.pinion.steel": "16MnCr6"}),
     "E301": lambda place: solve_contact(GAP, 1e-6, 115e9, 1e5, tolerance=1e-17),
     "E302": lambda place: solve_contact(GAP, 1e-6, 115e9, 1e6, pressure_limit="1 GPa"),
     "E303": lambda place: Case(small(surface=BARE)).contact(),
