@@ -114,12 +114,24 @@ pub enum Warning {
         slopes: f64,
     },
     /// An uneven trace was resampled on request.
-    #[error("x was up to {:.1} % of a spacing off an even grid; resampled linearly to {spacing:.4}", 100.0 * off)]
+    #[error(
+        "x was up to {:.1} % of a spacing off an even grid; resampled linearly to {spacing:.4}, which moves the heights at the points of the file by {rms:.3} (root mean square), at most {most:.3}", 100.0 * off
+    )]
     Resampled {
         /// Largest distance from the even grid over the spacing.
         off: f64,
         /// Spacing after.
         spacing: Length,
+        /// Root mean square distance of the points of the file from the lines between the new ones.
+        rms: Length,
+        /// The largest of these distances.
+        most: Length,
+    },
+    /// An uneven trace was written with the places of its points.
+    #[error("x is up to {:.1} % of a spacing off an even grid; every point keeps its x", 100.0 * off)]
+    PositionsKept {
+        /// Largest distance from the even grid over the spacing.
+        off: f64,
     },
     /// The trace is a mean of those of a surface.
     #[error(
@@ -208,6 +220,7 @@ impl Warning {
             Self::Replica => "W321",
             Self::UnitOverridden { .. } => "W322",
             Self::UnitNotUsed { .. } => "W323",
+            Self::PositionsKept { .. } => "W324",
         }
     }
 }

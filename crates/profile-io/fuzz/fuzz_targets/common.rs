@@ -6,7 +6,8 @@ mod drops;
 use std::io::Cursor;
 
 use asperity_profile_io::read::{
-    ReadOptions, TraceLine, read_bytes, read_stream, read_surface_bytes,
+    Positions, ReadOptions, TraceLine, read_bytes, read_stream, read_surface_bytes,
+    read_trace_bytes,
 };
 use drops::Drops;
 
@@ -32,13 +33,23 @@ pub fn is_a_surface_or_refused(name: &str, bytes: &[u8]) {
     }
 }
 
-/// The bytes are read to finite heights or refused, and in the same way when they come in drops.
+/// The bytes are read to finite heights at rising positions or refused, and in the same way when they come in drops.
 #[allow(dead_code)]
 pub fn reads_or_refuses(name: &str, bytes: &[u8]) {
     let options = ReadOptions::default();
     let whole = read_bytes(name, bytes, &options);
     if let Ok(reading) = &whole {
         assert!(reading.profile.heights().iter().all(|z| z.is_finite()));
+    }
+    if let Ok(trace) = read_trace_bytes(name, bytes, &options) {
+        assert!(trace.heights.iter().all(|z| z.is_finite()));
+        if let Positions::Own { x, .. } = &trace.positions {
+            assert_eq!(x.len(), trace.heights.len());
+            assert!(x.windows(2).all(|pair| pair[0] < pair[1]));
+        }
+        if let Ok(even) = trace.resampled(trace.spacing()) {
+            assert!(even.most.si().is_finite() && even.rms <= even.most);
+        }
     }
     let drops = read_stream(name, Drops(Cursor::new(bytes)), &options);
     match (whole, drops) {

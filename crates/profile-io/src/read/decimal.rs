@@ -18,7 +18,7 @@ const MOST_DIGITS: usize = 19;
 /// The number at the start of `bytes` with the decimal sign `point`, and what follows it.
 ///
 /// A decimal comma needs a digit after it: "1," is half of "1, 2".
-#[inline]
+#[inline(always)]
 pub(super) fn prefix(bytes: &[u8], point: u8) -> Option<(f64, &[u8])> {
     let (negative, unsigned) = signed(bytes);
     let (mut mantissa, mut rest) = digits(unsigned, 0);
@@ -93,6 +93,8 @@ fn whole_number(bytes: &[u8]) -> Option<(i64, &[u8])> {
     (count > 0).then_some((if negative { -value } else { value }, rest))
 }
 
+#[cold]
+#[inline(never)]
 fn by_std(bytes: &[u8], point: u8) -> Option<f64> {
     let text = std::str::from_utf8(bytes).ok()?;
     match point {

@@ -1,4 +1,4 @@
-//! Delimited text in any dialect: from lines to a [`Reading`].
+//! Delimited text in any dialect: from lines to a [`Trace`].
 
 use asperity_core::numerics::extremes;
 use asperity_core::quantity::Length;
@@ -8,18 +8,18 @@ use super::dialect::Sniffed;
 use super::error::{ReadError, SpacingHint};
 use super::first_look::{no_data, sniff};
 use super::format::{Format, extension};
-use super::grid::{Spacing, SpacingSource, Unevenness};
+use super::grid::{Spacing, SpacingSource};
 use super::header::{FilterState, Label, Role};
 use super::layout::TableLayout;
 use super::metadata::{self, Metadata};
-use super::options::{Abscissa, Axis, Encoding, Gaps, LengthUnit, ReadOptions, TraceLine, Uneven};
-use super::reading::Reading;
+use super::options::{Abscissa, Axis, Encoding, LengthUnit, ReadOptions, TraceLine};
 use super::rows::{self, Rows};
 use super::single_column::Special;
 use super::table::Chosen;
 use super::text::{Head, Line, Text};
+use super::trace::{Positions, Trace};
 use super::units::Extent;
-use super::{grid, header, matrix, roll_length, single_column, table, trace, units};
+use super::{found, grid, header, matrix, roll_length, single_column, table, units};
 use crate::warning::Warning;
 
 /// Reads the profile of a table.
@@ -27,7 +27,7 @@ pub(super) fn read(
     head: &Head,
     text: &mut Text<'_>,
     options: &ReadOptions,
-) -> Result<Reading, ReadError> {
+) -> Result<Trace, ReadError> {
     let name = text.file;
     let lines: Vec<Line<'_>> = head.lines().filter(|line| !line.is_blank()).collect();
     let Some(sniffed) = sniff(name, &lines, options)? else {
@@ -50,7 +50,7 @@ pub(super) fn read(
     let chosen = table::choose(name, sniffed.columns, &labels, options)?;
     let first = table.first().map_or(1, |line| line.number);
     let rows = rows::read(text, first, &lines, &sniffed, chosen)?;
-    let found = Found {
+    let parsed = Parsed {
         name,
         header,
         first,
@@ -60,7 +60,7 @@ pub(super) fn read(
         encoding: text.encoding,
         options,
     };
-    found.assemble(text, rows)
+    parsed.assemble(text, rows)
 }
 
 /// Reads all rows of a matrix, which has no labels and no x.
@@ -96,14 +96,8 @@ fn root_mean_square_step(z: &[f64]) -> f64 {
     (squares.sum::<f64>() / (z.len().max(2) - 1) as f64).sqrt()
 }
 
-/// Longest run of points that are not known.
-fn longest_run(known: &[bool]) -> usize {
-    let runs = known.split(|known| *known).map(<[bool]>::len);
-    runs.max().unwrap_or(0)
-}
-
-/// A file on its way to a [`Reading`].
-struct Found<'a> {
+/// A file on its way to a [`Trace`].
+struct Parsed<'a> {
     name: &'a str,
     header: &'a [Line<'a>],
     /// Number of the first line of the table.
@@ -123,8 +117,8 @@ struct Measured {
     z_unit: LengthUnit,
 }
 
-impl Found<'_> {
-    fn assemble(self, text: &mut Text<'_>, rows: Rows) -> Result<Reading, ReadError> {
+impl Parsed<'_> {
+    fn assemble(self, text: &mut Text<'_>, rows: Rows) -> Result<Trace, ReadError> {
         let name = self.name;
         let mut warnings = Vec::new();
         let Rows { mut x, mut z } = rows;
@@ -155,12 +149,7 @@ impl Found<'_> {
         let mut column = None;
         // A stated spacing makes x unnecessary, even an x that would be refused.
         if let (Some(x), None) = (&mut x, self.options.dx) {
-            // Points along an involute are moved in any case.
-            let allowed = match base_radius {
-                Some(_) => Uneven::Resample,
-                None => self.options.uneven,
-            };
-            let spacing = grid::spacing(name, x, allowed, &mut place)?;
+            let spacing = grid::spacing(name, x, &mut place)?;
             if spacing.falls {
                 z.reverse();
                 warnings.push(Warning::Reversed);
@@ -171,68 +160,35 @@ impl Found<'_> {
         let mut place = |row: usize| place(if falls { count - 1 - row } else { row });
         let gaps = self.options.gaps;
         let unevenness = column.as_ref().and_then(|spacing| spacing.unevenness);
-        let resamples = unevenness.is_some() && self.options.uneven == Uneven::Resample;
-        // Where the points are moved, missing ones are left out of the lines between the others.
-        let missing = z.iter().filter(|z| !z.is_finite()).count();
-        let moves = resamples || base_radius.is_some();
-        let leaves_out = moves && gaps == Gaps::Interpolate && grid::fillable(missing, z.len());
-        if let (Some(x), true) = (&mut x, leaves_out && missing > 0) {
-            let known: Vec<bool> = z.iter().map(|z| z.is_finite()).collect();
-            let mut keep = known.iter();
-            x.retain(|_| keep.next().copied().unwrap_or(false));
-            z.retain(|z| z.is_finite());
-            grid::enough(name, z.len())?;
-            warnings.push(Warning::GapsFilled {
-                filled: missing,
-                longest: longest_run(&known),
-                cut: 0,
-            });
+        let mut left_out = 0;
+        if let (Some(x), true) = (&mut x, unevenness.is_some() || base_radius.is_some()) {
+            left_out = grid::leave_out(name, x, &mut z, gaps, &mut warnings)?;
         }
-        let left_out = count - header_numbers - z.len();
-        let (mut heights, gaps_filled) = grid::heights(name, z, gaps, &mut place, &mut warnings)?;
-        let gaps_filled = gaps_filled + left_out;
-        let mut measured = self.measure(x.as_deref(), &heights, column, &special, &mut warnings)?;
-        let mut arc_from_base = None;
-        match (x, base_radius, measured.x_unit) {
-            (Some(mut x), Some(base_radius), Some(unit)) => {
-                if unit != LengthUnit::Metre {
-                    x.iter_mut().for_each(|x| *x = unit.metres(*x));
-                }
-                let found = roll_length::along_involute(name, &x, &heights, base_radius)?;
-                arc_from_base = Some(Length::from_si(found.start));
-                (heights, measured.spacing) = (found.heights, found.spacing);
-                warnings.push(Warning::RollLengthConverted {
-                    abscissa,
-                    base_radius,
-                    spacing: Length::from_si(found.spacing),
-                });
+        let (heights, filled) = grid::heights(name, z, gaps, &mut place, &mut warnings)?;
+        let measured = self.measure(x.as_deref(), &heights, column, &special, &mut warnings)?;
+        let mut metadata = self.metadata();
+        let positions = match (x, measured.x_unit, base_radius, unevenness) {
+            (Some(x), Some(unit), Some(base_radius), _) => {
+                let x = found::metres(name, x, unit)?;
+                let x = roll_length::along_involute(name, x, base_radius)?;
+                metadata.arc_from_base = x.first().copied().map(Length::from_si);
+                found::own(x, unevenness.unwrap_or_default())
             }
-            (Some(x), None, Some(unit)) => {
-                if let Some(Unevenness { off, slopes }) = unevenness {
-                    warnings.push(match resamples {
-                        false => Warning::UnevenSpacing { off, slopes },
-                        true => {
-                            heights = grid::resampled(&x, &heights);
-                            let steps = (x.len() - 1) as f64;
-                            measured.spacing = unit.metres((x[x.len() - 1] - x[0]) / steps);
-                            Warning::Resampled {
-                                off,
-                                spacing: Length::from_si(measured.spacing),
-                            }
-                        }
-                    });
-                }
+            (Some(x), Some(unit), None, Some(unevenness)) => {
+                found::own(found::metres(name, x, unit)?, unevenness)
             }
-            _ => {}
-        }
-        let spacing = Length::from_si(measured.spacing);
-        let profile = trace::profile(name, heights, spacing, measured.z_unit)?;
+            _ => Positions::Even {
+                spacing: Length::from_si(measured.spacing),
+            },
+        };
         let filter_state = header::filter_state(name, self.header);
         if filter_state == FilterState::Roughness {
             warnings.push(Warning::AlreadyFiltered);
         }
-        Ok(Reading {
+        Ok(Trace {
             name: name.to_owned(),
+            positions,
+            heights: found::metres(name, heights, measured.z_unit)?,
             format: self.format(special.format),
             encoding: Some(self.encoding),
             table: Some(TableLayout {
@@ -240,22 +196,16 @@ impl Found<'_> {
                 decimal: self.sniffed.dialect.decimal,
                 columns: self.chosen.columns(),
             }),
-            metadata: Metadata {
-                arc_from_base,
-                ..self.metadata()
-            },
             x_unit: measured.x_unit,
             z_unit: measured.z_unit,
-            spacing: profile.spacing(),
             spacing_source: measured.source,
-            length: profile.length(),
             filter_state,
-            points: profile.len(),
-            gaps_filled,
+            gaps_filled: filled + left_out,
+            metadata,
             warnings,
-            profile,
-        }
-        .checked(false))
+            scaled: false,
+            roll: base_radius.map(|radius| (abscissa, radius)),
+        })
     }
 
     /// Meaning of the x column: as stated, else by its label.
@@ -316,7 +266,7 @@ impl Found<'_> {
             Some(header::Stated::Length(unit)) => Some(*unit),
             _ => of_format,
         };
-        trace::unit_overridden(axis, stated, found?)
+        found::unit_overridden(axis, stated, found?)
     }
 
     fn no_spacing(&self, hint: SpacingHint) -> ReadError {
@@ -439,7 +389,7 @@ impl Found<'_> {
         let unit = self.unit(Axis::Trace, self.chosen.x?).ok().flatten()?;
         let (first, last) = (x.first()?, x.last()?);
         let column = Length::from_si(unit.metres((last - first).abs() / (x.len() - 1) as f64));
-        trace::overridden(stated, column)
+        found::overridden(stated, column)
     }
 
     /// Formats that are tables, recognised by their name or header.

@@ -103,7 +103,7 @@ pub enum ReadError {
     },
     /// Points that do not lie on an even grid.
     #[error(
-        "{file}:{line}: uneven spacing, x = {x} is {off:.3} spacings away from an even grid of {spacing} (unit of the file)"
+        "{file}:{line}: uneven spacing, x = {x} (unit of the file) is {off:.3} spacings away from an even grid of {spacing:.4}"
     )]
     UnevenSpacing {
         /// Name of the file.
@@ -114,8 +114,22 @@ pub enum ReadError {
         x: f64,
         /// Its distance from the grid in spacings.
         off: f64,
-        /// Mean spacing, in the unit of the file.
-        spacing: f64,
+        /// Mean spacing.
+        spacing: Length,
+    },
+    /// Neighbours so far apart that points must be missing.
+    #[error(
+        "{file}: no points between x = {from:.6} and {to:.6}, {steps:.1} mean steps: they are missing, and resampling would draw a straight line there"
+    )]
+    GapInPositions {
+        /// Name of the file.
+        file: String,
+        /// Position before.
+        from: Length,
+        /// Position after.
+        to: Length,
+        /// Their distance over the mean step.
+        steps: f64,
     },
     /// Heights only.
     #[error("{file}: the heights have no x column to give the spacing{hint}")]
@@ -280,6 +294,7 @@ impl ReadError {
             | Self::NoUnit { file, .. }
             | Self::TooFewPoints { file, .. }
             | Self::FormatNotRead { file, .. }
+            | Self::GapInPositions { file, .. }
             | Self::NoSpacing { file, .. }
             | Self::ColumnsUnclear { file, .. }
             | Self::UnknownUnit { file, .. }
@@ -333,6 +348,9 @@ impl ReadError {
             Self::UnevenSpacing { .. } => {
                 Remedy::set(Setting::Uneven, Value::This("resample".into()))
                     .because("to interpolate linearly onto an even grid")
+            }
+            Self::GapInPositions { .. } => {
+                Remedy::act("export the whole trace, or only its part before or after the gap")
             }
             Self::RollLength { .. } => {
                 Remedy::set(Setting::BaseRadius, Value::Like("50 mm".into()))
@@ -396,6 +414,7 @@ impl ReadError {
             Self::TooLarge { .. } => "E118",
             Self::SeveralProfiles { .. } => "E119",
             Self::RollLength { .. } => "E130",
+            Self::GapInPositions { .. } => "E136",
             Self::NotHeights { .. } => "E320",
             Self::SeveralArrays { .. } => "E321",
             Self::ImplausibleHeights { .. } => "E131",

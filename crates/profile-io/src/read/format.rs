@@ -86,6 +86,8 @@ pub enum Format {
     DektakCsv,
     /// PTB reference software text.
     PtbPr,
+    /// XML that is no X3P, of which no layout with heights is known.
+    Xml,
     /// A compressed archive.
     Archive,
     /// A picture or a printed report.
@@ -135,6 +137,7 @@ impl std::fmt::Display for Format {
             Self::HommelHfm => "Hommel text profile (hfm)",
             Self::DektakCsv => "Dektak csv",
             Self::PtbPr => "PTB pr",
+            Self::Xml => "XML",
             Self::Archive => "a compressed archive",
             Self::Document => "a picture or document",
             Self::UnknownBinary => "binary data of an unknown format",
@@ -148,6 +151,9 @@ impl Format {
         match self {
             Self::SurfcomConditions => {
                 "read the .tx1 (primary) or .tx2 (roughness) file beside it, which holds the heights"
+            }
+            Self::Xml => {
+                "export the profile as X3P, SMD, SDF, prf or text; of an X3P pass the archive, not its main.xml"
             }
             Self::Archive => "unpack it first",
             Self::Document => "export the heights, not the report",

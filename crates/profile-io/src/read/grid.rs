@@ -6,7 +6,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::error::ReadError;
-use super::options::{Gaps, Uneven};
+use super::options::Gaps;
 use crate::warning::Warning;
 
 /// Fewest points of a profile; below it no roughness parameter means anything.
@@ -19,8 +19,6 @@ const MOST_MISSING: f64 = 0.1;
 const UNEVENNESS: f64 = 0.25;
 /// Distance from an even grid, in spacings, from which slopes are off by some per cent.
 const NOTICEABLE: f64 = 0.02;
-/// Steps that are longer than this many spacings are no unevenness but missing points.
-const LONGEST_STEP: f64 = 10.0;
 
 /// Origin of the spacing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -47,13 +45,27 @@ pub(super) struct Spacing {
     pub unevenness: Option<Unevenness>,
 }
 
-/// Deviation of a column of x from an even grid.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Unevenness {
-    /// Largest distance of a point from the grid over the spacing.
+/// Deviation of positions from an even grid of as many points between their ends.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Unevenness {
+    /// Line of the point farthest from the grid, or behind the first lost row, from 1.
+    pub line: usize,
+    /// Its x in the unit of the file.
+    pub x: f64,
+    /// Its distance from the grid over the spacing.
     pub off: f64,
-    /// Largest difference of a step from the spacing over the spacing.
+    /// Largest difference of a step from the spacing, over the spacing.
     pub slopes: f64,
+    /// Whether x steps by one amount but for jumps over rows that are not there.
+    pub lost_rows: bool,
+}
+
+impl Unevenness {
+    /// Whether the points may pass for even ones, with slopes that are off by some per cent.
+    pub fn is_slight(&self) -> bool {
+        self.off <= UNEVENNESS && !self.lost_rows
+    }
 }
 
 /// Finds the line number and text of a row, counted from 0 as in the file.
@@ -75,7 +87,6 @@ pub(super) fn enough(file: &str, points: usize) -> Result<(), ReadError> {
 pub(super) fn spacing(
     file: &str,
     x: &mut [f64],
-    allowed: Uneven,
     place: &mut Place<'_>,
 ) -> Result<Spacing, ReadError> {
     let (first, last) = (x[0], x[x.len() - 1]);
@@ -88,51 +99,67 @@ pub(super) fn spacing(
     // A trace that ends where it started rises by this reckoning, and turns somewhere.
     let stands = (last == first).then_some(0);
     if let Some(at) = turn.or(stands) {
-        return Err(ReadError::NotMonotone {
-            file: file.to_owned(),
-            line: place(at + 1)?.0,
-            previous: x[at],
-            next: x[at + 1],
-        });
+        return Err(not_monotone(file, x, at, place(at + 1)?.0));
     }
     if falls {
         x.reverse();
     }
-    let mean = (x[x.len() - 1] - x[0]) / (x.len() - 1) as f64;
-    let (at, off) = match lost_rows(x) {
-        Some(lost) => lost,
-        None => {
-            let (at, off) = farthest(x, mean);
-            // Two ends and one point, each rounded by half the smallest step seen in the column.
-            let rounded = off > NOTICEABLE * mean && off <= resolution(x);
-            if rounded || off <= UNEVENNESS * mean && allowed == Uneven::Refuse {
-                let noticeable = !rounded && off > NOTICEABLE * mean;
-                return Ok(Spacing {
-                    mean,
-                    falls,
-                    unevenness: noticeable.then(|| unevenness(x, off, mean)),
-                });
+    let row = |at: usize| if falls { x.len() - 1 - at } else { at };
+    let unevenness = match unevenness(x) {
+        Some((at, found)) => {
+            // Rounding makes neighbours equal; a trace that is uneven has one height at a place.
+            if let Some(at) = x.windows(2).position(|pair| pair[0] == pair[1]) {
+                return Err(not_monotone(file, x, at, place(row(at + 1))?.0));
             }
-            (at, off)
+            let line = place(row(at))?.0;
+            Some(Unevenness { line, ..found })
         }
+        None => None,
     };
-    let longest = x
-        .windows(2)
-        .map(|pair| pair[1] - pair[0])
-        .fold(0.0, f64::max);
-    if allowed == Uneven::Resample && longest <= LONGEST_STEP * mean {
-        return Ok(Spacing {
-            mean,
-            falls,
-            unevenness: (off > NOTICEABLE * mean).then(|| unevenness(x, off, mean)),
-        });
-    }
-    Err(ReadError::UnevenSpacing {
+    Ok(Spacing {
+        mean: (x[x.len() - 1] - x[0]) / (x.len() - 1) as f64,
+        falls,
+        unevenness,
+    })
+}
+
+fn not_monotone(file: &str, x: &[f64], at: usize, line: usize) -> ReadError {
+    ReadError::NotMonotone {
         file: file.to_owned(),
-        line: place(if falls { x.len() - 1 - at } else { at })?.0,
-        x: x[at],
-        off: off / mean,
-        spacing: mean,
+        line,
+        previous: x[at],
+        next: x[at + 1],
+    }
+}
+
+/// The point that shows best that a rising x is uneven, and by how much; none where rounding explains it or it is too
+/// little to be noticed. The line is not known here.
+pub(super) fn unevenness(x: &[f64]) -> Option<(usize, Unevenness)> {
+    let mean = (x[x.len() - 1] - x[0]) / (x.len() - 1) as f64;
+    let steps = || x.windows(2).map(|pair| pair[1] - pair[0]);
+    let larger = |most: f64, value: f64| if value > most { value } else { most };
+    // Lost rows leave a step of at least 1.5 mean ones: nine steps in ten are at least 0.79 of it, or the others far more.
+    let lost = match steps().fold(0.0, larger) > 1.5 * mean {
+        true => lost_rows(x),
+        false => None,
+    };
+    let grid = |at: usize| x[0] + mean * at as f64;
+    let offs = x.iter().enumerate().map(|(at, x)| (x - grid(at)).abs());
+    if lost.is_none() && offs.fold(0.0, larger) <= NOTICEABLE * mean {
+        return None;
+    }
+    let (at, off) = lost.unwrap_or_else(|| farthest(x, mean));
+    // Two ends and one point, each rounded by half the smallest step seen in the column.
+    (lost.is_some() || off > resolution(x)).then(|| {
+        let slopes = steps().map(|step| (step / mean - 1.0).abs());
+        let found = Unevenness {
+            line: 1,
+            x: x[at],
+            off: off / mean,
+            slopes: slopes.fold(0.0, larger),
+            lost_rows: lost.is_some(),
+        };
+        (at, found)
     })
 }
 
@@ -141,35 +168,6 @@ fn farthest(x: &[f64], mean: f64) -> (usize, f64) {
     let off = |at: usize, x_at: f64| (x_at - x[0] - mean * at as f64).abs();
     let offs = x.iter().enumerate().map(|(at, x_at)| (at, off(at, *x_at)));
     offs.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, 0.0))
-}
-
-fn unevenness(x: &[f64], off: f64, mean: f64) -> Unevenness {
-    let steps = x.windows(2).map(|pair| (pair[1] - pair[0]) / mean);
-    Unevenness {
-        off: off / mean,
-        slopes: steps.fold(0.0, |most, step| f64::max(most, (step - 1.0).abs())),
-    }
-}
-
-/// Heights `z` at the positions `x` on an even grid of as many points, by straight lines.
-pub(super) fn resampled(x: &[f64], z: &[f64]) -> Vec<f64> {
-    let last = x.len() - 1;
-    let spacing = (x[last] - x[0]) / last as f64;
-    let mut at = 0;
-    let value = |i: usize| {
-        let position = x[0] + spacing * i as f64;
-        while at + 1 < last && x[at + 1] <= position {
-            at += 1;
-        }
-        let step = x[at + 1] - x[at];
-        let share = if step > 0.0 {
-            (position - x[at]) / step
-        } else {
-            0.0
-        };
-        z[at] + (z[at + 1] - z[at]) * share.clamp(0.0, 1.0)
-    };
-    (0..=last).map(value).collect()
 }
 
 /// The first jump over one or more rows in an x that otherwise steps by one and the same amount.
@@ -261,8 +259,34 @@ pub(super) fn heights(
     Ok((heights, filled))
 }
 
+/// Leaves missing points out of a trace whose points keep their places, where they may be interpolated; their number.
+pub(super) fn leave_out(
+    file: &str,
+    x: &mut Vec<f64>,
+    z: &mut Vec<f64>,
+    gaps: Gaps,
+    warnings: &mut Vec<Warning>,
+) -> Result<usize, ReadError> {
+    let known: Vec<bool> = z.iter().map(|z| z.is_finite()).collect();
+    let missing = known.iter().filter(|known| !**known).count();
+    if missing == 0 || gaps == Gaps::Refuse || !fillable(missing, z.len()) {
+        return Ok(0);
+    }
+    let mut keep = known.iter();
+    x.retain(|_| keep.next().copied().unwrap_or(false));
+    z.retain(|z| z.is_finite());
+    enough(file, z.len())?;
+    let runs = known.split(|known| *known).map(<[bool]>::len);
+    warnings.push(Warning::GapsFilled {
+        filled: missing,
+        longest: runs.max().unwrap_or(0),
+        cut: 0,
+    });
+    Ok(missing)
+}
+
 /// Whether so few of the points are missing that they may be interpolated.
-pub(super) fn fillable(missing: usize, points: usize) -> bool {
+fn fillable(missing: usize, points: usize) -> bool {
     missing as f64 <= MOST_MISSING * points as f64
 }
 
@@ -297,13 +321,6 @@ mod tests {
         assert_eq!(resolution(&[0.0, 10.0, 20.0]), 10.0);
         assert_eq!(resolution(&[0.0, 0.0]), 0.0);
         assert!(resolution(&[0.0, std::f64::consts::PI]) < 1e-12);
-    }
-
-    #[test]
-    fn an_uneven_trace_is_resampled_by_straight_lines() {
-        let x = [0.0, 1.0, 2.5, 3.0, 4.0];
-        let z = x.map(|x| 2.0 * x + 1.0);
-        assert_eq!(resampled(&x, &z), [1.0, 3.0, 5.0, 7.0, 9.0]);
     }
 
     #[test]

@@ -7,18 +7,19 @@ use super::archive::damaged;
 use super::decimal;
 use super::error::ReadError;
 use super::format::Format;
+use super::found::Found;
 use super::grid::SpacingSource;
 use super::header::FilterState;
 use super::metadata::{Metadata, number, short};
 use super::options::LengthUnit;
+use super::plain_row::past_end;
 use super::text::Text;
-use super::trace::Trace;
 use asperity_core::quantity::Length;
 
 const FORMAT: Format = Format::MahrText;
 
 /// Reads a Mahr text profile.
-pub(super) fn read(text: &mut Text<'_>) -> Result<Trace, ReadError> {
+pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
     let file = text.file;
     let mut header = Header::default();
     let (mut x, mut heights) = (Vec::new(), Vec::new());
@@ -36,6 +37,17 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Trace, ReadError> {
             first_line.get_or_insert(number);
             x.push(place);
             heights.push(z);
+            let (end, at_hand) = (lines.end(), lines.at_hand());
+            let (mut rest, mut count) = (at_hand, 0);
+            while let Some((place, z, after)) = plain_point(rest)
+                && let Some(after) = past_end(after, end)
+            {
+                x.push(place);
+                heights.push(z);
+                (rest, count) = (after, count + 1);
+            }
+            let passed = at_hand.len() - rest.len();
+            lines.pass(count, passed);
         }
     }
     if let Some(stated) = header.points.filter(|stated| *stated != heights.len()) {
@@ -43,18 +55,17 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Trace, ReadError> {
         let what = "the number of heights is not that of the header";
         return Err(damaged(file, FORMAT, what, &seen));
     }
-    let (dx, source) = match even(&x) {
-        Some(dx) => (Some(dx), SpacingSource::XColumn),
-        None => (header.interval, SpacingSource::Header),
-    };
-    Ok(Trace {
+    // Some programs write no X but 0.
+    let stands = x.iter().all(|place| Some(place) == x.first());
+    Ok(Found {
         z_unit: LengthUnit::Millimetre,
         x_unit: LengthUnit::Millimetre,
-        spacing: dx.map(|dx| (dx, source)),
+        x: (!stands).then_some(x),
+        spacing: header.interval.map(|dx| (dx, SpacingSource::Header)),
         filter_state: header.state,
         metadata: header.metadata,
         first_line: first_line.unwrap_or(1),
-        ..Trace::new(FORMAT, heights)
+        ..Found::new(FORMAT, heights)
     })
 }
 
@@ -99,24 +110,30 @@ impl Header {
     }
 }
 
-/// X and Z of "index=X Y Z C 0" in plain numbers with single blanks, as nearly all points are written.
-fn plain_point(line: &[u8]) -> Option<(f64, f64)> {
-    /// What follows the next `end`, with something before it.
+/// X and Z of "index=X Y Z C 0" in plain numbers with single blanks, as nearly all points are written, at the start of
+/// `bytes`, and what follows it.
+#[inline]
+fn plain_point(bytes: &[u8]) -> Option<(f64, f64, &[u8])> {
+    /// What follows the next `end` on the same line, with something before it.
+    #[inline]
     fn after(bytes: &[u8], end: u8) -> Option<&[u8]> {
-        let at = bytes.iter().position(|byte| *byte == end)?;
-        (at > 0).then(|| &bytes[at + 1..])
+        let at = bytes.iter().position(|byte| *byte == end || *byte < b' ')?;
+        (at > 0 && bytes[at] == end).then(|| &bytes[at + 1..])
     }
-    let (x, rest) = decimal::prefix(after(line, b'=')?, b'.')?;
+    // Neither the name of a section nor a comment.
+    bytes.first().filter(|byte| byte.is_ascii_digit())?;
+    let (x, rest) = decimal::prefix(after(bytes, b'=')?, b'.')?;
     let past_y = after(rest.strip_prefix(b" ")?, b' ')?;
     let (z, rest) = decimal::prefix(past_y, b'.')?;
-    let is_free = after(rest.strip_prefix(b" ")?, b' ')? == b"0";
-    (is_free && x.is_finite() && z.is_finite()).then_some((x, z))
+    let lock = after(rest.strip_prefix(b" ")?, b' ')?;
+    let rest = lock.strip_prefix(b"0")?;
+    (x.is_finite() && z.is_finite()).then_some((x, z, rest))
 }
 
 /// X and Z of "index=X Y Z C Lock"; Z is NaN for a locked point.
 fn point(file: &str, line: &str) -> Result<(f64, f64), ReadError> {
-    if let Some(found) = plain_point(line.as_bytes()) {
-        return Ok(found);
+    if let Some((x, z, [])) = plain_point(line.as_bytes()) {
+        return Ok((x, z));
     }
     let broken = || damaged(file, FORMAT, "a point cannot be read", line);
     let (_, values) = line.split_once('=').ok_or_else(broken)?;
@@ -135,27 +152,17 @@ fn point(file: &str, line: &str) -> Result<(f64, f64), ReadError> {
     Ok((x, z))
 }
 
-/// The spacing of a column that rises evenly, as written with nine decimals of a millimetre.
-fn even(x: &[f64]) -> Option<f64> {
-    const EVENNESS: f64 = 0.25;
-    let (first, last) = (x.first()?, x.last()?);
-    let dx = (last - first) / (x.len().checked_sub(1).filter(|n| *n > 0)? as f64);
-    let off = |(i, x): (usize, &f64)| (x - first - dx * i as f64).abs();
-    let even = dx > 0.0
-        && x.iter()
-            .enumerate()
-            .map(off)
-            .all(|off| off <= EVENNESS * dx);
-    even.then_some(dx)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn points_in_plain_numbers_read_as_all_others() {
-        let both = |line: &str| (plain_point(line.as_bytes()), point("a", line).ok());
+        let plain = |line: &str| match plain_point(line.as_bytes()) {
+            Some((x, z, [])) => Some((x, z)),
+            _ => None,
+        };
+        let both = |line: &str| (plain(line), point("a", line).ok());
         let found = Some((12.5, -0.93));
         assert_eq!(both("7=12.5 0.0 -0.93 0.0 0"), (found, found));
         for spaced in [
@@ -164,6 +171,9 @@ mod tests {
             "7= 12.5 3.0 -0.93 0.0 0",
         ] {
             assert_eq!(both(spaced), (None, found), "{spaced}");
+        }
+        for other in ["[7=12.5 0.0 1 0.0 0", "//7=1 0.0 1 0.0 0", "7\n=1 0 1 0 0"] {
+            assert_eq!(plain(other), None, "{other}");
         }
         let locked = point("a", "7=12.5 0.0 -0.93 0.0 1").unwrap();
         assert!(locked.0 == 12.5 && locked.1.is_nan());

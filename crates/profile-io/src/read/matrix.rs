@@ -4,12 +4,12 @@ use super::areal::trace::{Areal, HeightUnit, Heights};
 use super::dialect::{Cell, Sniffed};
 use super::error::ReadError;
 use super::format::Format;
+use super::found::Found;
 use super::header::Label;
 use super::layout::TableLayout;
 use super::options::{Columns, ReadOptions};
 use super::table;
 use super::text::{Line, Text};
-use super::trace::Trace;
 use super::{grid, options, units};
 use crate::warning::Warning;
 
@@ -78,7 +78,7 @@ pub(super) fn read(
     head: &[Line<'_>],
     sniffed: &Sniffed,
     options: &ReadOptions,
-) -> Result<Trace, ReadError> {
+) -> Result<Found, ReadError> {
     let file = text.file;
     let (columns, dialect) = (sniffed.columns, sniffed.dialect);
     let (mut rows, mut chosen) = (0, None);
@@ -106,7 +106,7 @@ pub(super) fn read(
         axis: options::Axis::Height,
         unit: z_unit,
     });
-    Ok(Trace {
+    Ok(Found {
         warnings: assumed.into_iter().collect(),
         z_unit,
         first_line,
@@ -115,6 +115,6 @@ pub(super) fn read(
             decimal: dialect.decimal,
             columns: Columns { x: None, z: 1 },
         }),
-        ..Trace::new(FORMAT, heights)
+        ..Found::new(FORMAT, heights)
     })
 }

@@ -8,12 +8,12 @@
 use super::archive::{Archive, damaged};
 use super::error::ReadError;
 use super::format::Format;
+use super::found::Found;
 use super::grid::SpacingSource;
 use super::header::FilterState;
 use super::metadata::{self, Metadata, PrintedParameter, short};
 use super::options::LengthUnit;
 use super::text::Stream;
-use super::trace::Trace;
 use super::xml::walk;
 
 const FORMAT: Format = Format::MitutoyoXlsx;
@@ -32,7 +32,7 @@ struct Sheet {
 }
 
 /// Reads the profile of a workbook.
-pub(super) fn read(file: &str, stream: &mut dyn Stream, size: u64) -> Result<Trace, ReadError> {
+pub(super) fn read(file: &str, stream: &mut dyn Stream, size: u64) -> Result<Found, ReadError> {
     let unknown = || ReadError::FormatNotRead {
         file: file.to_owned(),
         format: Format::Excel,
@@ -60,13 +60,13 @@ pub(super) fn read(file: &str, stream: &mut dyn Stream, size: u64) -> Result<Tra
     }
     let (x, heights) = best.filter(|_| known).ok_or_else(unknown)?;
     let dx = (x[x.len() - 1] - x[0]) / (x.len() - 1) as f64;
-    Ok(Trace {
+    Ok(Found {
         z_unit: LengthUnit::Micrometre,
         x_unit: LengthUnit::Millimetre,
         spacing: Some((dx, SpacingSource::XColumn)),
         filter_state: state,
         metadata,
-        ..Trace::new(FORMAT, heights)
+        ..Found::new(FORMAT, heights)
     })
 }
 

@@ -2,7 +2,8 @@
 //!
 //! A file is recognised ([`Format`]), decoded ([`Encoding`]), its dialect is sniffed ([`Dialect`]),
 //! its table read, put on an even grid and given units. What the user states in [`ReadOptions`]
-//! wins over what the file looks like. Nothing is repaired in silence: a file is read as it stands,
+//! wins over what the file looks like. A [`Trace`] keeps points that are uneven; a [`Reading`] has an even grid.
+//! Nothing is repaired in silence: a file is read as it stands,
 //! with [`Warning`](crate::Warning)s for what was assumed, or refused with the line and a remedy.
 //!
 //! | quantity | rule |
@@ -23,7 +24,9 @@ mod encoding;
 mod error;
 mod first_look;
 mod format;
+mod found;
 mod grid;
+mod hashed;
 mod header;
 mod layout;
 mod mahr;
@@ -36,6 +39,7 @@ mod plain_row;
 mod ptb;
 mod reading;
 mod recognise;
+mod resample;
 mod roll_length;
 mod rows;
 mod sdf;
@@ -60,7 +64,7 @@ use std::path::Path;
 pub use conditions::conditions_of;
 pub use error::{CellRemedy, FirstLine, ReadError, SpacingHint};
 pub use format::Format;
-pub use grid::SpacingSource;
+pub use grid::{SpacingSource, Unevenness};
 pub use header::FilterState;
 pub use layout::{Dialect, TableLayout};
 pub use metadata::{Metadata, PrintedParameter};
@@ -69,12 +73,14 @@ pub use options::{
     TraceLine, Uneven, UnknownChoice,
 };
 pub use reading::Reading;
+pub use resample::Resampled;
 pub use surface::Surface;
+pub use trace::{Positions, Trace};
 pub use whole_file::{regular_file, whole_file};
 
 use areal::trace::Areal;
+use found::Found;
 use text::{Head, Start, Stream, Text};
-use trace::Trace;
 
 /// Bytes of the largest file read: two hundred million points of text.
 const MOST_BYTES: u64 = 4 << 30;
@@ -95,10 +101,30 @@ const STANDARD_INPUT: &str = "-";
 /// assert_eq!(missing.map_err(|error| error.code()), Err("E103"));
 /// ```
 pub fn read(path: &Path, options: &ReadOptions) -> Result<Reading, ReadError> {
+    read_trace(path, options)?.reading(options.uneven)
+}
+
+/// Reads the trace in the file at `path` as it stands, with points that may be uneven; `-` is standard input.
+///
+/// # Errors
+/// As [`read`], except that uneven points are no error.
+pub fn read_trace(path: &Path, options: &ReadOptions) -> Result<Trace, ReadError> {
     let name = path.display().to_string();
     let mut stream = open(path, &name)?;
     let conditions = surfcom::conditions_beside(path);
-    read_streams(&name, &mut *stream, conditions.as_deref(), options)
+    trace_of(&name, &mut *stream, conditions.as_deref(), options)
+}
+
+/// Reads the trace in `bytes`, the content of a file called `name`, as it stands.
+///
+/// # Errors
+/// As [`read_trace`], except that nothing is opened.
+pub fn read_trace_bytes(
+    name: &str,
+    bytes: &[u8],
+    options: &ReadOptions,
+) -> Result<Trace, ReadError> {
+    trace_of(name, &mut Cursor::new(bytes), None, options)
 }
 
 /// Reads the surface in the file at `path`; `-` is standard input. A profile is a surface of one row.
@@ -250,7 +276,7 @@ pub fn read_stream(
     mut stream: impl Read + Seek,
     options: &ReadOptions,
 ) -> Result<Reading, ReadError> {
-    read_streams(name, &mut stream, None, options)
+    trace_of(name, &mut stream, None, options)?.reading(options.uneven)
 }
 
 /// As [`read_bytes`], with the content of the file of measuring conditions (Surfcom `.tx3`) beside it.
@@ -274,16 +300,16 @@ pub fn read_with_conditions(
     conditions: Option<&[u8]>,
     options: &ReadOptions,
 ) -> Result<Reading, ReadError> {
-    read_streams(name, &mut Cursor::new(bytes), conditions, options)
+    trace_of(name, &mut Cursor::new(bytes), conditions, options)?.reading(options.uneven)
 }
 
-/// Reads the profile in `stream`, in whichever format it is.
-fn read_streams(
+/// Reads the trace in `stream`, in whichever format it is.
+fn trace_of(
     name: &str,
     stream: &mut dyn Stream,
     conditions: Option<&[u8]>,
     options: &ReadOptions,
-) -> Result<Reading, ReadError> {
+) -> Result<Trace, ReadError> {
     let start = Start::of(name, stream)?;
     not_larger(name, start.size, MOST_BYTES)?;
     let zipped = start.bytes.starts_with(recognise::ZIP);
@@ -321,7 +347,7 @@ fn read_text(
     text: &mut Text<'_>,
     conditions: Option<&[u8]>,
     options: &ReadOptions,
-) -> Result<Reading, ReadError> {
+) -> Result<Trace, ReadError> {
     let name = text.file;
     let smd = smd::recognised(&start.bytes);
     if !smd && !encoding::is_text(&head.text) {
@@ -333,7 +359,7 @@ fn read_text(
     } else {
         recognise::of_text(name, head)
     };
-    let found: Trace = match format {
+    let found = match format {
         Some(Format::Smd) => smd::read(head, text)?,
         Some(Format::SdfAscii) if options.line != TraceLine::Row => {
             sdf::surface(text)?.trace(name, options)?
@@ -347,7 +373,7 @@ fn read_text(
         None if surfcom::recognised(head, text)? => surfcom::read(text, conditions, options)?,
         None => return delimited::read(head, text, options),
     };
-    let found = Trace {
+    let found = Found {
         encoding: Some(text.encoding),
         ..found
     };

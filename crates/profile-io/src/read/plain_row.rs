@@ -9,6 +9,7 @@ use super::dialect::LONGEST_NUMBER;
 use super::layout::Dialect;
 use super::options::{DecimalSign, Separator};
 use super::table::Chosen;
+use super::text::Lines;
 
 /// Role of a column.
 #[derive(Clone, Copy, PartialEq)]
@@ -57,6 +58,11 @@ impl Plain {
     /// x and height of the line that `lines` starts with, if it is a plain row, and the lines after it.
     #[inline]
     pub(super) fn row<'l>(&self, lines: &'l [u8]) -> Option<(f64, f64, &'l [u8])> {
+        if let [Use::X, Use::Z] = self.columns[..]
+            && let Some(pair) = self.pair(lines)
+        {
+            return Some(pair);
+        }
         let (mut x, mut z, mut valid) = (f64::NAN, f64::NAN, 1.0);
         let mut rest = self.after_blanks(lines);
         for (column, used) in self.columns.iter().enumerate() {
@@ -88,6 +94,20 @@ impl Plain {
             [end, after @ ..] if *end == self.end => Some((x, height, after)),
             _ => None,
         }
+    }
+
+    /// The same where nothing but one separator stands beside x and height, as in most files.
+    #[inline]
+    fn pair<'l>(&self, lines: &'l [u8]) -> Option<(f64, f64, &'l [u8])> {
+        let (x, rest) = decimal::prefix(lines, self.point)?;
+        let [separator, cell @ ..] = rest else {
+            return None;
+        };
+        let (z, after) = decimal::prefix(cell, self.point)?;
+        let longest = (lines.len() - rest.len()).max(cell.len() - after.len());
+        let fits = *separator == self.separator && longest <= LONGEST_NUMBER;
+        let rest = past_end(after, self.end)?;
+        (fits && x.is_finite() && z.is_finite()).then_some((x, z, rest))
     }
 
     /// Rest after the blanks at the start of `rest`.
@@ -128,6 +148,44 @@ impl Plain {
         let ends = |byte: &u8| *byte == self.separator || !byte.is_ascii_graphic();
         rest.get(rest.iter().position(ends)?..)
     }
+}
+
+/// What follows the end of a line, also behind a CR, that `rest` starts with.
+#[inline]
+pub(super) fn past_end(rest: &[u8], end: u8) -> Option<&[u8]> {
+    match rest {
+        [byte, after @ ..] | [b'\r', byte, after @ ..] if *byte == end => Some(after),
+        _ => None,
+    }
+}
+
+/// Takes the lines at hand that are a single number with a decimal point each, `most` of them at most, into `numbers`.
+/// What is written in any other way is left to the reading line by line, which gives the same numbers for these too.
+pub(super) fn take_numbers(lines: &mut Lines<'_, '_>, most: usize, numbers: &mut Vec<f64>) {
+    let (count, bytes) = numbers_at_start(lines.at_hand(), lines.end(), most, numbers);
+    lines.pass(count, bytes.len());
+}
+
+/// Appends the numbers of such lines at the start of `lines`; how many, and their bytes.
+pub(super) fn numbers_at_start<'l>(
+    lines: &'l [u8],
+    end: u8,
+    most: usize,
+    numbers: &mut Vec<f64>,
+) -> (usize, &'l [u8]) {
+    let (mut rest, mut count) = (lines, 0);
+    while count < most
+        && let Some((number, after)) = decimal::prefix(rest, b'.')
+        && number.is_finite()
+    {
+        let Some(after) = past_end(after, end) else {
+            break;
+        };
+        rest = after;
+        numbers.push(number);
+        count += 1;
+    }
+    (count, &lines[..lines.len() - rest.len()])
 }
 
 #[cfg(test)]
@@ -188,6 +246,23 @@ mod tests {
                 let (expected_x, expected_z) = by_cells.map_err(|error| TestCaseError::fail(error.to_string()))?;
                 prop_assert_eq!((x.to_bits(), z.to_bits()), (expected_x.to_bits(), expected_z.to_bits()));
             }
+        }
+    }
+
+    #[test]
+    fn numbers_are_taken_up_to_the_first_line_that_is_more_than_one() {
+        let take = |lines: &str, most: usize| {
+            let mut numbers = vec![];
+            let (count, bytes) = numbers_at_start(lines.as_bytes(), b'\n', most, &mut numbers);
+            assert_eq!(count, numbers.len());
+            (numbers, bytes.len())
+        };
+        assert_eq!(take("1.5\n-2e-1\r\n3 \n4\n", 9), (vec![1.5, -0.2], 11));
+        assert_eq!(take("1\n2\n3\n", 2), (vec![1.0, 2.0], 4));
+        for none in [
+            "", "1,5\n", "\n1\n", "NaN\n", "1e999\n", "1", "1\r", "1\u{3}\n", "1 2\n",
+        ] {
+            assert_eq!(take(none, 9), (vec![], 0), "{none:?}");
         }
     }
 

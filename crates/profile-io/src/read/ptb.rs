@@ -9,11 +9,12 @@
 use super::archive::damaged;
 use super::error::ReadError;
 use super::format::Format;
+use super::found::Found;
 use super::grid::SpacingSource;
 use super::metadata::{Metadata, number, short};
 use super::options::LengthUnit;
+use super::plain_row::take_numbers;
 use super::text::Text;
-use super::trace::Trace;
 
 const FORMAT: Format = Format::PtbPr;
 const HEADER_LINES: usize = 2;
@@ -24,7 +25,7 @@ pub(super) fn recognised(line: &str) -> bool {
 }
 
 /// Reads a `.pr` profile.
-pub(super) fn read(text: &mut Text<'_>) -> Result<Trace, ReadError> {
+pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
     let file = text.file;
     let mut lines = text.lines()?;
     let title = lines.next()?.map_or("", |line| line.text.trim()).to_owned();
@@ -46,6 +47,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Trace, ReadError> {
         if !line.is_blank() {
             let broken = || damaged(file, FORMAT, "a height is no number", line.text);
             heights.push(number(line.text).ok_or_else(broken)?);
+            take_numbers(&mut lines, usize::MAX, &mut heights);
         }
     }
     if heights.len() as f64 != points {
@@ -54,7 +56,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Trace, ReadError> {
         return Err(damaged(file, FORMAT, what, &seen));
     }
     let dx = Some(1.0 / per_millimetre).filter(|dx| dx.is_finite() && *dx > 0.0);
-    Ok(Trace {
+    Ok(Found {
         z_unit: LengthUnit::Micrometre,
         x_unit: LengthUnit::Millimetre,
         spacing: dx.map(|dx| (dx, SpacingSource::Header)),
@@ -63,6 +65,6 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Trace, ReadError> {
             ..Metadata::default()
         },
         first_line: HEADER_LINES + 1,
-        ..Trace::new(FORMAT, heights)
+        ..Found::new(FORMAT, heights)
     })
 }

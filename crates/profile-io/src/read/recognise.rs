@@ -112,6 +112,9 @@ pub(super) fn of_text(name: &str, head: &Head) -> Option<Format> {
     if let Some(&(_, format @ (Format::SdfAscii | Format::SigmaSurf))) = magic {
         return Some(format);
     }
+    if head.text.trim_start().starts_with("<?xml") {
+        return Some(Format::Xml);
+    }
     let (mut cx, mut cz) = (false, false);
     for line in head.lines().take(LINES_LOOKED_AT) {
         let line = line.text.trim();
@@ -148,6 +151,8 @@ mod tests {
         let mahr = "[PROFILE_HEADER]\nNAME=a";
         assert_eq!(of_text("a.csv", mahr), Some(Format::MahrText));
         assert_eq!(of_text("a.csv", "0.5\n1"), None);
+        let xml = "<?xml version=\"1.0\"?>\n<Profile>1</Profile>";
+        assert_eq!(of_text("a.csv", xml), Some(Format::Xml));
         let prf = "1 2\na PRF\nCX M 3.0\nCZ M 3.0";
         assert_eq!(of_text("a.txt", prf), Some(Format::TaylorHobsonPrf));
     }

@@ -7,11 +7,12 @@ use super::archive::damaged;
 use super::areal::trace::{Areal, Heights};
 use super::error::ReadError;
 use super::format::Format;
+use super::found::Found;
 use super::grid::SpacingSource;
 use super::metadata::{Metadata, number, short};
 use super::options::ReadOptions;
+use super::plain_row::take_numbers;
 use super::text::Text;
-use super::trace::Trace;
 
 const FORMAT: Format = Format::SdfAscii;
 
@@ -47,13 +48,14 @@ impl Header {
 }
 
 /// Reads a profile of an SDF text file.
-pub(super) fn read(text: &mut Text<'_>, options: &ReadOptions) -> Result<Trace, ReadError> {
+pub(super) fn read(text: &mut Text<'_>, options: &ReadOptions) -> Result<Found, ReadError> {
     let (header, first_line, heights) = matrix(text, Some(options.row))?;
-    Ok(Trace {
+    Ok(Found {
         spacing: header.x_scale.map(|dx| (dx, SpacingSource::Header)),
         metadata: header.metadata,
         first_line,
-        ..Trace::new(FORMAT, heights)
+        scaled: true,
+        ..Found::new(FORMAT, heights)
     })
 }
 
@@ -113,9 +115,15 @@ fn matrix(
                 break 'data;
             }
             if passed >= first {
-                heights.push(value(file, field)? * z_scale);
+                heights.push(value(file, field)?);
             }
             passed += 1;
+        }
+        if passed >= first {
+            let left = wanted - heights.len() as u64;
+            let before = heights.len();
+            take_numbers(&mut lines, left as usize, &mut heights);
+            passed += (heights.len() - before) as u64;
         }
     }
     if heights.len() as u64 != wanted {
@@ -123,6 +131,7 @@ fn matrix(
         let what = "the number of heights is not that of the header";
         return Err(damaged(file, FORMAT, what, &seen));
     }
+    heights.iter_mut().for_each(|z| *z *= z_scale);
     Ok((header, first_line, heights))
 }
 

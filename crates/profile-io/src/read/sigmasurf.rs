@@ -3,16 +3,17 @@
 use super::archive::damaged;
 use super::error::ReadError;
 use super::format::Format;
+use super::found::Found;
 use super::grid::SpacingSource;
 use super::metadata::{Metadata, number, short};
 use super::options::LengthUnit;
+use super::plain_row::take_numbers;
 use super::text::Text;
-use super::trace::Trace;
 
 const FORMAT: Format = Format::SigmaSurf;
 
 /// Reads a SigmaSurf profile.
-pub(super) fn read(text: &mut Text<'_>) -> Result<Trace, ReadError> {
+pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
     let file = text.file;
     let mut metadata = Metadata::default();
     let (mut spacing, mut points, mut first_line) = (None, None, 1);
@@ -26,6 +27,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Trace, ReadError> {
                 heights.push(
                     value.ok_or_else(|| damaged(file, FORMAT, "a height is no number", line))?,
                 );
+                take_numbers(&mut lines, usize::MAX, heights);
             }
             continue;
         }
@@ -48,12 +50,12 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Trace, ReadError> {
         let what = "the number of heights is not that of the header";
         return Err(damaged(file, FORMAT, what, &seen));
     }
-    Ok(Trace {
+    Ok(Found {
         z_unit: LengthUnit::Micrometre,
         x_unit: LengthUnit::Micrometre,
         spacing: spacing.map(|dx| (dx, SpacingSource::Header)),
         metadata,
         first_line,
-        ..Trace::new(FORMAT, heights)
+        ..Found::new(FORMAT, heights)
     })
 }

@@ -13,12 +13,13 @@ use super::archive::damaged;
 use super::decimal;
 use super::error::ReadError;
 use super::format::Format;
+use super::found::Found;
 use super::grid::SpacingSource;
 use super::header::FilterState;
 use super::metadata::{self, Metadata, PrintedParameter, number, short};
 use super::options::LengthUnit;
+use super::plain_row::numbers_at_start;
 use super::text::{Head, Text};
-use super::trace::Trace;
 use crate::warning::Warning;
 
 const FORMAT: Format = Format::Smd;
@@ -43,7 +44,7 @@ pub(super) fn recognised(bytes: &[u8]) -> bool {
 }
 
 /// Reads an SMD file.
-pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Trace, ReadError> {
+pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadError> {
     let file = text.file;
     let marked = head.text.contains(END_OF_RECORD);
     let mut record = 1;
@@ -62,12 +63,20 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Trace, ReadError>
         if record == 3
             && let Some(height) = decimal::whole(line.text.trim_end(), b'.')
             && height.is_finite()
-            && z.as_ref().is_some_and(|z: &Axis| heights.len() <= z.points)
+            && let Some(stated) = z.as_ref().map(|z: &Axis| z.points)
+            && heights.len() <= stated
         {
             if heights.is_empty() {
                 first_line = line.number;
             }
             heights.push(height);
+            let left = stated.saturating_sub(heights.len());
+            let (at_hand, end) = (lines.at_hand(), lines.end());
+            let (count, bytes) = numbers_at_start(at_hand, end, left, &mut heights);
+            let of_block: u64 = bytes.iter().map(|byte| u64::from(*byte)).sum();
+            sum = (sum + (of_block % u64::from(MODULUS)) as u32) % MODULUS;
+            let length = bytes.len();
+            lines.pass(count, length);
             continue;
         }
         let ends = line.text.contains(END_OF_RECORD) || (!marked && line.text.trim().is_empty());
@@ -113,7 +122,7 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Trace, ReadError>
         return Err(damaged(file, FORMAT, what, &seen));
     }
     heights.iter_mut().for_each(|h| *h *= z.factor);
-    Ok(Trace {
+    Ok(Found {
         z_unit: z.unit,
         x_unit: x.unit,
         spacing: x.increment.map(|dx| (dx * x.factor, SpacingSource::Header)),
@@ -121,7 +130,7 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Trace, ReadError>
         metadata,
         warnings: checksum.flatten().into_iter().collect(),
         first_line,
-        ..Trace::new(FORMAT, heights)
+        ..Found::new(FORMAT, heights)
     })
 }
 
@@ -142,7 +151,7 @@ fn axis(file: &str, fields: &[&str]) -> Result<Axis, ReadError> {
     let points = number(field(2)).filter(|n| *n >= 1.0 && *n < 1e9);
     let increment = number(field(6)).filter(|dx| *dx > 0.0);
     if field(0) == "CX" && field(1) != "I" {
-        let what = "the points carry their own x, and only even spacing is read";
+        let what = "the points carry their own x, which is not read";
         return Err(damaged(file, FORMAT, what, &line()));
     }
     Ok(Axis {

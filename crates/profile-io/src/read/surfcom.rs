@@ -15,12 +15,12 @@ use super::archive::damaged;
 use super::conditions::conditions_of;
 use super::error::{ReadError, SpacingHint};
 use super::format::{Format, extension};
+use super::found::Found;
 use super::grid::SpacingSource;
 use super::header::FilterState;
 use super::metadata::{self, Metadata, PrintedParameter, number, short};
 use super::options::{LengthUnit, ReadOptions};
 use super::text::{Head, Start, Text};
-use super::trace::Trace;
 use super::whole_file::whole_file;
 use crate::warning::Warning;
 
@@ -56,7 +56,7 @@ pub(super) fn read(
     text: &mut Text<'_>,
     conditions: Option<&[u8]>,
     options: &ReadOptions,
-) -> Result<Trace, ReadError> {
+) -> Result<Found, ReadError> {
     let file = text.file;
     let mut lines = text.lines()?;
     let nominal = lines.next()?.and_then(|line| number(line.text));
@@ -92,7 +92,7 @@ pub(super) fn read(
     }
     let mut metadata = conditions.map_or_else(Metadata::default, |conditions| conditions.metadata);
     metadata.nominal_length = Some(nominal);
-    Ok(Trace {
+    Ok(Found {
         z_unit: LengthUnit::Micrometre,
         spacing,
         filter_state: match extension(file).as_str() {
@@ -103,7 +103,7 @@ pub(super) fn read(
         metadata,
         warnings,
         first_line: HEADER_LINES + 1,
-        ..Trace::new(FORMAT, heights)
+        ..Found::new(FORMAT, heights)
     })
 }
 

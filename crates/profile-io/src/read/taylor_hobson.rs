@@ -14,11 +14,12 @@
 use super::archive::damaged;
 use super::error::ReadError;
 use super::format::Format;
+use super::found::Found;
 use super::grid::SpacingSource;
 use super::metadata::{Metadata, number, short};
 use super::options::LengthUnit;
+use super::plain_row::take_numbers;
 use super::text::Text;
-use super::trace::Trace;
 
 const FORMAT: Format = Format::TaylorHobsonPrf;
 
@@ -62,7 +63,7 @@ impl Header {
 }
 
 /// Reads a text `.prf`.
-pub(super) fn read(text: &mut Text<'_>) -> Result<Trace, ReadError> {
+pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
     let file = text.file;
     let (mut record, mut first_line) = (1, 1);
     let mut header = Header::default();
@@ -82,6 +83,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Trace, ReadError> {
                     let broken = || damaged(file, FORMAT, "a height is no number", field);
                     heights.push(number(field).ok_or_else(broken)?);
                 }
+                take_numbers(&mut lines, usize::MAX, &mut heights);
             }
             Some(_) => header.take(file, record, line.text)?,
         }
@@ -95,7 +97,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Trace, ReadError> {
     }
     heights.iter_mut().for_each(|h| *h *= z.factor);
     let dx = header.spacing.map(|dx| dx * x.factor);
-    Ok(Trace {
+    Ok(Found {
         z_unit: z.unit,
         x_unit: x.unit,
         spacing: dx
@@ -103,7 +105,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Trace, ReadError> {
             .map(|dx| (dx, SpacingSource::Header)),
         metadata: header.metadata,
         first_line,
-        ..Trace::new(FORMAT, heights)
+        ..Found::new(FORMAT, heights)
     })
 }
 

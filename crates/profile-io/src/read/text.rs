@@ -219,6 +219,11 @@ impl Lines<'_, '_> {
         Ok(Some(Line::new(self.number, whole)))
     }
 
+    /// The byte that ends a line.
+    pub(super) fn end(&self) -> u8 {
+        self.text.line_end()
+    }
+
     /// Whole lines that are at hand, ends included; may be none.
     pub(super) fn at_hand(&self) -> &[u8] {
         self.buffer

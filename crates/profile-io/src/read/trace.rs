@@ -1,169 +1,297 @@
-//! The common end of all instrument readers: overrides, gaps, checks, and the [`Reading`].
+//! A measured trace as its file has it, with points that may be uneven.
+
+use std::borrow::Cow;
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
+use serde::Serialize;
 
-use super::error::{ReadError, SpacingHint};
+use super::error::ReadError;
 use super::format::Format;
-use super::grid::{self, SpacingSource};
+use super::grid::{self, SpacingSource, Unevenness};
 use super::header::FilterState;
 use super::layout::TableLayout;
 use super::metadata::Metadata;
-use super::options::{Axis, Encoding, LengthUnit, ReadOptions};
+use super::options::{Abscissa, Encoding, LengthUnit, Uneven};
 use super::reading::Reading;
+use super::resample::{self, Between, Resampled};
 use crate::warning::Warning;
 
-/// Findings of a reader of an instrument's format.
-pub(super) struct Trace {
-    pub format: Format,
-    /// Heights in `z_unit`, NaN where there is none.
+/// Steps that are longer than this many mean ones are no unevenness but missing points.
+const LONGEST_STEP: f64 = 10.0;
+/// Points of an even grid over those of the file, at most.
+const MOST_REFINED: f64 = 8.0;
+/// Share of a step by which rounding shortens a trace.
+const ROUNDING: f64 = 1e-9;
+
+/// Places of the points of a trace.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+pub enum Positions {
+    /// Evenly spaced, or off an even grid by no more than rounding or 2 % of a spacing.
+    Even {
+        /// Distance between points.
+        spacing: Length,
+    },
+    /// Each point has its own.
+    Own {
+        /// Positions \[m\] along the trace, rising, from where the file counts.
+        #[serde(skip)]
+        x: Vec<f64>,
+        /// How far they are off an even grid.
+        unevenness: Unevenness,
+    },
+}
+
+/// A measured trace as its file has it: nothing is moved, so its points may be uneven. Serialises without them.
+///
+/// [`resampled`](Self::resampled) puts it on an even grid and says what that changes; [`reading`](Self::reading) makes
+/// of it what [`read`](super::read()) gives.
+///
+/// ```
+/// use asperity_profile_io::read::{ReadOptions, Uneven, read_bytes, read_trace_bytes};
+/// let x = |i: u32| 0.5 * f64::from(i) + 0.2 * f64::from(i).sin();
+/// let row = |i: u32| format!("{:.4};{:.4}\n", x(i), (0.1 * x(i)).sin());
+/// let file = format!("x [um];z [um]\n{}", (0..200).map(row).collect::<String>());
+/// let trace = read_trace_bytes("a.csv", file.as_bytes(), &ReadOptions::default())?;
+/// assert!(!trace.is_even() && (trace.x()[1] - 0.6683e-6).abs() < 1e-18);
+/// let even = trace.resampled("0.25 um".parse()?)?;
+/// assert_eq!(even.profile.spacing(), "0.25 um".parse()?);
+/// assert!(even.most < "10 nm".parse()?);
+/// // Computing with uneven points has to be asked for.
+/// assert!(read_bytes("a.csv", file.as_bytes(), &ReadOptions::default()).is_err());
+/// assert_eq!(trace.reading(Uneven::Resample)?.points, 200);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Trace {
+    /// Name of the file as given.
+    pub name: String,
+    /// Places of the points.
+    pub positions: Positions,
+    /// Heights \[m\] as in the file (no offset, form or tilt removed).
+    #[serde(skip)]
     pub heights: Vec<f64>,
-    pub z_unit: LengthUnit,
-    /// Spacing in `x_unit` and how it was found.
-    pub spacing: Option<(f64, SpacingSource)>,
-    pub x_unit: LengthUnit,
-    /// Whether factors of the header made the lengths what they are, so that a stated unit fits none of them.
-    pub scaled: bool,
-    pub filter_state: FilterState,
-    pub metadata: Metadata,
-    pub warnings: Vec<Warning>,
+    /// Format of the file.
+    pub format: Format,
+    /// Character encoding; none for binary formats.
     pub encoding: Option<Encoding>,
+    /// Dialect of the table; none for formats without a table.
     pub table: Option<TableLayout>,
-    /// Line of the first height in the file; 1 where there are no lines.
-    pub first_line: usize,
+    /// Unit of x; none when the spacing was stated and no x column was needed.
+    pub x_unit: Option<LengthUnit>,
+    /// Unit of the heights in the file.
+    pub z_unit: LengthUnit,
+    /// Origin of the spacing.
+    pub spacing_source: SpacingSource,
+    /// Whether the file says its heights are filtered.
+    pub filter_state: FilterState,
+    /// Points that were interpolated, or left out of uneven ones, on request.
+    pub gaps_filled: usize,
+    /// Statements of the file beside the heights.
+    pub metadata: Metadata,
+    /// Warnings.
+    pub warnings: Vec<Warning>,
+    /// Whether the header of the file scales the heights.
+    #[serde(skip)]
+    pub(super) scaled: bool,
+    /// What x was before it was the distance along an involute.
+    #[serde(skip)]
+    pub(super) roll: Option<(Abscissa, Length)>,
 }
 
 impl Trace {
-    /// Heights and spacing in metres, nothing else known.
-    pub(super) fn new(format: Format, heights: Vec<f64>) -> Self {
-        Self {
-            format,
-            heights,
-            z_unit: LengthUnit::Metre,
-            spacing: None,
-            x_unit: LengthUnit::Metre,
-            scaled: false,
-            filter_state: FilterState::Unknown,
-            metadata: Metadata::default(),
-            warnings: Vec::new(),
-            encoding: None,
-            table: None,
-            first_line: 1,
+    /// Whether the points are evenly spaced.
+    pub fn is_even(&self) -> bool {
+        matches!(self.positions, Positions::Even { .. })
+    }
+
+    /// Positions \[m\] of the points, rising; even ones from 0.
+    pub fn x(&self) -> Cow<'_, [f64]> {
+        match &self.positions {
+            Positions::Own { x, .. } => Cow::Borrowed(x),
+            Positions::Even { spacing } => {
+                let x = |i: usize| spacing.si() * i as f64;
+                Cow::Owned((0..self.heights.len()).map(x).collect())
+            }
         }
     }
 
-    /// The reading, with what the user states put over what the file says.
-    pub(super) fn finish(self, file: &str, options: &ReadOptions) -> Result<Reading, ReadError> {
-        grid::enough(file, self.heights.len())?;
-        let mut warnings = self.warnings;
-        let stated = options.dx;
-        let mut unit = |axis, stated: Option<LengthUnit>, found| match stated {
-            Some(stated) if self.scaled => {
-                warnings.push(Warning::UnitNotUsed { axis, stated });
-                found
-            }
-            Some(stated) => {
-                warnings.extend(unit_overridden(axis, stated, found));
-                stated
-            }
-            None => found,
-        };
-        let z_unit = unit(Axis::Height, options.z_unit, self.z_unit);
-        let x_unit = match (stated, self.spacing) {
-            (None, Some(_)) => unit(Axis::Trace, options.x_unit, self.x_unit),
-            _ => options.x_unit.unwrap_or(self.x_unit),
-        };
-        let (spacing, spacing_source) = match (stated, self.spacing) {
-            (Some(dx), column) => {
-                let column = column.map(|(dx, _)| Length::from_si(x_unit.metres(dx)));
-                warnings.extend(column.and_then(|column| overridden(dx, column)));
-                (dx, SpacingSource::Stated)
-            }
-            (None, Some((dx, source))) => (Length::from_si(x_unit.metres(dx)), source),
-            (None, None) => {
-                return Err(ReadError::NoSpacing {
-                    file: file.to_owned(),
-                    hint: SpacingHint::None,
-                });
-            }
-        };
-        check_spacing(file, spacing)?;
-        let first_line = self.first_line;
-        let mut place = |row| Ok((first_line + row, "missing".to_owned()));
-        let (heights, gaps_filled) =
-            grid::heights(file, self.heights, options.gaps, &mut place, &mut warnings)?;
-        let profile = profile(file, heights, spacing, z_unit)?;
-        if self.filter_state == FilterState::Roughness {
-            warnings.push(Warning::AlreadyFiltered);
+    /// Distance from the first point to the last.
+    pub fn length(&self) -> Length {
+        let steps = (self.heights.len().max(1) - 1) as f64;
+        match &self.positions {
+            Positions::Even { spacing } => *spacing * steps,
+            Positions::Own { x, .. } => match x[..] {
+                [first, .., last] => Length::from_si(last - first),
+                _ => Length::from_si(0.0),
+            },
         }
-        Ok(Reading {
-            name: file.to_owned(),
+    }
+
+    /// Mean distance between points.
+    pub fn spacing(&self) -> Length {
+        match &self.positions {
+            Positions::Even { spacing } => *spacing,
+            Positions::Own { .. } => self.length() * (1.0 / (self.heights.len().max(2) - 1) as f64),
+        }
+    }
+
+    /// The trace in even steps from its first point on: heights on the straight lines between the points, or on their
+    /// natural cubic spline where roll lengths were converted. An even trace in its own step stays as it is.
+    ///
+    /// # Errors
+    /// When the step is not positive, longer than the trace or shorter than an eighth of the mean step; when two
+    /// neighbours of an uneven trace are more than ten mean steps apart: points are missing between them.
+    pub fn resampled(&self, step: Length) -> Result<Resampled, ReadError> {
+        let whole = self.length() / step * (1.0 + ROUNDING);
+        let most = MOST_REFINED * self.heights.len() as f64;
+        if !(step.si() > 0.0 && (1.0..=most).contains(&whole)) {
+            return Err(self.impossible("the step to resample to", step.si()));
+        }
+        if let Positions::Even { spacing } = &self.positions
+            && *spacing == step
+        {
+            return Ok(Resampled {
+                profile: self.profile(*spacing, self.heights.clone())?,
+                rms: Length::from_si(0.0),
+                most: Length::from_si(0.0),
+            });
+        }
+        self.in_steps(step.si(), whole as usize)
+    }
+
+    fn in_steps(&self, step: f64, intervals: usize) -> Result<Resampled, ReadError> {
+        let x = self.x();
+        self.check_gaps(&x)?;
+        let between = match self.roll {
+            None => Between::Lines,
+            Some(_) => Between::Spline,
+        };
+        let heights = resample::on_grid(&x, &self.heights, step, intervals, between);
+        let (rms, most) = resample::change(&x, &self.heights, step, &heights);
+        Ok(Resampled {
+            profile: self.profile(Length::from_si(step), heights)?,
+            rms: Length::from_si(rms),
+            most: Length::from_si(most),
+        })
+    }
+
+    /// Refuses steps so long that points must be missing.
+    fn check_gaps(&self, x: &[f64]) -> Result<(), ReadError> {
+        let mean = self.spacing().si();
+        let gap = x
+            .windows(2)
+            .find(|pair| pair[1] - pair[0] > LONGEST_STEP * mean);
+        gap.map_or(Ok(()), |pair| {
+            Err(ReadError::GapInPositions {
+                file: self.name.clone(),
+                from: Length::from_si(pair[0]),
+                to: Length::from_si(pair[1]),
+                steps: (pair[1] - pair[0]) / mean,
+            })
+        })
+    }
+
+    /// The trace on an even grid, to compute with. Roll lengths are resampled in any case, other uneven points when
+    /// asked for: to as many points between the same ends.
+    ///
+    /// # Errors
+    /// When the points are more than a quarter of a spacing off an even grid and `uneven` does not ask for resampling,
+    /// or when points are missing between them.
+    pub fn reading(mut self, uneven: Uneven) -> Result<Reading, ReadError> {
+        let spacing = self.spacing();
+        let profile = match (&self.positions, self.roll) {
+            (Positions::Even { .. }, _) => {
+                let heights = std::mem::take(&mut self.heights);
+                self.profile(spacing, heights)?
+            }
+            (Positions::Own { x, .. }, Some((abscissa, base_radius))) => {
+                let steps = x.windows(2).map(|pair| pair[1] - pair[0]);
+                let finest = steps.fold(f64::INFINITY, f64::min);
+                // The finest step keeps the short waves of the coarse end and invents none beyond.
+                let length = self.length().si();
+                let intervals = (length / finest).ceil().min(MOST_REFINED * x.len() as f64);
+                let even = self.in_steps(length / intervals, intervals as usize)?;
+                self.warnings.push(Warning::RollLengthConverted {
+                    abscissa,
+                    base_radius,
+                    spacing: even.profile.spacing(),
+                });
+                even.profile
+            }
+            (Positions::Own { unevenness, .. }, None) if uneven == Uneven::Resample => {
+                let off = unevenness.off;
+                let even = self.in_steps(spacing.si(), self.heights.len() - 1)?;
+                self.warnings.push(Warning::Resampled {
+                    off,
+                    spacing,
+                    rms: even.rms,
+                    most: even.most,
+                });
+                even.profile
+            }
+            (Positions::Own { x, unevenness }, None) => {
+                let found = *unevenness;
+                if !found.is_slight() {
+                    self.check_gaps(x)?;
+                    return Err(self.too_uneven(found));
+                }
+                self.warnings.push(Warning::UnevenSpacing {
+                    off: found.off,
+                    slopes: found.slopes,
+                });
+                let heights = std::mem::take(&mut self.heights);
+                self.profile(spacing, heights)?
+            }
+        };
+        grid::enough(&self.name, profile.len())?;
+        Ok(self.with(profile))
+    }
+
+    /// The refusal of a trace that has to be even and is not.
+    fn too_uneven(&self, found: Unevenness) -> ReadError {
+        ReadError::UnevenSpacing {
+            file: self.name.clone(),
+            line: found.line,
+            x: found.x,
+            off: found.off,
+            spacing: self.spacing(),
+        }
+    }
+
+    fn impossible(&self, what: &'static str, value: f64) -> ReadError {
+        ReadError::Impossible {
+            file: self.name.clone(),
+            what,
+            value,
+            unit: LengthUnit::Metre,
+        }
+    }
+
+    fn profile(&self, spacing: Length, heights: Vec<f64>) -> Result<Profile, ReadError> {
+        Profile::new(spacing, heights).map_err(|error| self.impossible(error.name, error.value))
+    }
+
+    fn with(self, profile: Profile) -> Reading {
+        Reading {
+            name: self.name,
             format: self.format,
             encoding: self.encoding,
             table: self.table,
-            x_unit: stated.is_none().then_some(x_unit),
-            z_unit,
+            x_unit: self.x_unit,
+            z_unit: self.z_unit,
             spacing: profile.spacing(),
-            spacing_source,
+            spacing_source: self.spacing_source,
             length: profile.length(),
             filter_state: self.filter_state,
             points: profile.len(),
-            gaps_filled,
+            gaps_filled: self.gaps_filled,
             metadata: self.metadata,
-            warnings,
+            warnings: self.warnings,
             profile,
         }
-        .checked(self.scaled))
+        .checked(self.scaled)
     }
-}
-
-/// The warning that a stated unit differs from the one that the file states.
-pub(super) fn unit_overridden(
-    axis: Axis,
-    stated: LengthUnit,
-    found: LengthUnit,
-) -> Option<Warning> {
-    (stated != found).then_some(Warning::UnitOverridden {
-        axis,
-        stated,
-        found,
-    })
-}
-
-/// The warning that a stated spacing differs from the one in the file.
-pub(super) fn overridden(stated: Length, column: Length) -> Option<Warning> {
-    const DIFFERS: f64 = 0.01;
-    let differs = (column / stated - 1.0).abs() > DIFFERS;
-    differs.then_some(Warning::SpacingOverridden { stated, column })
-}
-
-/// Refuses spacings that no stylus or optical instrument has: a file in other units than it says.
-fn check_spacing(file: &str, spacing: Length) -> Result<(), ReadError> {
-    const FINEST: f64 = 1e-11;
-    const COARSEST: f64 = 1e-2;
-    if (FINEST..=COARSEST).contains(&spacing.si()) {
-        return Ok(());
-    }
-    Err(ReadError::Impossible {
-        file: file.to_owned(),
-        what: "the spacing",
-        value: spacing.si(),
-        unit: LengthUnit::Metre,
-    })
-}
-
-/// The profile of `heights` in `unit`.
-pub(super) fn profile(
-    file: &str,
-    mut heights: Vec<f64>,
-    spacing: Length,
-    unit: LengthUnit,
-) -> Result<Profile, ReadError> {
-    heights.iter_mut().for_each(|z| *z = unit.metres(*z));
-    Profile::new(spacing, heights).map_err(|error| ReadError::Impossible {
-        file: file.to_owned(),
-        what: error.name,
-        value: error.value,
-        unit: LengthUnit::Metre,
-    })
 }

@@ -2,24 +2,23 @@
 //!
 //! `main.xml` describes the axes (record 1), the measurement (record 2) and the matrix (record 3); the
 //! heights stand there as text or in a binary member. A height is value · increment + offset in metres.
-//! Profiles (`PRF`), single rows and all rows of surfaces (`SUR`) are read. Files lie in an extra folder or
-//! leave the namespace away; neither matters here. A checksum that differs is a warning, because
-//! writers disagree on what it covers.
+//! Profiles (`PRF`), even or with an x at each point, and even surfaces (`SUR`) are read. Files lie in an extra folder
+//! or leave the namespace away; neither matters here. A checksum that differs is a warning, because writers disagree
+//! on what it covers.
 
 use std::io::Read;
 use std::ops::Range;
-
-use md5::{Digest, Md5};
 
 use super::archive::{Archive, damaged};
 use super::areal::trace::{Areal, HeightUnit, Heights};
 use super::error::ReadError;
 use super::format::Format;
+use super::found::Found;
 use super::grid::SpacingSource;
+use super::hashed::Hashed;
 use super::metadata::{self, Metadata};
 use super::options::ReadOptions;
 use super::text::Stream;
-use super::trace::Trace;
 use super::xml::{Leaf, walk};
 use crate::warning::Warning;
 
@@ -63,6 +62,12 @@ struct Axis {
     offset: f64,
 }
 
+impl Axis {
+    fn metres(&self, value: f64) -> f64 {
+        value * self.increment.unwrap_or(1.0) + self.offset
+    }
+}
+
 /// Content of `main.xml`.
 #[derive(Debug, Default)]
 struct Main {
@@ -73,14 +78,26 @@ struct Main {
     point_data: Option<String>,
     point_checksum: Option<String>,
     mask: Option<String>,
-    /// Text data, of the row asked for only.
-    text: Vec<f64>,
+    /// Text data, of the row asked for only: heights, and places where points have their own.
+    text: Points,
     text_count: u64,
     broken_text: Option<String>,
     metadata: Metadata,
 }
 
+/// Heights \[m\], with the x \[m\] of each where it has one.
+#[derive(Debug, Default)]
+struct Points {
+    x: Option<Vec<f64>>,
+    z: Vec<f64>,
+}
+
 impl Main {
+    /// Whether the points of a profile have an x of their own.
+    fn has_own_x(&self) -> bool {
+        self.axes[0].absolute && self.feature == "PRF"
+    }
+
     fn points(&self) -> Option<u64> {
         self.size[0].or(self.list)
     }
@@ -92,7 +109,7 @@ impl Main {
 }
 
 /// Rows that are read.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 enum Wanted {
     /// This one, from 1, or the only one.
     Row(Option<usize>),
@@ -105,14 +122,15 @@ pub(super) fn read(
     stream: &mut dyn Stream,
     size: u64,
     options: &ReadOptions,
-) -> Result<Trace, ReadError> {
+) -> Result<Found, ReadError> {
     let found = matrix(file, stream, size, Wanted::Row(options.row))?;
     let [dx, _] = found.spacings();
-    Ok(Trace {
+    Ok(Found {
+        x: found.points.x,
         spacing: dx.map(|dx| (dx, SpacingSource::Header)),
         metadata: found.main.metadata,
         warnings: found.warnings,
-        ..Trace::new(FORMAT, found.heights)
+        ..Found::new(FORMAT, found.points.z)
     })
 }
 
@@ -122,7 +140,7 @@ pub(super) fn surface(file: &str, stream: &mut dyn Stream, size: u64) -> Result<
     let spacings = found.spacings();
     let heights = Heights::Values {
         columns: found.main.points().unwrap_or(0) as usize,
-        values: found.heights,
+        values: found.points.z,
     };
     Ok(Areal {
         spacings,
@@ -133,14 +151,14 @@ pub(super) fn surface(file: &str, stream: &mut dyn Stream, size: u64) -> Result<
     })
 }
 
-/// Heights \[m\] of the rows that were wanted.
-struct Found {
+/// Points of the rows that were wanted.
+struct Matrix {
     main: Main,
-    heights: Vec<f64>,
+    points: Points,
     warnings: Vec<Warning>,
 }
 
-impl Found {
+impl Matrix {
     /// Increments along x and y, where these have one that is positive.
     fn spacings(&self) -> [Option<f64>; 2] {
         [0, 1].map(|axis| {
@@ -156,7 +174,7 @@ fn matrix(
     stream: &mut dyn Stream,
     size: u64,
     wanted: Wanted,
-) -> Result<Found, ReadError> {
+) -> Result<Matrix, ReadError> {
     let mut archive = Archive::open(file, FORMAT, stream, size)?;
     let name = archive.find("main.xml");
     let name = name.ok_or_else(|| damaged(file, FORMAT, "it holds no main.xml", ""))?;
@@ -172,7 +190,7 @@ fn matrix(
     let mut warnings = Vec::new();
     main_checksum(&mut archive, &folder, &found, &mut warnings)?;
     let rows = chosen_rows(file, &main, wanted)?;
-    let heights = match main.point_data.clone() {
+    let points = match main.point_data.clone() {
         Some(link) => binary(
             file,
             &mut archive,
@@ -184,9 +202,9 @@ fn matrix(
         )?,
         None => text(file, &mut main, rows)?,
     };
-    Ok(Found {
+    Ok(Matrix {
         main,
-        heights,
+        points,
         warnings,
     })
 }
@@ -251,29 +269,41 @@ fn datum(main: &mut Main, text: &str, wanted: Wanted) {
     if !is_wanted {
         return;
     }
-    let last = text.rsplit(';').next().unwrap_or_default().trim();
-    let value = match last {
+    let last = text.rsplit(';').next().unwrap_or_default();
+    let z = coordinate(main, 2, last);
+    main.text.z.push(z);
+    if main.has_own_x() {
+        let first = text.split(';').next().unwrap_or_default();
+        let x = coordinate(main, 0, first);
+        if x.is_nan() {
+            main.broken_text.get_or_insert_with(|| text.to_owned());
+        }
+        main.text.x.get_or_insert_default().push(x);
+    }
+}
+
+/// A coordinate \[m\] of a point in text data; none where there is nothing.
+fn coordinate(main: &mut Main, axis: usize, text: &str) -> f64 {
+    let value = match text.trim() {
         "" => f64::NAN,
-        _ => match last.parse::<f64>() {
+        text => match text.parse::<f64>() {
             Ok(value) => value,
             Err(_) => {
-                main.broken_text.get_or_insert_with(|| last.to_owned());
+                main.broken_text.get_or_insert_with(|| text.to_owned());
                 f64::NAN
             }
         },
     };
-    let z = main.axes[2];
-    main.text
-        .push(value * z.increment.unwrap_or(1.0) + z.offset);
+    main.axes[axis].metres(value)
 }
 
 /// The rows to read, counted from 0.
 fn chosen_rows(file: &str, main: &Main, wanted: Wanted) -> Result<Range<u64>, ReadError> {
-    if main.axes[0].absolute {
+    if main.axes[0].absolute && !(main.has_own_x() && wanted != Wanted::FirstLayer) {
         return Err(ReadError::NotHeights {
             file: file.to_owned(),
             format: FORMAT,
-            content: "points with an x of their own, and only even spacing is read",
+            content: "points with an x of their own, and only profiles of such are read",
         });
     }
     let points = main.points();
@@ -297,21 +327,21 @@ fn chosen_rows(file: &str, main: &Main, wanted: Wanted) -> Result<Range<u64>, Re
     Ok(asked - 1..asked)
 }
 
-fn text(file: &str, main: &mut Main, rows: Range<u64>) -> Result<Vec<f64>, ReadError> {
+fn text(file: &str, main: &mut Main, rows: Range<u64>) -> Result<Points, ReadError> {
     if let Some(seen) = &main.broken_text {
         return Err(damaged(file, FORMAT, "a height is no number", seen));
     }
-    let heights = std::mem::take(&mut main.text);
+    let points = std::mem::take(&mut main.text);
     let stated = main
         .points()
         .unwrap_or(0)
         .saturating_mul(rows.end - rows.start);
-    if heights.len() as u64 != stated {
-        let seen = format!("{} of {stated}", heights.len());
+    if points.z.len() as u64 != stated {
+        let seen = format!("{} of {stated}", points.z.len());
         let what = "the number of heights is not that of the header";
         return Err(damaged(file, FORMAT, what, &seen));
     }
-    Ok(heights)
+    Ok(points)
 }
 
 /// Heights of `rows` from the binary member, with their mask and its checksum.
@@ -323,13 +353,13 @@ fn binary(
     main: &Main,
     rows: Range<u64>,
     warnings: &mut Vec<Warning>,
-) -> Result<Vec<f64>, ReadError> {
-    let z = main.axes[2];
+) -> Result<Points, ReadError> {
+    let [x, y, z] = main.axes;
     let width = main.points().unwrap_or(0);
     let points = width.saturating_mul(rows.end - rows.start);
-    // An absolute y stands before its z; an absolute x was refused.
-    let y = main.axes[1];
-    let skipped = if y.absolute { y.data.width() } else { 0 };
+    // An absolute x and y stand before their z.
+    let width_of = |axis: Axis| if axis.absolute { axis.data.width() } else { 0 };
+    let skipped = width_of(x) + width_of(y);
     let stride = skipped + z.data.width();
     let first = rows.start.checked_mul(width);
     let start = first.and_then(|n| n.checked_mul(stride as u64));
@@ -368,15 +398,22 @@ fn binary(
     }
     let first = first.unwrap_or(0);
     let mask = mask(file, archive, folder, main, first..first + points)?;
-    let increment = z.increment.unwrap_or(1.0);
     let heights = window.chunks_exact(stride).enumerate().map(|(i, point)| {
-        let valid = mask
-            .as_ref()
-            .is_none_or(|mask| mask.get(i).copied().unwrap_or(false));
+        let valid = mask.as_ref().is_none_or(|mask| mask.get(i) == Some(&true));
         let value = z.data.value(&point[skipped..]).filter(|_| valid);
-        value.map_or(f64::NAN, |value| value * increment + z.offset)
+        value.map_or(f64::NAN, |value| z.metres(value))
     });
-    Ok(heights.collect())
+    let heights = heights.collect();
+    let place = |point: &[u8]| Some(x.metres(x.data.value(point.get(..x.data.width())?)?));
+    let x = match x.absolute {
+        true => {
+            let places: Option<Vec<f64>> = window.chunks_exact(stride).map(place).collect();
+            let finite = places.filter(|places| places.iter().all(|x| x.is_finite()));
+            Some(finite.ok_or_else(|| damaged(file, FORMAT, "a point has no x", link))?)
+        }
+        false => None,
+    };
+    Ok(Points { x, z: heights })
 }
 
 /// Full name of a linked member: links are relative to `main.xml`, and some start with "./".
@@ -459,32 +496,4 @@ fn main_checksum(
         });
     }
     Ok(())
-}
-
-/// A reader that takes the MD5 of what passes through.
-struct Hashed<R> {
-    inner: R,
-    hash: Md5,
-}
-
-impl<R: Read> Hashed<R> {
-    fn new(inner: R) -> Self {
-        Self {
-            inner,
-            hash: Md5::new(),
-        }
-    }
-
-    fn finish(self) -> String {
-        let digest = self.hash.finalize();
-        digest.iter().map(|byte| format!("{byte:02x}")).collect()
-    }
-}
-
-impl<R: Read> Read for Hashed<R> {
-    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
-        let count = self.inner.read(buffer)?;
-        self.hash.update(&buffer[..count]);
-        Ok(count)
-    }
 }

@@ -2,14 +2,12 @@
 
 use std::fmt::Write as _;
 
-use asperity_core::Profile;
-
 use super::field::field;
+use super::places::Places;
 use crate::read::metadata::Metadata;
 
-/// x and height in metres under a header with the spacing.
-pub(super) fn write(profile: &Profile, metadata: &Metadata) -> Vec<u8> {
-    let dx = profile.spacing().si();
+/// x and height in metres, under a header with the spacing of even points.
+pub(super) fn write(places: Places<'_>, heights: &[f64], metadata: &Metadata) -> Vec<u8> {
     let mut text = String::new();
     let mut comment = |name: &str, value: &Option<String>| {
         if let Some(value) = value {
@@ -20,9 +18,16 @@ pub(super) fn write(profile: &Profile, metadata: &Metadata) -> Vec<u8> {
     comment("instrument", &metadata.instrument);
     comment("date", &metadata.date);
     // Writing into a string cannot fail.
-    let _ = writeln!(text, "# dx = {dx:e} m\nx_m,z_m");
-    for (i, z) in profile.heights().iter().enumerate() {
-        let _ = writeln!(text, "{:e},{z:e}", i as f64 * dx);
+    if let Places::Even(dx) = places {
+        let _ = writeln!(text, "# dx = {dx:e} m");
+    }
+    text += "x_m,z_m\n";
+    for (i, z) in heights.iter().enumerate() {
+        let x = match places {
+            Places::Even(dx) => i as f64 * dx,
+            Places::Own(x) => x[i],
+        };
+        let _ = writeln!(text, "{x:e},{z:e}");
     }
     text.into_bytes()
 }

@@ -10,4 +10,12 @@ pub enum WriteError {
         /// Action that failed.
         step: &'static str,
     },
+    /// The points are uneven, and the format is written for even ones alone.
+    #[error(
+        "the points are unevenly spaced, which an SMD file has no known place for; resample the trace, or write CSV or X3P"
+    )]
+    Uneven,
+    /// There is no point, or a height or the spacing is no number.
+    #[error("the trace has no points, or heights that are no numbers")]
+    NoProfile,
 }

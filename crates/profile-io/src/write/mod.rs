@@ -11,6 +11,7 @@
 mod csv;
 mod error;
 mod field;
+mod places;
 mod smd;
 mod x3p;
 
@@ -18,8 +19,10 @@ use asperity_core::Profile;
 use serde::{Deserialize, Serialize};
 
 pub use error::WriteError;
+use places::Places;
 
 use crate::read::metadata::Metadata;
+use crate::read::{Positions, Trace};
 
 /// A format that is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -75,9 +78,51 @@ pub fn write(
     metadata: &Metadata,
     format: WrittenFormat,
 ) -> Result<Vec<u8>, WriteError> {
+    let (places, heights) = (Places::Even(profile.spacing().si()), profile.heights());
     match format {
-        WrittenFormat::Csv => Ok(csv::write(profile, metadata)),
-        WrittenFormat::X3p => x3p::write(profile, metadata),
+        WrittenFormat::Csv => Ok(csv::write(places, heights, metadata)),
+        WrittenFormat::X3p => x3p::write(places, heights, metadata),
         WrittenFormat::Smd => Ok(smd::write(profile, metadata)),
+    }
+}
+
+/// The bytes of a file that holds `trace` as it stands: uneven points with the x of each.
+///
+/// # Errors
+/// As [`write()`], and when uneven points are to be written as SMD.
+///
+/// ```
+/// use asperity_profile_io::read::{ReadOptions, read_trace_bytes};
+/// use asperity_profile_io::write::{WrittenFormat, write_trace};
+/// let x = |i: u32| 0.5 * f64::from(i) + 0.2 * f64::from(i).sin();
+/// let row = |i: u32| format!("{:.4};{:.4}\n", x(i), (0.1 * x(i)).sin());
+/// let file = format!("x [um];z [um]\n{}", (0..200).map(row).collect::<String>());
+/// let options = ReadOptions::default();
+/// let trace = read_trace_bytes("a.csv", file.as_bytes(), &options)?;
+/// for (name, format) in [("a.csv", WrittenFormat::Csv), ("a.x3p", WrittenFormat::X3p)] {
+///     let again = read_trace_bytes(name, &write_trace(&trace, format)?, &options)?;
+///     assert_eq!((again.x(), &again.heights), (trace.x(), &trace.heights));
+/// }
+/// assert!(write_trace(&trace, WrittenFormat::Smd).is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write_trace(trace: &Trace, format: WrittenFormat) -> Result<Vec<u8>, WriteError> {
+    let (heights, metadata) = (&trace.heights, &trace.metadata);
+    match (&trace.positions, format) {
+        (Positions::Own { x, .. }, WrittenFormat::Csv) => {
+            Ok(csv::write(Places::Own(x), heights, metadata))
+        }
+        (Positions::Own { x, .. }, WrittenFormat::X3p) => {
+            x3p::write(Places::Own(x), heights, metadata)
+        }
+        (Positions::Own { .. }, WrittenFormat::Smd) => Err(WriteError::Uneven),
+        (Positions::Even { spacing }, _) => {
+            let profile = Profile::new(*spacing, heights.clone());
+            write(
+                &profile.map_err(|_| WriteError::NoProfile)?,
+                metadata,
+                format,
+            )
+        }
     }
 }

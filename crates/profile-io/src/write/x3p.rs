@@ -2,25 +2,31 @@
 
 use std::io::{Cursor, Write};
 
-use asperity_core::Profile;
 use md5::{Digest, Md5};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
 use super::error::WriteError;
 use super::field::field;
+use super::places::Places;
 use crate::read::metadata::Metadata;
 
 const DATA: &str = "bindata/data.bin";
 
-/// An archive with `main.xml`, its checksum and the heights as binary64 metres.
-pub(super) fn write(profile: &Profile, metadata: &Metadata) -> Result<Vec<u8>, WriteError> {
-    let data: Vec<u8> = profile
-        .heights()
-        .iter()
-        .flat_map(|z| z.to_le_bytes())
-        .collect();
-    let xml = main_xml(profile, metadata, &checksum(&data));
+/// An archive with `main.xml`, its checksum and the heights as binary64 metres, each behind its x where points have one.
+pub(super) fn write(
+    places: Places<'_>,
+    heights: &[f64],
+    metadata: &Metadata,
+) -> Result<Vec<u8>, WriteError> {
+    let data: Vec<u8> = match places {
+        Places::Even(_) => heights.iter().flat_map(|z| z.to_le_bytes()).collect(),
+        Places::Own(x) => {
+            let numbers = x.iter().zip(heights).flat_map(|(x, z)| [x, z]);
+            numbers.flat_map(|number| number.to_le_bytes()).collect()
+        }
+    };
+    let xml = main_xml(places, heights.len(), metadata, &checksum(&data));
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     // The oldest date of the format: the same profile gives the same bytes.
     let options = SimpleFileOptions::default();
@@ -47,7 +53,7 @@ fn checksum(bytes: &[u8]) -> String {
     digest.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-fn main_xml(profile: &Profile, metadata: &Metadata, data_checksum: &str) -> String {
+fn main_xml(places: Places<'_>, points: usize, metadata: &Metadata, data_checksum: &str) -> String {
     let text =
         |value: &Option<String>, otherwise: &str| field(value.as_deref().unwrap_or(otherwise));
     let axis = |name: &str, kind: &str, increment: f64| {
@@ -56,7 +62,11 @@ fn main_xml(profile: &Profile, metadata: &Metadata, data_checksum: &str) -> Stri
              <Increment>{increment:e}</Increment><Offset>0</Offset></{name}>"
         )
     };
-    let dx = profile.spacing().si();
+    // A profile has one row, so that any increment fits its CY.
+    let (kind, dx) = match places {
+        Places::Even(dx) => ("I", dx),
+        Places::Own(_) => ("A", 1.0),
+    };
     format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
          <p:ISO5436_2 xmlns:p=\"http://www.opengps.eu/2008/ISO5436_2\">\
@@ -68,12 +78,12 @@ fn main_xml(profile: &Profile, metadata: &Metadata, data_checksum: &str) -> Stri
          <DataLink><PointDataLink>{DATA}</PointDataLink>\
          <MD5ChecksumPointData>{data_checksum}</MD5ChecksumPointData></DataLink></Record3>\
          <Record4><ChecksumFile>md5checksum.hex</ChecksumFile></Record4></p:ISO5436_2>\n",
-        axis("CX", "I", dx),
+        axis("CX", kind, dx),
         axis("CY", "I", dx),
         axis("CZ", "A", 1.0),
         text(&metadata.date, ""),
         text(&metadata.instrument, ""),
         text(&metadata.title, ""),
-        profile.len(),
+        points,
     )
 }

@@ -178,7 +178,8 @@ fn a_column_is_read_along_y_with_its_own_spacing() {
 
 #[test]
 fn a_unit_stated_for_a_file_that_scales_its_heights_changes_nothing_and_is_told() {
-    for (name, bytes) in all() {
+    let text = ("text.sdf", crate::samples::sdf(1).into_bytes());
+    for (name, bytes) in all().into_iter().chain([text]) {
         let stated = ReadOptions {
             x_unit: "mm".parse().ok(),
             z_unit: "um".parse().ok(),

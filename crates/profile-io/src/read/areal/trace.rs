@@ -3,11 +3,11 @@
 use super::raw::Raw;
 use crate::read::error::ReadError;
 use crate::read::format::Format;
+use crate::read::found::{Found, unit_overridden};
 use crate::read::grid::SpacingSource;
 use crate::read::metadata::Metadata;
 use crate::read::options::{Axis, LengthUnit, ReadOptions, TraceLine};
 use crate::read::surface::Surface;
-use crate::read::trace::{Trace, unit_overridden};
 use crate::read::units;
 use crate::warning::Warning;
 
@@ -85,7 +85,7 @@ impl Areal {
     }
 
     /// The trace that `options` ask for.
-    pub(crate) fn trace(mut self, file: &str, options: &ReadOptions) -> Result<Trace, ReadError> {
+    pub(crate) fn trace(mut self, file: &str, options: &ReadOptions) -> Result<Found, ReadError> {
         let [columns, rows] = self.heights.size();
         let (across, points) = match options.line {
             TraceLine::Row | TraceLine::Mean => (rows, columns),
@@ -125,13 +125,13 @@ impl Areal {
             HeightUnit::Metres | HeightUnit::Scaled => LengthUnit::Metre,
             HeightUnit::Unstated => units::of_heights(file, self.format, &heights, options)?,
         };
-        Ok(Trace {
+        Ok(Found {
             spacing,
             z_unit,
             scaled: self.unit == HeightUnit::Scaled,
             metadata: self.metadata,
             warnings: self.warnings,
-            ..Trace::new(self.format, heights)
+            ..Found::new(self.format, heights)
         })
     }
 

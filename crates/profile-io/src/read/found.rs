@@ -1,0 +1,216 @@
+//! The common end of all instrument readers: overrides, gaps, checks, and the [`Trace`].
+
+use asperity_core::quantity::Length;
+
+use super::error::{ReadError, SpacingHint};
+use super::format::Format;
+use super::grid::{self, SpacingSource, Unevenness};
+use super::header::FilterState;
+use super::layout::TableLayout;
+use super::metadata::Metadata;
+use super::options::{Axis, Encoding, LengthUnit, ReadOptions};
+use super::trace::{Positions, Trace};
+use crate::warning::Warning;
+
+/// Findings of a reader of an instrument's format.
+pub(super) struct Found {
+    pub format: Format,
+    /// Heights in `z_unit`, NaN where there is none.
+    pub heights: Vec<f64>,
+    pub z_unit: LengthUnit,
+    /// Positions in `x_unit` where each point has its own; they win over `spacing`.
+    pub x: Option<Vec<f64>>,
+    /// Spacing in `x_unit` and how it was found.
+    pub spacing: Option<(f64, SpacingSource)>,
+    pub x_unit: LengthUnit,
+    /// Whether factors of the header made the lengths what they are, so that a stated unit fits none of them.
+    pub scaled: bool,
+    pub filter_state: FilterState,
+    pub metadata: Metadata,
+    pub warnings: Vec<Warning>,
+    pub encoding: Option<Encoding>,
+    pub table: Option<TableLayout>,
+    /// Line of the first height in the file; 1 where there are no lines.
+    pub first_line: usize,
+}
+
+impl Found {
+    /// Heights and spacing in metres, nothing else known.
+    pub(super) fn new(format: Format, heights: Vec<f64>) -> Self {
+        Self {
+            format,
+            heights,
+            z_unit: LengthUnit::Metre,
+            x: None,
+            spacing: None,
+            x_unit: LengthUnit::Metre,
+            scaled: false,
+            filter_state: FilterState::Unknown,
+            metadata: Metadata::default(),
+            warnings: Vec::new(),
+            encoding: None,
+            table: None,
+            first_line: 1,
+        }
+    }
+
+    /// The trace, with what the user states put over what the file says.
+    pub(super) fn finish(self, file: &str, options: &ReadOptions) -> Result<Trace, ReadError> {
+        grid::enough(file, self.heights.len())?;
+        let mut warnings = self.warnings;
+        let (stated, mut heights) = (options.dx, self.heights);
+        let first_line = self.first_line;
+        let count = heights.len();
+        let mut x = self.x.filter(|_| stated.is_none());
+        let column = match &mut x {
+            Some(x) => Some(grid::spacing(file, x, &mut |row| {
+                Ok((first_line + row, String::new()))
+            })?),
+            None => None,
+        };
+        let falls = column.as_ref().is_some_and(|column| column.falls);
+        if falls {
+            heights.reverse();
+            warnings.push(Warning::Reversed);
+        }
+        let found = match &column {
+            Some(column) => Some((column.mean, SpacingSource::XColumn)),
+            None => self.spacing,
+        };
+        let mut unit = |axis, stated: Option<LengthUnit>, found| match stated {
+            Some(stated) if self.scaled => {
+                warnings.push(Warning::UnitNotUsed { axis, stated });
+                found
+            }
+            Some(stated) => {
+                warnings.extend(unit_overridden(axis, stated, found));
+                stated
+            }
+            None => found,
+        };
+        let z_unit = unit(Axis::Height, options.z_unit, self.z_unit);
+        let x_unit = match (stated, found) {
+            (None, Some(_)) => unit(Axis::Trace, options.x_unit, self.x_unit),
+            _ => options.x_unit.unwrap_or(self.x_unit),
+        };
+        let (spacing, spacing_source) = match (stated, found) {
+            (Some(dx), column) => {
+                let column = column.map(|(dx, _)| Length::from_si(x_unit.metres(dx)));
+                warnings.extend(column.and_then(|column| overridden(dx, column)));
+                (dx, SpacingSource::Stated)
+            }
+            (None, Some((dx, source))) => (Length::from_si(x_unit.metres(dx)), source),
+            (None, None) => {
+                return Err(ReadError::NoSpacing {
+                    file: file.to_owned(),
+                    hint: SpacingHint::None,
+                });
+            }
+        };
+        check_spacing(file, spacing)?;
+        let unevenness = column.and_then(|column| column.unevenness);
+        let mut left_out = 0;
+        if let (Some(x), Some(_)) = (&mut x, unevenness) {
+            left_out = grid::leave_out(file, x, &mut heights, options.gaps, &mut warnings)?;
+        }
+        let mut place = |row: usize| {
+            let row = if falls { count - 1 - row } else { row };
+            Ok((first_line + row, "missing".to_owned()))
+        };
+        let (heights, filled) =
+            grid::heights(file, heights, options.gaps, &mut place, &mut warnings)?;
+        let positions = match (x, unevenness) {
+            (Some(x), Some(unevenness)) => own(metres(file, x, x_unit)?, unevenness),
+            _ => Positions::Even { spacing },
+        };
+        if self.filter_state == FilterState::Roughness {
+            warnings.push(Warning::AlreadyFiltered);
+        }
+        Ok(Trace {
+            name: file.to_owned(),
+            positions,
+            heights: metres(file, heights, z_unit)?,
+            format: self.format,
+            encoding: self.encoding,
+            table: self.table,
+            x_unit: stated.is_none().then_some(x_unit),
+            z_unit,
+            spacing_source,
+            filter_state: self.filter_state,
+            gaps_filled: filled + left_out,
+            metadata: self.metadata,
+            warnings,
+            scaled: self.scaled,
+            roll: None,
+        })
+    }
+}
+
+/// Positions \[m\] of their own; points that were left out make them more uneven than the whole column is.
+pub(super) fn own(x: Vec<f64>, unevenness: Unevenness) -> Positions {
+    let unevenness = match grid::unevenness(&x) {
+        Some((_, found)) => Unevenness {
+            off: found.off,
+            slopes: found.slopes,
+            lost_rows: found.lost_rows,
+            ..unevenness
+        },
+        None => unevenness,
+    };
+    Positions::Own { x, unevenness }
+}
+
+/// The warning that a stated unit differs from the one that the file states.
+pub(super) fn unit_overridden(
+    axis: Axis,
+    stated: LengthUnit,
+    found: LengthUnit,
+) -> Option<Warning> {
+    (stated != found).then_some(Warning::UnitOverridden {
+        axis,
+        stated,
+        found,
+    })
+}
+
+/// The warning that a stated spacing differs from the one in the file.
+pub(super) fn overridden(stated: Length, column: Length) -> Option<Warning> {
+    const DIFFERS: f64 = 0.01;
+    let differs = (column / stated - 1.0).abs() > DIFFERS;
+    differs.then_some(Warning::SpacingOverridden { stated, column })
+}
+
+/// Refuses spacings that no stylus or optical instrument has: a file in other units than it says.
+fn check_spacing(file: &str, spacing: Length) -> Result<(), ReadError> {
+    const FINEST: f64 = 1e-11;
+    const COARSEST: f64 = 1e-2;
+    if (FINEST..=COARSEST).contains(&spacing.si()) {
+        return Ok(());
+    }
+    Err(ReadError::Impossible {
+        file: file.to_owned(),
+        what: "the spacing",
+        value: spacing.si(),
+        unit: LengthUnit::Metre,
+    })
+}
+
+/// `values` of `unit` in metres.
+pub(super) fn metres(
+    file: &str,
+    mut values: Vec<f64>,
+    unit: LengthUnit,
+) -> Result<Vec<f64>, ReadError> {
+    values
+        .iter_mut()
+        .for_each(|value| *value = unit.metres(*value));
+    match values.iter().find(|value| !value.is_finite()) {
+        None => Ok(values),
+        Some(&value) => Err(ReadError::Impossible {
+            file: file.to_owned(),
+            what: "a position or height",
+            value,
+            unit: LengthUnit::Metre,
+        }),
+    }
+}

@@ -1,0 +1,33 @@
+//! The MD5 of what is read.
+
+use std::io::Read;
+
+use md5::{Digest, Md5};
+
+/// A reader that takes the MD5 of what passes through.
+pub(super) struct Hashed<R> {
+    inner: R,
+    hash: Md5,
+}
+
+impl<R: Read> Hashed<R> {
+    pub(super) fn new(inner: R) -> Self {
+        Self {
+            inner,
+            hash: Md5::new(),
+        }
+    }
+
+    pub(super) fn finish(self) -> String {
+        let digest = self.hash.finalize();
+        digest.iter().map(|byte| format!("{byte:02x}")).collect()
+    }
+}
+
+impl<R: Read> Read for Hashed<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        let count = self.inner.read(buffer)?;
+        self.hash.update(&buffer[..count]);
+        Ok(count)
+    }
+}
