@@ -246,6 +246,8 @@ quantities! {
     ThermalConductivity, "thermal conductivity", "W/(m K)": [spelt("W/(m K)", &["W/m/K"], Decimal(0), true)];
     /// A thermal conductance \[W/K\].
     ThermalConductance, "thermal conductance", "W/K": [shown("W/K", Decimal(0)), read("kW/K", Decimal(3))];
+    /// A volume of fluid per time \[m³/s\].
+    VolumeFlow, "volume flow", "m3/s": [spelt("l/min", &["L/min"], Factor(1e-3 / 60.0), true), read("m3/s", Decimal(0)), read("m3/h", Factor(1.0 / 3600.0))];
     /// A specific heat capacity \[J/(kg K)\].
     SpecificHeat, "specific heat capacity", "J/(kg K)": [spelt("J/(kg K)", &["J/kg/K"], Decimal(0), true), spelt("kJ/(kg K)", &["kJ/kg/K"], Decimal(3), false)];
     /// A relative change per kelvin \[1/K\].

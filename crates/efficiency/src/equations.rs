@@ -15,6 +15,24 @@ pub const ISO_TR_15144_1: Reference = Reference {
     text: "ISO/TR 15144-1:2014, Calculation of micropitting load capacity of cylindrical spur and helical gears - Part 1: Introduction and basic principles (from memory, text not reached)",
 };
 
+/// Friction of shaft seals.
+pub const ISO_TR_14179_2: Reference = Reference {
+    key: "iso_tr_14179_2_2001",
+    text: "ISO/TR 14179-2:2001, Gears - Thermal capacity - Part 2: Thermal load-carrying capacity (as quoted in open programs, text not reached)",
+};
+
+/// Friction of rolling bearings.
+pub const SKF_2012: Reference = Reference {
+    key: "skf_2012",
+    text: "SKF, Rolling bearings, catalogue (2012), The SKF model for calculating the frictional moment (load variables and sliding friction read there, the two reduction factors as in independent programs)",
+};
+
+/// Momentum of an oil jet.
+pub const ARIURA_1973: Reference = Reference {
+    key: "ariura_1973",
+    text: "Y. Ariura, T. Ueno, T. Sunaga and S. Sunamoto, The lubricant churning loss in spur gear systems, Bulletin of the JSME 16 (1973) 881-892 (as quoted in later papers, text not reached)",
+};
+
 /// Plastic work and shakedown.
 pub const JOHNSON_1985: Reference = asperity_core::material::JOHNSON_1985;
 
@@ -201,6 +219,78 @@ pub const EQUATIONS: &[Equation] = &[
         formula: "ϑ ← (ϑ + g(ϑ))/2 until |g(ϑ) − ϑ| < 0.01 K",
         file: "crates/efficiency/src/bulk_temperature.rs",
         test: "the_fixed_point_of_a_loss_that_falls_with_temperature_is_met",
+        references: &[],
+        misprint: None,
+    },
+    Equation {
+        tag: "Seal-1",
+        title: "Friction of a shaft seal",
+        formula: "P = 7.69e-6 d² n, d in mm, n in 1/min",
+        file: "crates/efficiency/src/shaft_seal.rs",
+        test: "a_seal_loses_what_was_computed_by_hand",
+        references: &[ISO_TR_14179_2],
+        misprint: None,
+    },
+    Equation {
+        tag: "Jet-1",
+        title: "Power that turns an oil jet",
+        formula: "P = ρ Q v_t (v_t + v_j)",
+        file: "crates/efficiency/src/oil_jet.rs",
+        test: "a_jet_takes_what_was_computed_by_hand",
+        references: &[ARIURA_1973],
+        misprint: None,
+    },
+    Equation {
+        tag: "Bearing-1",
+        title: "Friction torque of a rolling bearing",
+        formula: "M = φ_ish φ_rs G_rr (ν n)^0.6 + G_sl μ_sl",
+        file: "crates/efficiency/src/rolling_bearing.rs",
+        test: "torques_of_a_deep_groove_ball_bearing_are_those_of_an_independent_computation",
+        references: &[SKF_2012],
+        misprint: None,
+    },
+    Equation {
+        tag: "Bearing-2",
+        title: "Inlet shear heating of a rolling bearing",
+        formula: "φ_ish = 1/(1 + 1.84e-9 (n d_m)^1.28 ν^0.64)",
+        file: "crates/efficiency/src/rolling_bearing.rs",
+        test: "torques_of_a_deep_groove_ball_bearing_are_those_of_an_independent_computation",
+        references: &[SKF_2012],
+        misprint: None,
+    },
+    Equation {
+        tag: "Bearing-3",
+        title: "Starved replenishment of a rolling bearing",
+        formula: "φ_rs = exp(−K_rs ν n (d + D) √(K_z/(2 (D − d))))",
+        file: "crates/efficiency/src/rolling_bearing.rs",
+        test: "a_bearing_in_a_bath_is_replenished",
+        references: &[SKF_2012],
+        misprint: None,
+    },
+    Equation {
+        tag: "Bearing-4",
+        title: "Sliding coefficient of a rolling bearing",
+        formula: "μ_sl = φ_bl μ_bl + (1 − φ_bl) μ_EHL, φ_bl = exp(−2.6e-8 (n ν)^1.4 d_m)",
+        file: "crates/efficiency/src/rolling_bearing.rs",
+        test: "sliding_goes_from_broken_to_whole_film",
+        references: &[SKF_2012],
+        misprint: None,
+    },
+    Equation {
+        tag: "Bearing-5",
+        title: "Variables of geometry and load of a rolling bearing",
+        formula: "balls: G_rr = R₁ d_m^1.96 (F_r + R₂ F_a/sin α_F)^0.54, G_sl = S₁ d_m^−0.145 (F_r⁵ + S₂ d_m^1.5 F_a⁴/sin α_F)^(1/3), α_F = 24.6° (F_a/C₀)^0.24; F_a = 0: G_sl = S₁ d_m^−0.26 F_r^(5/3); cylinders: R₁ d_m^2.41 F_r^0.31, S₁ d_m^0.9 F_a + S₂ d_m F_r; tapers: R₁ d_m^2.38 (F_r + R₂ Y F_a)^0.31, S₁ d_m^0.82 (F_r + S₂ Y F_a)",
+        file: "crates/efficiency/src/rolling_bearing.rs",
+        test: "roller_bearings_follow_their_exponents",
+        references: &[SKF_2012],
+        misprint: None,
+    },
+    Equation {
+        tag: "Loss-table",
+        title: "Loss torque from a table",
+        formula: "M = Σ_k Π_i w_ik M_k over the corners k of the cell, w_i = (1 − a_i, a_i) along axis i",
+        file: "crates/efficiency/src/loss_table.rs",
+        test: "a_linear_table_is_met_at_its_nodes_and_between_them",
         references: &[],
         misprint: None,
     },

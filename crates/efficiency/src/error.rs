@@ -52,4 +52,34 @@ pub enum EfficiencyError {
         /// Steps taken.
         steps: usize,
     },
+    /// Rows of a table of losses that do not form a grid.
+    #[error("{rows} rows are no grid of {torques} torques and {speeds} speeds")]
+    NoGrid {
+        /// Rows, at one temperature where there are several.
+        rows: usize,
+        /// Different torques among them.
+        torques: usize,
+        /// Different speeds among them.
+        speeds: usize,
+    },
+    /// A row of a table of losses with a number that cannot be.
+    #[error("{rule}, and is {value} in a row")]
+    TableRow {
+        /// Rule.
+        rule: &'static str,
+        /// The value; the speed of the row where it is about its place.
+        value: f64,
+    },
+    /// A table of losses does not reach the operating point.
+    #[error(
+        "the table has no loss at {torque_nm} N m, {speed_rpm} 1/min, {temperature_c} °C; nothing is extrapolated"
+    )]
+    NotInTable {
+        /// Torque \[N m\].
+        torque_nm: f64,
+        /// Speed \[1/min\].
+        speed_rpm: f64,
+        /// Temperature \[°C\].
+        temperature_c: f64,
+    },
 }

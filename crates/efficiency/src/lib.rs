@@ -1,4 +1,4 @@
-//! Power losses of a gear mesh, their breakdown, and its efficiency.
+//! Power losses of a gear mesh, their breakdown, its efficiency, and losses of the gearbox around it.
 //!
 //! The crate needs no gear geometry: it takes forces per metre of contact line and speeds at weighted
 //! places of a mesh cycle, and makes powers, energies per engagement and an efficiency of them.
@@ -34,9 +34,13 @@ pub mod bulk_temperature;
 pub mod deformation;
 pub mod equations;
 pub mod error;
+pub mod loss_table;
 pub mod mesh_loss;
+pub mod oil_jet;
 pub mod output_torque;
 pub mod plausibility;
+pub mod rolling_bearing;
+pub mod shaft_seal;
 pub mod swept;
 
 pub use breakdown::{Breakdown, LossComponent, LossKind, MeshEfficiency, mesh_efficiency};

@@ -20,6 +20,18 @@ pub const GRUBIN_1949: Reference = Reference {
     text: "A. N. Grubin, I. E. Vinogradova, Investigation of the contact of machine components, TsNIITMASh Book 30, Moscow, 1949 (DSIR translation 337)",
 };
 
+/// The micropitting rating.
+pub const ISO_TS_6336_22: Reference = Reference {
+    key: "iso_ts_6336_22_2018",
+    text: "ISO/TS 6336-22:2018, Calculation of load capacity of spur and helical gears - Part 22: Calculation of micropitting load capacity (scope read in its abstract; parameters and flash temperature from memory, text not reached)",
+};
+
+/// A paper that quotes film and specific film of the micropitting rating.
+pub const JBILY_2024: Reference = Reference {
+    key: "jbily_2024",
+    text: "D. Jbily et al., Procedia Structural Integrity 57 (2024) 199-216, eqs 8 to 10",
+};
+
 /// The form with four asymptotes.
 pub const MOES_2000: Reference = Reference {
     key: "moes_2000",
@@ -299,5 +311,29 @@ pub const EQUATIONS: &[Equation] = &[
         SHARES,
         "johnson_greenwood_poon_is_the_inverse_of_the_supply",
         &[JOHNSON_GREENWOOD_POON_1972],
+    ),
+    Equation::new(
+        "Micropitting-1",
+        "Film of the micropitting rating",
+        "h = 1600 ρ_n G_M^0.6 U^0.7 W^−0.13 S^0.22 µm; G_M = 1e6 α_M E_r, U = η_M v_Σ/(2000 E_r ρ_n), W = 2π p²/E_r², S = α_B η_B/(α_M η_M); mm, N, m/s",
+        "crates/ehl-regime/src/micropitting.rs",
+        "films_of_the_rating_are_those_of_an_independent_computation",
+        &[ISO_TS_6336_22, JBILY_2024],
+    ),
+    Equation::new(
+        "Micropitting-2",
+        "Flash temperature of the micropitting rating",
+        "ϑ_fl = (√π/2) 1e6 µ p |v₁ − v₂|/(B₁ √v₁ + B₂ √v₂) √(8 ρ_n p/(1000 E_r))",
+        "crates/ehl-regime/src/micropitting.rs",
+        "flash_of_the_rating_is_that_of_an_independent_computation",
+        &[ISO_TS_6336_22],
+    ),
+    Equation::new(
+        "Micropitting-3",
+        "Specific film thickness of the micropitting rating",
+        "λ_GF = h/((Ra₁ + Ra₂)/2)",
+        "crates/ehl-regime/src/micropitting.rs",
+        "films_of_the_rating_are_those_of_an_independent_computation",
+        &[ISO_TS_6336_22, JBILY_2024],
     ),
 ];

@@ -32,6 +32,7 @@ pub mod film_line;
 pub mod film_thickness_law;
 pub mod inlet_flow;
 pub mod lambda_star;
+pub mod micropitting;
 pub mod published_shares;
 pub mod regime;
 pub mod thermal_reduction;

@@ -59,6 +59,18 @@ pub struct PathOfContact {
 }
 
 impl PathOfContact {
+    /// The points A to E with their letters. B and D lie beyond the ends of a path with less than one pair in contact.
+    #[must_use]
+    pub fn named_points(&self) -> [(&'static str, Length); 5] {
+        [
+            ("A", self.a),
+            ("B", self.b),
+            ("C", self.c),
+            ("D", self.d),
+            ("E", self.e),
+        ]
+    }
+
     /// T₁T₂ = (r_b1 + r_b2)·tan α_wt, A = T₁T₂ − sgn(z₂)·√(r_a2² − r_b2²), E = √(r_a1² − r_b1²),
     /// C = r_b1·tan α_wt, B = E − p_et, D = A + p_et                           [Path-1]
     ///

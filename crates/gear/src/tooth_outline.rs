@@ -115,12 +115,36 @@ impl Flank {
     }
 }
 
+/// The rounded edge of a rack that cuts a gear, in the normal section \[m\].
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct RackEdge {
+    /// h, depth of the middle of the rounding below the reference circle.
+    pub(crate) depth: f64,
+    /// ρ
+    pub(crate) rounding: f64,
+    /// E, distance of the middle of the rounding from that of the tooth of the rack.
+    pub(crate) edge: f64,
+}
+
+impl RackEdge {
+    /// h = (h_fP* − ρ_fP* − x) m, E = π m/4 − h_fP* m tan αₙ − (1 − sin αₙ) ρ/cos αₙ, as part of Tooth-2
+    pub(crate) fn new(root: RootForm, shift: f64, module: f64, pressure_angle: f64) -> Self {
+        let (m, a) = (module, pressure_angle);
+        let rounding = root.fillet_radius * m;
+        Self {
+            depth: (root.dedendum - root.fillet_radius - shift) * m,
+            rounding,
+            edge: std::f64::consts::FRAC_PI_4 * m
+                - root.dedendum * m * a.tan()
+                - (1.0 - a.sin()) * rounding / a.cos(),
+        }
+    }
+}
+
 /// Envelope of the rounded edge of a rack: P(t) for t from 0 at the root circle to cot αₙ.
 #[derive(Debug, Clone, Copy)]
 struct Fillet {
-    depth: f64,
-    rounding: f64,
-    edge: f64,
+    rack: RackEdge,
     radius: f64,
     pitch_half_angle: f64,
 }
@@ -130,14 +154,8 @@ impl Fillet {
     /// h = (h_fP* − ρ_fP* − x) m, E = π m/4 − h_fP* m tan αₙ − (1 − sin αₙ) ρ/cos αₙ   [Tooth-2]
     fn new(flank: &Flank, root: RootForm) -> Self {
         cite!("Tooth-2");
-        let (m, a) = (flank.module, flank.pressure_angle);
-        let rounding = root.fillet_radius * m;
         Self {
-            depth: (root.dedendum - root.fillet_radius - flank.shift) * m,
-            rounding,
-            edge: std::f64::consts::FRAC_PI_4 * m
-                - root.dedendum * m * a.tan()
-                - (1.0 - a.sin()) * rounding / a.cos(),
+            rack: RackEdge::new(root, flank.shift, flank.module, flank.pressure_angle),
             radius: flank.reference_radius,
             pitch_half_angle: std::f64::consts::PI / flank.teeth,
         }
@@ -146,12 +164,12 @@ impl Fillet {
     /// Radius and half angle γ of the tooth at t, and their derivatives.
     fn polar(&self, t: f64) -> [f64; 4] {
         let root = (1.0 + t * t).sqrt();
-        let (h, k) = (self.depth, self.rounding / root);
+        let (h, k) = (self.rack.depth, self.rack.rounding / root);
         let (px, py) = (h * t + k * t, self.radius - h - k);
-        let dk = self.rounding / (root * root * root);
+        let dk = self.rack.rounding / (root * root * root);
         let (dx, dy) = (h + dk, dk * t);
         let radius = px.hypot(py);
-        let space = px.atan2(py) - (h * t - self.edge) / self.radius;
+        let space = px.atan2(py) - (h * t - self.rack.edge) / self.radius;
         let turn = (py * dx - px * dy) / (radius * radius) - h / self.radius;
         [
             radius,
@@ -203,13 +221,13 @@ impl Outline {
         }
         let fillet = Fillet::new(&flank, root);
         let refuse = |reason| Err(GearError::RootForm { gear, reason });
-        if fillet.edge < 0.0 {
+        if fillet.rack.edge < 0.0 {
             return refuse("the rack is pointed above its rounding");
         }
         let end = 1.0 / flank.pressure_angle.tan();
         let sin = flank.pressure_angle.sin();
         let flank_start =
-            flank.reference_radius * sin - (fillet.depth + fillet.rounding * sin) / sin;
+            flank.reference_radius * sin - (fillet.rack.depth + fillet.rack.rounding * sin) / sin;
         let undercut = flank_start < 0.0;
         let (fillet_end, involute_start) = if undercut {
             match crossing(&fillet, &flank, end) {

@@ -15,10 +15,11 @@
 
 use asperity_core::cite;
 use asperity_core::numerics::find_root;
+use asperity_core::quantity::Length;
 
 use crate::error::Gear;
 use crate::pair::GearPair;
-use crate::tooth_outline::RootForm;
+use crate::tooth_outline::{RackEdge, RootForm};
 
 /// Points on a fillet and on an involute.
 const POINTS: usize = 24;
@@ -65,9 +66,7 @@ impl Involute {
 /// Envelope of the rounded edge of a rack in the transverse section.
 #[derive(Debug, Clone, Copy)]
 struct Fillet {
-    depth: f64,
-    rounding: f64,
-    edge: f64,
+    rack: RackEdge,
     radius: f64,
     teeth: f64,
     /// cos β.
@@ -81,12 +80,12 @@ impl Fillet {
     /// Radius of the point and γ there.
     fn point(&self, t: f64) -> [f64; 2] {
         cite!("Tooth-4");
-        let k = self.rounding / (1.0 + t * t).sqrt();
+        let k = self.rack.rounding / (1.0 + t * t).sqrt();
         let (x, y) = (
-            (self.depth + k) * t * self.lean,
-            self.radius - self.depth - k,
+            (self.rack.depth + k) * t * self.lean,
+            self.radius - self.rack.depth - k,
         );
-        let turn = (x - (self.edge + k * t) / self.lean) / self.radius;
+        let turn = (x - (self.rack.edge + k * t) / self.lean) / self.radius;
         let space = x.atan2(y) - turn;
         [x.hypot(y), std::f64::consts::PI / self.teeth - space]
     }
@@ -133,15 +132,9 @@ impl GearPair {
         let tip = self.tip_radius[index].si().abs();
         let radius = self.reference_radius[index].si().abs();
         let module = self.normal_module.si();
-        let depth = module * (root.dedendum - shift);
-        let root_radius = radius - sign * depth;
+        let root_radius = radius - sign * module * (root.dedendum - shift);
         let fillet = Fillet {
-            depth: depth - module * root.fillet_radius,
-            rounding: module * root.fillet_radius,
-            edge: module
-                * (std::f64::consts::FRAC_PI_4
-                    - root.dedendum * normal.tan()
-                    - (1.0 - normal.sin()) * root.fillet_radius / normal.cos()),
+            rack: RackEdge::new(root, shift, module, normal),
             radius,
             teeth,
             lean: self.helix.si().cos(),
@@ -177,13 +170,44 @@ impl GearPair {
             involute,
         }
     }
+
+    /// How far contact reaches below the involute of `gear`, as a roll length: the tip of the mating gear then meets the
+    /// fillet that the tool has left, which no law of the load computes. None where the involute begins below all contact
+    /// (to a hundredth of a module), of a ring, and where the profile shifts or the root are not known.
+    ///
+    /// ```
+    /// use asperity_gear::{Gear, GearPair, GearPairInput, RootForm};
+    /// let [module, width] = ["2 mm".parse()?, "20 mm".parse()?];
+    /// let standard = GearPairInput::standard([20, 40], module, "0 deg".parse()?, width);
+    /// let pair = |addendum| GearPair::new(&GearPairInput { addendum, ..standard });
+    /// let root = RootForm::default();
+    /// assert_eq!(pair(1.0)?.contact_below_involute(Gear::Pinion, root), None);
+    /// assert!(pair(1.2)?.contact_below_involute(Gear::Pinion, root).is_some());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn contact_below_involute(&self, gear: Gear, root: RootForm) -> Option<Length> {
+        /// Modules that are neglected.
+        const NEGLECTED: f64 = 0.01;
+        self.profile_shift?;
+        let is_ring = self.internal && gear == Gear::Wheel;
+        let tooth = self.transverse_tooth(gear, root);
+        let lowest = match gear {
+            Gear::Pinion => self.path.a.si(),
+            Gear::Wheel => self.path.t1t2.si() - self.path.e.si(),
+        };
+        let below = tooth.involute_start - lowest;
+        let is_known = tooth.is_root_cut && !is_ring;
+        (is_known && below > NEGLECTED * self.normal_module.si()).then(|| Length::from_si(below))
+    }
 }
 
 /// Points of the fillet, and the roll length at which the involute takes over; none where the rack is pointed above
 /// its rounding, cuts the teeth off at their roots, or does not reach the involute.
 fn cut_root(fillet: &Fillet, involute: &Involute, end: f64) -> Option<(Vec<[f64; 2]>, f64)> {
     let foot = fillet.point(0.0);
-    if fillet.edge < 0.0 || fillet.depth + fillet.rounding >= fillet.radius || foot[1] <= 0.0 {
+    let rack = fillet.rack;
+    if rack.edge < 0.0 || rack.depth + rack.rounding >= fillet.radius || foot[1] <= 0.0 {
         return None;
     }
     // Positive where the fillet is wider than the involute.
@@ -194,8 +218,7 @@ fn cut_root(fillet: &Fillet, involute: &Involute, end: f64) -> Option<(Vec<[f64;
     let last = fillet.point(end);
     // The straight part of the rack makes the involute from here on, unless it has been cut away.
     let sin = end.recip() / (fillet.lean.powi(2) + end.recip().powi(2)).sqrt();
-    let start =
-        fillet.radius * sin - (fillet.depth + fillet.rounding / (1.0 + end * end).sqrt()) / sin;
+    let start = fillet.radius * sin - (rack.depth + rack.rounding / (1.0 + end * end).sqrt()) / sin;
     let (stop, start) = if start >= 0.0 {
         (end, involute.roll_at(last[0]))
     } else {
@@ -283,6 +306,25 @@ mod tests {
         };
         let tooth = pair([20, 40], "0 deg").transverse_tooth(Gear::Pinion, root);
         assert!(!tooth.is_root_cut && tooth.outline.iter().flatten().all(|v| v.is_finite()));
+    }
+
+    #[test]
+    fn the_tip_of_a_ring_with_full_addendum_meets_the_fillet_of_its_pinion() {
+        let full = GearPairInput::standard(
+            [24, 75],
+            "1.5 mm".parse().unwrap(),
+            "0 deg".parse().unwrap(),
+            "20 mm".parse().unwrap(),
+        );
+        let ring = |addendum| GearPair::internal(&GearPairInput { addendum, ..full }).unwrap();
+        let root = RootForm::default();
+        // Contact begins at 1.19 mm, the involute of the pinion at 1.77 mm.
+        let below = ring(1.0)
+            .contact_below_involute(Gear::Pinion, root)
+            .unwrap();
+        assert!((below.si() - 0.58e-3).abs() < 0.01e-3, "{below:?}");
+        assert_eq!(ring(1.0).contact_below_involute(Gear::Wheel, root), None);
+        assert_eq!(ring(0.85).contact_below_involute(Gear::Pinion, root), None);
     }
 
     #[test]

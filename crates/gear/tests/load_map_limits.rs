@@ -982,3 +982,41 @@ fn every_law_is_tried_and_the_refused_ones_say_why() {
         }
     }
 }
+
+#[test]
+fn zones_of_the_face_share_each_cell() {
+    for case in golden().cases() {
+        let found = case.elastic(&unmodified());
+        let width = case.pair().face_width;
+        let edges = [width * 0.25, width * 0.6];
+        let whole = found.cells(16).unwrap();
+        let zones = found.cells_in_zones(16, &edges).unwrap();
+        assert_eq!(found.cells_in_zones(16, &[]).unwrap(), whole);
+        for cell in &whole {
+            let parts: Vec<_> = zones.iter().filter(|part| part.from == cell.from).collect();
+            let sum = |of: fn(&asperity_gear::LoadCell) -> f64| -> f64 {
+                parts.iter().map(|part| of(part)).sum()
+            };
+            close(sum(|part| part.loss_factor), cell.loss_factor, 1e-12);
+            close(sum(|part| part.force.si()), cell.force.si(), 1e-12);
+            let length = cell.contact_length.si();
+            close(sum(|part| part.contact_length.si()), length, 1e-12);
+        }
+        // A zone holds its share of the face; the points of a map lie 1/64 of the face apart.
+        let in_zone = |zone: usize| -> f64 {
+            let parts = zones.iter().filter(|part| part.zone == zone);
+            parts.map(|part| part.contact_length.si()).sum()
+        };
+        let total: f64 = whole.iter().map(|cell| cell.contact_length.si()).sum();
+        for (zone, share) in [0.25, 0.35, 0.4].into_iter().enumerate() {
+            assert!(
+                (in_zone(zone) / total - share).abs() < 0.02,
+                "{} {zone}",
+                case.name
+            );
+        }
+        for wrong in [vec![width], vec![mm(0.0)], vec![width * 0.6, width * 0.25]] {
+            assert!(found.cells_in_zones(16, &wrong).is_err(), "{wrong:?}");
+        }
+    }
+}

@@ -10,8 +10,8 @@
 //! friction is constant. For μ ~ f^0.2 V_s^−0.1 the loss errs by 1.5e-3 with K = 16, by 3.8e-3 at a
 //! tenth of the torque with relief; the arithmetic mean of f would be two to three times worse.
 
-use asperity_core::cite;
 use asperity_core::quantity::{Force, Length, LineLoad};
+use asperity_core::{DomainError, cite};
 use serde::Serialize;
 
 use super::map::{LoadMap, LoadSample, Model, NARROW_OVERLAP};
@@ -51,6 +51,8 @@ pub struct LoadCell {
     pub contact_length: Length,
     /// Normal force carried on average.
     pub force: Force,
+    /// Zone of the face that it is of; 0 where the face is not divided.
+    pub zone: usize,
 }
 
 #[derive(Debug, Clone, Copy, Default)]
@@ -64,8 +66,9 @@ struct Sums {
 }
 
 impl Sums {
-    fn add(&mut self, sample: &LoadSample, power: f64) {
-        let (load, weight) = (sample.load.si(), sample.weight.si());
+    /// Adds so large a share of a sample.
+    fn add(&mut self, sample: &LoadSample, power: f64, share: f64) {
+        let (load, weight, power) = (sample.load.si(), share * sample.weight.si(), share * power);
         if load <= 0.0 {
             return;
         }
@@ -79,6 +82,49 @@ impl Sums {
     }
 }
 
+/// Zones of the face.
+struct Zones<'a> {
+    edges: &'a [Length],
+    width: Length,
+    /// Whether every point of the map stands for the whole face.
+    is_single_row: bool,
+}
+
+impl<'a> Zones<'a> {
+    fn new(edges: &'a [Length], width: Length, is_single_row: bool) -> Result<Self, GearError> {
+        let rule = "must lie within the face and rise";
+        let mut before = 0.0;
+        for edge in edges {
+            let y = edge.si();
+            let is_between = before < y && y < width.si();
+            DomainError::require(is_between, "edge of a zone of the face", y, "m", rule)?;
+            before = y;
+        }
+        Ok(Self {
+            edges,
+            width,
+            is_single_row,
+        })
+    }
+
+    fn count(&self) -> usize {
+        self.edges.len() + 1
+    }
+
+    /// Zones that a point at `y` stands for, each with its share of it.
+    fn shares(&self, y: Length) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let own = self.edges.partition_point(|edge| *edge <= y);
+        (0..self.count()).filter_map(move |zone| match self.is_single_row {
+            false => (zone == own).then_some((zone, 1.0)),
+            true => {
+                let from = zone.checked_sub(1).and_then(|below| self.edges.get(below));
+                let to = self.edges.get(zone).copied().unwrap_or(self.width);
+                Some((zone, (to - from.copied().unwrap_or_default()) / self.width))
+            }
+        })
+    }
+}
+
 impl LoadMap {
     /// ξ̄ = ∫ ξ dP/∫ dP, ln f̄ = ∫ ln f dP/∫ dP over each of K cells, dP = f |V_s| dl   [Cell-1]
     ///
@@ -89,7 +135,24 @@ impl LoadMap {
     /// # Errors
     /// When `count` is less than the number of segments of the path, or absurdly large.
     pub fn cells(&self, count: usize) -> Result<Vec<LoadCell>, GearError> {
+        self.cells_in_zones(count, &[])
+    }
+
+    /// The same for each zone of the face on its own, zone by zone within a cell: `edges` are the places y between
+    /// them, rising and within the face.
+    ///
+    /// A point of the map belongs to the zone of its place; where one point stands for the whole face of a spur pair,
+    /// each zone has its share of that.
+    ///
+    /// # Errors
+    /// As [`cells`](Self::cells), and when an edge is not on the face or they do not rise.
+    pub fn cells_in_zones(
+        &self,
+        count: usize,
+        edges: &[Length],
+    ) -> Result<Vec<LoadCell>, GearError> {
         cite!("Cell-1");
+        let zones = Zones::new(edges, self.pair.face_width, self.is_single_row())?;
         let breaks = self.cell_breaks();
         let least = breaks.len() - 1;
         if !(least..=MOST_CELLS).contains(&count) {
@@ -100,17 +163,22 @@ impl LoadMap {
             });
         }
         let edges = self.cell_edges(count, &breaks);
-        let mut sums = vec![Sums::default(); edges.len() - 1];
+        let each = zones.count();
+        let mut sums = vec![Sums::default(); (edges.len() - 1) * each];
         for sample in &self.samples {
             let above = edges.partition_point(|edge| *edge <= sample.xi);
-            let cell = above.clamp(1, sums.len()) - 1;
-            sums[cell].add(sample, self.sliding_weight(sample));
+            let cell = above.clamp(1, edges.len() - 1) - 1;
+            let power = self.sliding_weight(sample);
+            for (zone, share) in zones.shares(sample.y) {
+                sums[cell * each + zone].add(sample, power, share);
+            }
         }
         let total = self.loss_factor * self.torque;
-        let cells = sums.iter().zip(edges.windows(2));
+        let cells = sums.iter().enumerate();
+        let cells = cells.map(|(k, sums)| (k % each, sums, &edges[k / each..]));
         Ok(cells
-            .filter(|(sums, _)| sums.power > 0.0)
-            .map(|(sums, ends)| {
+            .filter(|(_, sums, _)| sums.power > 0.0)
+            .map(|(zone, sums, ends)| {
                 let (xi, log) = (sums.xi / sums.power, sums.log / sums.power);
                 let variance = sums.log_squared / sums.power - log * log;
                 LoadCell {
@@ -124,9 +192,18 @@ impl LoadMap {
                     sliding_share: sums.power / total,
                     contact_length: Length::from_si(sums.length),
                     force: Force::from_si(sums.force),
+                    zone,
                 }
             })
             .collect())
+    }
+
+    /// Whether one point stands for the whole face.
+    fn is_single_row(&self) -> bool {
+        match &self.model {
+            Model::Elastic(grid, _) => grid.cells == 1,
+            Model::Rigid(_) | Model::Along(_) => self.pair.is_spur(),
+        }
     }
 
     /// Ends of the loaded path, the pitch point, and the changes of the pairs in contact.
@@ -215,9 +292,7 @@ impl LoadMap {
     /// One where the load does not vary over the face of a spur pair.
     pub fn face_load_factor(&self) -> f64 {
         cite!("Width-1");
-        if matches!(&self.model, Model::Elastic(grid, _) if grid.cells == 1)
-            || self.pair.is_spur() && !self.is_elastic()
-        {
+        if self.is_single_row() {
             return 1.0;
         }
         let mut strips = [0.0; FACE_STRIPS];

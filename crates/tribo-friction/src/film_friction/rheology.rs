@@ -18,7 +18,7 @@
 //! The blend of τ_E and τ_L with the power 4 and τ_L0 = 2 MPa are judgement; b_L is not known and 0.
 
 use asperity_core::cite;
-use asperity_core::lubricant::{BaseOil, Lubricant, gold_pressure_viscosity};
+use asperity_core::lubricant::{Lubricant, gold_pressure_viscosity};
 use asperity_core::numerics::{Solved, newton_root};
 use asperity_core::quantity::{
     DynamicViscosity, Length, PerKelvin, Pressure, PressureViscosity, Speed, Temperature,
@@ -29,6 +29,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::oil_family::OilFamily;
+use super::traction_constants::{CarreauConstants, TractionConstants};
 use super::viscosity_table::ViscosityTable;
 use crate::error::FrictionError;
 
@@ -36,8 +37,6 @@ use crate::error::FrictionError;
 const LIMIT_TEMPERATURE: f64 = 363.15;
 /// Temperature at which Gold's formula gives α, 80 °C.
 const GOLD_TEMPERATURE: Temperature = Temperature::from_si(353.15);
-/// Limiting shear stress at ambient pressure (judgement) \[Pa\].
-const LIMIT_AT_AMBIENT: f64 = 2e6;
 /// Largest exponent α p of Barus' law: beyond it the limiting stress rules by far.
 const LARGEST_EXPONENT: f64 = 40.0;
 /// Roelands' constants 1/p_r \[1/Pa\] and −ln η_r (Roelands 1966).
@@ -75,98 +74,6 @@ pub enum PressureLaw {
     Barus,
     /// Roelands, with the exponent that gives α at ambient pressure.
     Roelands,
-}
-
-/// Constants of the Carreau-Yasuda law; no set for gear oils was found, the default is judgement.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct CarreauConstants {
-    /// Critical stress G_c.
-    pub critical_stress: Pressure,
-    /// Exponent n.
-    pub exponent: f64,
-    /// Sharpness a of the transition.
-    pub sharpness: f64,
-}
-
-impl Default for CarreauConstants {
-    fn default() -> Self {
-        Self {
-            critical_stress: Pressure::from_si(5e6),
-            exponent: 0.4,
-            sharpness: 2.0,
-        }
-    }
-}
-
-/// Properties of an oil for film friction beside its viscosity.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct TractionConstants {
-    /// Limiting shear stress over pressure Λ at 90 °C.
-    pub limiting_shear: f64,
-    /// Fall b_L of ln Λ with temperature.
-    pub limiting_shear_fall: PerKelvin,
-    /// Limiting shear stress τ_L0 at ambient pressure.
-    pub ambient_limit: Pressure,
-    /// Eyring stress τ₀.
-    pub eyring_stress: Pressure,
-    /// Carreau-Yasuda constants.
-    pub carreau: CarreauConstants,
-    /// Thermal conductivity k at ambient pressure.
-    pub conductivity: ThermalConductivity,
-    /// Coefficient c₁ in k(p) \[1/GPa\].
-    pub conductivity_rise: f64,
-    /// Coefficient c₂ in k(p) \[1/GPa\].
-    pub conductivity_bend: f64,
-    /// Exponent t with which α follows the viscosity over temperature.
-    pub gold_exponent: f64,
-}
-
-impl TractionConstants {
-    /// The constants of a family of oils.
-    ///
-    /// # Errors
-    /// As [`OilFamily::data`].
-    pub fn of(family: OilFamily) -> Result<Self, FrictionError> {
-        let data = family.data()?;
-        Ok(Self {
-            limiting_shear: data.limiting_shear.value,
-            limiting_shear_fall: PerKelvin::from_si(0.0),
-            ambient_limit: Pressure::from_si(LIMIT_AT_AMBIENT),
-            eyring_stress: Pressure::from_si(data.eyring_stress.value),
-            carreau: CarreauConstants::default(),
-            conductivity: ThermalConductivity::from_si(data.conductivity.value),
-            conductivity_rise: data.conductivity_rise.value,
-            conductivity_bend: data.conductivity_bend.value,
-            gold_exponent: BaseOil::from(family).gold_constants()[1],
-        })
-    }
-
-    fn validate(&self) -> Result<(), DomainError> {
-        DomainError::non_negative("fall of the limiting shear", self.limiting_shear_fall)?;
-        DomainError::non_negative("limiting shear stress at p = 0", self.ambient_limit)?;
-        DomainError::positive("Eyring stress", self.eyring_stress)?;
-        DomainError::positive("critical stress", self.carreau.critical_stress)?;
-        DomainError::positive("oil conductivity", self.conductivity)?;
-        let rule = "must be finite and greater than zero";
-        for (name, value) in [
-            ("limiting shear stress over pressure", self.limiting_shear),
-            ("Carreau exponent", self.carreau.exponent),
-            ("Carreau sharpness", self.carreau.sharpness),
-        ] {
-            DomainError::require(value.is_finite() && value > 0.0, name, value, "-", rule)?;
-        }
-        let rule = "must be finite and not negative";
-        for (name, value) in [
-            ("conductivity rise c1", self.conductivity_rise),
-            ("conductivity bend c2", self.conductivity_bend),
-            ("Gold exponent t", self.gold_exponent),
-        ] {
-            DomainError::require(value.is_finite() && value >= 0.0, name, value, "-", rule)?;
-        }
-        Ok(())
-    }
 }
 
 /// Shear behaviour of one oil: viscosity over temperature, pressure law, shear law, limit.

@@ -1,0 +1,293 @@
+//! Loss torque from a table of the user's, over torque, speed and temperature.
+//!
+//! A table is a grid of nodes, or one grid of each of several temperatures. In between the loss torque is linear along
+//! each of the axes; beyond them there is none.
+
+use asperity_core::cite;
+
+use crate::error::EfficiencyError;
+
+/// A row of a table.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LossRow {
+    /// Torque \[N m\]; none where the loss does not depend on it.
+    pub torque_nm: Option<f64>,
+    /// Speed \[1/min\].
+    pub speed_rpm: f64,
+    /// Temperature \[°C\]; none where the loss does not depend on it.
+    pub temperature_c: Option<f64>,
+    /// Loss torque \[N m\].
+    pub loss_torque_nm: f64,
+}
+
+/// Loss torque over torque, speed and temperature.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LossTable {
+    /// Temperatures \[°C\], rising; empty where the loss does not depend on them.
+    temperatures: Vec<f64>,
+    /// A grid of each temperature, or the only one.
+    grids: Vec<Grid>,
+}
+
+/// Loss torques of one temperature.
+#[derive(Debug, Clone, PartialEq)]
+struct Grid {
+    /// Torques \[N m\], rising; empty where the loss does not depend on them.
+    torques: Vec<f64>,
+    /// Speeds \[1/min\], rising.
+    speeds: Vec<f64>,
+    /// Loss torques \[N m\], torque by torque.
+    values: Vec<f64>,
+}
+
+impl LossTable {
+    /// The table of these rows, in any order.
+    ///
+    /// # Errors
+    /// When a number is not finite or a loss negative, some rows have a torque or a temperature and others none, or the
+    /// rows of a temperature form no grid.
+    ///
+    /// ```
+    /// use asperity_efficiency::loss_table::{LossRow, LossTable};
+    /// let row = |speed_rpm, loss_torque_nm| LossRow {
+    ///     torque_nm: None, speed_rpm, temperature_c: None, loss_torque_nm,
+    /// };
+    /// let table = LossTable::new(&[row(0.0, 0.1), row(1000.0, 0.3)])?;
+    /// assert!((table.loss_torque(145.0, 500.0, 90.0)? - 0.2).abs() < 1e-15);
+    /// assert!(table.loss_torque(145.0, 1001.0, 90.0).is_err());
+    /// # Ok::<(), asperity_efficiency::EfficiencyError>(())
+    /// ```
+    pub fn new(rows: &[LossRow]) -> Result<Self, EfficiencyError> {
+        for row in rows {
+            let places = [row.torque_nm, Some(row.speed_rpm), row.temperature_c];
+            if !places.into_iter().flatten().all(f64::is_finite) {
+                return Err(EfficiencyError::TableRow {
+                    rule: "torque_nm, speed_rpm and temperature_c must be finite",
+                    value: row.speed_rpm,
+                });
+            }
+            if !(row.loss_torque_nm.is_finite() && row.loss_torque_nm >= 0.0) {
+                return Err(EfficiencyError::TableRow {
+                    rule: "loss_torque_nm must be zero or more",
+                    value: row.loss_torque_nm,
+                });
+            }
+        }
+        let temperatures = rising(rows.iter().filter_map(|row| row.temperature_c));
+        let grids = match temperatures.as_slice() {
+            [] => vec![Grid::new(rows)?],
+            given => {
+                let at = |temperature: &f64| {
+                    let of = rows
+                        .iter()
+                        .filter(|row| row.temperature_c == Some(*temperature));
+                    Grid::new(&of.copied().collect::<Vec<_>>())
+                };
+                if rows.iter().any(|row| row.temperature_c.is_none()) {
+                    return Err(no_grid(rows, &[], &[]));
+                }
+                given.iter().map(at).collect::<Result<_, _>>()?
+            }
+        };
+        Ok(Self {
+            temperatures,
+            grids,
+        })
+    }
+
+    /// The loss torque \[N m\] at a torque \[N m\], a speed \[1/min\], whose sign does not count, and a temperature
+    /// \[°C\].
+    ///
+    /// ```text
+    /// M = Σ_k Π_i w_ik M_k over the corners k of the cell,  w_i = (1 − a_i, a_i) along axis i     [Loss-table]
+    /// ```
+    ///
+    /// # Errors
+    /// When the place is beyond the nodes of an axis.
+    pub fn loss_torque(
+        &self,
+        torque_nm: f64,
+        speed_rpm: f64,
+        temperature_c: f64,
+    ) -> Result<f64, EfficiencyError> {
+        cite!("Loss-table");
+        let missing = || EfficiencyError::NotInTable {
+            torque_nm,
+            speed_rpm,
+            temperature_c,
+        };
+        let at = |grid: &Grid| grid.at(torque_nm, speed_rpm.abs());
+        if self.temperatures.is_empty() {
+            return self.grids.first().and_then(at).ok_or_else(missing);
+        }
+        let (i, a) = cell(&self.temperatures, temperature_c).ok_or_else(missing)?;
+        let low = at(&self.grids[i]).ok_or_else(missing)?;
+        match a > 0.0 {
+            false => Ok(low),
+            true => {
+                let high = at(&self.grids[i + 1]).ok_or_else(missing)?;
+                Ok(low + a * (high - low))
+            }
+        }
+    }
+}
+
+impl Grid {
+    fn new(rows: &[LossRow]) -> Result<Self, EfficiencyError> {
+        let torques = rising(rows.iter().filter_map(|row| row.torque_nm));
+        let speeds = rising(rows.iter().map(|row| row.speed_rpm));
+        let nodes = torques.len().max(1) * speeds.len();
+        let mut values = vec![f64::NAN; nodes];
+        for row in rows {
+            let i = match row.torque_nm {
+                Some(torque) => torques.iter().position(|node| *node == torque),
+                None => torques.is_empty().then_some(0),
+            };
+            let j = speeds.iter().position(|node| *node == row.speed_rpm);
+            if let (Some(i), Some(j)) = (i, j) {
+                values[i * speeds.len() + j] = row.loss_torque_nm;
+            }
+        }
+        let is_whole = nodes > 0 && rows.len() == nodes && values.iter().all(|v| v.is_finite());
+        match is_whole {
+            true => Ok(Self {
+                torques,
+                speeds,
+                values,
+            }),
+            false => Err(no_grid(rows, &torques, &speeds)),
+        }
+    }
+
+    fn at(&self, torque_nm: f64, speed_rpm: f64) -> Option<f64> {
+        let (j, b) = cell(&self.speeds, speed_rpm)?;
+        let along = |i: usize| {
+            let row = &self.values[i * self.speeds.len()..][..self.speeds.len()];
+            match b > 0.0 {
+                true => (1.0 - b) * row[j] + b * row[j + 1],
+                false => row[j],
+            }
+        };
+        if self.torques.is_empty() {
+            return Some(along(0));
+        }
+        let (i, a) = cell(&self.torques, torque_nm)?;
+        Some(match a > 0.0 {
+            true => (1.0 - a) * along(i) + a * along(i + 1),
+            false => along(i),
+        })
+    }
+}
+
+fn no_grid(rows: &[LossRow], torques: &[f64], speeds: &[f64]) -> EfficiencyError {
+    EfficiencyError::NoGrid {
+        rows: rows.len(),
+        torques: torques.len(),
+        speeds: speeds.len(),
+    }
+}
+
+fn rising(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut values: Vec<f64> = values.collect();
+    values.sort_by(f64::total_cmp);
+    values.dedup();
+    values
+}
+
+/// The node at or below `value`, and how far it is to the next, below 1; none beyond the nodes.
+fn cell(nodes: &[f64], value: f64) -> Option<(usize, f64)> {
+    let i = nodes
+        .partition_point(|node| *node <= value)
+        .checked_sub(1)?;
+    match nodes.get(i + 1) {
+        Some(next) => Some((i, (value - nodes[i]) / (next - nodes[i]))),
+        None => (nodes[i] == value).then_some((i, 0.0)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(torque: f64, speed: f64, temperature: f64, loss: f64) -> LossRow {
+        LossRow {
+            torque_nm: Some(torque),
+            speed_rpm: speed,
+            temperature_c: Some(temperature),
+            loss_torque_nm: loss,
+        }
+    }
+
+    /// 1 + torque/10 + speed/1000 + temperature/100, which no linear interpolation bends.
+    fn linear() -> Vec<LossRow> {
+        let mut rows = Vec::new();
+        for temperature in [90.0, 40.0, 60.0] {
+            for torque in [-20.0, 0.0, 50.0] {
+                for speed in [3000.0, 0.0] {
+                    let loss = 5.0 + torque / 10.0 + speed / 1000.0 + temperature / 100.0;
+                    rows.push(row(torque, speed, temperature, loss));
+                }
+            }
+        }
+        rows
+    }
+
+    #[test]
+    fn a_linear_table_is_met_at_its_nodes_and_between_them() {
+        let table = LossTable::new(&linear()).unwrap();
+        for (torque, speed, temperature) in [
+            (-20.0, 0.0, 40.0),
+            (50.0, 3000.0, 90.0),
+            (12.5, -750.0, 77.0),
+            (-3.0, 2999.0, 41.0),
+        ] {
+            let expected = 5.0 + torque / 10.0 + f64::abs(speed) / 1000.0 + temperature / 100.0;
+            let found = table.loss_torque(torque, speed, temperature).unwrap();
+            assert!((found - expected).abs() < 1e-13, "{torque} {speed} {found}");
+        }
+    }
+
+    #[test]
+    fn nothing_is_told_beyond_the_nodes_of_any_axis() {
+        let table = LossTable::new(&linear()).unwrap();
+        for (torque, speed, temperature) in [
+            (50.1, 0.0, 60.0),
+            (-20.1, 0.0, 60.0),
+            (0.0, 3000.1, 60.0),
+            (0.0, 0.0, 39.9),
+            (0.0, 0.0, 90.1),
+            (f64::NAN, 0.0, 60.0),
+        ] {
+            let error = table.loss_torque(torque, speed, temperature).unwrap_err();
+            assert!(
+                matches!(error, EfficiencyError::NotInTable { .. }),
+                "{error}"
+            );
+        }
+    }
+
+    #[test]
+    fn rows_that_are_no_grid_and_losses_that_are_none_are_refused() {
+        let mut holed = linear();
+        holed.pop();
+        let mut double = linear();
+        double.push(double[0]);
+        let mut mixed = linear();
+        mixed[0].temperature_c = None;
+        let mut without_torque = linear();
+        without_torque[0].torque_nm = None;
+        for rows in [holed, double, mixed, without_torque, Vec::new()] {
+            let error = LossTable::new(&rows).unwrap_err();
+            assert!(matches!(error, EfficiencyError::NoGrid { .. }), "{error}");
+        }
+        for loss in [-0.1, f64::NAN, f64::INFINITY] {
+            let mut rows = linear();
+            rows[3].loss_torque_nm = loss;
+            let error = LossTable::new(&rows).unwrap_err();
+            assert!(matches!(error, EfficiencyError::TableRow { .. }), "{error}");
+        }
+        let mut rows = linear();
+        rows[3].speed_rpm = f64::NAN;
+        assert!(LossTable::new(&rows).is_err());
+    }
+}
