@@ -12,6 +12,10 @@ test:
 ci:
     .ci/run
 
+# Compute the tables of docs/VALIDATION.md anew, the gates of measurement among them.
+validation:
+    ASPERITY_WRITE=1 cargo test --workspace --test validation
+
 # Benches; the table of results is in docs/PERFORMANCE.md.
 bench:
     cargo bench --workspace

@@ -128,6 +128,11 @@ pub enum Command {
         asperity cycle results/case-map trace.csv --set vehicle.mass=\"1600 kg\" --temperature 90"
     )]
     Cycle(CycleArgs),
+    /// What the loss does when one thing changes: heights, wavelengths, boundary layer, oil, tip relief
+    #[command(after_help = "Example:\n  asperity sensitivity demo/case.toml\n\n\
+        Each row is a run of the model with one thing changed, at the same windows of the traces. To vary\n\
+        keys of your own choice, with distributions, see asperity sweep.")]
+    Sensitivity(SensitivityArgs),
     /// Run many cases: crossed axes and samples of the inputs, in shards
     #[command(subcommand)]
     Sweep(SweepCommand),
@@ -309,6 +314,22 @@ pub struct CompareArgs {
     #[arg(long, default_value_t = 32)]
     pub offsets: usize,
     /// Folder of the comparison [default: results/<name of the case>-compare]
+    #[arg(long, short)]
+    pub output: Option<PathBuf>,
+    /// Limits of time and memory.
+    #[command(flatten)]
+    pub work: WorkArgs,
+}
+
+/// A case whose loss is looked at.
+#[derive(Debug, Args)]
+pub struct SensitivityArgs {
+    /// Case file; - reads standard input
+    pub case: PathBuf,
+    /// Keys of the case set on the command line.
+    #[command(flatten)]
+    pub set: SetArgs,
+    /// Folder of the study [default: results/<name of the case>-sensitivity]
     #[arg(long, short)]
     pub output: Option<PathBuf>,
     /// Limits of time and memory.

@@ -64,6 +64,7 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
         Command::Compare(args) => commands::compare::compare(args, common),
         Command::Map(args) => commands::map::map(args, common),
         Command::Cycle(args) => commands::cycle::cycle(args, common),
+        Command::Sensitivity(args) => commands::sensitivity::sensitivity(args, common),
         Command::Sweep(command) => commands::sweep::sweep(command, common),
         Command::Calibrate(args) => commands::calibrate::calibrate(args, common),
         Command::Completions { kind } => commands::completions::completions(*kind, common),

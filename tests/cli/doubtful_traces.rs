@@ -57,6 +57,69 @@ fn uneven_positions_are_warned_of_and_resampled_on_request() {
 }
 
 #[test]
+fn a_gap_in_the_positions_is_not_drawn_over() {
+    let bench = Bench::new();
+    let gap = rows(1000, |i, z| {
+        let off = if i > 500 { 20.0 } else { 0.0 };
+        format!("{:.1},{z:.5}", 0.5 * i as f64 + off)
+    });
+    bench.write("gap.csv", format!("x_um,z_um\n{gap}"));
+    bench
+        .run(&["profile", "info", "gap.csv", "--uneven", "resample"])
+        .refused(2, "E136", &["gap.csv"]);
+}
+
+#[test]
+fn an_uneven_trace_is_converted_with_the_places_of_its_points() {
+    let bench = Bench::new();
+    let uneven = rows(2000, |i, z| {
+        let off = if i % 3 == 0 { 0.2 } else { 0.0 };
+        format!("{:.1},{z:.5}", 0.5 * i as f64 + off)
+    });
+    bench.write("uneven.csv", format!("x_um,z_um\n{uneven}"));
+    bench
+        .run(&["profile", "info", "uneven.csv"])
+        .refused(2, "E109", &["Pass --uneven resample"]);
+    for kept in ["kept.csv", "kept.x3p"] {
+        let said = bench.run(&["profile", "convert", "uneven.csv", kept]);
+        let text = said.well().unwrapped();
+        assert!(
+            text.contains("2000 uneven points") && text.contains("W324"),
+            "{text}"
+        );
+        bench.run(&["profile", "info", kept]).refused(
+            2,
+            "E109",
+            &["away from an even grid of 499.9 nm"],
+        );
+    }
+    bench
+        .run(&["profile", "convert", "uneven.csv", "kept.smd"])
+        .refused(2, "E401", &["unevenly spaced"]);
+    let even = ["profile", "convert", "uneven.csv", "even.smd"];
+    let resampled = [&even[..], &["--resample", "0.25um", "--json"]].concat();
+    let found = bench.run(&resampled).well().json();
+    assert_eq!(found["reading"]["warnings"][0]["kind"], "resampled");
+    assert_eq!(found["n"], 3998);
+    let text = bench.run(&[&even[..], &["--uneven", "resample"]].concat());
+    let text = text.well().unwrapped();
+    assert!(
+        text.contains("W126") && text.contains("root mean square"),
+        "{text}"
+    );
+    let filter = [
+        "profile",
+        "filter",
+        "uneven.csv",
+        "r.csv",
+        "--uneven",
+        "resample",
+    ];
+    let text = bench.run(&[&filter[..], &["--lambda-c", "0.08mm"]].concat());
+    assert!(text.well().unwrapped().contains("W126"));
+}
+
+#[test]
 fn roll_lengths_need_the_base_radius() {
     let bench = Bench::new();
     let table = rows(2000, |i, z| format!("{:.4},{z:.5}", 8.0 + 0.002 * i as f64));

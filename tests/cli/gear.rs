@@ -105,6 +105,18 @@ fn the_load_map_is_written_when_it_is_asked_for() {
     assert!(!bench.path("whole/map.csv").exists());
 }
 
+#[test]
+fn a_tip_that_reaches_into_the_mating_fillet_is_told() {
+    let bench = bench(&with_line("helix", "helix = \"23.4 deg\"\naddendum = 1.2"));
+    let arguments = ["run", "case.toml", "--no-output", "--json"];
+    let long = bench.run(&arguments).well().json();
+    assert!(codes(&long).contains(&"W433"), "{long:#}");
+    let text = long.to_string();
+    assert!(text.contains("below the involute of the pinion"), "{text}");
+    bench.write("case.toml", E_DRIVE);
+    assert!(!codes(&bench.run(&arguments).well().json()).contains(&"W433"));
+}
+
 const SET: &str = r#"
 title = "small set"
 [planetary]
@@ -148,6 +160,25 @@ fn a_planetary_set_gives_a_table_and_a_result_for_each_mesh() {
         .well()
         .json();
     assert_eq!(json["meshes"].as_array().unwrap().len(), 2);
+    // The band of the set is about three times the sum of those of its meshes.
+    let w = |value: &serde_json::Value| value.as_f64().unwrap();
+    let of_meshes = |name: &str| {
+        json["meshes"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|mesh| w(&mesh[name]))
+            .sum::<f64>()
+    };
+    for (k, name) in ["loss_q05_w", "loss_q95_w"].into_iter().enumerate() {
+        let of_set = w(&json["loss_quantiles_w"][k]);
+        assert!(
+            (of_set / (3.0 * of_meshes(name)) - 1.0).abs() < 0.05,
+            "{json:#}"
+        );
+    }
+    assert!((w(&json["loss_w"]) / (3.0 * of_meshes("loss_w")) - 1.0).abs() < 1e-12);
+    assert!(w(&json["loss_quantiles_w"][0]) < w(&json["loss_w"]));
     bench.write("case.toml", SET.replace("planets = 3", "planets = 12"));
     bench
         .run(&["run", "case.toml"])

@@ -179,7 +179,17 @@ fn failed_cases_are_rows_with_their_code_and_the_rest_has_effects() {
             .is_some_and(|refused| !refused.is_empty()),
         "{plan}"
     );
-    bench.run(&["sweep", "run", "study.toml", "--quiet"]).well();
+    // Told before the first case is run, with the first refusal of each code.
+    let said = bench.run(&["sweep", "run", "study.toml"]);
+    assert_eq!(said.status, 0, "{}", said.err);
+    let told = said.err;
+    for (code, refused) in plan["refused"].as_object().unwrap() {
+        let line = format!(
+            "{code} in {} cases, the first is case {}",
+            refused["count"], refused["first"]
+        );
+        assert!(told.starts_with("W430 ") && told.contains(&line), "{told}");
+    }
     bench
         .run(&["sweep", "merge", "study.toml", "-o", "out"])
         .well();

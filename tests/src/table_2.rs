@@ -1,5 +1,9 @@
 //! The two cases of the literature that the workspace tests start from.
 
+#![allow(clippy::unwrap_used, reason = "a helper of tests may panic")]
+
+use std::path::Path;
+
 use crate::CaseText;
 
 /// Table 2 of the 2022 paper with the module read as normal, flanks known by their Rq: S is
@@ -59,47 +63,21 @@ pub fn table_2() -> CaseText {
 ///
 /// Not printed there and taken as in the independent computation of the numbers compared with:
 /// E 207 GPa, β_T 0.04 1/K, k 0.135 W/(m K). The temperature has no part: the viscosity is given.
+///
+/// # Panics
+/// When the fixture cannot be read.
 pub fn petry_johnson() -> CaseText {
-    CaseText::new(
-        r#"
-        [gears]
-        teeth = [40, 40]
-        module = "2.3185 mm"
-        pressure_angle = "28 deg"
-        face_width = "26.7 mm"
-        centre_distance = "91.5 mm"
-        tip_diameter = ["95.95 mm", "95.95 mm"]
-
-        [material.pinion]
-        young = "207 GPa"
-        poisson = 0.3
-
-        [operation]
-        torque = "413 N m"
-        speed = "2000 1/min"
-        temperature = "110 °C"
-
-        [lubricant]
-        viscosity = { law = "given", dynamic_viscosity = "10.6 mPa s" }
-        temperature_coefficient = "0.04 1/K"
-        density = "799.3 kg/m3"
-        pressure_viscosity = "9.68e-9 1/Pa"
-        thermal_conductivity = "0.135 W/(m K)"
-        heat_capacity = "2000 J/(kg K)"
-
-        [surface]
-        pinion = { rq = "0.049497 um", rpk = "10 nm", asperity_radius = "0.1 mm" }
-        wheel = { rq = "0.049497 um", rpk = "10 nm", asperity_radius = "0.1 mm" }
-
-        [model]
+    let model = toml::toml! {
         load_distribution = "trapezoid"
-        # Cells enough for the digits of the computation compared with.
+        // Cells enough for the digits of the computation compared with.
         positions = 256
-        # The laws of the reference computation, by name.
+        // The laws of the reference computation, by name.
         film_friction = "xu"
         load_share = "lambda-star"
         boundary_friction = 0.1
         hysteresis = "0 %"
-        "#,
-    )
+    };
+    let file =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/measured/petry-johnson.toml");
+    CaseText::new(&std::fs::read_to_string(file).unwrap()).with("model", model)
 }

@@ -30,29 +30,14 @@ use asperity_tribo_friction::{FilmRheology, OilFamily};
 
 use crate::load_share::{FEW, few, losses, shipped, summary, with};
 
-/// Whole heights of a case's traces, higher by a factor.
-fn scaled(mut case: LoadedCase, factor: f64) -> LoadedCase {
-    let traces = traces(&case).map(|profile| {
-        let heights = profile.heights().iter().map(|z| factor * z).collect();
-        Texture::Trace(Profile::new(profile.spacing(), heights).unwrap())
-    });
-    case.surfaces = Surfaces::new(traces, case.case.preparation.lambda_s, false);
-    case
+/// Traces of measured flanks.
+fn traces(surfaces: &Surfaces) -> [Profile; 2] {
+    surfaces.textures().clone().map(|texture| match texture {
+        Texture::Trace(profile) => profile,
+        _ => panic!("a fixture has traces"),
+    })
 }
 
-/// Prepared traces of a case.
-fn traces(case: &LoadedCase) -> [Profile; 2] {
-    case.surfaces
-        .textures()
-        .clone()
-        .map(|texture| match texture {
-            Texture::Trace(profile) => profile,
-            _ => panic!("a fixture has traces"),
-        })
-}
-
-/// Ground flanks of Ra 0.2 um on the FZG gears: those of the fixture, lower.
-const TO_RA_02: f64 = 0.8;
 /// Pitch line speeds m/s and the friction an independent program found there, boundary friction 0.08.
 const FZG_SPEEDS: [(f64, f64); 6] = [
     (0.5, 0.0596),
@@ -69,36 +54,18 @@ fn turns(speed: f64) -> String {
     format!("{} 1/min", speed / radius * 30.0 / std::f64::consts::PI)
 }
 
+/// A case of `fixtures/measured` with few offsets and these keys changed.
+fn measured(name: &str, keys: &[(&str, &str)]) -> LoadedCase {
+    with(&format!("../measured/{name}"), &[&FEW[..], keys].concat())
+}
+
 /// The FZG gears with flanks of Ra 0.2 um.
 fn fzg(keys: &[(&str, &str)]) -> LoadedCase {
-    scaled(with("fzg-c", &[&FEW[..], keys].concat()), TO_RA_02)
+    measured("fzg-c-ground", keys)
 }
 
 /// The same flanks and load distribution as the independent program had.
 const MEAN_LENGTH: (&str, &str) = ("model.load_distribution", "mean-length");
-/// Tip relief of the tested gears, linear over the double contact.
-const RELIEF: [(&str, &str); 4] = [
-    ("gears.pinion.tip_relief.amount", "35 um"),
-    ("gears.pinion.tip_relief.length", "6.14 mm"),
-    ("gears.wheel.tip_relief.amount", "35 um"),
-    ("gears.wheel.tip_relief.length", "6.14 mm"),
-];
-
-fn relieved(case: LoadedCase) -> LoadedCase {
-    let relief = |length: &str| asperity::case::ReliefInput {
-        amount: RELIEF[0].1.parse().unwrap(),
-        length: length.parse().ok(),
-        start_diameter: None,
-        power: None,
-    };
-    let changed = case.with(|input| {
-        for gear in [&mut input.gears.pinion, &mut input.gears.wheel] {
-            gear.get_or_insert_default().tip_relief = Some(relief(RELIEF[1].1));
-        }
-    });
-    changed.unwrap()
-}
-
 /// Mean coefficient of friction of a mesh.
 fn mean_friction(found: &Summary) -> f64 {
     found.sliding_w / (found.loss_factor_local * found.power_in_w)
@@ -188,7 +155,7 @@ fn gates() -> &'static [Gate] {
 
 /// T1: FZG type C-mod with tip relief.
 fn fzg_gates() -> Vec<Gate> {
-    let kept = Kept::new(relieved(fzg(&[])));
+    let kept = Kept::new(measured("fzg-c-mod", &[]));
     let slow = |mu_b: &str| {
         let keys = [
             ("operation.speed", &*turns(0.5)),
@@ -263,13 +230,11 @@ const SPEEDS: [(u32, [f64; 2], f64); 5] = [
     (10_000, [472.0, 640.0], 859.0),
 ];
 
-/// The loss \[W\] with all defaults; superfinished flanks known by their Rq, the oil taken as a PAO.
+/// The loss \[W\] with all defaults, of superfinished flanks known by their Rq.
 fn petry_johnson_by_default(speed: u32) -> f64 {
-    let case = petry_johnson()
-        .with("model", toml::Table::new())
-        .with("lubricant.base_oil", "pao")
-        .with("operation.speed", format!("{speed} 1/min"));
-    case.run().result.summary.loss_w
+    let case = with("../measured/petry-johnson", &[]);
+    let case = case.with_key("operation.speed", &format!("{speed} 1/min"));
+    losses(&case.unwrap()).summary.loss_w
 }
 
 fn petry_johnson_gate(&(speed, [low, high], _): &(u32, [f64; 2], f64)) -> Gate {
@@ -337,11 +302,8 @@ fn null_pair() -> (f64, f64) {
         ("operation.temperature", "40 °C"),
         ("operation.speed", &*turns(20.0)),
     ];
-    let ground = fzg(&keys);
-    let mut fine = ground.clone();
-    fine.surfaces = shipped("e-drive-superfinished").surfaces;
-    let friction = |case: &LoadedCase| mean_friction(&losses(case).summary);
-    (friction(&ground), friction(&fine))
+    let friction = |name: &str| mean_friction(&losses(&measured(name, &keys)).summary);
+    (friction("fzg-c-ground"), friction("fzg-c-superfinished"))
 }
 
 /// The rig of T3 at one temperature.
@@ -366,8 +328,9 @@ impl Britton {
 /// 5.1 mm²/s at 100 °C: 250 N/mm on 9 mm radius at 8 and 12 m/s, three pairs of windows.
 fn britton(celsius: f64) -> Britton {
     let starts = [[300, 2000], [1500, 900], [2600, 1700]];
-    let ground = traces(&scaled(shipped("e-drive"), 0.4 / 0.24));
-    let fine = traces(&shipped("e-drive-superfinished"));
+    let ground = shipped("e-drive").surfaces;
+    let ground = traces(&ground.with_heights_times(0.4 / 0.24).unwrap());
+    let fine = traces(&shipped("e-drive-superfinished").surfaces);
     let rheology = jet_ester();
     let contact = LineContact {
         load: LineLoad::from_si(250e3),
@@ -631,7 +594,6 @@ fn references() -> &'static [Reference] {
         rows.extend(SPEEDS.iter().map(|&(speed, [low, high], independent)| {
             let trapezoid = petry_johnson()
                 .with("model", toml::toml! { load_distribution = "trapezoid" })
-                .with("lubricant.base_oil", "pao")
                 .with("operation.speed", format!("{speed} 1/min"));
             Reference {
                 what: format!("Petry-Johnson, {speed} 1/min, W"),

@@ -63,6 +63,29 @@ struct Sound {
     warnings: Vec<Warning>,
     defaults: Vec<DefaultUsed>,
     work: Estimate,
+    /// The meshes in which a flank has several traces.
+    traced: Vec<Traced>,
+}
+
+/// Traces of a mesh in which a flank has several.
+#[derive(serde::Serialize)]
+struct Traced {
+    /// Traces of pinion and wheel.
+    traces: [usize; 2],
+    /// Teeth that they are of.
+    teeth: [usize; 2],
+}
+
+fn traced(loaded: &LoadedCase) -> Option<Traced> {
+    let sampled = loaded.sampled.as_ref()?;
+    Some(Traced {
+        traces: [0, 1].map(|body: usize| sampled.traces[body].len()),
+        teeth: loaded.surfaces.teeth()?,
+    })
+}
+
+fn counted(count: usize, one: &str, several: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { several })
 }
 
 fn failures(errors: &[Error]) -> Vec<Failure> {
@@ -73,6 +96,7 @@ fn of_pair(loaded: LoadedCase) -> Result<Sound, Error> {
     Ok(Sound {
         work: measured(&loaded, &KeptFields::Highest)
             .or_else(|_| estimate(&loaded, &KeptFields::Highest))?,
+        traced: traced(&loaded).into_iter().collect(),
         warnings: loaded.warnings,
         defaults: loaded.case.defaults,
     })
@@ -85,6 +109,7 @@ fn of_set(set: LoadedPlanetary) -> Result<Sound, Error> {
         warnings: Vec::new(),
         defaults: set.defaults,
         work,
+        traced: set.meshes.iter().filter_map(traced).collect(),
     };
     for mesh in set.meshes {
         for warning in mesh.warnings {
@@ -104,6 +129,7 @@ fn report(failures: &[Failure], sound: Option<&Sound>) -> Value {
         "warnings": sound.map(|sound| &sound.warnings),
         "defaults": sound.map(|sound| &sound.defaults),
         "estimate": sound.map(|sound| &sound.work),
+        "traced": sound.map(|sound| &sound.traced),
     })
 }
 
@@ -112,6 +138,17 @@ fn text(name: &str, sound: &Sound) -> String {
     for warning in &sound.warnings {
         text.push_str(&asperity_report::wrapped(&warning.to_string(), "     "));
         text.push('\n');
+    }
+    for found in &sound.traced {
+        let of = |body: usize| {
+            let traces = counted(found.traces[body], "trace", "traces");
+            format!(
+                "{traces} of {}",
+                counted(found.teeth[body], "tooth", "teeth")
+            )
+        };
+        let pairs = counted(found.teeth[0] * found.teeth[1], "pair", "pairs");
+        text.push_str(&format!("pinion {}, wheel {}: {pairs}\n", of(0), of(1)));
     }
     text.push_str("defaults that a run uses\n");
     for default in &sound.defaults {

@@ -24,6 +24,7 @@ pub mod reference;
 pub mod regime;
 pub mod report;
 pub mod run;
+pub mod sensitivity;
 pub mod steels;
 pub mod sweep;
 mod work;

@@ -100,13 +100,12 @@ fn run_set(
 }
 
 fn text_of_set(result: &PlanetaryResult) -> String {
+    let [loss, efficiency] = result.with_bands();
     let mut text = format!(
-        "{}\nefficiency (meshes only)  {:.4} %   loss {:.1} W   power in {:.2} kW\n\
+        "{}\nefficiency (meshes only)  {efficiency} %   loss {loss} W\n  power in {:.2} kW\n\
          {} planets   carrier {:.1} 1/min   power through the meshes {:.2} kW\n\
          {:<16} {:>10} {:>10} {:>12} {:>8} {:>8} {:>9}\n",
         result.title,
-        100.0 * result.efficiency,
-        result.loss_w,
         1e-3 * result.power_in_w,
         result.planets,
         result.carrier_rad_per_s * 30.0 / std::f64::consts::PI,
@@ -120,15 +119,10 @@ fn text_of_set(result: &PlanetaryResult) -> String {
         "p0 MPa",
     );
     for row in &result.meshes {
+        let [loss, efficiency, mu] = row.with_digits();
         text.push_str(&format!(
-            "{:<16} {:>10.3} {:>10.2} {:>10.4} % {:>8.4} {:>8.4} {:>9.0}\n",
-            row.mesh,
-            row.torque_nm,
-            row.loss_w,
-            100.0 * row.efficiency,
-            row.loss_factor,
-            row.mu_equivalent,
-            row.hertz_pressure_mpa,
+            "{:<16} {:>10.3} {loss:>10} {efficiency:>10} % {:>8.4} {mu:>8} {:>9.0}\n",
+            row.mesh, row.torque_nm, row.loss_factor, row.hertz_pressure_mpa,
         ));
     }
     if !result.can_be_equally_spaced {

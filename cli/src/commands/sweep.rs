@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use asperity_studies::sweep::{self, Plan, Shard, Status, Study, SweepError};
+use asperity::message::Warning;
+use asperity_studies::sweep::{self, Event, Plan, Refused, Shard, Status, Study, SweepError};
 
 use crate::args::{Common, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs};
 use crate::failure::Failure;
-use crate::output::{PATIENCE, print_json, print_text, progress};
+use crate::output::{PATIENCE, note, print_json, print_text, progress};
 
 /// `asperity sweep`
 pub fn sweep(command: &SweepCommand, common: &Common) -> Result<(), Failure> {
@@ -59,18 +60,23 @@ fn text_of_plan(plan: &Plan) -> String {
         "study {}\n{} cases: {} on the axes x {} of the sample\n",
         plan.study, plan.cases, plan.axis_points, plan.sample_points
     );
-    for (code, refused) in &plan.refused {
-        text.push_str(&format!(
-            "{code} in {} cases, the first is case {}: {}\n",
-            refused.count, refused.first, refused.message
-        ));
-    }
+    text.extend(plan.refused.iter().map(line_of));
     let minutes = plan.seconds / 60.0;
     text.push_str(&format!(
         "about {minutes:.1} min on this machine, less where cases share their contacts; {:.2} MB\n",
         plan.bytes * 1e-6
     ));
     text
+}
+
+/// A line on the cases that are refused by a code.
+fn line_of((code, refused): (&String, &Refused)) -> String {
+    let Refused {
+        count,
+        first,
+        message,
+    } = refused;
+    format!("{code} in {count} cases, the first is case {first}: {message}\n")
 }
 
 fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
@@ -82,11 +88,21 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
     let folder = parts(&args.sweep, &study);
     let bar = progress(common.quiet);
     bar.set_message("cases");
-    let done = sweep::run(&study, shard, &folder, &|done, total| {
-        if begin.elapsed() >= PATIENCE {
-            bar.set_length(total as u64);
-            bar.set_position(done as u64);
+    let done = sweep::run(&study, shard, &folder, &|event| match event {
+        Event::Checked { refused, of } => {
+            let count: usize = refused.values().map(|refused| refused.count).sum();
+            if count > 0 && !common.quiet {
+                let lines: String = refused.iter().map(line_of).collect();
+                let rows = "cases cannot be run and will be rows with their code";
+                let warning = Warning::new("W430", format!("{count} of {of} {rows}"));
+                bar.suspend(|| note(&format!("{warning}\n{}", lines.trim_end())));
+            }
         }
+        Event::Done { cases, of } if begin.elapsed() >= PATIENCE => {
+            bar.set_length(of as u64);
+            bar.set_position(cases as u64);
+        }
+        Event::Done { .. } => {}
     });
     bar.finish_and_clear();
     let done = done.map_err(|error| refused(&args.sweep, &error))?;

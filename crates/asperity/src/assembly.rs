@@ -1,7 +1,10 @@
 //! From solved positions to the result: rows, summary, warnings.
 
+use asperity_core::quantity::Power;
 use asperity_efficiency::{LossKind, MeshEfficiency, equivalent_friction};
 
+use crate::band::pair_sampling;
+use crate::band::pairs::means_of_pairs;
 use crate::case::{BulkReport, Case, CaseInput};
 use crate::comparison::published_laws;
 use crate::deformation_losses::of_all_offsets;
@@ -12,24 +15,27 @@ use crate::load_report::LoadReport;
 use crate::position::{Offset, Position};
 use crate::records::{PathRecords, PlacedRecord};
 use crate::result::{
-    Losses, OffsetRow, Outcome, PointRow, PositionRow, RecordRow, Regime, RunInFlanks, RunResult,
-    RunningIn, SCHEMA_VERSION, Summary,
+    GearboxReport, Losses, OffsetRow, Outcome, PairSampling, PointRow, PositionRow, RecordRow,
+    Regime, RunInFlanks, RunResult, RunningIn, SCHEMA_VERSION, Scope, Summary, ToothTrace,
+    TracePairs,
 };
 use crate::run_in::RanIn;
 use crate::solved::{Solved, mean};
-use crate::{attention, formulation, rolling};
+use crate::{attention, formulation, gearbox, micropitting, rolling};
 
 impl Solved<'_> {
     /// Losses alone.
     pub(crate) fn losses(self) -> Result<Losses, PositionError> {
-        let summary = self.summary()?;
+        let (summary, gearbox) = self.with_gearbox()?;
         Ok(Losses {
             outside: attention::outside(self.loaded, &self.positions, &summary)?,
             summary,
             path: self.path()?,
             offsets: offset_rows(&self.meshes),
+            pairs: self.pairs().and_then(|(_, sampling)| sampling),
             run_in: None,
             bulk: bulk_report(&self.loaded.case),
+            gearbox,
             equations: Vec::new(),
         })
     }
@@ -40,10 +46,15 @@ impl Solved<'_> {
         points: &[(&'static str, Position)],
     ) -> Result<Outcome, PositionError> {
         let case = &self.loaded.case;
-        let summary = self.summary()?;
+        let (summary, gearbox) = self.with_gearbox()?;
         let mut warnings = self.loaded.warnings.clone();
         let load = LoadReport::new(case, self.map)?;
         warnings.extend(attention::warnings(self.loaded, &self.positions, &summary)?);
+        attention::gearbox(gearbox.as_ref(), &mut warnings);
+        let named = points.iter().filter(|(name, _)| ["A", "E"].contains(name));
+        let ends: Vec<&Position> = named.map(|(_, position)| position).collect();
+        let micropitting = micropitting::report(self.loaded, &self.positions, &ends)?;
+        attention::micropitting(micropitting.as_ref(), &mut warnings);
         attention::load(self.loaded, &self.positions, &load, &mut warnings);
         let records = self
             .records
@@ -62,11 +73,14 @@ impl Solved<'_> {
             records,
             band: None,
             bulk: bulk_report(case),
+            gearbox,
+            micropitting,
             running_in: running_in(case, &self.meshes),
             run_in: None,
             summary,
             warnings,
             flanks: [0, 1].map(|body| FlankRecord::from(&self.loaded.flanks[body])),
+            pairs: self.trace_pairs(),
             gears: case.gears.clone(),
             lubricant: case.oil,
             film_constants: film_constants(case)?,
@@ -91,6 +105,50 @@ impl Solved<'_> {
         })
     }
 
+    /// Loss of each pair of teeth and the error of their mean, if there are several; none of one trace for each flank.
+    fn pairs(&self) -> Option<(Vec<f64>, Option<PairSampling>)> {
+        let teeth = self.loaded.surfaces.teeth()?;
+        let losses: Vec<f64> = self.meshes.iter().map(|m| m.flow.loss.si()).collect();
+        let losses = means_of_pairs(&losses, self.loaded.surfaces.pairs());
+        let sampling = pair_sampling(&losses, teeth);
+        Some((losses, sampling))
+    }
+
+    fn trace_pairs(&self) -> Option<TracePairs> {
+        let (losses, sampling) = self.pairs()?;
+        let sampled = self.loaded.sampled.as_ref()?;
+        let of = |body: usize| sampled.traces[body].iter().map(ToothTrace::from).collect();
+        let rows = losses.chunks(self.loaded.surfaces.teeth()?[1]);
+        Some(TracePairs {
+            traces: [of(0), of(1)],
+            losses_w: rows.map(<[f64]>::to_vec).collect(),
+            sampling,
+        })
+    }
+
+    /// A row of the path with what is known of it between traces.
+    fn row(&self, position: &Position, rolling: f64, per_width: f64) -> PositionRow {
+        let case = &self.loaded.case;
+        let row = row(case, position, rolling, per_width);
+        let station = &position.station;
+        let sliding = station.motion.sliding.si().abs() * station.sliding_factor;
+        let forces: Vec<f64> = position
+            .offsets
+            .iter()
+            .map(|o| sliding * o.friction_force)
+            .collect();
+        let surfaces = &self.loaded.surfaces;
+        let teeth = surfaces.teeth();
+        let between = teeth
+            .and_then(|teeth| pair_sampling(&means_of_pairs(&forces, surfaces.pairs()), teeth));
+        PositionRow {
+            sliding_standard_error_w_per_m: between.map(|found| found.standard_error_w),
+            sliding_error_freedom: between.map(|found| found.freedom),
+            face_zone: (!case.face_zones.is_empty()).then_some(station.zone),
+            ..row
+        }
+    }
+
     /// Report on flanks that have run in.
     pub(crate) fn run_in_flanks(&self, ran_in: RanIn) -> Result<RunInFlanks, PositionError> {
         let [measured, run_in] = ran_in.heights;
@@ -111,7 +169,7 @@ impl Solved<'_> {
             .positions
             .iter()
             .zip(&self.rolling)
-            .map(|(position, rolling)| row(case, position, *rolling, per_width))
+            .map(|(position, rolling)| self.row(position, *rolling, per_width))
             .collect())
     }
 
@@ -125,10 +183,23 @@ impl Solved<'_> {
                 let rolling = rolling::rolling(case, &position.station)?;
                 Ok(PointRow {
                     point: (*point).into(),
-                    row: row(case, position, rolling, per_width),
+                    row: self.row(position, rolling, per_width),
                 })
             })
             .collect()
+    }
+
+    /// The summary of the mesh, and the gearbox around it, where the case states one.
+    fn with_gearbox(&self) -> Result<(Summary, Option<GearboxReport>), PositionError> {
+        let mut summary = self.summary()?;
+        let mesh = Power::from_si(summary.loss_w);
+        let gearbox = gearbox::report(&self.loaded.case, mesh)?;
+        if let Some(found) = &gearbox {
+            summary.scope = Scope::Gearbox;
+            summary.gearbox_efficiency = Some(found.efficiency);
+            summary.gearbox_loss_w = Some(found.loss_w);
+        }
+        Ok((summary, gearbox))
     }
 
     fn summary(&self) -> Result<Summary, PositionError> {
@@ -199,6 +270,9 @@ fn summary(
         shares.sum::<f64>() / total
     };
     Ok(Summary {
+        scope: Scope::Mesh,
+        gearbox_efficiency: None,
+        gearbox_loss_w: None,
         efficiency,
         efficiency_deviation: deviation(&efficiencies),
         offsets: meshes.len(),
@@ -319,6 +393,9 @@ fn row(case: &Case, position: &Position, rolling: f64, per_width: f64) -> Positi
             .map(|offset| offset.flash)
             .max_by(f64::total_cmp),
         sliding_w_per_m: force * sliding,
+        sliding_standard_error_w_per_m: None,
+        sliding_error_freedom: None,
+        face_zone: None,
         sliding_deviation_w_per_m: deviation(&frictions).map(|force| force * sliding),
         film_w_per_m: parts[0] * sliding,
         lubricated_asperity_w_per_m: parts[1] * sliding,

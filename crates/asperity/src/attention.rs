@@ -7,7 +7,7 @@ use asperity_contact::{ContactWarning, SUSPECT_GAP};
 use asperity_core::OutOfRange;
 use asperity_core::quantity::Length;
 use asperity_efficiency::equivalent_friction;
-use asperity_gear::StiffnessSource;
+use asperity_gear::{Gear, StiffnessSource};
 
 use crate::band::sampling::{free_way, least_way};
 use crate::case::LoadedCase;
@@ -21,7 +21,7 @@ use crate::message::Warning;
 use crate::placement::FULL_COVERAGE;
 use crate::position::Position;
 use crate::referee::LARGEST_ROUGHNESS;
-use crate::result::{RecordRow, Regime, Summary};
+use crate::result::{GearboxReport, MicropittingReport, RecordRow, Regime, Summary};
 use crate::solved::mean;
 
 /// Warnings about the positions and the summary.
@@ -76,6 +76,27 @@ fn bulk(loaded: &LoadedCase, found: &mut Vec<Warning>) {
     found.push(Warning::new("W426", text));
 }
 
+/// W401: a part of the gearbox outside the range of its law.
+pub(crate) fn gearbox(gearbox: Option<&GearboxReport>, found: &mut Vec<Warning>) {
+    let parts = gearbox.iter().flat_map(|report| &report.parts);
+    for part in parts {
+        let notes = part.outside.iter();
+        found.extend(notes.map(|note| Warning::new("W401", format!("{}: {note}", part.name))));
+    }
+}
+
+/// W432: a rating outside the scope of its specification.
+pub(crate) fn micropitting(rating: Option<&MicropittingReport>, found: &mut Vec<Warning>) {
+    let outside = rating.map_or(&[][..], |rating| &rating.outside);
+    if !outside.is_empty() {
+        let text = format!(
+            "the specific film is no rating by ISO/TS 6336-22 here: {}",
+            outside.join("; ")
+        );
+        found.push(Warning::new("W432", text));
+    }
+}
+
 /// What left its range, each once: W401, W402, W403 and W405 with correlation and input.
 pub(crate) fn outside(
     loaded: &LoadedCase,
@@ -114,7 +135,7 @@ fn code(note: &OutOfRange) -> &'static str {
     }
 }
 
-/// W421 to W425: load over the teeth, and its cells.
+/// W421 to W425, W433: load over the teeth, and its cells.
 pub(crate) fn load(
     loaded: &LoadedCase,
     positions: &[Position],
@@ -160,6 +181,20 @@ pub(crate) fn load(
                 "the root of the {gear} has no simple outline: the stiffness is that of ISO 6336-1"
             ),
         );
+    }
+    for (gear, root) in [Gear::Pinion, Gear::Wheel]
+        .into_iter()
+        .zip(loaded.case.load_settings.root)
+    {
+        if let Some(below) = loaded.case.gears.contact_below_involute(gear, root) {
+            add(
+                "W433",
+                format!(
+                    "contact reaches a roll length of {:.2} mm below the involute of the {gear}: the tip of the mating gear meets its fillet",
+                    below.si() * 1e3
+                ),
+            );
+        }
     }
     if loaded.case.gears.tips_may_foul() {
         let [z1, z2] = loaded.case.gears.teeth;
@@ -474,7 +509,8 @@ fn values_alone(loaded: &LoadedCase, lambda_star_known: bool) -> String {
 /// W407: traces too short for an interval of the sampling.
 fn short_traces(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warning>) {
     let offsets = positions.iter().map(|position| position.offsets.len());
-    if offsets.max() <= Some(1) {
+    // The traces of several teeth are the sample, however long each is.
+    if offsets.max() <= Some(1) || loaded.surfaces.several_teeth().is_some() {
         return;
     }
     let half_width = loss_weighted_half_width(positions);

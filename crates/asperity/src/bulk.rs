@@ -50,6 +50,11 @@ fn at(loaded: &LoadedCase, bulk: Temperature) -> Result<LoadedCase, Error> {
         input.operation.bulk = None;
     })?;
     keep_parameters(loaded, &mut warmed).map_err(Box::new)?;
+    // Bearings and jet stay in the oil, whatever the flanks are at.
+    let oil = loaded.case.input.operation.temperature;
+    if let Some(gearbox) = &mut warmed.case.gearbox {
+        gearbox.temperature.get_or_insert(oil);
+    }
     Ok(warmed)
 }
 

@@ -25,7 +25,7 @@ use crate::surfaces::{Surfaces, Texture};
 pub struct ContactTables {
     fingerprint: Vec<u64>,
     load: KeptLoad,
-    rows: BTreeMap<[u64; 3], Vec<KeptContact>>,
+    rows: BTreeMap<[u64; 4], Vec<KeptContact>>,
 }
 
 /// The load over the teeth and all that it follows from.
@@ -176,14 +176,15 @@ impl ContactTables {
     }
 }
 
-/// Load and radius decide the contact of a window, the place which one it is.
-fn key(station: &Station) -> [u64; 3] {
-    [
+/// Load and radius decide the contact of a window, the place on path and face which one it is.
+fn key(station: &Station) -> [u64; 4] {
+    let [load, radius, place] = [
         station.load.si(),
         station.motion.radius.si(),
         station.s.si(),
     ]
-    .map(f64::to_bits)
+    .map(f64::to_bits);
+    [load, radius, place, station.zone as u64]
 }
 
 /// Bits of everything else that the contacts depend on.
@@ -201,14 +202,17 @@ fn fingerprint(case: &Case, surfaces: &Surfaces) -> Vec<u64> {
     bits.push(case.model.offsets as u64);
     let noise = case.preparation.lambda_s.map_or(0.0, |cutoff| cutoff.si());
     bits.push(noise.to_bits());
-    if let Some(placement) = surfaces.placement() {
-        let places = placement.traces.iter();
-        bits.extend(places.flat_map(|placed| {
-            [placed.first_arc, placed.direction, placed.base_radius].map(f64::to_bits)
-        }));
-        bits.push(placement.misplaced.to_bits());
+    bits.extend(case.face_zones.iter().map(|edge| edge.to_bits()));
+    for met in surfaces.each() {
+        if let Some(placement) = met.placement() {
+            let places = placement.traces.iter();
+            bits.extend(places.flat_map(|placed| {
+                [placed.first_arc, placed.direction, placed.base_radius].map(f64::to_bits)
+            }));
+            bits.push(placement.misplaced.to_bits());
+        }
     }
-    for texture in surfaces.textures() {
+    for texture in surfaces.each_texture() {
         if let Texture::Trace(profile) = texture {
             bits.push(profile.spacing().si().to_bits());
             bits.extend(profile.heights().iter().map(|z| z.to_bits()));

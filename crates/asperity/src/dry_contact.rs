@@ -29,13 +29,14 @@ pub struct DryContact {
 /// The flanks of `loaded` at their middle offset under the whole line load, without a film.
 ///
 /// # Errors
-/// When a flank has no trace, or the contact no solution.
+/// When a flank has no trace or several, or the contact no solution.
 pub fn dry_contact(loaded: &LoadedCase, path_fraction: f64) -> Result<DryContact, Error> {
     solve(loaded, path_fraction).map_err(|error| Error::Whole(Box::new(error)))
 }
 
 fn solve(loaded: &LoadedCase, path_fraction: f64) -> Result<DryContact, PositionError> {
     let case = &loaded.case;
+    loaded.surfaces.check_one_pair()?;
     let path = case.gears.path();
     let s: Length = path.a + (path.e - path.a) * path_fraction;
     let station = station_at(case, s)?;

@@ -16,9 +16,8 @@ pub const LEAST_POINTS_PER_HALF_WIDTH: f64 = 20.0;
 /// The golden section: multiples of it, minus their whole part, fill an interval evenly.
 const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
 
-/// Windows that meet at `station` at offset `k` of `count` and its roughness: that of the window, or where
-/// no window
-/// is resolved that of the flanks as a whole.
+/// Windows that meet at `station` at offset `k` of `count` of all pairs and their roughness: that of the window, or
+/// where no window is resolved that of the flanks as a whole.
 pub(crate) fn meeting(
     surfaces: &Surfaces,
     station: &Station,
@@ -26,6 +25,7 @@ pub(crate) fn meeting(
     k: usize,
     count: usize,
 ) -> Result<(Option<Encounter>, Roughness), PositionError> {
+    let (surfaces, k, count) = surfaces.met(station.zone, k, count);
     let found = match is_substituted(surfaces, station) {
         true => None,
         false => Encounter::new(surfaces, station, window, k, count)?,
@@ -71,8 +71,8 @@ pub struct Encounter {
 }
 
 impl Encounter {
-    /// Windows that meet at `station` when both flanks are at offset `k` of `count`; `None` when a flank
-    /// is known by its roughness values only.
+    /// Windows that meet at `station` when both flanks are at offset `k` of `count`, which go on from pair to pair of
+    /// traces; `None` when a flank is known by its roughness values only.
     ///
     /// # Errors
     /// When the traces are too coarse or too short for the contact.
@@ -83,6 +83,7 @@ impl Encounter {
         k: usize,
         count: usize,
     ) -> Result<Option<Self>, PositionError> {
+        let (surfaces, k, count) = surfaces.met(station.zone, k, count);
         let [Texture::Trace(first), Texture::Trace(second)] = surfaces.textures() else {
             return Ok(None);
         };

@@ -40,6 +40,12 @@ pub enum PositionError {
         /// Share of the loss at places that both traces cover.
         coverage: f64,
     },
+    /// One contact asked of several traces.
+    #[error("the case has {} pairs of teeth, and this looks at one pair of traces", teeth[0] * teeth[1])]
+    SeveralTraces {
+        /// Teeth of pinion and wheel.
+        teeth: [usize; 2],
+    },
     /// Contact tables of other gears, flanks or loads.
     #[error("the contact tables were made for another {differs}")]
     OtherTables {
@@ -62,6 +68,14 @@ pub enum PositionError {
         flash_kelvin: f64,
         /// Passes made.
         passes: usize,
+    },
+    /// A part of the gearbox has no loss.
+    #[error("gearbox: {part}: {source}")]
+    GearboxPart {
+        /// Its name.
+        part: String,
+        /// Cause.
+        source: Box<PositionError>,
     },
     /// Losses cannot be summed.
     #[error(transparent)]
@@ -161,6 +175,7 @@ impl PositionError {
     fn reason(&self) -> &Self {
         match self {
             Self::Unsolved(kept) => kept.source.reason(),
+            Self::GearboxPart { source, .. } => source.reason(),
             other => other,
         }
     }
@@ -316,6 +331,7 @@ impl PositionError {
             Self::TooCoarse { .. } => "E121",
             Self::TraceTooShort { .. } => "E122",
             Self::NotCovered { .. } => "E123",
+            Self::SeveralTraces { .. } => "E312",
             Self::NoProfile => "E303",
             Self::Impossible { .. } => "E308",
             Self::Marching { .. } => "E304",
@@ -332,6 +348,7 @@ impl PositionError {
             Self::LoadShare(LoadShareError::FlowPressureTooLow { .. }) => "E306",
             Self::Ehl(error) if error.is_unconverged() => "E307",
             Self::Efficiency(EfficiencyError::BulkNotSettled { .. }) => "E311",
+            Self::Efficiency(EfficiencyError::NotInTable { .. }) => "E313",
             _ => "E305",
         }
     }
@@ -352,6 +369,9 @@ impl PositionError {
             Self::LoadShare(LoadShareError::FlowPressureTooLow { .. }) => {
                 Remedy::state(key("material.pinion.flow_pressure"))
                     .because("to the indentation hardness, 6 to 8 GPa for case-hardened steel")
+            }
+            Self::SeveralTraces { .. } => {
+                Remedy::act("name one trace of each flank, as surface.pinion.file")
             }
             Self::NoProfile => Remedy::act("give surface.pinion.file and surface.wheel.file"),
             Self::Marching { .. } => Remedy::state(key("model.delta_step"))

@@ -69,6 +69,8 @@ pub struct BandParameter {
 pub enum SamplingPart {
     /// Windows of traces whose place on the flank is not known.
     Windows(WindowSampling),
+    /// All pairs of several traces of one flank or of both.
+    Pairs(PairSampling),
     /// One pair of traces at known places, which has no sampling error: the change of the loss \[W\] where each is
     /// misplaced by two half-widths of the contact against the other, to either side.
     OnePair([f64; 2]),
@@ -88,6 +90,48 @@ pub struct WindowSampling {
     pub standard_error_w: f64,
     /// Half the width of the 95 % interval of the mean loss \[W\].
     pub half_width_w: f64,
+}
+
+/// Sampling error of the mean loss over all pairs of sampled teeth.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct PairSampling {
+    /// Teeth sampled of pinion and wheel, n₁ and n₂.
+    pub traces: [usize; 2],
+    /// Mean loss over the pairs \[W\].
+    pub mean_w: f64,
+    /// Standard deviations between the traces of the pinion, s₁, and of the wheel, s₂ \[W\]; 0 of a single trace.
+    pub between_w: [f64; 2],
+    /// Standard deviation that remains from pair to pair, s₁₂ \[W\]; 0 where a flank has a single trace.
+    pub interaction_w: f64,
+    /// Standard error of the mean loss \[W\]; a lower bound where a flank has a single trace.
+    pub standard_error_w: f64,
+    /// Its degrees of freedom d.
+    pub freedom: f64,
+    /// Half the width of the 95 % interval of the mean loss \[W\].
+    pub half_width_w: f64,
+    /// Change of the loss \[W\] where placed traces are misplaced by two half-widths of the contact against each
+    /// other, to either side; none of traces that are not placed, or where it was not asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub misplaced_w: Option<[f64; 2]>,
+}
+
+impl PairSampling {
+    /// Pairs of teeth.
+    #[must_use]
+    pub const fn pairs(&self) -> usize {
+        self.traces[0] * self.traces[1]
+    }
+
+    /// The gear of which a single tooth is sampled, so that the error is a lower bound.
+    #[must_use]
+    pub const fn not_sampled(&self) -> Option<&'static str> {
+        match self.traces {
+            [1, _] => Some("pinion"),
+            [_, 1] => Some("wheel"),
+            _ => None,
+        }
+    }
 }
 
 /// The loss by another law or reading of the model.

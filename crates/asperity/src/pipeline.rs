@@ -2,7 +2,7 @@
 //!
 //! Where the case asks for it, first the bulk temperature that the loss keeps up ([`settled`]). The load over the
 //! flanks and the cells of the path; then at every mesh position, in parallel: motion and load, Hertz contact, smooth
-//! film; then at every offset of the traces: roughness under the contact, Λ* and with it the regime, the rough contact
+//! film; then at every offset of the traces, pair by pair of teeth where there are several: roughness under the contact, Λ* and with it the regime, the rough contact
 //! and from it the load share, friction in film, lubricated asperities and boundary layer. That is all that the losses
 //! need ([`losses`]); their contacts can be kept for other oils, speeds and temperatures ([`contact_tables`]). A run
 //! goes on with the contacts of the load shares that did not solve them ([`contacts`]), and at the first offset the
@@ -26,6 +26,7 @@ use crate::detail::Detail;
 use crate::encounter::meeting;
 use crate::error::{Error, PositionError};
 use crate::formulation;
+use crate::gearbox;
 use crate::kept_fields::{Keeper, KeptFields};
 use crate::physical_sense::{check_position, check_station};
 use crate::placement::check_coverage;
@@ -327,6 +328,8 @@ impl Mesh {
         used: &Provenance,
     ) -> Result<Self, Error> {
         let found = || -> Result<Self, PositionError> {
+            // A table that does not reach the operating point is told before the work.
+            gearbox::check(&loaded.case)?;
             let (map, stations) = match kept {
                 Some(map) => (map.clone(), stations_under(&loaded.case, laws, map)?),
                 None => stations_with(&loaded.case, laws)?,

@@ -4,10 +4,13 @@ use asperity_core::quantity::Power;
 use asperity_gear::planetary::{PlanetaryMesh, PlanetarySpeeds};
 use serde::{Deserialize, Serialize};
 
+use crate::band::{has_band, quantiles_of_set, run_and_draw};
 use crate::case::planetary::LoadedPlanetary;
 use crate::error::{Error, PositionError};
+use crate::gearbox::Scope;
 use crate::kept_fields::KeptFields;
-use crate::pipeline::{Progress, run_keeping};
+use crate::loss_band::rounded;
+use crate::pipeline::Progress;
 use crate::result::{Outcome, RunResult};
 
 /// The result of a planetary set; the results of its meshes stand beside it.
@@ -18,12 +21,19 @@ pub struct PlanetaryResult {
     pub program: String,
     /// Title of the case.
     pub title: String,
+    /// What the result covers: the meshes alone.
+    #[serde(default)]
+    pub scope: Scope,
     /// Number of planets.
     pub planets: u32,
     /// Efficiency of the set by its mesh losses alone.
     pub efficiency: f64,
     /// Loss of all meshes \[W\].
     pub loss_w: f64,
+    /// Its 5 % and 95 % quantiles over the draws of oil and boundary layer, with the sampling of the flanks \[W\]; none of
+    /// a formulation without a band.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss_quantiles_w: Option<[f64; 2]>,
     /// Power that enters through sun, ring and carrier \[W\].
     pub power_in_w: f64,
     /// Power that passes the meshes: torque of the sun times its speed relative to the carrier \[W\].
@@ -56,6 +66,12 @@ pub struct MeshRow {
     pub speed_rad_per_s: f64,
     /// Loss of one such mesh \[W\].
     pub loss_w: f64,
+    /// Its 5 % quantile.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss_q05_w: Option<f64>,
+    /// Its 95 % quantile.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss_q95_w: Option<f64>,
     /// Efficiency of the mesh.
     pub efficiency: f64,
     /// Loss factor of its load.
@@ -99,12 +115,15 @@ pub fn run_planetary_keeping(
     progress: Progress<'_>,
 ) -> Result<PlanetaryOutcome, Error> {
     let [first, second] = &loaded.meshes;
-    let meshes = [
-        run_keeping(first, kept, progress)?,
-        run_keeping(second, kept, progress)?,
-    ];
-    let result = result(loaded, [&meshes[0].result, &meshes[1].result])
+    let (of_first, drawn_first) = run_and_draw(first, kept, progress)?;
+    let (of_second, drawn_second) = run_and_draw(second, kept, progress)?;
+    let meshes = [of_first, of_second];
+    let mut result = result(loaded, [&meshes[0].result, &meshes[1].result])
         .map_err(|error| Error::Whole(Box::new(error)))?;
+    if loaded.meshes.iter().all(has_band) {
+        let quantiles = quantiles_of_set([&drawn_first, &drawn_second], result.planets);
+        result.loss_quantiles_w = Some(quantiles);
+    }
     Ok(PlanetaryOutcome { result, meshes })
 }
 
@@ -128,9 +147,11 @@ fn result(
     Ok(PlanetaryResult {
         program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
         title: loaded.title.clone(),
+        scope: Scope::Mesh,
         planets: set.planets,
         efficiency: 1.0 - loss / power_in,
         loss_w: loss,
+        loss_quantiles_w: None,
         power_in_w: power_in,
         rolling_power_w: set.rolling_power(operation)?.si(),
         sun_rad_per_s: sun.si(),
@@ -149,15 +170,59 @@ fn result(
 fn row(name: &str, load: &PlanetaryMesh, run: &RunResult, share: f64) -> MeshRow {
     let pressures = run.path.iter().map(|row| row.hertz_pressure_mpa);
     let highest = pressures.fold(0.0, f64::max);
+    let band = run.band.as_ref().map(|band| band.quantiles_w);
     MeshRow {
         mesh: name.to_owned(),
         torque_nm: load.torque.si(),
         speed_rad_per_s: load.speed.si(),
         loss_w: run.summary.loss_w,
+        loss_q05_w: band.map(|[low, _]| low),
+        loss_q95_w: band.map(|[_, high]| high),
         efficiency: run.summary.efficiency,
         loss_factor: run.summary.loss_factor_local,
         mu_equivalent: run.summary.mu_equivalent,
         hertz_pressure_mpa: highest,
         hertz_pressure_most_loaded_mpa: highest * share.sqrt(),
+    }
+}
+
+impl PlanetaryResult {
+    /// Loss \[W\] and efficiency \[%\] with their bands, each with the digits that its band leaves.
+    #[must_use]
+    pub fn with_bands(&self) -> [String; 2] {
+        let Some([low, high]) = self.loss_quantiles_w else {
+            return [self.loss_w, 100.0 * self.efficiency].map(|value| format!("{value:.4}"));
+        };
+        let percent = |loss: f64| 100.0 * (1.0 - loss / self.power_in_w);
+        let half = 0.5 * (high - low);
+        let loss = |value: f64| rounded(value, half);
+        let efficiency = |loss: f64| rounded(percent(loss), 100.0 * half / self.power_in_w);
+        [
+            format!("{} ({}..{})", loss(self.loss_w), loss(low), loss(high)),
+            format!(
+                "{} ({}..{})",
+                efficiency(self.loss_w),
+                efficiency(high),
+                efficiency(low)
+            ),
+        ]
+    }
+}
+
+impl MeshRow {
+    /// Loss \[W\], efficiency \[%\] and μ_eq with the digits that the band of the loss leaves.
+    #[must_use]
+    pub fn with_digits(&self) -> [String; 3] {
+        let half = match (self.loss_q05_w, self.loss_q95_w) {
+            (Some(low), Some(high)) => 0.5 * (high - low),
+            _ => 0.0,
+        };
+        // The losses of a mesh are its power times the rest of its efficiency.
+        let power = self.loss_w / (1.0 - self.efficiency);
+        [
+            rounded(self.loss_w, half),
+            rounded(100.0 * self.efficiency, 100.0 * half / power),
+            rounded(self.mu_equivalent, self.mu_equivalent * half / self.loss_w),
+        ]
     }
 }

@@ -14,10 +14,13 @@ use crate::contact_view::ContactView;
 pub use crate::film_constants::FilmConstant;
 use crate::flank_record::FlankRecord;
 pub use crate::full_film::FullFilmRow;
+pub use crate::gearbox::{GearboxPart, GearboxReport, Scope};
 use crate::load_report::LoadReport;
-pub use crate::loss_band::LossBand;
+pub use crate::loss_band::{LossBand, PairSampling};
 use crate::message::Warning;
+pub use crate::micropitting_report::{MicropittingCell, MicropittingReport};
 pub use crate::run_in::{FlankHeights, RunInCycle};
+pub use crate::trace_pairs::{ToothTrace, TracePairs};
 
 /// Version of the structure of `result.json`; raised when a field changes its meaning.
 pub const SCHEMA_VERSION: u32 = 2;
@@ -54,6 +57,12 @@ pub struct RunResult {
     /// The bulk temperature found from the loss; absent where it is given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bulk: Option<BulkReport>,
+    /// Loss and efficiency of the gearbox, where the case states what loses beside the mesh.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gearbox: Option<GearboxReport>,
+    /// The micropitting rating, where the case asks for it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub micropitting: Option<MicropittingReport>,
     /// Plastic work of the first engagement.
     pub running_in: RunningIn,
     /// The mesh with flanks that have run in, where the case asks for it; all else is of the flanks as measured.
@@ -61,8 +70,11 @@ pub struct RunResult {
     pub run_in: Option<RunInFlanks>,
     /// Warnings.
     pub warnings: Vec<Warning>,
-    /// The flanks as read and prepared.
+    /// The flanks as read and prepared, each by its first trace.
     pub flanks: [FlankRecord; 2],
+    /// All pairs of several traces; absent where each flank has one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pairs: Option<TracePairs>,
     /// Derived gear geometry.
     pub gears: GearPair,
     /// The oil at the temperature of the flanks.
@@ -84,6 +96,15 @@ pub struct RunResult {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Summary {
+    /// What the result covers. All numbers here are of the mesh alone, but for those named `gearbox`.
+    #[serde(default)]
+    pub scope: Scope,
+    /// Efficiency of the gearbox, where that is the scope.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gearbox_efficiency: Option<f64>,
+    /// Losses of mesh and gearbox together \[W\], where that is the scope.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gearbox_loss_w: Option<f64>,
     /// η = 1 − ΣP/(M₁ω₁).
     pub efficiency: f64,
     /// Standard deviation of η over the offsets; absent with one offset.
@@ -251,6 +272,15 @@ pub struct PositionRow {
     /// Standard deviation of the sliding loss over the offsets \[W/m\]; absent with one offset.
     #[serde(default)]
     pub sliding_deviation_w_per_m: Option<f64>,
+    /// Standard error of the sliding loss over pairs of several teeth \[W/m\]; none of one trace for each flank.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sliding_standard_error_w_per_m: Option<f64>,
+    /// Degrees of freedom of that.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sliding_error_freedom: Option<f64>,
+    /// Zone of the face that the position represents, from 0, where the traces differ across it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub face_zone: Option<usize>,
     /// Its part in the film \[W/m\].
     pub film_w_per_m: f64,
     /// Its part in lubricated asperities \[W/m\].
@@ -481,12 +511,18 @@ pub struct Losses {
     pub path: Vec<PositionRow>,
     /// Efficiency and losses at each offset, whose mean is the summary.
     pub offsets: Vec<OffsetRow>,
+    /// Sampling error over all pairs of several traces; absent where each flank has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pairs: Option<PairSampling>,
     /// Losses with flanks that have run in, where the case asks for them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub run_in: Option<RunInFlanks>,
     /// The bulk temperature found from the loss; absent where it is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bulk: Option<BulkReport>,
+    /// Loss and efficiency of the gearbox, where the case states what loses beside the mesh.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gearbox: Option<GearboxReport>,
     /// What left the range of its correlation or of lubricated steel, each once: code, correlation, input.
     pub outside: Vec<String>,
     /// Equations used.

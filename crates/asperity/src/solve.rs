@@ -51,8 +51,8 @@ impl Run<'_> {
     /// Solves `station` at every offset, in order.
     pub(crate) fn solve(&self, station: Station) -> Result<Position, PositionError> {
         let count = match station.resolution {
-            // Every offset would give the same.
-            Resolution::WholeTraces => 1,
+            // Every offset of a pair would give the same.
+            Resolution::WholeTraces => self.surfaces.pairs(),
             _ => self.surfaces.offsets(self.case.model.offsets),
         };
         let mut position = Position {
@@ -67,7 +67,7 @@ impl Run<'_> {
         };
         let mut workspace = Workspace {
             solver: None,
-            film: RoughFilm::at(self.case, self.laws, self.surfaces, &position.station)?,
+            film: None,
             smooth: self.smooth_friction(&position.station)?,
             film_alone: None,
             recorded: None,
@@ -79,6 +79,12 @@ impl Run<'_> {
         workspace.recorded = recorded;
         for k in 0..count {
             checkpoint();
+            if self.surfaces.begins_a_pair(k, count) {
+                let station = &position.station;
+                let (met, ..) = self.surfaces.met(station.zone, k, count);
+                workspace.film = RoughFilm::at(self.case, self.laws, met, station)?;
+                workspace.solver = None;
+            }
             let offset = self.offset(&mut position, k, count, &mut workspace)?;
             position.offsets.push(offset);
         }
@@ -281,7 +287,7 @@ impl Run<'_> {
     }
 }
 
-/// Kept between the offsets of a position.
+/// Kept between the offsets of a position; solver and film between those of a pair of traces.
 struct Workspace<'a> {
     solver: Option<Solver>,
     film: Option<RoughFilm<'a>>,

@@ -19,6 +19,8 @@ pub(crate) struct Place {
     pub sliding_factor: f64,
     /// Whether the rough contact must be resolved.
     pub resolution: Resolution,
+    /// Zone of the face that it represents.
+    pub zone: usize,
 }
 
 /// Whether the rough contact at a mesh position must be resolved by the points of the traces.
@@ -47,6 +49,8 @@ pub struct Station {
     pub sliding_factor: f64,
     /// Whether the rough contact must be resolved.
     pub resolution: Resolution,
+    /// Zone of the face that it represents, each with traces of its own: 0 where these stand for the whole face.
+    pub zone: usize,
     /// Radii and speeds.
     pub motion: Kinematics,
     /// Load per length of contact line.

@@ -60,18 +60,9 @@ pub(crate) fn named_points(
     map: &LoadMap,
 ) -> Result<Vec<(&'static str, Station)>, PositionError> {
     let path = case.gears.path();
-    let points = [
-        ("A", path.a),
-        ("B", path.b),
-        ("C", path.c),
-        ("D", path.d),
-        ("E", path.e),
-    ];
     let mut found = Vec::new();
-    for (name, s) in points
-        .into_iter()
-        .filter(|(_, s)| (path.a..=path.e).contains(s))
-    {
+    let points = path.named_points().into_iter();
+    for (name, s) in points.filter(|(_, s)| (path.a..=path.e).contains(s)) {
         let place = shown_at(map, s, Resolution::WholeTraces)?;
         if place.load.si() > 0.0 {
             found.push((name, station(case, laws, found.len() + 1, &place)?));
@@ -87,6 +78,7 @@ fn shown_at(map: &LoadMap, s: Length, resolution: Resolution) -> Result<Place, P
         weight: Length::from_si(0.0),
         sliding_factor: 1.0,
         resolution,
+        zone: 0,
     })
 }
 
@@ -136,6 +128,7 @@ fn station(
         weight: place.weight.si(),
         sliding_factor: place.sliding_factor,
         resolution: place.resolution,
+        zone: place.zone,
         motion,
         load,
         hertz,

@@ -2,8 +2,8 @@
 
 use std::sync::{Arc, OnceLock};
 
-use asperity_core::Profile;
 use asperity_core::quantity::Length;
+use asperity_core::{DomainError, Profile};
 use asperity_ehl_regime::TraceSpectrum;
 use asperity_profile_io::read::Reading;
 use asperity_roughness::Parameters;
@@ -47,13 +47,24 @@ impl PartialEq for Surfaces {
             && self.rz == other.rz
             && self.placement == other.placement
             && self.same_trace == other.same_trace
+            && self.sample == other.sample
     }
+}
+
+/// All pairs of several teeth, of which traces were measured.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PairsOfTeeth {
+    /// Teeth of pinion and wheel.
+    pub teeth: [usize; 2],
+    /// The traces that meet in each zone of the face, pair by pair: those of a tooth of the pinion on all of the wheel,
+    /// then those of the next.
+    pub met: Vec<Vec<Surfaces>>,
 }
 
 /// Both flanks on a common spacing.
 #[derive(Debug, Clone)]
 pub struct Surfaces {
-    textures: [Texture; 2],
+    textures: Arc<[Texture; 2]>,
     /// Spectra of both traces, made at first need.
     spectra: Arc<OnceLock<Option<[TraceSpectrum; 2]>>>,
     noise_cutoff: Option<Length>,
@@ -61,6 +72,8 @@ pub struct Surfaces {
     rz: [Option<Length>; 2],
     /// Where the traces lie on their flanks; none where that is not known of both.
     placement: Option<Placement>,
+    /// Several pairs, of which this is the first; none of one trace for each flank.
+    sample: Option<Arc<PairsOfTeeth>>,
     /// Both flanks come from the same trace.
     pub same_trace: bool,
 }
@@ -70,11 +83,12 @@ impl Surfaces {
     /// applied to the traces.
     pub fn new(textures: [Texture; 2], noise_cutoff: Option<Length>, same_trace: bool) -> Self {
         Self {
-            textures,
+            textures: Arc::new(textures),
             spectra: Arc::new(OnceLock::new()),
             noise_cutoff,
             rz: [None; 2],
             placement: None,
+            sample: None,
             same_trace,
         }
     }
@@ -92,15 +106,137 @@ impl Surfaces {
         Self { placement, ..self }
     }
 
+    /// All pairs of several teeth; the first of them stands wherever a single one is looked at.
+    ///
+    /// None of no pairs, or where a pair has no traces.
+    #[must_use]
+    pub fn of_pairs(pairs: PairsOfTeeth) -> Option<Self> {
+        let first = pairs.met.first()?.first()?.clone();
+        let same_trace = (pairs.met.iter().flatten()).any(|met| met.same_trace);
+        Some(Self {
+            same_trace,
+            sample: Some(Arc::new(pairs)),
+            ..first
+        })
+    }
+
+    /// Teeth of pinion and wheel of which traces were measured; none of one trace for each flank.
+    #[must_use]
+    pub fn teeth(&self) -> Option<[usize; 2]> {
+        self.sample.as_ref().map(|sample| sample.teeth)
+    }
+
+    /// The same where there are several pairs, whose losses have an error of their mean.
+    #[must_use]
+    pub fn several_teeth(&self) -> Option<[usize; 2]> {
+        self.teeth().filter(|teeth| *teeth != [1, 1])
+    }
+
+    /// Pairs of teeth.
+    #[must_use]
+    pub fn pairs(&self) -> usize {
+        self.sample.as_ref().map_or(1, |sample| sample.met.len())
+    }
+
+    /// Refuses several pairs, where a single contact is looked at.
+    pub(crate) fn check_one_pair(&self) -> Result<(), PositionError> {
+        match self.teeth() {
+            None => Ok(()),
+            Some(teeth) => Err(PositionError::SeveralTraces { teeth }),
+        }
+    }
+
+    /// The traces of every pair in every zone of the face.
+    pub(crate) fn each(&self) -> impl Iterator<Item = &Self> {
+        let sampled = self
+            .sample
+            .iter()
+            .flat_map(|sample| sample.met.iter().flatten());
+        let one = self.sample.is_none().then_some(self);
+        sampled.chain(one)
+    }
+
+    /// Every texture once in each zone of the face: those of the pinion from its pairs with the first tooth of the wheel,
+    /// and the other way round.
+    pub(crate) fn each_texture(&self) -> impl Iterator<Item = &Texture> {
+        let columns = self.teeth().map_or(1, |teeth| teeth[1]);
+        let zones = self.sample.as_ref().map_or(1, |sample| sample.met[0].len());
+        self.each().enumerate().flat_map(move |(k, met)| {
+            let pair = k / zones;
+            let [first, second] = met.textures();
+            let of_pinion = pair.is_multiple_of(columns).then_some(first);
+            let of_wheel = (pair < columns).then_some(second);
+            of_pinion.into_iter().chain(of_wheel)
+        })
+    }
+
+    /// The pair of traces in a zone of the face at offset `k` of `count` of all pairs, and its own offset of how many.
+    pub(crate) fn met(&self, zone: usize, k: usize, count: usize) -> (&Self, usize, usize) {
+        let Some(sample) = &self.sample else {
+            return (self, k, count);
+        };
+        let each = (count / sample.met.len()).max(1);
+        let pair = sample.met.get(k / each);
+        let met = pair.and_then(|pair| pair.get(zone).or_else(|| pair.first()));
+        (met.unwrap_or(self), k % each, each)
+    }
+
+    /// Whether offset `k` of `count` is the first one of a pair.
+    pub(crate) fn begins_a_pair(&self, k: usize, count: usize) -> bool {
+        self.met(0, k, count).1 == 0
+    }
+
+    /// The same with every pair of traces changed.
+    fn changed<E>(&self, change: impl Fn(&Self) -> Result<Self, E>) -> Result<Self, E> {
+        let Some(sample) = &self.sample else {
+            return change(self);
+        };
+        let in_zones = |pair: &Vec<Self>| pair.iter().map(&change).collect();
+        let pairs = PairsOfTeeth {
+            teeth: sample.teeth,
+            met: sample.met.iter().map(in_zones).collect::<Result<_, E>>()?,
+        };
+        Ok(Self::of_pairs(pairs).unwrap_or_else(|| self.clone()))
+    }
+
+    /// The same with placed traces misplaced by so many half-widths against each other; none where they are not placed.
+    pub(crate) fn misplaced(&self, half_widths: f64) -> Option<Self> {
+        self.changed(|met| {
+            let placement = met.placement.ok_or(())?;
+            let misplaced = Placement {
+                misplaced: half_widths,
+                ..placement
+            };
+            Ok::<_, ()>(met.clone().placed(Some(misplaced)))
+        })
+        .ok()
+    }
+
     /// Where the traces lie on their flanks; none where that is not known of both.
     #[must_use]
     pub fn placement(&self) -> Option<&Placement> {
         self.placement.as_ref()
     }
 
-    /// Share of the loss at places that both traces cover; none where they are not placed.
-    pub(crate) fn coverage<'a>(&self, stations: impl Iterator<Item = &'a Station>) -> Option<f64> {
-        let [Texture::Trace(first), Texture::Trace(second)] = &self.textures else {
+    /// Share of the loss at places that both traces cover, the least of all pairs; none where they are not placed.
+    pub(crate) fn coverage<'a>(
+        &self,
+        stations: impl Iterator<Item = &'a Station> + Clone,
+    ) -> Option<f64> {
+        let of_zone = |zone: usize, met: &Self| {
+            let here = stations.clone().filter(move |at| at.zone == zone);
+            met.coverage_of_one(here)
+        };
+        let Some(sample) = &self.sample else {
+            return self.coverage_of_one(stations);
+        };
+        let pairs = sample.met.iter().flat_map(|pair| pair.iter().enumerate());
+        let least = pairs.filter_map(|(zone, met)| of_zone(zone, met));
+        least.reduce(f64::min)
+    }
+
+    fn coverage_of_one<'a>(&self, stations: impl Iterator<Item = &'a Station>) -> Option<f64> {
+        let [Texture::Trace(first), Texture::Trace(second)] = self.textures() else {
             return None;
         };
         let points = [first.len(), second.len()];
@@ -122,6 +258,76 @@ impl Surfaces {
         .placed(self.placement)
     }
 
+    /// The same flanks with all heights times `factor`.
+    ///
+    /// # Errors
+    /// When heights are no longer finite.
+    pub fn with_heights_times(&self, factor: f64) -> Result<Self, DomainError> {
+        self.changed(|met| met.one_with_heights_times(factor))
+    }
+
+    fn one_with_heights_times(&self, factor: f64) -> Result<Self, DomainError> {
+        let times = |texture: &Texture| -> Result<Texture, DomainError> {
+            Ok(match texture {
+                Texture::Trace(trace) => {
+                    let heights = trace.heights().iter().map(|z| factor * z);
+                    Texture::Trace(Profile::new(trace.spacing(), heights.collect())?)
+                }
+                Texture::Values {
+                    rq,
+                    ra,
+                    rz,
+                    rpk,
+                    asperity_radius,
+                } => Texture::Values {
+                    rq: factor * rq,
+                    ra: factor * ra,
+                    rz: factor * rz,
+                    rpk: rpk.map(|rpk| factor * rpk),
+                    // Curvatures grow with the heights.
+                    asperity_radius: asperity_radius.map(|radius| radius / factor),
+                },
+            })
+        };
+        let [pinion, wheel] = self.textures();
+        let textures = [times(pinion)?, times(wheel)?];
+        Ok(Self::new(textures, self.noise_cutoff, self.same_trace)
+            .with_rz(self.rz.map(|rz| rz.map(|rz| rz * factor)))
+            .placed(self.placement))
+    }
+
+    /// The same flanks with other heights on their traces; Rz of a trace goes with its Rq.
+    ///
+    /// # Errors
+    /// Those of `change`.
+    pub fn with_changed_traces<E>(
+        &self,
+        change: impl Fn(&Profile) -> Result<Profile, E>,
+    ) -> Result<Self, E> {
+        self.changed(|met| met.one_with_changed_traces(&change))
+    }
+
+    fn one_with_changed_traces<E>(
+        &self,
+        change: impl Fn(&Profile) -> Result<Profile, E>,
+    ) -> Result<Self, E> {
+        let changed = |body: usize| match &self.textures[body] {
+            Texture::Trace(trace) => {
+                let other = change(trace)?;
+                let ratio = rq(&other) / rq(trace);
+                let rz = self.rz[body].map(|rz| rz * ratio);
+                Ok((Texture::Trace(other), rz))
+            }
+            values @ Texture::Values { .. } => Ok((values.clone(), self.rz[body])),
+        };
+        let [(pinion, pinion_rz), (wheel, wheel_rz)] = [changed(0)?, changed(1)?];
+        Ok(
+            Self::new([pinion, wheel], self.noise_cutoff, self.same_trace)
+                .with_rz([pinion_rz, wheel_rz])
+                .placed(self.placement),
+        )
+    }
+
     /// Pinion and wheel.
     pub fn textures(&self) -> &[Texture; 2] {
         &self.textures
@@ -135,7 +341,7 @@ impl Surfaces {
             }
             Texture::Values { .. } => None,
         };
-        let [first, second] = &self.textures;
+        let [first, second] = self.textures();
         self.spectra
             .get_or_init(|| Some([spectrum(first)?, spectrum(second)?]))
             .as_ref()
@@ -148,13 +354,28 @@ impl Surfaces {
             .all(|texture| matches!(texture, Texture::Trace(_)))
     }
 
-    /// Number of offsets computed when `wanted` are requested: one where a flank was not measured, or where the windows
-    /// follow from the mesh.
-    pub(crate) fn offsets(&self, wanted: usize) -> usize {
-        match self.are_measured() && self.placement.is_none() {
+    /// Number of offsets computed when `wanted` are requested for each pair of traces: one where a flank was not
+    /// measured, or where the windows follow from the mesh.
+    #[must_use]
+    pub fn offsets(&self, wanted: usize) -> usize {
+        let of_a_pair = match self.are_measured() && self.placement.is_none() {
             true => wanted,
             false => 1,
-        }
+        };
+        self.pairs() * of_a_pair
+    }
+
+    /// Whether the traces of a flank, 0 of the pinion and 1 of the wheel, are those of other flanks.
+    pub(crate) fn has_flank_of(&self, body: usize, other: &Self) -> bool {
+        let textures = |surfaces: &Self| -> Vec<Arc<[Texture; 2]>> {
+            surfaces
+                .each()
+                .map(|met| Arc::clone(&met.textures))
+                .collect()
+        };
+        let (ours, theirs) = (textures(self), textures(other));
+        let mut pairs = ours.iter().zip(&theirs);
+        ours.len() == theirs.len() && pairs.all(|(a, b)| a[body] == b[body])
     }
 
     /// Roughness of the windows that meet.
@@ -176,7 +397,7 @@ impl Surfaces {
 
     /// Roughness of the flanks as a whole: of both traces, or from values.
     pub(crate) fn roughness_as_a_whole(&self) -> Result<Roughness, PositionError> {
-        let [Texture::Trace(first), Texture::Trace(second)] = &self.textures else {
+        let [Texture::Trace(first), Texture::Trace(second)] = self.textures() else {
             return self.roughness_of_values();
         };
         let common = first.len().min(second.len());
@@ -218,6 +439,14 @@ impl Surfaces {
                 .map(|(p, q)| Length::from_si(1.0 / (1.0 / p.si()).hypot(1.0 / q.si()))),
         })
     }
+}
+
+/// Rq of a trace as a whole.
+fn rq(trace: &Profile) -> f64 {
+    let n = trace.len() as f64;
+    let mean = trace.heights().iter().sum::<f64>() / n;
+    let squares = trace.heights().iter().map(|z| (z - mean).powi(2));
+    (squares.sum::<f64>() / n).sqrt()
 }
 
 /// A flank as the result reports it.

@@ -71,8 +71,12 @@ fn rows(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, PositionError> {
         check_station(&station)?;
         let recorded = records.as_ref().map(|records| records.at(station.s, None));
         let mut decisions = Vec::with_capacity(count);
-        let mut film = RoughFilm::at(case, &laws, &loaded.surfaces, &station)?;
+        let mut film = None;
         for k in 0..count {
+            if loaded.surfaces.begins_a_pair(k, count) {
+                let (met, ..) = loaded.surfaces.met(station.zone, k, count);
+                film = RoughFilm::at(case, &laws, met, &station)?;
+            }
             let (met, roughness) =
                 meeting(&loaded.surfaces, &station, case.model.window, k, count)?;
             let solved = match (&mut film, &met) {

@@ -383,6 +383,10 @@ fn warnings(
             format!("the residuals drift with the order of measurement (correlation {drift:+.2})"),
         ));
     }
+    if rig.has_gearbox {
+        let text = "the gearbox of the case is left aside: the column includes tells what the measured losses hold";
+        found.push(Warning::new("W431", text));
+    }
     let assemblies = rig.table.assemblies().len();
     if assemblies < 3 {
         found.push(Warning::new(

@@ -36,6 +36,8 @@ pub struct Rig {
     pub nominal: Vec<Parts>,
     /// Title of the first case.
     pub title: String,
+    /// Whether a case states losses beside its mesh, which are left aside.
+    pub has_gearbox: bool,
 }
 
 impl Rig {
@@ -88,6 +90,7 @@ impl Rig {
             point_of,
             nominal,
             title,
+            has_gearbox: all.iter().any(|case| case.case.gearbox.is_some()),
         })
     }
 

@@ -84,6 +84,8 @@ impl RigModel {
             let changed = cases[*case_number].with(|input| {
                 input.operation.torque = Torque::from_si(*torque);
                 input.model.run_in = None;
+                // What the measured losses hold is told by their table.
+                input.gearbox = None;
             });
             let made = changed.and_then(|case| Ok((contact_tables(&case)?, case)));
             let (tables, case) = made.map_err(|source| at(&format!("{torque:.1} N m"), source))?;

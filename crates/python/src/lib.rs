@@ -40,7 +40,7 @@ mod _asperity {
     #[pymodule_export]
     use super::stored::{read_result, summary};
     #[pymodule_export]
-    use super::studies::{Comparison, Map, compare, map, read_map};
+    use super::studies::{Comparison, Map, Sensitivity, compare, map, read_map, sensitivity};
     #[pymodule_export]
     use super::sweep::Cases;
     #[pymodule_export]

@@ -1,4 +1,4 @@
-//! Comparisons of finishes, and maps.
+//! Comparisons of finishes, changes of one thing at a time, and maps.
 
 use std::path::PathBuf;
 
@@ -6,6 +6,7 @@ use asperity_studies::compare::{self as comparing, Finish};
 use asperity_studies::cycle;
 use asperity_studies::export::{AddedLoss, Format, With, export};
 use asperity_studies::map::{self as mapping, Axes, MapBand, Numbers, Point};
+use asperity_studies::sensitivity as changing;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -63,6 +64,43 @@ impl Comparison {
     /// Writes the folder of the comparison.
     fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
         alone(py, || Ok(comparing::write(&self.0, &folder)?))
+    }
+}
+
+/// What the loss of a case does when one thing changes.
+#[pyclass(frozen, module = "asperity._asperity")]
+pub struct Sensitivity(changing::Sensitivity);
+
+/// Runs a case, then every change of it.
+#[pyfunction]
+pub fn sensitivity(
+    py: Python<'_>,
+    case: PyRef<'_, Case>,
+    threads: Option<usize>,
+    progress: Option<Bound<'_, PyAny>>,
+) -> PyResult<Sensitivity> {
+    let case = case.pair()?;
+    in_parallel(py, threads, progress.as_ref(), |told| {
+        let found = changing::sensitivity(&case, &|done, total| told.tell(done, total))?;
+        Ok(Sensitivity(found))
+    })
+}
+
+#[pymethods]
+impl Sensitivity {
+    /// The study as the command prints it with --json.
+    fn json(&self) -> PyResult<String> {
+        Ok(failure::json(&self.0)?)
+    }
+
+    /// The summary as text.
+    fn summary(&self) -> String {
+        changing::summary(&self.0)
+    }
+
+    /// Writes the folder of the study.
+    fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
+        alone(py, || Ok(changing::write(&self.0, &folder)?))
     }
 }
 

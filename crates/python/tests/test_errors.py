@@ -107,6 +107,19 @@ def values(**changed):
     return lambda place: Case(small(**changed)).run("losses")
 
 
+def with_table(text):
+    def raised(place):
+        (place / "losses.csv").write_text(text)
+        Case(small(gearbox={"loss_table": str(place / "losses.csv")})).run("losses")
+
+    return raised
+
+
+def two_teeth(place):
+    flanks = {"pinion": {"traces": [trace(), trace()]}, "wheel": {"file": trace()}}
+    Case(small(surface={"cutoff": "0.25 mm", **flanks})).contact()
+
+
 BARE = {"cutoff": "0.25 mm", "pinion": {"rq": "0.3 um"}, "wheel": {"rq": "0.3 um"}}
 
 RAISES = {
@@ -135,6 +148,9 @@ RAISES = {
     "E123": placed,
     "E130": read("roll length [mm],z [um]\n" + rows(2000, lambda i, z: f"{8 + 0.002 * i:.4f},{z:.5f}")),
     "E131": None,  # below: the reader warns, the case refuses
+    "E136": read("x_um,z_um\n" + rows(1000, lambda i, z: f"{0.5 * i + 20 * (i > 500):.1f},{z:.5f}"), uneven="resample"),
+    "E137": lambda place: Case(small(surface={"cutoff": "0.25 mm", "pinion": {"traces": str(place / "tooth*.csv")}, "wheel": {"file": trace()}})),
+    "E138": with_table("speed_rpm,loss\n1,2\n"),
     "E201": lambda place: Case(place / "absent.toml"),
     "E202": case_text("gears = {"),
     "E203": lambda place: Case(small()).replace({"operation.torqe": "3 N m"}),
@@ -147,6 +163,7 @@ RAISES = {
     "E211": lambda place: solve_contact(GAP, 1e-6, 115e9, 1e5, tolerance=1e-2),
     "E212": lambda place: Case(small()).replace({"gears.module": "1.8 m"}),
     "E220": lambda place: Case(small()).replace({"material.pinion.steel": "16MnCr6"}),
+    "E222": values(gearbox={"seals": [{"name": "input", "shaft": "pinion", "diameter": "-40 mm"}]}),
     "E301": lambda place: solve_contact(GAP, 1e-6, 115e9, 1e5, tolerance=1e-17),
     "E302": lambda place: solve_contact(GAP, 1e-6, 115e9, 1e6, pressure_limit="1 GPa"),
     "E303": lambda place: Case(small(surface=BARE)).contact(),
@@ -166,6 +183,8 @@ RAISES = {
             "bulk": {"law": "network", "pinion_to_oil": "0.1 W/K", "wheel_to_oil": 0.1},
         },
     ),
+    "E312": two_teeth,
+    "E313": with_table("speed_rpm,loss_torque_nm\n100,1\n200,1\n"),
     "E320": read(digital_surf_image(), "image.sur"),
     "E321": read(matlab_arrays(b"left", b"right"), "two.mat"),
     "E401": existing,

@@ -84,6 +84,22 @@ def test_a_comparison_is_that_of_the_command(command, tmp_path):
     assert found.to_dict() == expected
 
 
+def test_a_sensitivity_study_is_that_of_the_command(command, tmp_path):
+    few = {"positions": 4, "offsets": 4}
+    keys = [f"--set=model.{name}={value}" for name, value in few.items()]
+    case = CASES / "e-drive.toml"
+    expected = json_of(command, "sensitivity", case, *keys, "-o", tmp_path / "out")
+    found = asperity.sensitivity(asperity.Case(case, model=few))
+    assert found.to_dict() == expected
+    assert asperity.read_result(tmp_path / "out").to_dict() == expected
+    table = found.to_pandas()
+    assert len(table) == len(expected["rows"]) and table["code"].isna().all()
+    assert (table["difference_w"] / expected["loss_w"] - table["change"]).abs().max() < 1e-12
+    found.write(tmp_path / "again")
+    assert (tmp_path / "again" / "sensitivity.csv").read_text() == (tmp_path / "out" / "sensitivity.csv").read_text()
+    assert "heights of both flanks" in str(found)
+
+
 def test_a_sweep_is_that_of_the_command(command, tmp_path):
     study = tmp_path / "study.toml"
     study.write_text(

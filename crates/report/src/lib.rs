@@ -29,5 +29,5 @@ pub use folder::{
 };
 pub use page_tables::PageTables;
 pub use planetary::{check_planetary_place, write_planetary};
-pub use summary::{brief, published_laws, summary};
+pub use summary::{brief, published_laws, stated, summary};
 pub use wrap::{COLUMNS, wrapped};

@@ -53,10 +53,11 @@ pub fn write_planetary(
 
 fn summary_page(result: &PlanetaryResult) -> String {
     let rpm = |speed: f64| format!("{:.1} 1/min", speed * 30.0 / std::f64::consts::PI);
+    let [loss, efficiency] = result.with_bands();
     let summary = html! {
         dl.tiles {
-            div { dt { "efficiency (meshes only)" } dd { (format!("{:.4} %", 100.0 * result.efficiency)) } }
-            div { dt { "loss of all meshes" } dd { (format!("{:.1} W", result.loss_w)) } }
+            div { dt { "efficiency (meshes only)" } dd { (efficiency) " %" } }
+            div { dt { "loss of all meshes" } dd { (loss) " W" } }
             div { dt { "power in" } dd { (format!("{:.3} kW", 1e-3 * result.power_in_w)) } }
             div { dt { "power through the meshes" } dd { (format!("{:.3} kW", 1e-3 * result.rolling_power_w)) } }
             div { dt { "planets" } dd { (result.planets) } }
@@ -74,16 +75,20 @@ fn summary_page(result: &PlanetaryResult) -> String {
                 th { "mesh" } th { "torque [N m]" } th { "loss of one [W]" } th { "efficiency [%]" }
                 th { "H_V" } th { "μ_eq" } th { "p₀ [MPa]" } th { "p₀ at K_γ [MPa]" }
             } }
-            tbody { @for (row, folder) in result.meshes.iter().zip(MESHES) { tr {
+            tbody { @for (row, folder) in result.meshes.iter().zip(MESHES) { @let [loss, efficiency, mu] = row.with_digits(); tr {
                 td { a href={ (folder) "/report.html" } { (row.mesh) } }
                 td { (format!("{:.3}", row.torque_nm)) }
-                td { (format!("{:.2}", row.loss_w)) }
-                td { (format!("{:.4}", 100.0 * row.efficiency)) }
+                td { (loss) }
+                td { (efficiency) }
                 td { (format!("{:.4}", row.loss_factor)) }
-                td { (format!("{:.4}", row.mu_equivalent)) }
+                td { (mu) }
                 td { (format!("{:.0}", row.hertz_pressure_mpa)) }
                 td { (format!("{:.0}", row.hertz_pressure_most_loaded_mpa)) }
             } } }
+        }
+        @if result.loss_quantiles_w.is_some() {
+            p { "In brackets 5 and 95 % over the same draws of oil and boundary layer for both kinds of meshes, with the sampling of
+                the flanks. Each mesh has its own page with teeth, flanks and losses along the path." }
         }
         p { "data: " code { "meshes.csv" } }
     };

@@ -5,7 +5,10 @@ use std::fmt::Write as _;
 use crate::wrap::{COLUMNS, wrapped};
 use asperity::loss_band::{LossBand, SamplingPart, Trust, rounded};
 use asperity::message::Warning;
-use asperity::result::{BulkReport, PositionRow, PublishedOutcome, RunResult, Summary};
+use asperity::result::{
+    BulkReport, GearboxReport, MicropittingReport, PairSampling, PositionRow, PublishedOutcome,
+    RunResult, Summary,
+};
 
 /// Under the text of a message, behind its code.
 const INDENT: &str = "     ";
@@ -60,15 +63,114 @@ fn numbers(result: &RunResult) -> String {
     let mut text = String::new();
     // Writing into a string cannot fail.
     let _ = write_losses(&mut text, result);
+    if let Some(gearbox) = &result.gearbox {
+        text.push_str(&gearbox_text(gearbox, result.band.as_ref()));
+    }
     if let Some(band) = &result.band {
         text.push_str(&band_text(band));
+    }
+    if let Some(pairs) = result
+        .pairs
+        .as_ref()
+        .and_then(|pairs| pairs.sampling.as_ref())
+    {
+        text.push_str(&pairs_text(pairs));
     }
     if let Some(bulk) = &result.bulk {
         text.push_str(&bulk_text(bulk));
     }
+    if let Some(found) = &result.micropitting {
+        text.push_str(&micropitting_text(found));
+    }
     let _ = write_regime(&mut text, result);
     let _ = write_run_in(&mut text, result);
     text
+}
+
+/// The traced teeth, the mean over their pairs and what its error is made of.
+fn pairs_text(pairs: &PairSampling) -> String {
+    let [pinion, wheel] = pairs.traces;
+    let own = |power: f64| rounded(power, pairs.half_width_w);
+    let bound = pairs.not_sampled().map_or(String::new(), |gear| {
+        format!(", {gear} not sampled: lower bound")
+    });
+    let [s1, s2] = pairs.between_w;
+    let line = format!(
+        "pairs  {pinion} traced teeth of the pinion on {wheel} of the wheel, mean {} ±{} W (95 %{bound}); \
+        s_1 {} between teeth of the pinion, s_2 {} of the wheel, s_12 {} W from pair to pair",
+        own(pairs.mean_w),
+        own(pairs.half_width_w),
+        two_digits(s1),
+        two_digits(s2),
+        two_digits(pairs.interaction_w),
+    );
+    wrapped(&line, "  ") + "\n"
+}
+
+/// A scatter with two digits of its own.
+pub(crate) fn two_digits(power: f64) -> String {
+    match power > 0.0 {
+        true => rounded(power, power),
+        false => "0".to_owned(),
+    }
+}
+
+/// The gearbox around the mesh: its efficiency, and what its user states, part by part.
+fn gearbox_text(gearbox: &GearboxReport, band: Option<&LossBand>) -> String {
+    let parts = gearbox.parts.iter();
+    let parts = parts.map(|part| format!("{} {}", part.name, stated(part.loss_w)));
+    let parts: Vec<String> = parts.collect();
+    let beside = wrapped(
+        &format!(
+            "  beside the mesh {}, stated by the user and without a band: {}",
+            stated(gearbox.parts_w),
+            parts.join(", ")
+        ),
+        "  ",
+    );
+    format!("{}\n{beside}\n", gearbox_headline(gearbox, band))
+}
+
+fn gearbox_headline(gearbox: &GearboxReport, band: Option<&LossBand>) -> String {
+    let Some(band) = band else {
+        return format!(
+            "efficiency (gearbox)    {:.4} %   loss {}",
+            100.0 * gearbox.efficiency,
+            watts(gearbox.loss_w)
+        );
+    };
+    let [low, high] = gearbox.efficiency_quantiles(band);
+    let percent = |share: f64| rounded(100.0 * share, 50.0 * (high - low));
+    let loss = |power: f64| rounded(power, band.half_width_w());
+    let [least, most] = gearbox.quantiles_w(band).map(loss);
+    format!(
+        "efficiency (gearbox)    {} % ({}..{})   loss {} W ({least}..{most})",
+        percent(gearbox.efficiency),
+        percent(low),
+        percent(high),
+        loss(gearbox.loss_w),
+    )
+}
+
+/// The smallest specific film, its place, and what it may be held against.
+fn micropitting_text(found: &MicropittingReport) -> String {
+    let against = match (found.permissible, found.safety) {
+        (Some(permissible), Some(safety)) => {
+            format!("S_lambda {safety:.2} over the user's {permissible:.3}")
+        }
+        _ => "no permissible value stated".to_owned(),
+    };
+    let scope = match found.outside.is_empty() {
+        true => "by the form of ISO/TS 6336-22",
+        false => "by the form of ISO/TS 6336-22, outside of its scope",
+    };
+    let line = format!(
+        "micropitting  lambda_GF {:.3} at {:.0} % of the path, {}; {against}; {scope}",
+        found.lambda_min,
+        100.0 * found.path_fraction,
+        found.place
+    );
+    format!("{}\n", wrapped(&line, "  "))
 }
 
 /// The bulk temperature found from the loss, and how.
@@ -192,7 +294,7 @@ fn write_regime(text: &mut String, result: &RunResult) -> std::fmt::Result {
             result.records.len()
         )?;
     }
-    if s.offsets > 1 && result.band.is_none() {
+    if s.offsets > 1 && result.band.is_none() && result.pairs.is_none() {
         writeln!(text, "spread  over {} profile offsets", s.offsets)?;
     }
     if result.running_in.energy_per_engagement_j > 0.0 {
@@ -275,6 +377,17 @@ fn band_text(band: &LossBand) -> String {
             found.effective_windows,
             found.offsets,
         ),
+        SamplingPart::Pairs(found) => {
+            let misplaced = found.misplaced_w.map_or(String::new(), |[down, up]| {
+                let (down, up) = (signed(down), signed(up));
+                format!("; {down} and {up} W where the traces lie two half-widths off")
+            });
+            format!(
+                "sampling of the flanks ±{} W (95 %, {} pairs of traced teeth){misplaced}",
+                rounded(found.half_width_w, found.half_width_w),
+                found.pairs(),
+            )
+        }
         SamplingPart::OnePair([down, up]) => format!(
             "one pair of traces, {} and {} W where they lie two half-widths off",
             signed(*down),
@@ -347,6 +460,15 @@ pub fn published_laws(result: &RunResult) -> String {
         );
     }
     text
+}
+
+/// A power as a user states it, with three digits.
+pub fn stated(power: f64) -> String {
+    let decimals = match power.abs() {
+        0.0 => 0,
+        size => (2 - size.log10().floor() as i32).clamp(0, 6) as usize,
+    };
+    format!("{power:.decimals$} W")
 }
 
 /// A power with three or four digits that mean something.

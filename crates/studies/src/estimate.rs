@@ -115,11 +115,11 @@ pub fn measured(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, Erro
         true => NAMED,
         false => 0,
     };
-    let positions = quick.contacts / model.offsets.max(1);
+    let all = loaded.surfaces.offsets(model.offsets).max(1);
+    let positions = quick.contacts / all;
     let scale = (positions + named) as f64 / (solved + named).max(1) as f64;
     let work = scale * (once + of_an_offset * model.offsets as f64);
-    let stress =
-        SECONDS_OF_STRESS * quick.points / model.offsets.max(1) as f64 * model.depths as f64;
+    let stress = SECONDS_OF_STRESS * quick.points / all as f64 * model.depths as f64;
     let threads = rayon::current_num_threads().min(positions.max(1)) as f64;
     Ok(Estimate {
         seconds: SECONDS_AROUND + (work + stress) / threads,
@@ -154,7 +154,8 @@ fn of_case(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, PositionE
         .iter()
         .map(|station| 2.0 * model.window * (station.hertz.half_width / spacing));
     let once: f64 = windows.sum();
-    let points = once * model.offsets as f64;
+    let offsets = loaded.surfaces.offsets(model.offsets);
+    let points = once * offsets as f64;
     let depths = model.depths as f64;
     let of_a_point = match loaded.case.formulation {
         Formulation::Paper => SECONDS_OF_A_STEP * (LOWERED / model.delta_step.si()),
@@ -167,7 +168,7 @@ fn of_case(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, PositionE
     let held = stations.len().min(kept.of(stations.len()) + threads) as f64;
     let of_fields = BYTES * (NUMBERS[0] + NUMBERS[1] * depths);
     Ok(Estimate {
-        contacts: stations.len() * model.offsets,
+        contacts: stations.len() * offsets,
         points,
         seconds: SECONDS_AROUND + work / threads.min(stations.len()) as f64,
         bytes: held / stations.len() as f64 * once * of_fields,

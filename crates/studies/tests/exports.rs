@@ -71,6 +71,7 @@ fn map_of(torque: &[f64], temperatures: &[f64]) -> Map {
         program: "asperity".to_owned(),
         title: "made up".to_owned(),
         scope: "mesh".to_owned(),
+        gearbox: None,
         axes,
         ratio: 68.0 / 23.0,
         finishes: vec![FinishMap {

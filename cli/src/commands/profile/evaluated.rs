@@ -5,8 +5,8 @@ use std::path::Path;
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use asperity_profile_io::Warning as ReadWarning;
-use asperity_profile_io::read::{Metadata, ReadOptions, Reading, read};
-use asperity_profile_io::write::{WrittenFormat, write};
+use asperity_profile_io::read::{Metadata, ReadError, ReadOptions, Reading, Trace, read_trace};
+use asperity_profile_io::write::{WriteError, WrittenFormat, write, write_trace};
 use asperity_roughness::ambiguity::Sections;
 use asperity_roughness::height_parameters::{HeightParameters, Mode, in_sections};
 use asperity_roughness::preparation::{Profiles, profiles};
@@ -123,12 +123,23 @@ impl std::fmt::Display for Note<'_> {
     }
 }
 
-/// Reads a file as the options say.
+/// Reads a file as the options say, on an even grid.
 pub(super) fn opened(
     file: &Path,
     args: &ReadingArgs,
     base_radius: Option<Length>,
 ) -> Result<Reading, Failure> {
+    let trace = opened_trace(file, args, base_radius)?;
+    let uneven = args.uneven.unwrap_or_default();
+    trace.reading(uneven).map_err(|error| refused(&error))
+}
+
+/// Reads a file as the options say, with points that may be uneven.
+pub(super) fn opened_trace(
+    file: &Path,
+    args: &ReadingArgs,
+    base_radius: Option<Length>,
+) -> Result<Trace, Failure> {
     let options = ReadOptions {
         x_unit: args.x_unit,
         z_unit: args.z_unit,
@@ -144,14 +155,11 @@ pub(super) fn opened(
         base_radius,
         uneven: args.uneven.unwrap_or_default(),
     };
-    let reading = read(file, &options).map_err(|error| {
-        let message = words::with_options(&error.to_string(), &error.remedy());
-        Failure::new(error.code(), message)
-    })?;
+    let trace = read_trace(file, &options).map_err(|error| refused(&error))?;
     let row = args.row.unwrap_or(1);
-    let single = !reading.format.may_hold_several();
+    let single = !trace.format.may_hold_several();
     if single && (row > 1 || args.line.is_some()) {
-        let name = &reading.name;
+        let name = &trace.name;
         let asked = match args.line {
             Some(line) => format!("--line {line} has nothing to choose from"),
             None => format!("there is no row {row}"),
@@ -159,7 +167,13 @@ pub(super) fn opened(
         let text = format!("{name}: the file holds a single profile; {asked}");
         return Err(Failure::new("E119", text));
     }
-    Ok(reading)
+    Ok(trace)
+}
+
+/// A refusal of the reader, with the options that help.
+pub(super) fn refused(error: &ReadError) -> Failure {
+    let message = words::with_options(&error.to_string(), &error.remedy());
+    Failure::new(error.code(), message)
 }
 
 /// Reason why a profile that was read is not evaluated, with its remedy.
@@ -182,6 +196,18 @@ fn of_name(name: &str) -> Option<WrittenFormat> {
 
 /// Writes a profile in the format its name asks for; an interrupted run leaves nothing half-written.
 pub(super) fn save(output: &Path, profile: &Profile, metadata: &Metadata) -> Result<(), Failure> {
+    save_as(output, |format| write(profile, metadata, format))
+}
+
+/// Writes a trace as it stands.
+pub(super) fn save_trace(output: &Path, trace: &Trace) -> Result<(), Failure> {
+    save_as(output, |format| write_trace(trace, format))
+}
+
+fn save_as(
+    output: &Path,
+    bytes: impl Fn(WrittenFormat) -> Result<Vec<u8>, WriteError>,
+) -> Result<(), Failure> {
     let name = output.display().to_string();
     let format = of_name(&name).ok_or_else(|| {
         Failure::new(
@@ -189,7 +215,7 @@ pub(super) fn save(output: &Path, profile: &Profile, metadata: &Metadata) -> Res
             format!("{name}: cannot be written; name it .csv, .x3p or .smd"),
         )
     })?;
-    let bytes = write(profile, metadata, format)
+    let bytes = bytes(format)
         .map_err(|error| Failure::new("E401", format!("{name}: cannot be written: {error}")))?;
     output::save(output, &bytes)
 }

@@ -1,6 +1,7 @@
 //! `asperity profile convert`, `filter` and `generate`: a profile into a file.
 
-use asperity_profile_io::read::{Metadata, whole_file};
+use asperity_profile_io::Warning;
+use asperity_profile_io::read::{Metadata, Positions, Trace, whole_file};
 use asperity_report::wrapped;
 use asperity_roughness::composite::resampled;
 use asperity_roughness::generate::{Recipe, SelfAffine, Surface};
@@ -8,7 +9,7 @@ use asperity_roughness::outliers::{Outliers, replace};
 use asperity_roughness::preparation::profiles;
 use serde_json::json;
 
-use super::evaluated::{Note, opened, refusal, save, um};
+use super::evaluated::{Note, opened, opened_trace, refusal, refused, save, save_trace, um};
 use super::plan::Plan;
 use crate::args::{
     Common, ProfileConvertArgs, ProfileFilterArgs, ProfileGenerateArgs, ProfilePart,
@@ -25,7 +26,17 @@ const HALF_WINDOW: usize = 6;
 /// `asperity profile convert`
 pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure> {
     let common = &beside(&args.output, common)?;
-    let reading = opened(&args.file, &args.reading, args.base_radius)?;
+    let trace = opened_trace(&args.file, &args.reading, args.base_radius)?;
+    let as_it_stands = args.outliers.is_none() && args.reading.uneven.is_none();
+    if let Positions::Own { unevenness, .. } = &trace.positions
+        && as_it_stands
+        && trace.metadata.arc_from_base.is_none()
+    {
+        let off = unevenness.off;
+        return convert_uneven(args, trace, off, common);
+    }
+    let uneven = args.reading.uneven.unwrap_or_default();
+    let reading = trace.reading(uneven).map_err(|error| refused(&error))?;
     let mut profile = reading.profile.clone();
     let mut outliers = None;
     if let Some(deviations) = args.outliers {
@@ -65,11 +76,54 @@ pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure
     if args.resample.is_some() {
         text += &format!("  resampled linearly from {}\n", reading.spacing);
     }
-    for warning in &reading.warnings {
-        let note = format!("  {} {}", warning.code(), Note::Read(warning));
-        text += &format!("{}\n", wrapped(&note, "    "));
-    }
+    text += &notes(&reading.warnings);
     print_text(common, &text)
+}
+
+/// Writes an uneven trace with the x of every point, or in the even steps asked for.
+fn convert_uneven(
+    args: &ProfileConvertArgs,
+    mut trace: Trace,
+    off: f64,
+    common: &Common,
+) -> Result<(), Failure> {
+    let (mut n, mut dx) = (trace.heights.len(), None);
+    match args.resample {
+        None => {
+            save_trace(&args.output, &trace)?;
+            trace.warnings.push(Warning::PositionsKept { off });
+        }
+        Some(spacing) => {
+            let even = trace.resampled(spacing).map_err(|error| refused(&error))?;
+            save(&args.output, &even.profile, &trace.metadata)?;
+            (n, dx) = (even.profile.len(), Some(um(spacing)));
+            trace.warnings.push(Warning::Resampled {
+                off,
+                spacing,
+                rms: even.rms,
+                most: even.most,
+            });
+        }
+    }
+    let output = args.output.display().to_string();
+    if common.json {
+        return print_json(&json!({ "reading": trace, "output": output, "n": n, "dx_um": dx }));
+    }
+    let points = trace.heights.len();
+    let head = format!(
+        "{} ({}, {points} uneven points) -> {output}, {n} points\n",
+        trace.name, trace.format
+    );
+    print_text(common, &(head + &notes(&trace.warnings)))
+}
+
+/// A line for each warning of the reader.
+fn notes(warnings: &[Warning]) -> String {
+    let line = |warning: &Warning| {
+        let note = format!("  {} {}", warning.code(), Note::Read(warning));
+        format!("{}\n", wrapped(&note, "    "))
+    };
+    warnings.iter().map(line).collect()
 }
 
 /// `asperity profile filter`
@@ -77,10 +131,10 @@ pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> 
     let common = &beside(&args.output, common)?;
     let reading = opened(&args.file, &args.reading, args.preparing.base_radius)?;
     let plan = Plan::for_reading(&args.preparing, &reading)?;
-    let refused = |error| refusal(&reading, &plan, &error);
-    let without_involute = plan.without_involute(&reading.profile).map_err(refused)?;
+    let unfit = |error| refusal(&reading, &plan, &error);
+    let without_involute = plan.without_involute(&reading.profile).map_err(unfit)?;
     let trace = without_involute.as_ref().unwrap_or(&reading.profile);
-    let parts = profiles(trace, &plan.recipe, plan.filter).map_err(refused)?;
+    let parts = profiles(trace, &plan.recipe, plan.filter).map_err(unfit)?;
     let profile = match args.part {
         ProfilePart::Roughness => &parts.roughness.profile,
         ProfilePart::Primary => &parts.primary,
@@ -112,7 +166,7 @@ pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> 
         reading.name,
         profile.len(),
         reading.points
-    );
+    ) + &notes(&reading.warnings);
     print_text(common, &text)
 }
 

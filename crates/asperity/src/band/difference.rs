@@ -33,7 +33,7 @@ pub struct PairedDifference {
 /// ```
 ///
 /// Where both have a flank in common their windows are the same, and the error is that of the differences from
-/// window to window.
+/// window to window, or from pair to pair of teeth.
 #[must_use]
 pub fn difference(first: &DrawnLosses, other: &DrawnLosses) -> PairedDifference {
     asperity_core::cite!("Paired-difference");
@@ -51,7 +51,7 @@ pub fn difference(first: &DrawnLosses, other: &DrawnLosses) -> PairedDifference 
         .map(|((a, b), drawn)| share(first, other, a, b, drawn, shared))
         .collect();
     let nominal = delta(first, other, first.nominal(), other.nominal(), shared);
-    let both_sampled = first.effective_windows().and(other.effective_windows());
+    let both_sampled = first.is_sampled() && other.is_sampled();
     let moves = moves(first, other, shared);
     let (deltas, shares) = (
         moved(&deltas, &moves, 1.0),
@@ -61,7 +61,7 @@ pub fn difference(first: &DrawnLosses, other: &DrawnLosses) -> PairedDifference 
         nominal_w: nominal.value,
         quantiles_w: five_to_ninety_five(&deltas),
         parameter_quantiles_w: five_to_ninety_five(&exact),
-        sampling_half_width_w: both_sampled.map(|_| half_width(&nominal)),
+        sampling_half_width_w: both_sampled.then(|| half_width(&nominal)),
         nominal_share: nominal.value / base(first),
         share_quantiles: five_to_ninety_five(&shares),
     }
@@ -115,6 +115,12 @@ fn delta(first: &DrawnLosses, other: &DrawnLosses, a: &[f64], b: &[f64], shared:
     let value = mean(b) - mean(a);
     if shared && a.len() == b.len() {
         let differences: Vec<f64> = a.iter().zip(b).map(|(a, b)| b - a).collect();
+        if first.teeth().is_some() && first.teeth() == other.teeth() {
+            return match first.between_pairs(&differences) {
+                None => Drawn::exact(value),
+                Some(found) => Drawn::between_traces(value, &found),
+            };
+        }
         let windows = first.effective_windows().zip(other.effective_windows());
         let effective = windows.map_or(0.0, |(a, b)| a.min(b));
         return match window_sampling(&differences, effective) {

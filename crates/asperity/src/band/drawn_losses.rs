@@ -3,10 +3,12 @@
 use asperity_core::quantity::Length;
 
 use crate::case::LoadedCase;
+use crate::loss_band::PairSampling;
 use crate::result::{Losses, OffsetRow, PositionRow};
 use crate::surfaces::Surfaces;
 
 use super::mixture::{Drawn, five_to_ninety_five};
+use super::pairs::{means_of_pairs, pair_sampling};
 use super::sampling::{effective_windows, free_way, window_sampling};
 
 /// Losses of a case, nominal and drawn, at each offset \[W\].
@@ -15,12 +17,20 @@ pub struct DrawnLosses {
     nominal: Vec<f64>,
     draws: Vec<Vec<f64>>,
     effective: Option<f64>,
+    /// Teeth of pinion and wheel, where several were sampled: the offsets then go on from pair to pair.
+    teeth: Option<[usize; 2]>,
     /// Changes by a misplacement of placed traces \[W\].
     pub(super) misplaced: Vec<f64>,
     surfaces: Surfaces,
 }
 
 impl DrawnLosses {
+    /// The losses of `loaded` with every parameter at its default, nothing drawn.
+    #[must_use]
+    pub fn of(loaded: &LoadedCase, nominal: &Losses) -> Self {
+        Self::new(loaded, &nominal.offsets, &nominal.path, &[])
+    }
+
     pub(super) fn new(
         loaded: &LoadedCase,
         nominal: &[OffsetRow],
@@ -34,7 +44,12 @@ impl DrawnLosses {
                 .iter()
                 .map(|found| at_offsets(&found.offsets))
                 .collect(),
-            effective: independent(loaded, nominal.len(), path),
+            effective: match loaded.surfaces.several_teeth() {
+                // The traces themselves are the sample.
+                Some(_) => None,
+                None => independent(loaded, nominal.len(), path),
+            },
+            teeth: loaded.surfaces.several_teeth(),
             misplaced: Vec::new(),
             surfaces: loaded.surfaces.clone(),
         }
@@ -61,16 +76,39 @@ impl DrawnLosses {
         self.effective
     }
 
+    /// Whether there is a sampling error: windows of a trace, or traces of several teeth.
+    #[must_use]
+    pub fn is_sampled(&self) -> bool {
+        self.effective.is_some() || self.teeth.is_some()
+    }
+
+    /// Teeth of pinion and wheel, where several were sampled.
+    #[must_use]
+    pub fn teeth(&self) -> Option<[usize; 2]> {
+        self.teeth
+    }
+
     /// Whether a flank of this and another case is the same.
     #[must_use]
     pub fn shares_a_flank(&self, other: &Self) -> bool {
-        let pairs = self
-            .surfaces
-            .textures()
-            .iter()
-            .zip(other.surfaces.textures());
-        let mut equal = pairs.map(|(first, second)| first == second);
-        equal.any(|is_equal| is_equal)
+        [0, 1]
+            .into_iter()
+            .any(|body| self.surfaces.has_flank_of(body, &other.surfaces))
+    }
+
+    /// Half the width of the 95 % interval of the mean of `values`, one at each offset, as losses or their changes \[W\]; none
+    /// where there is no sampling error to tell.
+    #[must_use]
+    pub fn half_width_of(&self, values: &[f64]) -> Option<f64> {
+        match self.teeth {
+            Some(_) => self.between_pairs(values).map(|found| found.half_width_w),
+            None => window_sampling(values, self.effective?).map(|found| found.half_width_w),
+        }
+    }
+
+    /// The sampling error of the mean of `losses`, one at each offset, over the pairs of teeth.
+    pub(super) fn between_pairs(&self, losses: &[f64]) -> Option<PairSampling> {
+        pair_sampling(&means_of_pairs(losses, self.surfaces.pairs()), self.teeth?)
     }
 
     /// 5 % and 95 % quantiles of the loss, sampling of the flanks included \[W\].
@@ -111,6 +149,9 @@ impl DrawnLosses {
     /// The mean of `losses`, one at each offset, with its sampling error.
     pub(super) fn drawn(&self, losses: &[f64]) -> Drawn {
         let value = mean(losses);
+        if let Some(found) = self.between_pairs(losses) {
+            return Drawn::between_traces(value, &found);
+        }
         let effective = self.effective.unwrap_or(0.0);
         match window_sampling(losses, effective) {
             None => Drawn::exact(value),
@@ -119,6 +160,20 @@ impl DrawnLosses {
                 standard_error: found.standard_error_w,
                 freedom: effective - 1.0,
             },
+        }
+    }
+}
+
+impl Drawn {
+    /// A mean over pairs of teeth with its error.
+    pub(super) fn between_traces(value: f64, found: &PairSampling) -> Self {
+        match found.standard_error_w > 0.0 {
+            true => Self {
+                value,
+                standard_error: found.standard_error_w,
+                freedom: found.freedom,
+            },
+            false => Self::exact(value),
         }
     }
 }

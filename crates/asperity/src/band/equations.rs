@@ -8,6 +8,12 @@ const MCKAY_1979: Reference = Reference {
     text: "M. D. McKay, R. J. Beckman, W. J. Conover, A comparison of three methods for selecting values of input variables in the analysis of output from a computer code, Technometrics 21 (1979) 239-245",
 };
 
+/// Degrees of freedom of a sum of mean squares.
+const SATTERTHWAITE_1946: Reference = Reference {
+    key: "satterthwaite_1946",
+    text: "F. E. Satterthwaite, An approximate distribution of estimates of variance components, Biometrics Bulletin 2 (1946) 110-114",
+};
+
 /// Every equation of this folder.
 pub const EQUATIONS: &[Equation] = &[
     Equation::new(
@@ -24,6 +30,22 @@ pub const EQUATIONS: &[Equation] = &[
         "s² = s_K²/(1 − 1/n_e) where n_e < K; ± t(0.95, n_e − 1) s/√n_e",
         "crates/asperity/src/band/sampling.rs",
         "printed_intervals_cover_the_mean_of_the_flank",
+        &[],
+    ),
+    Equation::new(
+        "Between-traces",
+        "Standard error of the mean over all pairs of sampled teeth",
+        "SE² = max(V₁ − M/n₂, 0)/n₁ + max(V₂ − M/n₁, 0)/n₂ + M/(n₁ n₂); d = (V₁/n₁ + V₂/n₂)²/[(V₁/n₁)²/(n₁ − 1) + (V₂/n₂)²/(n₂ − 1)]; ± t(0.95, d) SE",
+        "crates/asperity/src/band/pairs.rs",
+        "intervals_between_traces_cover_the_mean_of_all_teeth",
+        &[SATTERTHWAITE_1946],
+    ),
+    Equation::new(
+        "Set-band",
+        "Band of the loss of a planetary set",
+        "P_j = n (P₁(θ_j) + P₂(θ_j)); SE_j² = n² (SE₁² + SE₂²)",
+        "crates/asperity/src/band/set.rs",
+        "errors_of_two_meshes_add_in_squares",
         &[],
     ),
     Equation::new(

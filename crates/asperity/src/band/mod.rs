@@ -24,8 +24,10 @@ mod draws;
 pub(crate) mod equations;
 mod hypercube;
 mod mixture;
+pub(crate) mod pairs;
 mod parameters;
 pub(crate) mod sampling;
+mod set;
 
 use std::collections::BTreeSet;
 
@@ -35,18 +37,21 @@ use crate::case::{Formulation, FullFilmName, LoadShareName, LoadedCase};
 use crate::contact_tables::ContactTables;
 use crate::error::Error;
 use crate::kept_fields::KeptFields;
-use crate::loss_band::{AlternativeRow, BandParameter, LossBand, SamplingPart, Trust};
+use crate::loss_band::{
+    AlternativeRow, BandParameter, LossBand, PairSampling, SamplingPart, Trust,
+};
 use crate::pipeline::{Progress, run_keeping_contacts, settled};
-use crate::placement::Placement;
 use crate::provenance;
 use crate::result::{Losses, Outcome, PositionRow, RunResult};
 
 pub use difference::{PairedDifference, difference};
 pub use drawn_losses::DrawnLosses;
 pub use mixture::{Drawn, five_to_ninety_five, quantile};
+pub use pairs::pair_sampling;
 pub use parameters::UncertainParameter;
 pub(crate) use parameters::keep_parameters;
 pub use sampling::{CONFIDENCE, effective_windows, window_sampling};
+pub(crate) use set::quantiles_of_set;
 
 use draws::{Draws, evaluated};
 use parameters::parameters;
@@ -187,7 +192,7 @@ fn band(
         alternatives: alternatives.collect(),
         trust: trust(loaded),
         path_sliding_w_per_m: along_path(rows, &draws.losses, None),
-        path_with_sampling_w_per_m: along_path(rows, &draws.losses, drawn.effective_windows()),
+        path_with_sampling_w_per_m: along_path(rows, &draws.losses, Some(&drawn)),
     };
     Ok((band, drawn))
 }
@@ -196,22 +201,13 @@ fn band(
 /// not placed.
 fn misplaced(loaded: &LoadedCase, nominal: f64) -> Result<Vec<f64>, Error> {
     const HALF_WIDTHS: f64 = 2.0;
-    let Some(placement) = loaded.surfaces.placement() else {
-        return Ok(Vec::new());
-    };
-    let change = |misplaced: f64| {
+    let changes = [-HALF_WIDTHS, HALF_WIDTHS].into_iter().filter_map(|by| {
+        let surfaces = loaded.surfaces.misplaced(by)?;
         let mut other = loaded.clone();
-        let placement = Placement {
-            misplaced,
-            ..*placement
-        };
-        other.surfaces = other.surfaces.placed(Some(placement));
-        Ok(evaluated(&other, None)?.summary.loss_w - nominal)
-    };
-    [-HALF_WIDTHS, HALF_WIDTHS]
-        .into_iter()
-        .map(change)
-        .collect()
+        other.surfaces = surfaces;
+        Some(evaluated(&other, None).map(|found| found.summary.loss_w - nominal))
+    });
+    changes.collect()
 }
 
 fn trust(loaded: &LoadedCase) -> Trust {
@@ -223,29 +219,47 @@ fn trust(loaded: &LoadedCase) -> Trust {
     }
 }
 
-/// Quantiles of the sliding loss of every position over the draws, each mean with its sampling error where
-/// `effective` windows count as independent.
-fn along_path(nominal: &[PositionRow], draws: &[Losses], effective: Option<f64>) -> Vec<[f64; 2]> {
+/// Quantiles of the sliding loss of every position over the draws, each mean with its sampling error where the losses
+/// `sampled` have one.
+fn along_path(
+    nominal: &[PositionRow],
+    draws: &[Losses],
+    sampled: Option<&DrawnLosses>,
+) -> Vec<[f64; 2]> {
     let at = |k: usize| {
         let drawn = draws.iter().filter_map(|found| found.path.get(k));
-        let mut values: Vec<Drawn> = drawn.map(|row| drawn_mean(row, effective)).collect();
+        let mut values: Vec<Drawn> = drawn.map(|row| drawn_mean(row, sampled)).collect();
         if values.is_empty() {
-            values.push(drawn_mean(&nominal[k], effective));
+            values.push(drawn_mean(&nominal[k], sampled));
         }
         five_to_ninety_five(&values)
     };
     (0..nominal.len()).map(at).collect()
 }
 
-/// The mean sliding loss of a position with its standard error s/√n_e over `effective` windows n_e.
-fn drawn_mean(row: &PositionRow, effective: Option<f64>) -> Drawn {
-    match (row.sliding_deviation_w_per_m, effective) {
-        (Some(deviation), Some(windows)) if windows > 1.0 => Drawn {
-            value: row.sliding_w_per_m,
-            standard_error: deviation / windows.sqrt(),
-            freedom: windows - 1.0,
+/// The mean sliding loss of a position with its standard error: between traces, or s/√n_e over n_e windows that count
+/// as independent.
+fn drawn_mean(row: &PositionRow, sampled: Option<&DrawnLosses>) -> Drawn {
+    let value = row.sliding_w_per_m;
+    let Some(sampled) = sampled else {
+        return Drawn::exact(value);
+    };
+    let windows = sampled.effective_windows().filter(|windows| *windows > 1.0);
+    let between = row
+        .sliding_standard_error_w_per_m
+        .zip(row.sliding_error_freedom);
+    let error = match (between, row.sliding_deviation_w_per_m, windows) {
+        (Some((standard_error, freedom)), ..) => Some([standard_error, freedom]),
+        (None, Some(deviation), Some(windows)) => Some([deviation / windows.sqrt(), windows - 1.0]),
+        _ => None,
+    };
+    match error {
+        Some([standard_error, freedom]) if standard_error > 0.0 => Drawn {
+            value,
+            standard_error,
+            freedom,
         },
-        _ => Drawn::exact(row.sliding_w_per_m),
+        _ => Drawn::exact(value),
     }
 }
 
@@ -253,8 +267,18 @@ impl DrawnLosses {
     /// What the sampling of the flanks adds, or why there is no interval.
     fn sampling(&self, loaded: &LoadedCase) -> SamplingPart {
         let nominal = self.nominal();
-        if let [down, up] = self.misplaced[..] {
-            return SamplingPart::OnePair([down, up]);
+        let misplaced_w = match self.misplaced[..] {
+            [down, up] => Some([down, up]),
+            _ => None,
+        };
+        if let Some(found) = self.between_pairs(nominal) {
+            return SamplingPart::Pairs(PairSampling {
+                misplaced_w,
+                ..found
+            });
+        }
+        if let Some(changes) = misplaced_w {
+            return SamplingPart::OnePair(changes);
         }
         match window_sampling(nominal, self.effective_windows().unwrap_or(0.0)) {
             Some(found) => SamplingPart::Windows(found),

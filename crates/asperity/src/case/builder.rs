@@ -73,6 +73,8 @@ impl CaseInput {
             model: ModelInput::default(),
             calibration: None,
             map: None,
+            gearbox: None,
+            micropitting: None,
             vehicle: None,
         }
     }

@@ -5,6 +5,7 @@ use asperity_core::remedy::{Remedy, Setting};
 use asperity_profile_io::read::ReadError;
 
 use super::place::Place;
+use crate::loss_table::LossTableError;
 
 /// Loosest tolerance of a rough contact: at 1e-2 pressures were 56 to 65 % off.
 pub(super) const LOOSEST_TOLERANCE: f64 = 1e-4;
@@ -167,6 +168,40 @@ pub enum CaseError {
         /// Reason the system gives.
         reason: std::io::Error,
     },
+    /// A pattern of which there is no trace.
+    #[error("{place}: {key} = \"{pattern}\": {}", no_traces(folder.as_deref()))]
+    NoTraces {
+        /// Place at which it stands.
+        place: Place,
+        /// The key with the pattern.
+        key: &'static str,
+        /// The pattern.
+        pattern: String,
+        /// The folder that was looked at; none where there is none to look at.
+        folder: Option<String>,
+    },
+    /// A part of the gearbox that cannot be.
+    #[error("{place}: {key}: {part}: {source}")]
+    GearboxPart {
+        /// Place in the case file.
+        place: Place,
+        /// The key of the list that it stands in.
+        key: &'static str,
+        /// Name of the part.
+        part: String,
+        /// The reason.
+        source: asperity_efficiency::EfficiencyError,
+    },
+    /// A table of losses that cannot be used.
+    #[error("{source} (named at {place}, {key})")]
+    LossTable {
+        /// Place at which it is named.
+        place: Place,
+        /// The key that names it.
+        key: &'static str,
+        /// The reason.
+        source: LossTableError,
+    },
     /// A profile that cannot be read.
     #[error("{source} (named at {place})")]
     Profile {
@@ -204,6 +239,13 @@ fn rule(source: &DomainError, is_shown: bool) -> String {
     }
 }
 
+fn no_traces(folder: Option<&str>) -> String {
+    match folder {
+        Some(folder) => format!("no file in {folder} has such a name"),
+        None => "there is no folder to look for files in; name them one by one".to_owned(),
+    }
+}
+
 fn did_you_mean(nearest: Option<&str>) -> String {
     nearest
         .map(|key| format!(". Did you mean \"{key}\"?"))
@@ -236,6 +278,9 @@ impl CaseError {
             Self::UnknownSteel { .. } => "E220",
             Self::Steels { .. } => "E501",
             Self::OpenNamed { .. } => "E103",
+            Self::NoTraces { .. } => "E137",
+            Self::LossTable { .. } => "E138",
+            Self::GearboxPart { .. } => "E222",
             Self::Profile { source, .. } => source.code(),
             Self::Preparation { .. } => "E120",
         }
@@ -275,6 +320,9 @@ impl CaseError {
             | Self::FilmFriction { place, .. }
             | Self::UnknownSteel { place, .. }
             | Self::OpenNamed { place, .. }
+            | Self::NoTraces { place, .. }
+            | Self::LossTable { place, .. }
+            | Self::GearboxPart { place, .. }
             | Self::Profile { place, .. } => Some(place),
             Self::Open { .. }
             | Self::Folder { .. }

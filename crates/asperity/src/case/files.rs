@@ -1,6 +1,7 @@
 //! Sources of the files that a case names: a folder, or memory.
 
 use std::collections::BTreeMap;
+use std::ffi::OsStr;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -11,11 +12,17 @@ use asperity_profile_io::read::{conditions_of, whole_file};
 use super::error::CaseError;
 use super::input::CaseInput;
 use super::source::Source;
+use super::trace_list::{TraceList, matches};
 
 pub(super) const FILE_OF_PINION: &str = "surface.pinion.file";
 pub(super) const FILE_OF_WHEEL: &str = "surface.wheel.file";
 pub(super) const FILE_OF_COAST_PINION: &str = "surface.coast.pinion.file";
 pub(super) const FILE_OF_COAST_WHEEL: &str = "surface.coast.wheel.file";
+pub(super) const TRACES_OF_PINION: &str = "surface.pinion.traces";
+pub(super) const TRACES_OF_WHEEL: &str = "surface.wheel.traces";
+pub(super) const TRACES_OF_COAST_PINION: &str = "surface.coast.pinion.traces";
+pub(super) const TRACES_OF_COAST_WHEEL: &str = "surface.coast.wheel.traces";
+pub(super) const LOSS_TABLE: &str = "gearbox.loss_table";
 pub(super) const XU_COEFFICIENTS: &str = "model.xu_coefficients";
 
 /// Bytes of the largest file that a case may name.
@@ -53,25 +60,39 @@ impl Files {
         source: &Source,
         resolver: &dyn Fn(&str) -> io::Result<Vec<u8>>,
     ) -> Result<Self, CaseError> {
-        let wheel = input.surface.wheel.as_ref();
         let coast = input.surface.coast.as_ref();
-        let coast_wheel = coast.and_then(|coast| coast.wheel.as_ref());
-        let named = [
-            (FILE_OF_PINION, input.surface.pinion.file.as_ref()),
-            (FILE_OF_WHEEL, wheel.and_then(|wheel| wheel.file.as_ref())),
+        let flanks = [
             (
-                FILE_OF_COAST_PINION,
-                coast.and_then(|coast| coast.pinion.file.as_ref()),
+                [FILE_OF_PINION, TRACES_OF_PINION],
+                Some(&input.surface.pinion),
             ),
             (
-                FILE_OF_COAST_WHEEL,
-                coast_wheel.and_then(|wheel| wheel.file.as_ref()),
+                [FILE_OF_WHEEL, TRACES_OF_WHEEL],
+                input.surface.wheel.as_ref(),
             ),
-            (XU_COEFFICIENTS, input.model.xu_coefficients.as_ref()),
+            (
+                [FILE_OF_COAST_PINION, TRACES_OF_COAST_PINION],
+                coast.map(|coast| &coast.pinion),
+            ),
+            (
+                [FILE_OF_COAST_WHEEL, TRACES_OF_COAST_WHEEL],
+                coast.and_then(|coast| coast.wheel.as_ref()),
+            ),
         ];
+        let mut named: Vec<(&'static str, PathBuf)> = Vec::new();
+        for ([file, traces], flank) in flanks {
+            let Some(flank) = flank else { continue };
+            named.extend(flank.file.iter().map(|name| (file, name.clone())));
+            let listed = flank.traces.iter().flat_map(TraceList::files);
+            named.extend(listed.map(|name| (traces, name)));
+        }
+        let xu = input.model.xu_coefficients.iter();
+        named.extend(xu.map(|name| (XU_COEFFICIENTS, name.clone())));
+        let gearbox = input.gearbox.as_ref();
+        let table = gearbox.and_then(|gearbox| gearbox.loss_table.clone());
+        named.extend(table.map(|name| (LOSS_TABLE, name)));
         let mut files = Self::default();
-        for (key, name) in named {
-            let Some(name) = name else { continue };
+        for (key, name) in &named {
             if files.held.contains_key(name) {
                 continue;
             }
@@ -96,6 +117,31 @@ impl Files {
     /// Folder that names are relative to; none where only memory is asked.
     pub(super) fn folder(&self) -> Option<&Path> {
         self.folder.as_deref()
+    }
+
+    /// Files below the folder in `parent` whose names are of `pattern`, and such traces in memory, by name.
+    pub(super) fn matching(&self, parent: &Path, pattern: &str) -> Vec<PathBuf> {
+        let is_meant = |name: &OsStr| matches(pattern, &name.to_string_lossy());
+        let entries = self.folder.as_ref().and_then(|folder| {
+            let path = folder.join(parent);
+            let is_here = path.as_os_str().is_empty();
+            let path = if is_here { Path::new(".") } else { &path };
+            path.read_dir().ok()
+        });
+        let on_disk = entries.into_iter().flatten().flatten();
+        let on_disk = on_disk.filter(|entry| entry.path().is_file());
+        let on_disk = on_disk
+            .map(|entry| entry.file_name())
+            .filter(|name| is_meant(name));
+        let in_memory = self
+            .held
+            .keys()
+            .filter(|name| name.parent() == Some(parent) && name.file_name().is_some_and(is_meant));
+        let mut found: Vec<PathBuf> = on_disk.map(|name| parent.join(name)).collect();
+        found.extend(in_memory.cloned());
+        found.sort();
+        found.dedup();
+        found
     }
 
     /// Keeps `content` under this name.

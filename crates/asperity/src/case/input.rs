@@ -30,7 +30,10 @@ use super::bulk_input::BulkInput;
 use super::calibration::CalibrationInput;
 use super::flank_place::{FlankPlaceInput, TraceStart};
 use super::gear_input::{EndReliefInput, GearFlankInput};
+use super::gearbox_input::GearboxInput;
 use super::law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
+use super::micropitting_input::MicropittingInput;
+use super::trace_list::TraceList;
 use crate::load_share::SpotSpeed;
 
 /// A case: gears, steel, oil, operation, two measured flanks, and the model to use.
@@ -58,6 +61,12 @@ pub struct CaseInput {
     /// Parameters calibrated on a rig, as `asperity calibrate` writes them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub calibration: Option<CalibrationInput>,
+    /// Losses of the gearbox beside that of the mesh, stated by the user; nothing is added that is not named here.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gearbox: Option<GearboxInput>,
+    /// Specific film of the micropitting rating, with what the measured flanks show beside it; computed where given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub micropitting: Option<MicropittingInput>,
     /// Reach of the default axes of `asperity map`; a run leaves it aside.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub map: Option<MapInput>,
@@ -323,6 +332,11 @@ pub(super) enum Side {
 pub struct FlankInput {
     /// File of the trace, relative to the case file.
     pub file: Option<PathBuf>,
+    /// Several traces in place of `file`, each of a tooth of its own: `["tooth1.csv", "tooth2.csv"]`, a pattern as
+    /// `"pinion_*.csv"` whose files are taken by name, or tables with `tooth`, `y` (place across the face) and a place
+    /// of their own. All pairs of teeth are computed, and the loss is their mean.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub traces: Option<TraceList>,
     /// Read the trace from its other end (flanks face each other); not with `from` or `at`, which tell it.
     pub mirrored: Option<bool>,
     /// End of the flank at which the trace begins: `root` (default where the trace is placed) or `tip`.
@@ -391,6 +405,7 @@ impl FlankInput {
     fn on_file(&self, file: &Path) -> Self {
         Self {
             file: Some(file.to_owned()),
+            traces: None,
             rq: None,
             ra: None,
             rz: None,

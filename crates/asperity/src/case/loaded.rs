@@ -12,8 +12,10 @@ use super::defaults::DefaultUsed;
 use super::error::CaseError;
 use super::files::{Content, Files, XU_COEFFICIENTS};
 use super::flanks::{Flanks, flanks};
+use super::gearbox::gearbox;
 use super::input::{CaseInput, Formulation, schema};
 use super::known_keys::first_unknown;
+use super::law_names::{FullFilmName, LoadShareName};
 use super::plain_words::plain;
 use super::plausibility::{of_files, unusual};
 use super::resolve::{Case, resolve_checked};
@@ -21,6 +23,7 @@ use super::source::Source;
 use crate::error::Error;
 use crate::message::Warning;
 use crate::surfaces::{FlankReport, Surfaces};
+use crate::trace_pairs::SampledFlanks;
 
 /// A case with its traces, ready to run.
 #[derive(Debug, Clone)]
@@ -31,7 +34,11 @@ pub struct LoadedCase {
     /// The flanks.
     pub surfaces: Surfaces,
     /// Reading and preparation of each flank.
+    ///
+    /// Each by its first trace, where it has several.
     pub flanks: [FlankReport; 2],
+    /// All traces, where a flank has several; none where each has one.
+    pub sampled: Option<Arc<SampledFlanks>>,
     /// Warnings about the files.
     pub warnings: Vec<Warning>,
     /// Equations that the preparation of oil, gears and traces used.
@@ -181,6 +188,14 @@ pub fn from_text(name: &str, text: &str, resolver: Resolver<'_>) -> Result<Loade
 }
 
 impl LoadedCase {
+    /// Reading and preparation of every trace, of the pinion first.
+    pub fn all_traces(&self) -> Vec<&FlankReport> {
+        match &self.sampled {
+            Some(sampled) => sampled.reports().collect(),
+            None => self.flanks.iter().collect(),
+        }
+    }
+
     /// The same case changed by `change`, rechecked; traces are read again only where the change concerns
     /// them.
     ///
@@ -314,12 +329,19 @@ pub(super) fn complete(
         let calibration = xu_calibration(file, source, &files)?;
         case.model.friction_settings.xu.coefficients = calibration.coefficients;
     }
+    case.gearbox = match (before, &case.input.gearbox) {
+        (Some(before), given) if before.case.input.gearbox == *given => before.case.gearbox.clone(),
+        (_, Some(given)) => Some(gearbox(given, source, &files)?),
+        (_, None) => None,
+    };
     if let Some(before) = before {
         case.laws = before.case.laws.clone();
     }
     let Flanks {
         surfaces,
         reports,
+        sampled,
+        zones,
         warnings,
         assumed,
         provenance: of_flanks,
@@ -327,6 +349,8 @@ pub(super) fn complete(
         Some(before) if same_flanks(&before.case, &case) => Flanks {
             surfaces: before.surfaces.clone(),
             reports: before.flanks.clone(),
+            sampled: before.sampled.clone(),
+            zones: before.case.face_zones.clone(),
             warnings: of_files(&before.warnings),
             assumed: before.assumed.clone(),
             provenance: before.of_flanks.clone(),
@@ -345,6 +369,10 @@ pub(super) fn complete(
             rule: "needs the traces of both flanks",
         });
     }
+    case.face_zones = zones;
+    if surfaces.teeth().is_some() {
+        refuse_several(&case, source)?;
+    }
     let mut warnings = warnings;
     warnings.splice(0..0, unusual(&case.input, &case.oil));
     provenance.include(&of_flanks);
@@ -352,6 +380,7 @@ pub(super) fn complete(
         case,
         surfaces,
         flanks: reports,
+        sampled,
         warnings,
         provenance,
         of_flanks,
@@ -359,6 +388,27 @@ pub(super) fn complete(
         name: source.name().into(),
         files,
     })
+}
+
+/// Refuses what looks at one pair of traces where there are several.
+fn refuse_several(case: &Case, source: &Source) -> Result<(), CaseError> {
+    let model = &case.model;
+    let one_pair = [
+        ("model.run_in", model.run_in),
+        ("model.load_share", model.load_share == LoadShareName::Ehl),
+        (
+            "model.full_film",
+            model.full_film == FullFilmName::EhlTransient,
+        ),
+    ];
+    match one_pair.into_iter().find(|(_, is_asked)| *is_asked) {
+        None => Ok(()),
+        Some((key, _)) => Err(CaseError::Conflict {
+            place: source.place_of(key),
+            key,
+            rule: "is of one pair of traces: name one trace of each flank, as surface.pinion.file",
+        }),
+    }
 }
 
 /// Whether gears, steel, torque and the model are the same in both cases.

@@ -22,15 +22,21 @@ mod defaults;
 mod domain;
 mod error;
 mod files;
+mod flank_pairs;
 mod flank_place;
+mod flank_sample;
+mod flank_trace;
 mod flanks;
 mod gear_input;
+mod gearbox;
+mod gearbox_input;
 mod gears;
 mod input;
 mod key_names;
 mod known_keys;
 mod law_names;
 mod loaded;
+mod micropitting_input;
 mod model;
 mod model_defaults;
 mod own_laws;
@@ -44,6 +50,8 @@ mod set;
 mod source;
 mod steel;
 mod trace;
+mod trace_filters;
+mod trace_list;
 
 pub use builder::CaseBuilder;
 pub use bulk::{BulkModel, BulkReport, FoundBulk};
@@ -55,6 +63,8 @@ pub use defaults::DefaultUsed;
 pub use error::CaseError;
 pub use flank_place::{FlankPlaceInput, TraceStart};
 pub use gear_input::{EndReliefInput, GearFlankInput, ReliefInput};
+pub use gearbox::{Gearbox, Part, PartKind};
+pub use gearbox_input::{BearingInput, BearingKind, GearboxInput, JetInput, SealInput, Shaft};
 pub use input::{
     BodyInput, CaseInput, CoastInput, EhlInput, FlankInput, Formulation, GearsInput, MapInput,
     MaterialInput, ModelInput, NamedPoint, OneOrTwo, OperationInput, PathPoint, SurfaceInput,
@@ -65,9 +75,11 @@ pub use law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
 pub use loaded::{
     LoadedCase, Resolver, from_text, load, load_holding, load_set, load_with, open_source,
 };
+pub use micropitting_input::MicropittingInput;
 pub use model::{EhlChoices, Model};
 pub use page::markdown;
 pub use place::Place;
 pub use resolve::{Case, resolve};
 pub use source::{Source, Syntax};
 pub use trace::{Flank, Trace};
+pub use trace_list::{TraceEntry, TraceInput, TraceList};

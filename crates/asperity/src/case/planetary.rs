@@ -537,6 +537,8 @@ fn mesh_case(input: &PlanetaryCaseInput, mesh: &Mesh) -> CaseInput {
         },
         model: input.model.clone(),
         calibration: input.calibration.clone(),
+        gearbox: None,
+        micropitting: None,
         map: None,
         vehicle: None,
     }

@@ -16,6 +16,7 @@ use super::calibration::CalibrationInput;
 use super::defaults::{DefaultUsed, Defaults};
 use super::domain::domain;
 use super::error::CaseError;
+use super::gearbox::Gearbox;
 use super::gears::{check_load, gears, load_settings, micro_geometry};
 use super::input::{CaseInput, Formulation};
 use super::key_names::key_of;
@@ -70,8 +71,12 @@ pub struct Case {
     pub oil_notes: Vec<OutOfRange>,
     /// Preparation of the traces.
     pub preparation: Preparation,
+    /// Places y/b between zones of the face that have traces of their own; empty where traces stand for the whole face.
+    pub face_zones: Vec<f64>,
     /// Choices of the model.
     pub model: Model,
+    /// Losses beside that of the mesh, where the case states any; filled in with the traces.
+    pub gearbox: Option<Gearbox>,
     /// Laws of a user's own.
     pub laws: Laws,
     /// The case as read.
@@ -97,6 +102,7 @@ pub(super) fn resolve_checked(
     refuse_impossible(&input, source)?;
     let mut defaults = Defaults::default();
     let formulation = defaults.take("formulation", input.formulation, Formulation::default());
+    check_micropitting(&input, formulation, source)?;
     let gears = gears(&input, source, &mut defaults)?;
     let micro_geometry = micro_geometry(&input, source, &mut defaults)?;
     let Steels {
@@ -185,7 +191,9 @@ pub(super) fn resolve_checked(
         steel_notes,
         oil_notes: oil.outside,
         preparation,
+        face_zones: Vec::new(),
         model,
+        gearbox: None,
         laws: Laws::default(),
         input,
         defaults: defaults.into_list(),
@@ -264,6 +272,40 @@ fn preparation(
         lambda_c: kept(cutoff),
         ends: defaults.take("surface.ends", given.ends, Ends::Cut),
     })
+}
+
+fn check_micropitting(
+    input: &CaseInput,
+    formulation: Formulation,
+    source: &Source,
+) -> Result<(), CaseError> {
+    let Some(given) = &input.micropitting else {
+        return Ok(());
+    };
+    if formulation != Formulation::Corrected {
+        return Err(CaseError::Conflict {
+            place: source.place_of_key("micropitting"),
+            key: "micropitting",
+            rule: "rates the whole path, and the paper's formulation has one position; leave one of the two out",
+        });
+    }
+    let rule = "must be finite and greater than zero";
+    for (key, name, value) in [
+        ("micropitting.load_factor", "load factor", given.load_factor),
+        (
+            "micropitting.permissible",
+            "permissible film",
+            given.permissible,
+        ),
+    ] {
+        let holds = value.is_none_or(|value| value.is_finite() && value > 0.0);
+        let checked = DomainError::require(holds, name, value.unwrap_or(1.0), "-", rule);
+        checked.map_err(domain(source, key))?;
+    }
+    for ra in given.ra.iter().flatten() {
+        DomainError::positive("Ra", *ra).map_err(domain(source, "micropitting.ra"))?;
+    }
+    Ok(())
 }
 
 fn check_not_zero<Q: Quantity>(

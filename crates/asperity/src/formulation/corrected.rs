@@ -29,7 +29,10 @@ const LIGHT_CELL: f64 = 0.01;
 const LIGHT_CELLS: f64 = 0.02;
 
 /// Cells that contribute so little of the loss that their contact may go unresolved.
+///
+/// Zones of the face divide a cell of the path, and with it what is little.
 fn lightly_loaded(cells: &[LoadCell]) -> Vec<bool> {
+    let zones = cells.iter().map(|cell| cell.zone + 1).max().unwrap_or(1);
     let mut order: Vec<usize> = (0..cells.len()).collect();
     order.sort_by(|&i, &j| cells[i].sliding_share.total_cmp(&cells[j].sliding_share));
     let mut light = vec![false; cells.len()];
@@ -37,7 +40,7 @@ fn lightly_loaded(cells: &[LoadCell]) -> Vec<bool> {
     for index in order {
         let share = cells[index].sliding_share;
         together += share;
-        light[index] = share < LIGHT_CELL || together <= LIGHT_CELLS;
+        light[index] = share * (zones as f64) < LIGHT_CELL || together <= LIGHT_CELLS;
     }
     light
 }
@@ -53,7 +56,9 @@ fn problem<'a>(scene: &Scene<'a>) -> Mixed<'a> {
 
 impl Strategy for Corrected {
     fn places(&self, case: &Case, map: &LoadMap) -> Result<Vec<Place>, PositionError> {
-        let cells = map.cells(case.model.positions)?;
+        let width = case.gears.face_width;
+        let edges: Vec<_> = case.face_zones.iter().map(|edge| width * *edge).collect();
+        let cells = map.cells_in_zones(case.model.positions, &edges)?;
         let light = lightly_loaded(&cells);
         let power = case.torque.si().abs() * case.speed.si();
         cells
@@ -77,6 +82,7 @@ impl Strategy for Corrected {
                     } else {
                         Resolution::Required
                     },
+                    zone: cell.zone,
                 })
             })
             .collect()

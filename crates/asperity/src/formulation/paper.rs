@@ -31,6 +31,7 @@ impl Strategy for Paper {
             weight: position.weight,
             sliding_factor: 1.0,
             resolution: Resolution::Required,
+            zone: 0,
         }])
     }
 

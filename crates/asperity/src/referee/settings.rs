@@ -104,6 +104,7 @@ impl RefereeContact {
         let case = &loaded.case;
         let path = case.gears.path();
         let path_fraction = (station.s - path.a) / (path.e - path.a);
+        loaded.surfaces.check_one_pair()?;
         let [Texture::Trace(first), Texture::Trace(second)] = loaded.surfaces.textures() else {
             return Err(PositionError::NoProfile.into());
         };

@@ -27,6 +27,7 @@ from ._map import Map, map, read_map
 from ._profile import Parameters, Parts, Profile, generate, read_profile
 from ._record import Record, Table
 from ._result import Fields, Regime, RunResult
+from ._sensitivity import Sensitivity, sensitivity
 from ._stored import read_result
 from ._sweep import Sweep, sweep
 
@@ -48,6 +49,7 @@ __all__ = [
     "Record",
     "Regime",
     "RunResult",
+    "Sensitivity",
     "Stress",
     "Sweep",
     "Table",
@@ -65,6 +67,7 @@ __all__ = [
     "read_map",
     "read_profile",
     "read_result",
+    "sensitivity",
     "solve_contact",
     "subsurface_stress",
     "sweep",

@@ -21,6 +21,7 @@ __all__ = [
     "Comparison",
     "Map",
     "Outcome",
+    "Sensitivity",
     "Trace",
     "__version__",
     "calibrate",
@@ -37,6 +38,7 @@ __all__ = [
     "read_profile",
     "read_result",
     "schema",
+    "sensitivity",
     "si_units",
     "solve_contact",
     "subsurface_stress",
@@ -71,6 +73,7 @@ def subsurface_stress(
 def compare(
     named: list[tuple[str, Case]], threads: Optional[int], progress: _Told
 ) -> Comparison: ...
+def sensitivity(case: Case, threads: Optional[int], progress: _Told) -> Sensitivity: ...
 def calibrate(
     name: str,
     text: Optional[str],
@@ -152,6 +155,12 @@ class Outcome:
 @final
 class Comparison:
     def json(self) -> tuple[str, str]: ...
+    def summary(self) -> str: ...
+    def write(self, folder: _Path) -> None: ...
+
+@final
+class Sensitivity:
+    def json(self) -> str: ...
     def summary(self) -> str: ...
     def write(self, folder: _Path) -> None: ...
 

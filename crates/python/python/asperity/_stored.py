@@ -13,7 +13,8 @@ from ._result import RunResult
 
 
 def read_result(folder: Union[str, PathLike[str]]) -> Union[RunResult, Map, Record]:
-    """The result in a folder: of ``asperity run`` (or its ``result.json``), ``map``, ``compare``, ``sweep`` or ``calibrate``.
+    """The result in a folder: of ``asperity run`` (or its ``result.json``), ``map``, ``compare``, ``sensitivity``, ``sweep``
+    or ``calibrate``.
 
     The fields of single positions are not read.
     """
@@ -22,7 +23,7 @@ def read_result(folder: Union[str, PathLike[str]]) -> Union[RunResult, Map, Reco
     place = Path(folder)
     if (place / "map.json").is_file():
         return read_map(place)
-    for name in ("compare.json", "sweep.json", "calibration.json", "design.json"):
+    for name in ("compare.json", "sensitivity.json", "sweep.json", "calibration.json", "design.json"):
         if (place / name).is_file():
             return Record(json.loads((place / name).read_text(encoding="utf-8")))
     text = _asperity.read_result(fspath(folder))

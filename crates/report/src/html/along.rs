@@ -9,15 +9,7 @@ pub(super) const SOURCE: &str = "path.csv";
 
 /// The points A to E [mm from T₁].
 pub(super) fn points(result: &RunResult) -> Vec<Mark> {
-    let path = &result.gears.path;
-    let named = [
-        ("A", path.a),
-        ("B", path.b),
-        ("C", path.c),
-        ("D", path.d),
-        ("E", path.e),
-    ];
-    let mut points = named.map(|(label, at)| Mark {
+    let mut points = result.gears.path.named_points().map(|(label, at)| Mark {
         at: 1e3 * at.si(),
         label: label.to_owned(),
     });

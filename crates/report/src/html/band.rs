@@ -32,6 +32,16 @@ pub(super) fn section(band: &LossBand) -> Markup {
                             }
                             td.number { (format!("±{} W (95 %)", rounded(found.half_width_w, found.half_width_w))) }
                         }
+                        SamplingPart::Pairs(found) => {
+                            td colspan="3" {
+                                (found.pairs()) " pairs of traced teeth"
+                                @if let Some(gear) = found.not_sampled() { ", " (gear) " not sampled: lower bound" }
+                                @if let Some([down, up]) = found.misplaced_w {
+                                    (format!("; two half-widths off against each other {down:+.1} and {up:+.1} W"))
+                                }
+                            }
+                            td.number { (format!("±{} W (95 %)", rounded(found.half_width_w, found.half_width_w))) }
+                        }
                         SamplingPart::OnePair([down, up]) => {
                             td colspan="3" { "one pair of placed traces; each two half-widths off against the other" }
                             td.number { (format!("{down:+.1} and {up:+.1} W")) }

@@ -25,6 +25,7 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
         return html! { p { "The flanks are given by roughness values alone: there are no traces to show." } };
     }
     html! {
+        @if let Some(pairs) = &result.pairs { (super::pairs::traces(pairs)) }
         (parameters(result))
         div.charts { @for drawing in &drawings { (figure(drawing)) } }
     }

@@ -1,5 +1,6 @@
 //! Inputs: the case with its defaults, the files, the equations and their sources.
 
+use asperity::flank_record::FlankRecord;
 use asperity::result::{FilmConstant, RunResult};
 use asperity::tribo_friction::film_friction::Mark;
 use maud::{Markup, html};
@@ -116,7 +117,16 @@ fn film_constants(result: &RunResult) -> Markup {
 }
 
 fn files(result: &RunResult) -> Markup {
-    let flanks = result.flanks.iter().filter_map(|flank| {
+    let records: Vec<&FlankRecord> = match &result.pairs {
+        Some(pairs) => pairs
+            .traces
+            .iter()
+            .flatten()
+            .map(|trace| &trace.record)
+            .collect(),
+        None => result.flanks.iter().collect(),
+    };
+    let flanks = records.into_iter().filter_map(|flank| {
         let sum = flank.sha256.as_deref().unwrap_or("–");
         Some((flank.file.as_deref()?, sum))
     });

@@ -212,16 +212,9 @@ fn root(result: &RunResult, gear: Gear) -> RootForm {
 /// The points A to E that lie on the path, from A on.
 fn points(mesh: &Mesh<'_>) -> Vec<MeshPoint> {
     let path = &mesh.gears.path;
-    let named = [
-        ("A", path.a),
-        ("B", path.b),
-        ("C", path.c),
-        ("D", path.d),
-        ("E", path.e),
-    ];
     // The ends of single contact of helical gears may lie beyond the path.
+    let named = path.named_points().into_iter();
     let mut on_path: Vec<_> = named
-        .into_iter()
         .filter(|(_, s)| *s >= path.a && *s <= path.e)
         .collect();
     on_path.sort_by(|(_, a), (_, b)| a.si().total_cmp(&b.si()));
@@ -313,19 +306,34 @@ fn traces(result: &RunResult, mesh: &Mesh<'_>) -> Vec<MeshTrace> {
             .map(|k| seat.flank((first + step * k as f64) / MILLI, inside))
             .collect()
     };
-    let placed = |body: usize| {
-        let ends = result.flanks[body].roll_lengths_mm?;
+    let all = |body: usize| -> Vec<[f64; 2]> {
+        let mut ends: Vec<[f64; 2]> = match &result.pairs {
+            Some(pairs) => {
+                let traces = pairs.traces[body].iter();
+                traces
+                    .filter_map(|trace| trace.record.roll_lengths_mm)
+                    .collect()
+            }
+            None => result.flanks[body].roll_lengths_mm.into_iter().collect(),
+        };
+        ends.dedup();
+        ends
+    };
+    let placed = |(body, ends): (usize, [f64; 2])| {
         let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-        Some(MeshTrace {
+        MeshTrace {
             body,
             name: format!(
                 "trace of the {}, roll length {low:.2} to {high:.2} mm",
                 name(mesh.gears, body)
             ),
             line: line(body, ends),
-        })
+        }
     };
-    [0, 1].into_iter().filter_map(placed).collect()
+    let every = [0, 1]
+        .into_iter()
+        .flat_map(|body| all(body).into_iter().map(move |ends| (body, ends)));
+    every.map(placed).collect()
 }
 
 #[cfg(test)]
@@ -353,7 +361,8 @@ mod tests {
             profile_shift: Some([0.182, 0.172]),
             ..input([16, 24], "4.5 mm", "0 deg")
         };
-        // A ring reaches deeper than the rack that cut the pinion: with a full addendum it cuts 5 um into its fillet.
+        // A ring reaches deeper than the rack that cut the pinion. With a full addendum contact would begin at a roll
+        // length of 1.19 mm, where the involute of the pinion begins at 1.77 mm, and the tip cuts into the fillet.
         let short = GearPairInput {
             addendum: 0.9,
             ..input([24, 75], "1.5 mm", "0 deg")

@@ -8,13 +8,16 @@ mod band;
 mod contact;
 mod facing;
 mod flanks;
+mod gearbox;
 mod inputs;
 mod load;
 mod losses;
 mod lubricated;
 mod mesh;
+mod micropitting;
 mod overview;
 mod page;
+mod pairs;
 mod path;
 mod temperatures;
 

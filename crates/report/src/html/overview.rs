@@ -1,15 +1,19 @@
 //! Summary: the numbers that matter, the warnings, the losses, the friction laws, the regime.
 
-use asperity::loss_band::rounded;
-use asperity::result::{FlankHeights, PublishedOutcome, RunInFlanks, RunResult, Summary};
+use asperity::loss_band::{LossBand, rounded};
+use asperity::result::{FlankHeights, PublishedOutcome, RunInFlanks, RunResult, Scope, Summary};
 use maud::{Markup, html};
 
 use super::page::figure;
 use crate::chart::{Axis, Bar, BarChart, Drawing};
 
 pub(super) fn section(result: &RunResult) -> Markup {
+    let mut first = headline(result);
+    if let Some(found) = &result.gearbox {
+        first.extend(super::gearbox::tiles(found, result.band.as_ref()));
+    }
     let rows = [
-        ("tiles first", headline(result)),
+        ("tiles first", first),
         ("tiles", parts(result)),
         ("tiles last", evidence(result)),
     ];
@@ -24,8 +28,13 @@ pub(super) fn section(result: &RunResult) -> Markup {
                 }
             }
         }
+        @if let Some(found) = &result.gearbox { (super::gearbox::section(found, result.band.is_some())) }
         @if let Some(band) = &result.band { (super::band::section(band)) }
+        @if let Some(pairs) = &result.pairs { @if let Some(sampling) = &pairs.sampling {
+            (super::pairs::section(pairs, sampling))
+        } }
         @if let Some(run_in) = &result.run_in { (as_measured_and_run_in(result, run_in)) }
+        @if let Some(found) = &result.micropitting { (super::micropitting::section(found)) }
         @if !result.warnings.is_empty() {
             h3 { "Warnings" }
             ul.warnings {
@@ -138,11 +147,13 @@ fn headline(result: &RunResult) -> Vec<Tile> {
     ]
 }
 
-/// A part of the loss, with the digits that the band of the whole leaves.
+/// A part of the loss, with the digits that the band of the whole leaves; a small one keeps some.
 fn part(result: &RunResult, power: f64) -> String {
-    match &result.band {
-        Some(band) => format!("{} W", rounded(power, band.half_width_w())),
-        None => format!("{power:.1} W"),
+    let by_band = |band: &LossBand| rounded(power, band.half_width_w());
+    match result.band.as_ref().map(by_band) {
+        Some(text) if power == 0.0 || text != "0" => format!("{text} W"),
+        None if power == 0.0 || power.abs() >= 0.05 => format!("{power:.1} W"),
+        _ => format!("{} W", significant(power)),
     }
 }
 
@@ -179,7 +190,12 @@ fn parts(result: &RunResult) -> Vec<Tile> {
 fn evidence(result: &RunResult) -> Vec<Tile> {
     let s = &result.summary;
     let energy = result.running_in.energy_per_engagement_j;
+    let scope = match s.scope {
+        Scope::Mesh => "mesh only",
+        Scope::Gearbox => "mesh and gearbox",
+    };
     let mut tiles = vec![
+        ("scope", scope.to_owned(), "summary.scope"),
         (
             "H_V by Ohlendorf",
             format!("{:.4}", s.loss_factor),
@@ -244,14 +260,14 @@ fn losses(result: &RunResult) -> Drawing {
             name: (*name).to_owned(),
             value: Some(*watts),
             spread: None,
-            text: format!("{} W, {}", significant(*watts), percent(share(*watts))),
+            text: format!("{}, {}", part(result, *watts), percent(share(*watts))),
         })
         .collect();
     Drawing::Bars(BarChart {
         id: "losses".to_owned(),
         title: format!(
-            "Losses: {} W, {} of the power in",
-            significant(s.loss_w),
+            "Losses of the mesh: {}, {} of the power in",
+            part(result, s.loss_w),
             percent(s.loss_w / s.power_in_w)
         ),
         source: "losses.csv".to_owned(),

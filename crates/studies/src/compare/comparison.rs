@@ -8,7 +8,7 @@ use asperity::case::LoadedCase;
 use asperity::kept_fields::KeptFields;
 use asperity::loss_band::LossBand;
 use asperity::pipeline::Progress;
-use asperity::result::{OffsetRow, Outcome};
+use asperity::result::{GearboxReport, OffsetRow, Outcome, Scope};
 use serde::Serialize;
 
 use super::statistics::rank_correlation;
@@ -30,6 +30,8 @@ pub struct Comparison {
     pub program: String,
     /// The case's title.
     pub title: String,
+    /// What the comparison covers; efficiencies, losses and differences are of the mesh.
+    pub scope: Scope,
     /// Power into the mesh \[W\].
     pub power_in_w: f64,
     /// The finishes.
@@ -60,6 +62,9 @@ pub struct FinishResult {
     pub band: Option<LossBand>,
     /// Loss minus that of the first finish by the same draws; none for the first.
     pub difference: Option<PairedDifference>,
+    /// The gearbox around the mesh, where the case states one; the same parts for every finish.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gearbox: Option<GearboxReport>,
     /// Share of the path in mixed lubrication.
     pub mixed_share: f64,
     /// Codes and texts of the warnings.
@@ -105,6 +110,10 @@ pub fn compare(finishes: &[Finish], progress: Progress<'_>) -> Result<Comparison
     Ok(Comparison {
         program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
         title,
+        scope: match results.iter().any(|finish| finish.gearbox.is_some()) {
+            true => Scope::Gearbox,
+            false => Scope::Mesh,
+        },
         power_in_w,
         correlations: correlations(&results),
         windows: results.iter().map(pooled).sum(),
@@ -123,7 +132,7 @@ fn finish_result(
     let difference = first.map(|first| band::difference(&first.drawn, &drawn));
     let result = outcome.result;
     // The folder of a trace is nobody's business; its sum tells which file it was.
-    let named = result.flanks.iter().filter_map(|flank| {
+    let named = finish.case.all_traces().into_iter().filter_map(|flank| {
         let file = Path::new(flank.file.as_deref()?).file_name()?;
         Some([file.to_string_lossy().into_owned(), flank.sha256.clone()?])
     });
@@ -136,6 +145,7 @@ fn finish_result(
         quantiles_w: drawn.quantiles(),
         band: result.band,
         difference,
+        gearbox: result.gearbox,
         mixed_share: result.summary.mixed_share,
         warnings: result.warnings.iter().map(ToString::to_string).collect(),
         offsets: outcome.offsets,

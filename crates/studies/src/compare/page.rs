@@ -6,7 +6,7 @@ use asperity_report::html::{figure, page};
 use maud::{Markup, html};
 
 use super::comparison::Comparison;
-use super::summary::{cells, efficiency, note};
+use super::summary::{cells, efficiency, note, scope};
 use super::windows::PARAMETERS;
 
 pub(super) fn render(comparison: &Comparison) -> String {
@@ -49,6 +49,7 @@ fn losses(comparison: &Comparison) -> Markup {
         } }
         p { "Nominal values, " (note(comparison)) ". Parts that the finishes have in common, as the friction of the oil, cancel in the \
             differences; the sampling errors of different flanks add." }
+        p { (scope(comparison)) "." }
         (made_of(comparison))
         div.charts { (figure(&bars(comparison))) @if let Some(chart) = differences(comparison) { (figure(&chart)) } }
     }
@@ -84,6 +85,7 @@ fn made_of(comparison: &Comparison) -> Markup {
                 tr { th scope="row" { "sampling of the flanks, ± 95 %" } @for (_, band) in &banded { td.number {
                     @match &band.sampling {
                         SamplingPart::Windows(found) => (format!("{:.1} W", found.half_width_w)),
+                        SamplingPart::Pairs(found) => (format!("{:.1} W, {} pairs", found.half_width_w, found.pairs())),
                         SamplingPart::OnePair([down, up]) => (format!("one pair, {down:+.1} and {up:+.1} W misplaced")),
                         SamplingPart::None(why) => (why),
                         _ => "-",

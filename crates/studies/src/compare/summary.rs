@@ -1,6 +1,6 @@
 //! The comparison for the terminal.
 
-use asperity_report::wrapped;
+use asperity_report::{stated, wrapped};
 
 use asperity::loss_band::rounded;
 
@@ -29,6 +29,7 @@ pub fn summary(comparison: &Comparison) -> String {
         ));
     }
     text.push_str(&format!("{}\n", wrapped(&note(comparison), "  ")));
+    text.push_str(&format!("{}\n", wrapped(&scope(comparison), "  ")));
     let best: Vec<String> = comparison
         .correlations
         .iter()
@@ -95,6 +96,29 @@ pub(super) fn note(comparison: &Comparison) -> String {
     format!(
         "in brackets 5 to 95 % over {draws} draws of {}, the same for every finish, and the sampling of the flanks",
         names.join(", ")
+    )
+}
+
+/// What the comparison covers, and the gearbox where that is part of it.
+pub(super) fn scope(comparison: &Comparison) -> String {
+    let first = comparison.finishes.first();
+    let Some(first) = first.and_then(|finish| finish.gearbox.as_ref()) else {
+        return "scope mesh: without bearings, seals, churning".to_owned();
+    };
+    let with = |finish: &FinishResult| {
+        let found = finish.gearbox.as_ref()?;
+        let half = 50.0 * (finish.quantiles_w[1] - finish.quantiles_w[0]) / found.power_in_w;
+        let efficiency = rounded(100.0 * found.efficiency, half);
+        Some(format!("{} {efficiency} %", finish.name))
+    };
+    let efficiencies: Vec<String> = comparison.finishes.iter().filter_map(with).collect();
+    let parts = first.parts.iter();
+    let parts = parts.map(|part| format!("{} {}", part.name, stated(part.loss_w)));
+    format!(
+        "scope gearbox: all above is of the mesh; with {} beside it, stated by the user and without a band ({}), the efficiency of the gearbox is {}",
+        stated(first.parts_w),
+        parts.collect::<Vec<_>>().join(", "),
+        efficiencies.join(", "),
     )
 }
 

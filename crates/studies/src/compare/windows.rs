@@ -45,9 +45,10 @@ pub(super) fn roughness(loaded: &LoadedCase) -> Result<Vec<WindowRoughness>, Pos
     let Some(station) = stations.get(stations.len() / 2) else {
         return Ok(Vec::new());
     };
-    (0..model.offsets)
+    let offsets = loaded.surfaces.offsets(model.offsets);
+    (0..offsets)
         .map(|k| {
-            let met = Encounter::new(&loaded.surfaces, station, model.window, k, model.offsets)?;
+            let met = Encounter::new(&loaded.surfaces, station, model.window, k, offsets)?;
             window(&met.ok_or(PositionError::NoProfile)?)
         })
         .collect()

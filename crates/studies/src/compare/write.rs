@@ -55,6 +55,8 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
         change_low_percent: Option<f64>,
         change_high_percent: Option<f64>,
         mixed_share_percent: f64,
+        gearbox_efficiency_percent: Option<f64>,
+        gearbox_loss_w: Option<f64>,
     }
     write_table(
         file,
@@ -75,6 +77,8 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
                 .difference
                 .map(|found| 100.0 * found.share_quantiles[1]),
             mixed_share_percent: 100.0 * finish.mixed_share,
+            gearbox_efficiency_percent: finish.gearbox.as_ref().map(|g| 100.0 * g.efficiency),
+            gearbox_loss_w: finish.gearbox.as_ref().map(|g| g.loss_w),
         }),
     )
 }

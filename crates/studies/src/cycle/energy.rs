@@ -18,6 +18,9 @@ pub struct CycleResult {
     pub cycle: String,
     /// What loses: `mesh`.
     pub scope: String,
+    /// Parts that the case of the map states beside the mesh, and that are in no number here.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub left_aside: Vec<String>,
     /// Temperature of the flanks \[°C\].
     pub temperature_c: f64,
     /// Duration \[s\].
@@ -105,6 +108,10 @@ pub fn evaluate(map: &Map, temperature: usize, cycle: &Cycle, name: &str) -> Opt
         title: map.title.clone(),
         cycle: name.to_owned(),
         scope: map.scope.clone(),
+        left_aside: map
+            .gearbox
+            .as_ref()
+            .map_or_else(Vec::new, |gearbox| gearbox.parts.clone()),
         temperature_c: *map.axes.temperature_c.get(temperature)?,
         duration_s: cycle.points.last()?.time_s - first,
         distance_km: cycle.distance_km,

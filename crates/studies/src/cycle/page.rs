@@ -5,6 +5,7 @@ use asperity_report::html::{figure, page};
 use maud::{Markup, html};
 
 use super::energy::{CycleFinish, CycleResult};
+use super::summary::left_aside;
 use crate::map::{Map, loss_field};
 
 /// Bins of the torque.
@@ -27,6 +28,7 @@ fn energy(found: &CycleResult) -> Markup {
     let percent = |share: f64| format!("{:.3} %", 100.0 * share);
     let or_none = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned());
     html! {
+        @if let Some(note) = left_aside(found) { p { (note) "." } }
         p { "Scope: " (found.scope) " only. " (format!("{:.1}", found.drive_wh)) " Wh at the pinion while it drives, "
             (format!("{:.1}", found.coast_wh)) " Wh while the wheel drives, " (format!("{:.0}", found.duration_s)) " s, flanks at "
             (found.temperature_c) " °C. Outside the map " (percent(found.outside_share)) " of the moving time, "

@@ -1,5 +1,7 @@
 //! The energies for the terminal.
 
+use asperity_report::wrapped;
+
 use super::energy::CycleResult;
 
 /// The energies for the terminal.
@@ -48,5 +50,18 @@ pub fn summary(found: &CycleResult) -> String {
         100.0 * found.outside_share,
         100.0 * found.extended_share
     ));
+    if let Some(note) = left_aside(found) {
+        text.push_str(&format!("{}\n", wrapped(&note, "     ")));
+    }
     text
+}
+
+/// W431, where the case of the map states a gearbox.
+pub(super) fn left_aside(found: &CycleResult) -> Option<String> {
+    (!found.left_aside.is_empty()).then(|| {
+        format!(
+            "W431 energies are those of the mesh; what the case states beside it is left aside: {}",
+            found.left_aside.join(", ")
+        )
+    })
 }

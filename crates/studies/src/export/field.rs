@@ -1,6 +1,6 @@
 //! What is exported of a finish at one temperature.
 
-use super::added::AddedLoss;
+use super::added::{AddedLoss, AddedLossError};
 use super::error::ExportError;
 use crate::map::{Map, Surface};
 
@@ -43,9 +43,19 @@ impl Field {
             return Ok(Vec::new());
         };
         let axes = &map.axes;
-        let scope = match added {
-            None => format!("{} only, input shaft", map.scope),
-            Some(added) => format!("{} and added {}, input shaft", map.scope, added.name),
+        let gearbox = map.gearbox.as_ref();
+        let scope = match (added, gearbox) {
+            (None, None) => format!("{} only, input shaft", map.scope),
+            (Some(added), None) => format!("{} and added {}, input shaft", map.scope, added.name),
+            (None, Some(gearbox)) => format!(
+                "{} and gearbox of the case ({}), input shaft",
+                map.scope,
+                gearbox.parts.join("; ")
+            ),
+            (Some(added), Some(_)) => {
+                let name = added.name.clone();
+                return Err(AddedLossError::Twice { name }.into());
+            }
         };
         let nodes = axes.torque_nm.len() * axes.speed_rpm.len();
         let field = |(index, &temperature_c): (usize, &f64)| {
@@ -53,7 +63,17 @@ impl Field {
                 let finish = of.name.clone();
                 return Err(ExportError::Holes { finish });
             };
-            let added_nm = added.map(|added| added.at_nodes(axes, temperature_c));
+            let added_nm = match (added, gearbox) {
+                (Some(added), _) => Some(added.at_nodes(axes, temperature_c)?),
+                (None, Some(gearbox)) => {
+                    let found = gearbox
+                        .loss_torque_nm
+                        .get(index * nodes..(index + 1) * nodes);
+                    let finish = of.name.clone();
+                    Some(found.ok_or(ExportError::Holes { finish })?.to_vec())
+                }
+                (None, None) => None,
+            };
             let points = of.points.iter().skip(index * nodes).take(nodes);
             Ok(Self {
                 title: map.title.clone(),
@@ -64,7 +84,7 @@ impl Field {
                 torque_nm: surface.torque_nm,
                 speed_rpm: surface.speed_rpm,
                 mesh_nm: surface.loss_torque_nm,
-                added_nm: added_nm.transpose()?,
+                added_nm,
                 outside: points.filter(|point| !point.outside.is_empty()).count(),
             })
         };

@@ -2,6 +2,7 @@
 
 use asperity::case::{Formulation, LoadedCase};
 use asperity::encounter::LEAST_POINTS_PER_HALF_WIDTH;
+use asperity::gearbox::{self, OperatingPoint};
 use asperity::pipeline::{contact_tables, losses, losses_with, stations};
 use asperity::result::Losses;
 use asperity::reversed::Reversed;
@@ -12,6 +13,7 @@ use asperity_core::quantity::{AngularSpeed, Temperature, Torque};
 use rayon::prelude::*;
 
 use super::axes::Axes;
+use super::point::MapGearbox;
 
 /// Losses at one operating point, with what the other direction of the power changes.
 #[derive(Debug, Clone)]
@@ -45,6 +47,8 @@ pub(super) fn at_torque(case: &LoadedCase, torque: Torque) -> Result<LoadedCase,
     case.with(|input| {
         input.operation.torque = torque;
         input.model.run_in = None;
+        // The gearbox is the same for every finish, and is added to the map as a whole.
+        input.gearbox = None;
     })
 }
 
@@ -112,6 +116,32 @@ fn at(
 /// As the case file would have it, to the last digit.
 pub(super) fn torque_of(torque_nm: f64) -> Torque {
     Torque::from_si(torque_nm)
+}
+
+/// What the gearbox of the case loses beside the mesh at every node; none where the case states none.
+pub(super) fn gearbox_of(case: &LoadedCase, axes: &Axes) -> Result<Option<MapGearbox>, Error> {
+    let case = &case.case;
+    let Some(gearbox) = &case.gearbox else {
+        return Ok(None);
+    };
+    let mut loss_torque_nm = Vec::with_capacity(axes.points());
+    for &temperature in &axes.temperature_c {
+        for &torque in &axes.torque_nm {
+            for &speed in &axes.speed_rpm {
+                let at = OperatingPoint {
+                    torque: torque_of(torque),
+                    speed: speed_of(shown(speed)),
+                    temperature: temperature_of(temperature),
+                };
+                let found = gearbox::loss_torque_nm(case, &at);
+                loss_torque_nm.push(found.map_err(|error| Error::Whole(Box::new(error)))?);
+            }
+        }
+    }
+    Ok(Some(MapGearbox {
+        parts: gearbox.parts.iter().map(|part| part.name.clone()).collect(),
+        loss_torque_nm,
+    }))
 }
 
 fn speed_of(speed_rpm: f64) -> AngularSpeed {

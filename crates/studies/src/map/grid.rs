@@ -8,12 +8,11 @@ use asperity::Error;
 use asperity::case::LoadedCase;
 use asperity::pipeline::Progress;
 use asperity::result::OffsetRow;
-use asperity::surfaces::FlankReport;
 
 use super::axes::Axes;
 use super::band::{Banded, MapBand};
 use super::evaluation::{
-    Evaluated, at_torque, computed_speeds, evaluate, resolved_from, shown, torque_of,
+    Evaluated, at_torque, computed_speeds, evaluate, gearbox_of, resolved_from, shown, torque_of,
 };
 use super::point::{EXTENDED, FinishMap, Map, MapWarning, Numbers, Point, ranges};
 use crate::compare::Finish;
@@ -32,6 +31,11 @@ pub fn map(
     band: MapBand,
     progress: Progress<'_>,
 ) -> Result<Map, Error> {
+    // A table that does not reach the map is told before the work.
+    let gearbox = match finishes.first() {
+        Some(first) => gearbox_of(&first.case, axes)?,
+        None => None,
+    };
     let mut maps = Vec::with_capacity(finishes.len());
     let sides = finishes
         .iter()
@@ -54,6 +58,7 @@ pub fn map(
         program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
         title: case.title.clone(),
         scope: "mesh".to_owned(),
+        gearbox,
         axes: axes.clone(),
         ratio: case.gears.ratio,
         warnings: maps.iter().flat_map(warnings).collect(),
@@ -145,13 +150,13 @@ fn of_finish(
         asperity::losses(&case, &|_, _| {})?;
     }
     let coast = match sides.has_coast {
-        true => files(&at_torque(&finish.case, torque_of(-sides.from[1]))?.flanks),
+        true => files(&at_torque(&finish.case, torque_of(-sides.from[1]))?),
         false => Vec::new(),
     };
     let drive = at_torque(&finish.case, torque_of(sides.from[0]))?;
     Ok(FinishMap {
         name: finish.name.clone(),
-        files: files(&drive.flanks),
+        files: files(&drive),
         coast_files: coast,
         resolved_from_nm: sides.from,
         points,
@@ -159,8 +164,8 @@ fn of_finish(
 }
 
 /// The folder of a trace is nobody's business; its sum tells which file it was.
-fn files(flanks: &[FlankReport; 2]) -> Vec<[String; 2]> {
-    let named = flanks.iter().filter_map(|flank| {
+fn files(case: &LoadedCase) -> Vec<[String; 2]> {
+    let named = case.all_traces().into_iter().filter_map(|flank| {
         let file = Path::new(flank.file.as_deref()?).file_name()?;
         Some([file.to_string_lossy().into_owned(), flank.sha256.clone()?])
     });

@@ -44,7 +44,7 @@ pub use axes::{Axes, AxisError, axis};
 pub use band::MapBand;
 pub use grid::map;
 pub use page::loss_field;
-pub use point::{EXTENDED, FinishMap, Map, MapWarning, Numbers, Point, ranges};
+pub use point::{EXTENDED, FinishMap, Map, MapGearbox, MapWarning, Numbers, Point, ranges};
 pub use read::{MapError, read};
 pub use summary::summary;
 pub use surface::{Interpolated, Surface};

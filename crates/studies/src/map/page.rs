@@ -6,6 +6,7 @@ use maud::{Markup, html};
 
 use super::axes::Axes;
 use super::point::{FinishMap, Map, Numbers, Point};
+use super::summary::left_aside;
 
 /// Levels of the efficiency \[%\].
 const EFFICIENCIES: [f64; 11] = [
@@ -323,6 +324,7 @@ fn provenance(map: &Map) -> Markup {
             @for (k, finish) in map.finishes.iter().enumerate() {
                 @if k > 0 { ", " } (format!("{:.3} N m ({})", finish.resolved_from_nm[0], finish.name))
             } " are extended." }
+        @if let Some(note) = left_aside(map) { p { (note) "." } }
         div.scroll { table {
             thead { tr { th { "finish" } th { "flanks" } th { "file" } th { "SHA-256" } } }
             tbody { @for finish in &map.finishes { @for (side, [file, sum]) in pairs(finish) {

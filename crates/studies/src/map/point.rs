@@ -18,8 +18,11 @@ pub struct Map {
     pub program: String,
     /// The case's title.
     pub title: String,
-    /// What loses: `mesh`, no bearings, seals or churning.
+    /// What loses at the points: `mesh`, no bearings, seals or churning.
     pub scope: String,
+    /// The gearbox around the mesh, where the case states one; in no point, and added to exports.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gearbox: Option<MapGearbox>,
     /// The nodes.
     pub axes: Axes,
     /// Turns of the pinion for one turn of the wheel.
@@ -32,6 +35,16 @@ pub struct Map {
     pub input: CaseInput,
     /// Every default that was used.
     pub defaults: Vec<DefaultUsed>,
+}
+
+/// Losses beside the mesh at the points of a map, as the user of the case states them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MapGearbox {
+    /// Names of the parts.
+    pub parts: Vec<String>,
+    /// Their loss over the speed of the pinion at every point \[N m\], in the order of [`Axes::index`]; at standstill
+    /// that at 1 1/min.
+    pub loss_torque_nm: Vec<f64>,
 }
 
 /// The map of one pair of flanks.

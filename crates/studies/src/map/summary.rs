@@ -48,9 +48,21 @@ pub fn summary(map: &Map) -> String {
             torque
         ));
     }
+    if let Some(note) = left_aside(map) {
+        text.push_str(&format!("{}\n", wrapped(&note, "     ")));
+    }
     text.push_str(&bands(map));
     text.push_str(&notes(map));
     text
+}
+
+/// W431, where the case states a gearbox.
+pub(super) fn left_aside(map: &Map) -> Option<String> {
+    let gearbox = map.gearbox.as_ref()?;
+    Some(format!(
+        "W431 losses are those of the mesh; what the case states beside it ({}) is a part of its own in exports",
+        gearbox.parts.join(", ")
+    ))
 }
 
 /// How far the bands reach from the loss torque, in percent of it.

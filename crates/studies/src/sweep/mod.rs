@@ -15,6 +15,7 @@ mod merged;
 mod page;
 mod parts;
 mod plan;
+mod refused;
 mod run;
 mod study;
 
@@ -27,5 +28,6 @@ pub use merge::{merge, write};
 pub use merged::{EffectRow, Merged};
 pub use parts::{Status, status};
 pub use plan::{Plan, plan};
-pub use run::{Shard, run};
+pub use refused::Refused;
+pub use run::{Event, Shard, run};
 pub use study::{Method, Study};

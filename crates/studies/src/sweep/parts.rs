@@ -83,7 +83,11 @@ pub(super) fn outputs(study: &Study) -> Vec<String> {
         "mu_equivalent",
         "mixed_share",
     ];
-    let usual = || USUAL.map(str::to_owned).to_vec();
+    /// What is kept as well where the case states losses of its gearbox; the others are of the mesh.
+    const OF_GEARBOX: [&str; 2] = ["gearbox_efficiency", "gearbox_loss_w"];
+    let has_gearbox = study.case.case.gearbox.is_some();
+    let more = OF_GEARBOX.into_iter().filter(|_| has_gearbox);
+    let usual = || USUAL.into_iter().chain(more).map(str::to_owned).collect();
     study.input.columns.clone().unwrap_or_else(usual)
 }
 

@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 use std::time::Instant;
 
-use rayon::prelude::*;
 use serde::Serialize;
 
-use super::case_list::{CaseList, resolved};
+use super::case_list::CaseList;
 use super::error::SweepError;
+use super::refused::{Refused, refusals};
 use super::run::row_of;
 use super::study::Study;
 
@@ -30,17 +30,6 @@ pub struct Plan {
     pub bytes: f64,
 }
 
-/// Cases that cannot be resolved.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Refused {
-    /// How many.
-    pub count: usize,
-    /// Number of the first.
-    pub first: usize,
-    /// Its message.
-    pub message: String,
-}
-
 /// Resolves every case and runs a few.
 ///
 /// # Errors
@@ -50,25 +39,7 @@ pub fn plan(study: &Study) -> Result<Plan, SweepError> {
     const SAMPLED: usize = 3;
     let list = CaseList::of(study)?;
     let count = list.count();
-    let refusals: Vec<Option<(String, String)>> = (0..count)
-        .into_par_iter()
-        .map(|number| {
-            let refused = resolved(&study.case, &list.place(number)).err()?;
-            Some((refused.code_of_case(), refused.to_string()))
-        })
-        .collect();
-    let mut refused: BTreeMap<String, Refused> = BTreeMap::new();
-    for (number, refusal) in refusals.into_iter().enumerate() {
-        let Some((code, message)) = refusal else {
-            continue;
-        };
-        let entry = refused.entry(code).or_insert(Refused {
-            count: 0,
-            first: number,
-            message,
-        });
-        entry.count += 1;
-    }
+    let refused = refusals(study, &list, &Vec::from_iter(0..count));
     let begin = Instant::now();
     let few = SAMPLED.min(count);
     let mut bytes = 0;

@@ -1,6 +1,6 @@
 //! The work of a shard.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -14,6 +14,7 @@ use rayon::prelude::*;
 use super::case_list::{CaseList, key_of_tables, resolved};
 use super::error::SweepError;
 use super::parts::{Rows, close, make_place, outputs, read};
+use super::refused::{Refused, refusals};
 use super::study::{Detail, Study};
 
 /// One of several shards of a study.
@@ -52,7 +53,26 @@ const TIME_OF_A_PART: Duration = Duration::from_secs(30);
 /// Cases that are run at once.
 const AT_ONCE: usize = 16;
 
-/// Runs the cases of a shard that no closed part in `folder` holds; `progress` is told how many are done of how many.
+/// What happens while a shard runs.
+#[derive(Debug, Clone, Copy)]
+pub enum Event<'a> {
+    /// Every case to be run has been resolved, none has been run.
+    Checked {
+        /// Those that cannot be, by code; each will be a row with its code.
+        refused: &'a BTreeMap<String, Refused>,
+        /// Cases to be run.
+        of: usize,
+    },
+    /// Cases have been run.
+    Done {
+        /// How many.
+        cases: usize,
+        /// Cases to be run.
+        of: usize,
+    },
+}
+
+/// Resolves all cases of a shard that no closed part in `folder` holds, then runs them; `watch` is told of both.
 /// A part is closed after 1000 cases or 30 s.
 ///
 /// # Errors
@@ -61,7 +81,7 @@ pub fn run(
     study: &Study,
     shard: Shard,
     folder: &Path,
-    progress: &(dyn Fn(usize, usize) + Sync),
+    watch: &(dyn Fn(Event<'_>) + Sync),
 ) -> Result<usize, SweepError> {
     let list = CaseList::of(study)?;
     make_place(study, folder)?;
@@ -70,6 +90,9 @@ pub fn run(
         .step_by(shard.of)
         .filter(|number| !done.contains_key(number))
         .collect();
+    let of = wanted.len();
+    let refused = &refusals(study, &list, &wanted);
+    watch(Event::Checked { refused, of });
     let kept = Kept::default();
     let (mut rows, mut opened) = (Rows::new(), Instant::now());
     let mut finished = 0;
@@ -80,7 +103,10 @@ pub fn run(
             .collect();
         finished += found.len();
         rows.extend(found);
-        progress(finished, wanted.len());
+        watch(Event::Done {
+            cases: finished,
+            of,
+        });
         if rows.len() >= CASES_OF_A_PART || opened.elapsed() >= TIME_OF_A_PART {
             close(study, &list, (shard.number, shard.of), &mut rows, folder)?;
             opened = Instant::now();

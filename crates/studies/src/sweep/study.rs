@@ -196,7 +196,7 @@ pub(super) fn identity(case: &LoadedCase) -> Result<String, SweepError> {
     // Keys of a value are sorted.
     let value = serde_json::to_value(&case.case.input).map_err(refused)?;
     let mut text = serde_json::to_string(&value).map_err(refused)?;
-    for flank in &case.flanks {
+    for flank in case.all_traces() {
         text.push('\n');
         text.push_str(flank.sha256.as_deref().unwrap_or_default());
     }

@@ -1,0 +1,152 @@
+//! The traces of both flanks together: their spacing, their places, and every pair that meets.
+
+use std::collections::BTreeMap;
+
+use asperity_core::quantity::Length;
+use asperity_roughness::composite::resampled;
+
+use super::error::CaseError;
+use super::flank_sample::{self, Listed};
+use super::flank_trace::Flank;
+use super::resolve::Case;
+use crate::message::Warning;
+use crate::placement::Placement;
+use crate::surfaces::{PairsOfTeeth, Surfaces, Texture};
+
+/// The traces of one flank, read and prepared once, as any pair of them meets.
+pub(super) struct Meeting<'a> {
+    pub case: &'a Case,
+    pub flanks: &'a [Vec<Flank>; 2],
+    pub is_placed: bool,
+}
+
+impl Meeting<'_> {
+    /// The trace `which` of the pinion on that of the wheel.
+    pub(super) fn surfaces(&self, which: [usize; 2]) -> Surfaces {
+        let flanks = [0, 1].map(|body: usize| &self.flanks[body][which[body]]);
+        // Rows of one surface are traces of their own.
+        let same_trace = flanks[0].raw.is_some() && flanks[0].raw == flanks[1].raw;
+        // Two files may have been filtered differently; the summits are looked for at the longer waves.
+        let noise_cutoff = flanks
+            .into_iter()
+            .map(|flank| match &flank.report.preparation {
+                Some(record) => record.recipe.lambda_s,
+                None => self.case.preparation.lambda_s,
+            })
+            .max_by(|a, b| {
+                a.unwrap_or_default()
+                    .si()
+                    .total_cmp(&b.unwrap_or_default().si())
+            })
+            .flatten();
+        let rz = flanks.map(|flank| {
+            let parameters = flank.report.parameters.as_ref();
+            parameters.map(|found| found.heights.rz)
+        });
+        let textures = flanks.map(|flank| flank.texture.clone());
+        let placement = match flanks.map(|flank| flank.placed) {
+            [Some(pinion), Some(wheel)] if self.is_placed => Some(Placement {
+                traces: [pinion, wheel],
+                misplaced: 0.0,
+            }),
+            _ => None,
+        };
+        let surfaces = Surfaces::new(textures, noise_cutoff, same_trace).with_rz(rz);
+        surfaces.placed(placement)
+    }
+
+    /// Every tooth of the pinion with every tooth of the wheel; in each zone of the face the traces nearest to it.
+    pub(super) fn pairs(
+        &self,
+        lists: &[Vec<Listed>; 2],
+        teeth: [usize; 2],
+        (zones, width): (&[f64], Length),
+    ) -> PairsOfTeeth {
+        let mut made: BTreeMap<[usize; 2], Surfaces> = BTreeMap::new();
+        let middles: Vec<f64> = (0..=zones.len())
+            .map(|zone| {
+                let from = zone.checked_sub(1).map_or(0.0, |below| zones[below]);
+                0.5 * (from + zones.get(zone).copied().unwrap_or(1.0))
+            })
+            .collect();
+        let of_pair = |pair: usize| {
+            let tooth = [pair / teeth[1], pair % teeth[1]];
+            let zone = |across: &f64| {
+                let which = [0, 1].map(|body: usize| {
+                    flank_sample::nearest(&lists[body], tooth[body], *across, width).unwrap_or(0)
+                });
+                made.entry(which)
+                    .or_insert_with(|| self.surfaces(which))
+                    .clone()
+            };
+            middles.iter().map(zone).collect()
+        };
+        PairsOfTeeth {
+            teeth,
+            met: (0..teeth[0] * teeth[1]).map(of_pair).collect(),
+        }
+    }
+}
+
+/// Whether the place of every trace is known; where it is of some alone, that is told and not used.
+pub(super) fn all_placed(flanks: &[Vec<Flank>; 2], warnings: &mut Vec<Warning>) -> bool {
+    let placed = flanks
+        .iter()
+        .flatten()
+        .filter(|flank| flank.placed.is_some());
+    let is_missing = |body: usize| flanks[body].iter().any(|flank| flank.placed.is_none());
+    let missing = match [is_missing(0), is_missing(1)] {
+        [false, false] => return true,
+        _ if placed.count() == 0 => return false,
+        [true, false] => "the trace of the pinion",
+        [false, true] => "the trace of the wheel",
+        [true, true] => "some traces of pinion and wheel",
+    };
+    warnings.push(Warning::new(
+        "W418",
+        format!(
+            "the place on the flank is not known of {missing}: windows do not follow from the mesh, all traces stand for any place of their flanks"
+        ),
+    ));
+    false
+}
+
+/// Brings all traces to the finest spacing of any.
+pub(super) fn on_common_spacing(
+    flanks: &mut [Vec<Flank>; 2],
+    warnings: &mut Vec<Warning>,
+) -> Result<(), CaseError> {
+    /// Spacings that differ by less shift a window of 10⁴ points by less than a point.
+    const SAME: f64 = 1e-5;
+    let spacing = |flank: &Flank| match &flank.texture {
+        Texture::Trace(profile) => Some(profile.spacing()),
+        Texture::Values { .. } => None,
+    };
+    let first_of = |flanks: &[Flank]| flanks.iter().find_map(spacing);
+    let (Some(a), Some(b)) = (first_of(&flanks[0]), first_of(&flanks[1])) else {
+        return Ok(());
+    };
+    let all = flanks.iter().flatten().filter_map(spacing);
+    let finest = all.fold(a, |finest, next| if next < finest { next } else { finest });
+    let differs = |own: Length| (own / finest - 1.0).abs() > SAME;
+    if !flanks.iter().flatten().filter_map(spacing).any(differs) {
+        return Ok(());
+    }
+    for flank in flanks.iter_mut().flatten() {
+        if let Texture::Trace(profile) = &flank.texture {
+            let finer = resampled(profile, finest).map_err(|source| CaseError::Preparation {
+                file: "surface".to_owned(),
+                source: source.into(),
+            })?;
+            flank.texture = Texture::Trace(finer);
+        }
+    }
+    let text = match [flanks[0].len(), flanks[1].len()] {
+        [1, 1] => format!(
+            "the flanks are spaced {a} and {b}; the coarser was resampled linearly to {finest}"
+        ),
+        _ => format!("the traces are spaced differently; all were resampled linearly to {finest}"),
+    };
+    warnings.push(Warning::new("W119", text));
+    Ok(())
+}

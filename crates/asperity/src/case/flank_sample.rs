@@ -1,0 +1,256 @@
+//! Several traces of a flank: the files that a list names, the teeth they are of, and the zones of the face that each
+//! stands for.
+
+use std::path::{Path, PathBuf};
+
+use asperity_core::DomainError;
+use asperity_core::quantity::Length;
+
+use super::domain::domain;
+use super::error::CaseError;
+use super::files::Files;
+use super::input::FlankInput;
+use super::source::Source;
+use super::trace_list::{TraceEntry, TraceInput, TraceList, is_pattern};
+
+/// Pairs of teeth up to which all are computed.
+const MOST_PAIRS: usize = 64;
+/// Teeth of each flank that are paired where there are more pairs.
+const FIRST_TEETH: usize = 8;
+
+/// A trace of a list: the keys to read it by, and what it is of.
+#[derive(Debug, Clone)]
+pub(super) struct Listed {
+    /// Keys of a flank with this trace alone.
+    pub input: FlankInput,
+    /// Whether it is of a list.
+    pub is_of_a_list: bool,
+    /// Whether its place is told in the list itself.
+    pub has_own_place: bool,
+    /// Index of the tooth, from 0 in the order of the list.
+    pub tooth: usize,
+    /// Number of the tooth as stated.
+    pub number: Option<u32>,
+    /// Place across the face.
+    pub y: Option<Length>,
+}
+
+impl Listed {
+    /// The one trace of a flank without a list.
+    pub(super) fn alone(input: &FlankInput) -> Self {
+        Self {
+            input: input.clone(),
+            is_of_a_list: false,
+            has_own_place: false,
+            tooth: 0,
+            number: None,
+            y: None,
+        }
+    }
+}
+
+/// The traces that `list` of a flank names, which stands at `key`.
+pub(super) fn listed(
+    flank: &FlankInput,
+    list: &TraceList,
+    (key, source, files): (&'static str, &Source, &Files),
+) -> Result<Vec<Listed>, CaseError> {
+    let conflict = |rule| CaseError::Conflict {
+        place: source.place_of(key),
+        key,
+        rule,
+    };
+    let mut named: Vec<TraceInput> = Vec::new();
+    for entry in list.entries() {
+        match entry {
+            TraceEntry::Table(table) => named.push(table),
+            TraceEntry::Pattern(text) => {
+                named.extend(found(&text, (key, source, files))?.into_iter().map(|file| {
+                    TraceInput {
+                        file,
+                        ..TraceInput::default()
+                    }
+                }))
+            }
+        }
+    }
+    if named.is_empty() {
+        return Err(conflict("names no trace; give at least one, or file"));
+    }
+    let mut teeth: Vec<Option<u32>> = Vec::new();
+    let mut traces: Vec<Listed> = Vec::with_capacity(named.len());
+    for trace in named {
+        let known = teeth
+            .iter()
+            .position(|tooth| tooth.is_some() && *tooth == trace.tooth);
+        let tooth = known.unwrap_or_else(|| {
+            teeth.push(trace.tooth);
+            teeth.len() - 1
+        });
+        if let Some(y) = trace.y {
+            DomainError::non_negative("y", y).map_err(domain(source, key))?;
+        }
+        let same = traces.iter().filter(|other| other.tooth == tooth);
+        for other in same {
+            if trace.y.is_none() || other.y.is_none() {
+                return Err(conflict(
+                    "several traces of one tooth need y, the place across the face, each",
+                ));
+            }
+            if trace.y == other.y {
+                return Err(conflict("two traces are of the same tooth at the same y"));
+            }
+        }
+        traces.push(Listed {
+            input: FlankInput {
+                file: Some(trace.file),
+                traces: None,
+                from: trace.from.or(flank.from),
+                at: trace.at.or(flank.at),
+                row: trace.row.or(flank.row),
+                ..flank.clone()
+            },
+            is_of_a_list: true,
+            has_own_place: trace.at.is_some() || trace.from.is_some(),
+            tooth,
+            number: trace.tooth,
+            y: trace.y,
+        });
+    }
+    Ok(traces)
+}
+
+/// Files that `text` stands for, by name.
+fn found(
+    text: &str,
+    (key, source, files): (&'static str, &Source, &Files),
+) -> Result<Vec<PathBuf>, CaseError> {
+    if !is_pattern(text) {
+        return Ok(vec![text.into()]);
+    }
+    let refused = |folder: Option<String>| CaseError::NoTraces {
+        place: source.place_of(key),
+        key,
+        pattern: text.to_owned(),
+        folder,
+    };
+    let path = Path::new(text);
+    let parent = path.parent().unwrap_or(Path::new(""));
+    let name = path.file_name().map(|name| name.to_string_lossy());
+    let Some(folder) = files.folder() else {
+        return Err(refused(None));
+    };
+    let shown = folder.join(parent).display().to_string();
+    let shown = if shown.is_empty() {
+        ".".to_owned()
+    } else {
+        shown
+    };
+    let matching = match name {
+        Some(name) if !is_pattern(&parent.to_string_lossy()) => files.matching(parent, &name),
+        _ => Vec::new(),
+    };
+    match matching.is_empty() {
+        true => Err(refused(Some(shown))),
+        false => Ok(matching),
+    }
+}
+
+/// Number of teeth of `traces`.
+pub(super) fn teeth(traces: &[Listed]) -> usize {
+    traces
+        .iter()
+        .map(|trace| trace.tooth + 1)
+        .max()
+        .unwrap_or(0)
+}
+
+/// Teeth of each flank that are paired, of so many: all up to 64 pairs, above the first eight of each.
+pub(super) fn paired(teeth: [usize; 2]) -> [usize; 2] {
+    match teeth[0] * teeth[1] <= MOST_PAIRS {
+        true => teeth,
+        false => teeth.map(|count| count.min(FIRST_TEETH)),
+    }
+}
+
+/// Places y/b between the zones of the face in which the same trace of every tooth is the nearest one.
+pub(super) fn zones(flanks: [&[Listed]; 2], width: Length) -> Vec<f64> {
+    /// Edges that are nearer to each other are one.
+    const SAME: f64 = 1e-9;
+    let mut edges: Vec<f64> = Vec::new();
+    for traces in flanks {
+        for tooth in 0..teeth(traces) {
+            let mut places: Vec<f64> = of_tooth(traces, tooth)
+                .filter_map(|(_, trace)| Some(trace.y? / width))
+                .collect();
+            places.sort_by(f64::total_cmp);
+            edges.extend(places.windows(2).map(|ends| 0.5 * (ends[0] + ends[1])));
+        }
+    }
+    edges.sort_by(f64::total_cmp);
+    edges.dedup_by(|a, b| (*a - *b).abs() < SAME);
+    edges
+}
+
+/// Index of the trace of `tooth` that lies nearest to `across`, a place y/b.
+pub(super) fn nearest(
+    traces: &[Listed],
+    tooth: usize,
+    across: f64,
+    width: Length,
+) -> Option<usize> {
+    let away = |trace: &Listed| trace.y.map_or(0.0, |y| (y / width - across).abs());
+    of_tooth(traces, tooth)
+        .min_by(|a, b| away(a.1).total_cmp(&away(b.1)))
+        .map(|(index, _)| index)
+}
+
+fn of_tooth(traces: &[Listed], tooth: usize) -> impl Iterator<Item = (usize, &Listed)> {
+    let all = traces.iter().enumerate();
+    all.filter(move |(_, trace)| trace.tooth == tooth)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn trace(tooth: usize, y_mm: Option<f64>) -> Listed {
+        Listed {
+            tooth,
+            y: y_mm.map(|y| Length::from_si(1e-3 * y)),
+            ..Listed::alone(&FlankInput::default())
+        }
+    }
+
+    #[test]
+    fn zones_lie_between_the_traces_of_a_tooth() {
+        let width = Length::from_si(20e-3);
+        let pinion = [trace(0, Some(4.0)), trace(0, Some(16.0)), trace(1, None)];
+        let wheel = [
+            trace(0, Some(15.0)),
+            trace(0, Some(5.0)),
+            trace(0, Some(10.0)),
+        ];
+        let edges = zones([&pinion, &wheel], width);
+        let expected = [7.5 / 20.0, 0.5, 12.5 / 20.0];
+        assert_eq!(edges.len(), 3);
+        assert!(
+            edges
+                .iter()
+                .zip(expected)
+                .all(|(a, b)| (a - b).abs() < 1e-12)
+        );
+        assert_eq!(nearest(&pinion, 0, 0.4, width), Some(0));
+        assert_eq!(nearest(&pinion, 0, 0.6, width), Some(1));
+        assert_eq!(nearest(&pinion, 1, 0.6, width), Some(2));
+        assert_eq!(nearest(&wheel, 0, 0.1, width), Some(1));
+    }
+
+    #[test]
+    fn above_64_pairs_the_first_eight_of_each_are_paired() {
+        assert_eq!(paired([8, 8]), [8, 8]);
+        assert_eq!(paired([64, 1]), [64, 1]);
+        assert_eq!(paired([5, 13]), [5, 8]);
+        assert_eq!(paired([65, 1]), [8, 1]);
+    }
+}

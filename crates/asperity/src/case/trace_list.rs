@@ -1,0 +1,182 @@
+//! Keys of several traces of one flank: a list, a pattern, or a table for each.
+
+use std::path::PathBuf;
+
+use asperity_core::quantity::Length;
+use schemars::JsonSchema;
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::de::{MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+
+use super::flank_place::{FlankPlaceInput, TraceStart};
+
+/// Traces of one flank: `"pinion_*.csv"`, or a list of files and of tables.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum TraceList {
+    /// A file, or a pattern with `*` and `?` in the name of the file.
+    Pattern(String),
+    /// Files, patterns, and tables.
+    List(Vec<TraceEntry>),
+}
+
+/// One entry of a list of traces.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum TraceEntry {
+    /// A file, or a pattern with `*` and `?` in the name of the file.
+    Pattern(String),
+    /// A file with what differs from the keys of the flank.
+    Table(TraceInput),
+}
+
+/// One of several traces of a flank; all other keys are those of the flank.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TraceInput {
+    /// File of the trace, relative to the case file.
+    pub file: PathBuf,
+    /// Number of the tooth; default: a tooth of its own for every trace.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tooth: Option<u32>,
+    /// Place across the face, from the end of the face width that comes into contact last.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub y: Option<Length>,
+    /// End of the flank at which the trace begins, where it is not that of the flank.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub from: Option<TraceStart>,
+    /// A point of the trace whose place is known, where it is not that of the flank.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at: Option<FlankPlaceInput>,
+    /// Number of the profile in a file that holds several, counted from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub row: Option<usize>,
+}
+
+impl TraceList {
+    /// The files that are named, not those of patterns.
+    pub(super) fn files(&self) -> Vec<PathBuf> {
+        let entries = self.entries().into_iter();
+        let files = entries.filter_map(|entry| match entry {
+            TraceEntry::Table(table) => Some(table.file),
+            TraceEntry::Pattern(text) => (!is_pattern(&text)).then(|| text.into()),
+        });
+        files.collect()
+    }
+
+    /// The entries in order.
+    pub(super) fn entries(&self) -> Vec<TraceEntry> {
+        match self {
+            Self::Pattern(text) => vec![TraceEntry::Pattern(text.clone())],
+            Self::List(entries) => entries.clone(),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for TraceList {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(ListVisitor)
+    }
+}
+
+impl<'de> Deserialize<'de> for TraceEntry {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(EntryVisitor)
+    }
+}
+
+/// Implemented by hand, so that an error in an entry is described in the words of its type.
+struct ListVisitor;
+
+impl<'de> Visitor<'de> for ListVisitor {
+    type Value = TraceList;
+
+    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "a pattern as \"pinion_*.csv\", or a list of files and tables as [{{ file = \"a.csv\", tooth = 1 }}]"
+        )
+    }
+
+    fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<Self::Value, E> {
+        Ok(TraceList::Pattern(text.to_owned()))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, sequence: A) -> Result<Self::Value, A::Error> {
+        Deserialize::deserialize(SeqAccessDeserializer::new(sequence)).map(TraceList::List)
+    }
+}
+
+struct EntryVisitor;
+
+impl<'de> Visitor<'de> for EntryVisitor {
+    type Value = TraceEntry;
+
+    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "a file, or a table as {{ file = \"a.csv\", tooth = 1, y = \"4 mm\" }}"
+        )
+    }
+
+    fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<Self::Value, E> {
+        Ok(TraceEntry::Pattern(text.to_owned()))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
+        Deserialize::deserialize(MapAccessDeserializer::new(map)).map(TraceEntry::Table)
+    }
+}
+
+/// Whether `text` is a pattern rather than the name of a file.
+pub(super) fn is_pattern(text: &str) -> bool {
+    text.contains(['*', '?'])
+}
+
+/// Whether `name` is of `pattern`, in which `*` stands for any characters and `?` for one.
+pub(super) fn matches(pattern: &str, name: &str) -> bool {
+    let (pattern, name): (Vec<char>, Vec<char>) =
+        (pattern.chars().collect(), name.chars().collect());
+    // Where to go on after the last star, should the rest not fit.
+    let (mut p, mut n, mut again) = (0, 0, None);
+    while n < name.len() {
+        match pattern.get(p) {
+            Some('*') => {
+                again = Some((p + 1, n));
+                p += 1;
+            }
+            Some(c) if *c == '?' || *c == name[n] => (p, n) = (p + 1, n + 1),
+            _ => match again {
+                Some((after, from)) => {
+                    again = Some((after, from + 1));
+                    (p, n) = (after, from + 1);
+                }
+                None => return false,
+            },
+        }
+    }
+    pattern[p..].iter().all(|c| *c == '*')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stars_and_question_marks_stand_for_characters() {
+        for (pattern, name, expected) in [
+            ("pinion_*.csv", "pinion_1.csv", true),
+            ("pinion_*.csv", "pinion_.csv", true),
+            ("pinion_*.csv", "wheel_1.csv", false),
+            ("pinion_*.csv", "pinion_1.csv.bak", false),
+            ("*a*b", "xaab", true),
+            ("*a*b", "xaba", false),
+            ("t?.txt", "t1.txt", true),
+            ("t?.txt", "t12.txt", false),
+            ("*", "", true),
+            ("", "a", false),
+        ] {
+            assert_eq!(matches(pattern, name), expected, "{pattern} {name}");
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! Tables of losses beside the mesh, as files.
+
+use asperity_efficiency::EfficiencyError;
+use asperity_efficiency::loss_table::{LossRow, LossTable};
+use serde::Deserialize;
+
+/// Why a file is no table of losses.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum LossTableError {
+    /// The table cannot be read.
+    #[error("{name}: {source}")]
+    Csv {
+        /// Name of the table.
+        name: String,
+        /// Reason given by the reader.
+        source: csv::Error,
+    },
+    /// The rows form no table.
+    #[error("{name}: {source}")]
+    Rows {
+        /// Name of the table.
+        name: String,
+        /// Reason.
+        source: EfficiencyError,
+    },
+}
+
+#[derive(Deserialize)]
+struct Row {
+    /// None where the loss depends on the speed alone.
+    torque_nm: Option<f64>,
+    speed_rpm: f64,
+    temperature_c: Option<f64>,
+    loss_torque_nm: f64,
+}
+
+/// Reads a table with the columns `speed_rpm`, `loss_torque_nm` and, where the loss depends on them,
+/// `torque_nm` and `temperature_c`: a grid of nodes, in any order. Lines that begin with # are comments.
+///
+/// # Errors
+/// When the text is no such table, or its rows form no grid.
+///
+/// ```
+/// use asperity::loss_table::read;
+/// let table = read("bearings.csv", "speed_rpm,loss_torque_nm\n0,0.1\n1000,0.3\n")?;
+/// assert!((table.loss_torque(145.0, 500.0, 90.0)? - 0.2).abs() < 1e-15);
+/// assert!(read("bearings.csv", "speed_rpm,loss_torque_nm\n0,-1\n").is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn read(name: &str, text: &str) -> Result<LossTable, LossTableError> {
+    let mut reader = csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .trim(csv::Trim::All)
+        .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
+    let mut rows = Vec::new();
+    for row in reader.deserialize() {
+        let row: Row = row.map_err(|source| LossTableError::Csv {
+            name: name.to_owned(),
+            source,
+        })?;
+        rows.push(LossRow {
+            torque_nm: row.torque_nm,
+            speed_rpm: row.speed_rpm,
+            temperature_c: row.temperature_c,
+            loss_torque_nm: row.loss_torque_nm,
+        });
+    }
+    LossTable::new(&rows).map_err(|source| LossTableError::Rows {
+        name: name.to_owned(),
+        source,
+    })
+}

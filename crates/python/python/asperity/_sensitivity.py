@@ -1,0 +1,77 @@
+"""What the loss of a case does when one thing changes."""
+
+from __future__ import annotations
+
+import json
+from os import PathLike, fspath
+from typing import TYPE_CHECKING, Any, Optional, Union
+
+from . import _asperity
+from ._case import CaseLike, as_case
+from ._html import page
+from ._progress import Progress, Told
+from ._record import Record, Table
+
+if TYPE_CHECKING:
+    import pandas
+
+COLUMNS = [
+    "group", "what", "to", "difference_w", "change", "sampling_half_width_w", "film_w", "lubricated_asperity_w",
+    "boundary_w", "rolling_w", "code",
+]
+
+
+class Sensitivity(Record):
+    """Changes of a loss, one thing changed at a time: ``title``, ``loss_w``, ``efficiency``, ``rows``.
+
+    They are answers of the model at the same windows of the traces, not measurements.
+    """
+
+    def __init__(self, raw: _asperity.Sensitivity) -> None:
+        super().__init__(json.loads(raw.json()))
+        self._raw = raw
+
+    @property
+    def rows(self) -> Table:
+        """One row per change; a change that cannot be run has a ``code`` and no numbers."""
+        rows: list[dict[str, Any]] = []
+        for row in self._values["rows"]:
+            flat = {name: None for name in COLUMNS}
+            flat.update({name: row[name] for name in ("group", "what", "to")})
+            flat.update(row["effect"] or {})
+            flat["code"] = (row.get("refused") or {}).get("code")
+            rows.append(flat)
+        return Table(rows, COLUMNS)
+
+    def write(self, folder: Union[str, PathLike[str]]) -> None:
+        """Writes the folder of ``asperity sensitivity``."""
+        self._raw.write(fspath(folder))
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """One row per change."""
+        return self.rows.to_pandas()
+
+    def __str__(self) -> str:
+        return self._raw.summary()
+
+    def __repr__(self) -> str:
+        return f"<Sensitivity {self._values['title']!r}: {len(self._values['rows'])} changes of {self._values['loss_w']:.4g} W>"
+
+    def _repr_html_(self) -> str:
+        effects = [(row, row["effect"]) for row in self._values["rows"] if row["effect"]]
+        rows = [(f"{row['what']} → {row['to']}", f"{100 * effect['change']:+.1f} %") for row, effect in effects]
+        return page(str(self._values["title"]), rows, None)
+
+
+def sensitivity(
+    case: CaseLike, *, threads: Optional[int] = None, progress: Optional[Progress] = None
+) -> Sensitivity:
+    """Runs a case, then again with one thing changed each time: heights and wavelengths of the flanks, boundary layer,
+    oil, tip relief.
+
+    Args:
+        case: the case.
+        threads, progress: as in `Case.run`.
+    """
+    with Told(progress, "changes") as told:
+        return Sensitivity(_asperity.sensitivity(as_case(case)._raw, threads, told))

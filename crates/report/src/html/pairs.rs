@@ -1,0 +1,65 @@
+//! Several traces of a flank: the loss of every pair of teeth, and what the error of their mean is made of.
+
+use asperity::loss_band::{PairSampling, rounded};
+use asperity::result::{ToothTrace, TracePairs};
+use maud::{Markup, html};
+
+use crate::summary::two_digits;
+
+pub(super) fn section(pairs: &TracePairs, sampling: &PairSampling) -> Markup {
+    let own = |power: f64| rounded(power, sampling.half_width_w);
+    let [pinion, wheel] = sampling.traces;
+    let [s1, s2] = sampling.between_w;
+    html! {
+        h3 { "The traced teeth, pair by pair" }
+        p {
+            (pinion) " traced teeth of the pinion on " (wheel) " of the wheel: the mean loss is " (own(sampling.mean_w)) " W, ±"
+            (own(sampling.half_width_w)) " W (95 %, " (format!("{:.1}", sampling.freedom)) " degrees of freedom)."
+            @if let Some(gear) = sampling.not_sampled() {
+                " A single tooth of the " (gear) " was traced, so that the error is a lower bound."
+            }
+            " Between the teeth of the pinion the loss scatters by " (two_digits(s1)) " W (s₁), between those of the wheel by "
+            (two_digits(s2)) " W (s₂), and from pair to pair by further " (two_digits(sampling.interaction_w)) " W (s₁₂)."
+        }
+        div.scroll { table {
+            thead { tr {
+                th { "loss, W" }
+                @for tooth in 1..=wheel { th.number { "wheel " (tooth) } }
+            } }
+            tbody { @for (k, row) in pairs.losses_w.iter().enumerate() { tr {
+                th scope="row" { "pinion " (k + 1) }
+                @for loss in row { td.number { (format!("{loss:.2}")) } }
+            } } }
+        } }
+    }
+}
+
+/// The traces with what was found of each.
+pub(super) fn traces(pairs: &TracePairs) -> Markup {
+    let flanks = ["pinion", "wheel"].into_iter().zip(&pairs.traces);
+    let um = |value: f64| format!("{:.3}", 1e6 * value);
+    html! {
+        p { "The charts below are of the first trace of each flank." }
+        div.scroll { table {
+            thead { tr {
+                th { "tooth" } th { "trace" } th.number { "y, mm" } th.number { "Rq, µm" } th.number { "Rz, µm" } th.number { "Rpk, µm" }
+            } }
+            tbody { @for (name, traces) in flanks { @for trace in traces { tr {
+                th scope="row" { (name) " " (trace.tooth) @if let Some(number) = trace.tooth_number { " (tooth " (number) ")" } }
+                td { code { (file(trace)) } }
+                td.number { @match trace.y_mm { Some(y) => (format!("{y:.2}")), None => "-" } }
+                @match &trace.record.parameters {
+                    Some(found) => {
+                        td.number { (um(found.heights.rq.si())) } td.number { (um(found.heights.rz.si())) }
+                        td.number { (um(found.material.rpk.si())) }
+                    }
+                    None => { td.number { "-" } td.number { "-" } td.number { "-" } }
+                }
+            } } } }
+        } }
+    }
+}
+
+fn file(trace: &ToothTrace) -> &str {
+    trace.record.file.as_deref().unwrap_or("roughness values")
+}

@@ -1,0 +1,308 @@
+//! The changes of a case that are looked at, one at a time.
+
+use asperity::case::{LoadedCase, ReliefInput};
+use asperity::surfaces::{Surfaces, Texture};
+use asperity::{Error, PositionError};
+use asperity_core::Profile;
+use asperity_core::lubricant::{BaseOil, ViscosityLaw};
+use asperity_core::quantity::{KinematicViscosity, Length, Temperature};
+use asperity_roughness::RoughnessError;
+
+use super::bands::{edges, wavelength_bands};
+
+/// Factors on the heights, as far below as above.
+const HEIGHTS: [f64; 2] = [0.8, 1.25];
+/// Factor on one wavelength band.
+const BAND: f64 = 0.5;
+/// Steps of the coefficient of boundary friction.
+const FRICTION: f64 = 0.01;
+/// Factors on the height of the boundary layer.
+const LAYER: [f64; 2] = [0.5, 2.0];
+/// Factors on the viscosity.
+const VISCOSITY: [f64; 2] = [0.8, 1.25];
+/// Steps of the temperature \[K\].
+const TEMPERATURE: f64 = 10.0;
+/// Steps of the tip relief.
+const RELIEF: Length = Length::from_si(5e-6);
+/// Celsius' zero \[K\].
+const ZERO: f64 = 273.15;
+const BASE_OILS: [BaseOil; 4] = [
+    BaseOil::Mineral,
+    BaseOil::Pao,
+    BaseOil::Ester,
+    BaseOil::Polyglycol,
+];
+
+/// About how many changes a case has.
+pub const CHANGES: usize = 20;
+
+/// One change.
+pub(super) struct Change {
+    /// What it is of.
+    pub(super) group: &'static str,
+    /// What is changed.
+    pub(super) what: String,
+    /// To what.
+    pub(super) to: String,
+    /// The case changed.
+    pub(super) case: Result<LoadedCase, Error>,
+    /// Whether the rough contacts stay what they are.
+    pub(super) keeps_contacts: bool,
+}
+
+/// All changes that `case` can be put through.
+pub(super) fn changes(case: &LoadedCase) -> Vec<Change> {
+    let mut found = flanks(case);
+    found.extend(boundary(case));
+    found.extend(oil(case));
+    found.extend(relief(case));
+    found
+}
+
+fn flanks(loaded: &LoadedCase) -> Vec<Change> {
+    let change = |what: String, to: String, case| Change {
+        group: "flanks",
+        what,
+        to,
+        case,
+        keeps_contacts: false,
+    };
+    let mut found: Vec<Change> = HEIGHTS
+        .into_iter()
+        .map(|factor| {
+            let surfaces = loaded.surfaces.with_heights_times(factor);
+            let what = "heights of both flanks".to_owned();
+            change(what, format!("× {factor}"), on(loaded, surfaces))
+        })
+        .collect();
+    let Some(edges) = range(loaded).map(edges) else {
+        return found;
+    };
+    for band in 0..edges.len() - 1 {
+        let less = |trace: &Profile| -> Result<Profile, RoughnessError> {
+            let part = &wavelength_bands(trace, &edges)?[band];
+            let heights = trace.heights().iter().zip(part);
+            let heights = heights.map(|(z, part)| z - (1.0 - BAND) * part).collect();
+            Ok(Profile::new(trace.spacing(), heights)?)
+        };
+        let case = on(loaded, loaded.surfaces.with_changed_traces(less));
+        let [from, to] = [edges[band], edges[band + 1]].map(|edge| digits(1e6 * edge.si(), 2));
+        let what = format!("wavelengths {from} to {to} um");
+        found.push(change(what, format!("× {BAND}"), case));
+    }
+    found
+}
+
+/// The case on other surfaces.
+fn on<E: Into<PositionError>>(
+    loaded: &LoadedCase,
+    surfaces: Result<Surfaces, E>,
+) -> Result<LoadedCase, Error> {
+    let surfaces = surfaces.map_err(|error| Error::Whole(Box::new(error.into())))?;
+    let mut case = loaded.clone();
+    case.surfaces = surfaces;
+    Ok(case)
+}
+
+/// Shortest and longest wavelength of the prepared traces; none where a flank was not measured.
+fn range(loaded: &LoadedCase) -> Option<[Length; 2]> {
+    let traces = loaded
+        .surfaces
+        .textures()
+        .iter()
+        .map(|texture| match texture {
+            Texture::Trace(trace) => Some(trace),
+            _ => None,
+        });
+    let traces = traces.collect::<Option<Vec<_>>>()?;
+    let recipe = &loaded.case.preparation;
+    let shortest = recipe.lambda_s.unwrap_or(traces[0].spacing() * 2.0);
+    let whole = traces.iter().map(|trace| trace.length().si());
+    let whole = Length::from_si(whole.fold(f64::INFINITY, f64::min));
+    let longest = recipe.lambda_c.unwrap_or(whole);
+    (shortest.si() < longest.si()).then_some([shortest, longest])
+}
+
+fn boundary(loaded: &LoadedCase) -> Vec<Change> {
+    let model = &loaded.case.model;
+    let change = |what: &str, to: String, case| Change {
+        group: "boundary layer",
+        what: what.to_owned(),
+        to,
+        case,
+        keeps_contacts: true,
+    };
+    let friction = [-FRICTION, FRICTION].map(|step| {
+        let to = digits(model.boundary_friction + step, 4);
+        let case = loaded.with_key("model.boundary_friction", &to);
+        let what = format!("boundary friction {}", model.boundary_friction);
+        change(&what, to, case)
+    });
+    let nm = |length: Length| format!("{} nm", digits(1e9 * length.si(), 3));
+    let layer = LAYER.map(|factor| {
+        let to = model.boundary_layer * factor;
+        let case = loaded.with(|input| input.model.boundary_layer = Some(to));
+        let what = format!("boundary layer {}", nm(model.boundary_layer));
+        change(&what, nm(to), case)
+    });
+    friction.into_iter().chain(layer).collect()
+}
+
+fn oil(loaded: &LoadedCase) -> Vec<Change> {
+    let change = |what: &str, to: String, case| Change {
+        group: "oil",
+        what: what.to_owned(),
+        to,
+        case,
+        keeps_contacts: true,
+    };
+    let viscosity = VISCOSITY.map(|factor| {
+        let case = viscosity(loaded, factor)
+            .and_then(|law| loaded.with(|input| input.lubricant.viscosity = Some(law)));
+        change("viscosity", format!("× {factor}"), case)
+    });
+    let temperature = loaded.case.input.operation.temperature.si() - ZERO;
+    let celsius = |temperature: f64| format!("{} °C", digits(temperature, 5));
+    // A viscosity without temperature is that of the case, whatever its temperature.
+    let knows_temperature = !matches!(
+        loaded.case.input.lubricant.viscosity,
+        Some(ViscosityLaw::Given {
+            temperature: None,
+            ..
+        })
+    );
+    let steps = [-TEMPERATURE, TEMPERATURE].into_iter();
+    let temperature = steps.filter(|_| knows_temperature).map(|step| {
+        let to = celsius(temperature + step);
+        let case = loaded.with_key("operation.temperature", &to);
+        change(&format!("temperature {}", celsius(temperature)), to, case)
+    });
+    let own = loaded.case.lubricant.base_oil();
+    let others = BASE_OILS.into_iter().filter(|oil| Some(*oil) != own);
+    let base = others.map(|oil| {
+        let case = loaded.with(|input| {
+            input.lubricant.base_oil = Some(oil);
+            input.lubricant.assume_base_oil = None;
+        });
+        let what = match own {
+            Some(own) => format!("base oil {}", own.name()),
+            None => "base oil".to_owned(),
+        };
+        change(&what, oil.name().to_owned(), case)
+    });
+    viscosity
+        .into_iter()
+        .chain(temperature)
+        .chain(base)
+        .collect()
+}
+
+/// A number with so many digits that count, without noughts at its end.
+fn digits(value: f64, count: usize) -> String {
+    let magnitude = match value == 0.0 {
+        true => 0,
+        false => value.abs().log10().floor() as i32,
+    };
+    let decimals = (count as i32 - 1 - magnitude).max(0) as usize;
+    let text = format!("{value:.decimals$}");
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
+/// The viscosity law with all viscosities times `factor`.
+fn viscosity(loaded: &LoadedCase, factor: f64) -> Result<ViscosityLaw, Error> {
+    let times = |value: KinematicViscosity| value * factor;
+    Ok(match &loaded.case.input.lubricant.viscosity {
+        Some(ViscosityLaw::AstmD341 { at_40, at_100 }) => ViscosityLaw::AstmD341 {
+            at_40: times(*at_40),
+            at_100: times(*at_100),
+        },
+        Some(ViscosityLaw::Vogel {
+            limit_viscosity,
+            slope_kelvin,
+            pole_kelvin,
+        }) => ViscosityLaw::Vogel {
+            limit_viscosity: *limit_viscosity * factor,
+            slope_kelvin: *slope_kelvin,
+            pole_kelvin: *pole_kelvin,
+        },
+        Some(ViscosityLaw::Given {
+            dynamic_viscosity,
+            temperature,
+        }) => ViscosityLaw::Given {
+            dynamic_viscosity: *dynamic_viscosity * factor,
+            temperature: *temperature,
+        },
+        // An oil of the library.
+        None => {
+            let at = |celsius: f64| {
+                let state = loaded
+                    .case
+                    .lubricant
+                    .at(Temperature::from_si(celsius + ZERO));
+                state.map(|state| times(state.value.kinematic_viscosity))
+            };
+            let both = at(40.0).and_then(|at_40| Ok((at_40, at(100.0)?)));
+            let (at_40, at_100) = both.map_err(|error| Error::Whole(Box::new(error.into())))?;
+            ViscosityLaw::AstmD341 { at_40, at_100 }
+        }
+    })
+}
+
+/// Tip relief of both gears, of an unrelieved gear from the end of single contact on.
+fn relief(loaded: &LoadedCase) -> Vec<Change> {
+    let path = loaded.case.gears.path();
+    let double_contact = Length::from_si((path.e.si() - path.d.si()).max(0.0));
+    let gears = &loaded.case.input.gears;
+    let own =
+        [&gears.pinion, &gears.wheel].map(|gear| gear.as_ref().and_then(|gear| gear.tip_relief));
+    let um = |amount: Length| digits(1e6 * amount.si(), 3);
+    let amounts = own.map(|relief| relief.map_or(Length::from_si(0.0), |relief| relief.amount));
+    let steps = [-RELIEF, RELIEF];
+    let possible = steps.into_iter().filter(|step| {
+        let least = amounts.map(|amount| amount.si() + step.si());
+        least.iter().all(|amount| *amount >= 0.0)
+    });
+    let named = |amounts: [Length; 2]| format!("{} and {} um", um(amounts[0]), um(amounts[1]));
+    possible
+        .map(|step| {
+            let to = amounts.map(|amount| amount + step);
+            let case = loaded.with(|input| {
+                let gears = [&mut input.gears.pinion, &mut input.gears.wheel];
+                for ((gear, own), amount) in gears.into_iter().zip(own).zip(to) {
+                    let shape = own.unwrap_or(ReliefInput {
+                        amount,
+                        length: Some(double_contact),
+                        start_diameter: None,
+                        power: None,
+                    });
+                    gear.get_or_insert_default().tip_relief = Some(ReliefInput { amount, ..shape });
+                }
+            });
+            Change {
+                group: "gears",
+                what: format!("tip relief {}", named(amounts)),
+                to: named(to),
+                case,
+                keeps_contacts: false,
+            }
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::digits;
+
+    #[test]
+    fn numbers_have_the_digits_that_count() {
+        assert_eq!(digits(7.905_69, 2), "7.9");
+        assert_eq!(digits(79.0569, 2), "79");
+        assert_eq!(digits(250.0, 2), "250");
+        assert_eq!(digits(0.07 + 0.01, 4), "0.08");
+        assert_eq!(digits(-40.000_000_001, 5), "-40");
+        assert_eq!(digits(0.0, 3), "0");
+    }
+}

@@ -1,0 +1,28 @@
+//! What the loss of a case does when one thing changes: heights and wavelengths of the flanks, boundary layer, oil, tip
+//! relief. Every number is the difference of two runs of the model at the same windows of the traces; none is measured.
+//!
+//! ```
+//! use asperity::case;
+//! use asperity_studies::sensitivity::sensitivity;
+//! let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+//! let case = case::load_with(file, &|input| {
+//!     (input.model.positions, input.model.offsets) = (Some(4), Some(4));
+//! })?;
+//! let found = sensitivity(&case, &|_, _| {})?;
+//! let lower = found.rows.iter().find(|row| row.what == "heights of both flanks").ok_or("always there")?;
+//! assert!(lower.effect.as_ref().is_some_and(|effect| effect.difference_w < 0.0));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod bands;
+mod changes;
+mod page;
+mod study;
+mod summary;
+mod write;
+
+pub use bands::wavelength_bands;
+pub use changes::CHANGES;
+pub use study::{Effect, Refused, Sensitivity, SensitivityRow, sensitivity};
+pub use summary::summary;
+pub use write::{check_place, write};

@@ -1,0 +1,45 @@
+//! Cases that cannot be run, known before any is.
+
+use std::collections::BTreeMap;
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::case_list::{CaseList, resolved};
+use super::study::Study;
+
+/// Cases that cannot be resolved.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Refused {
+    /// How many.
+    pub count: usize,
+    /// Number of the first.
+    pub first: usize,
+    /// Its message.
+    pub message: String,
+}
+
+/// The cases of these numbers that cannot be resolved, by code.
+pub(super) fn refusals(
+    study: &Study,
+    list: &CaseList,
+    numbers: &[usize],
+) -> BTreeMap<String, Refused> {
+    let refusals: Vec<(usize, String, String)> = numbers
+        .par_iter()
+        .filter_map(|number| {
+            let refused = resolved(&study.case, &list.place(*number)).err()?;
+            Some((*number, refused.code_of_case(), refused.to_string()))
+        })
+        .collect();
+    let mut refused: BTreeMap<String, Refused> = BTreeMap::new();
+    for (first, code, message) in refusals {
+        let entry = refused.entry(code).or_insert(Refused {
+            count: 0,
+            first,
+            message,
+        });
+        entry.count += 1;
+    }
+    refused
+}
