@@ -85,7 +85,7 @@ fn states(name: &str) -> Result<[(f64, f64); 2], LubricantError> {
         ..LubricantInput::default()
     };
     let at = |celsius: f64| -> Result<(f64, f64), LubricantError> {
-        let temperature = Temperature::from_si(273.15 + celsius);
+        let temperature = Temperature::from_celsius(celsius);
         // A viscosity without a temperature holds at that of the case.
         let state = input.resolve(temperature)?.at(temperature)?.value;
         let alpha = state.pressure_viscosity.si() / 1e-9;

@@ -92,7 +92,7 @@ impl<'a> Law<'a> {
     }
 
     fn report(&self, oil: Temperature, found: &BulkTemperature) -> BulkReport {
-        let celsius = |temperature: Temperature| temperature.si() - 273.15;
+        let celsius = Temperature::celsius;
         let is_network = matches!(self.model, BulkModel::Network(_));
         // The rises are in proportion to the loss, so that their ratio is known from any.
         let rises = self.rises(Power::from_si(1.0)).ok();

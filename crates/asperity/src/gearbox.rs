@@ -154,7 +154,7 @@ pub(crate) fn report(case: &Case, mesh: Power) -> Result<Option<GearboxReport>, 
         loss_w: loss.si(),
         parts_w,
         power_in_w: flow.input_power.si(),
-        temperature_c: gearbox.temperature.unwrap_or(at.temperature).si() - 273.15,
+        temperature_c: gearbox.temperature.unwrap_or(at.temperature).celsius(),
         parts,
     }))
 }
@@ -218,7 +218,7 @@ fn loss_of(part: &Part, case: &Case, at: &OperatingPoint) -> Result<GearboxPart,
         }
         PartKind::Table(table) => {
             let rpm = at.speed.si() * 30.0 / std::f64::consts::PI;
-            let celsius = at.temperature.si() - 273.15;
+            let celsius = at.temperature.celsius();
             // Nodes written in 1/min and °C are met although both are kept in SI.
             let torque = table.loss_torque(at.torque.si(), rounded(rpm), rounded(celsius))?;
             let torque = Torque::from_si(torque);

@@ -14,8 +14,6 @@ use crate::parameters::Parameter;
 
 /// Torques that lie within this share of each other take one contact, and the sliding loss is scaled with the torque.
 const SAME_TORQUE: f64 = 0.02;
-const CELSIUS: f64 = 273.15;
-
 /// Told after each evaluation: how many were made.
 pub type Told<'a> = &'a (dyn Fn(usize) + Sync);
 
@@ -188,8 +186,7 @@ impl RigModel {
             .map_or((0.0, setting), |(last, rest)| (*last, rest));
         let changed = group.case.with(|input| {
             input.operation.speed = place.speed;
-            input.operation.temperature =
-                Temperature::from_si(place.temperature_c + offset + CELSIUS);
+            input.operation.temperature = Temperature::from_celsius(place.temperature_c + offset);
         });
         let mut case = changed.map_err(named)?;
         for (parameter, logarithm) in self.parameters.iter().zip(logarithms) {

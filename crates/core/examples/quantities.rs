@@ -22,7 +22,7 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     .resolve(bulk)?;
     let mut before = f64::INFINITY;
     for celsius in [40.0, 60.0, 80.0, 100.0] {
-        let state = oil.at(Temperature::from_si(273.15 + celsius))?.value;
+        let state = oil.at(Temperature::from_celsius(celsius))?.value;
         println!(
             "{celsius:>5} °C  {:.4}  {:.4}  alpha {:.4}",
             state.dynamic_viscosity, state.density, state.pressure_viscosity

@@ -253,3 +253,25 @@ quantities! {
     /// A relative change per kelvin \[1/K\].
     PerKelvin, "temperature coefficient", "1/K": [spelt("1/K", &["K-1", "1/degC"], Decimal(0), true)];
 }
+
+impl Temperature {
+    /// 0 °C \[K\].
+    const ICE: f64 = 273.15;
+
+    /// The temperature of so many °C.
+    ///
+    /// ```
+    /// use asperity_core::quantity::Temperature;
+    /// assert_eq!(Temperature::from_celsius(90.0).si(), 363.15);
+    /// ```
+    #[must_use]
+    pub fn from_celsius(celsius: f64) -> Self {
+        Self::from_si(celsius + Self::ICE)
+    }
+
+    /// The temperature in °C.
+    #[must_use]
+    pub fn celsius(self) -> f64 {
+        self.si() - Self::ICE
+    }
+}

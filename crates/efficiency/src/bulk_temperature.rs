@@ -203,7 +203,7 @@ mod tests {
     use super::*;
 
     fn celsius(value: f64) -> Temperature {
-        Temperature::from_si(value + 273.15)
+        Temperature::from_celsius(value)
     }
 
     fn rise(loss: f64, a: f64, b: f64, x_s: f64) -> f64 {

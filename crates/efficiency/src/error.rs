@@ -42,7 +42,7 @@ pub enum EfficiencyError {
     /// A bulk temperature that does not settle.
     #[error(
         "the bulk temperature did not settle in {steps} steps (last {:.0} °C, still moving by {residual:.2} K)",
-        temperature.si() - 273.15
+        temperature.celsius()
     )]
     BulkNotSettled {
         /// Last temperature.

@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let rheology = FilmRheology::new(&oil, OilFamily::Pao)?;
     println!("  °C   film law     K  | Xu, asperities included");
     for celsius in [-20.0, 20.0, 60.0, 90.0, 120.0] {
-        let temperature = Temperature::from_si(celsius + 273.15);
+        let temperature = Temperature::from_celsius(celsius);
         let speeds = [Speed::from_si(8.125), Speed::from_si(4.875)];
         let contact = FilmLineContact {
             load: "144 N/mm".parse()?,

@@ -170,7 +170,8 @@ impl PublishedLaw {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn outside(&self, oil: Temperature) -> Result<Vec<OutOfRange>, FrictionError> {
-        let celsius = DomainError::positive("oil temperature", oil)? - 273.15;
+        DomainError::positive("oil temperature", oil)?;
+        let celsius = oil.celsius();
         let mut outside = Vec::new();
         if let Some(range) = &self.temperature {
             range.check(celsius, &mut outside);

@@ -15,7 +15,6 @@ use crate::message::Warning;
 
 /// Code of the warning about an unusual number.
 const UNUSUAL: &str = "W201";
-const CELSIUS: f64 = 273.15;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 const PER_MINUTE: f64 = 2.0 * std::f64::consts::PI / 60.0;
 
@@ -65,7 +64,7 @@ const GEARS_AND_OPERATION: &[Row] = &[
     row("gears.addendum", "", [0.6, 1.6], OPEN, |c| c.gears.addendum.into_iter().collect()),
     row("operation.torque", "N m", [0.01, 1e6], [1e-9, 1e8], |c| vec![c.operation.torque.si().abs()]),
     row("operation.speed", "1/min", [1.0, 60_000.0], [1e-6, 1e6], |c| vec![c.operation.speed.si() / PER_MINUTE]),
-    row("operation.temperature", "°C", [-30.0, 180.0], [-100.0, 400.0], |c| vec![c.operation.temperature.si() - CELSIUS]),
+    row("operation.temperature", "°C", [-30.0, 180.0], [-100.0, 400.0], |c| vec![c.operation.temperature.celsius()]),
 ];
 
 #[rustfmt::skip]

@@ -15,8 +15,6 @@ use crate::quantity::{Density, SpecificHeat, Temperature, ThermalConductivity};
 
 /// Density of water at 15.6 °C \[kg/m³\].
 const WATER: f64 = 999.0;
-/// 0 °C in kelvin.
-const CELSIUS: f64 = 273.15;
 const RANGE: FittedRange = FittedRange {
     name: "temperature",
     low: 0.0,
@@ -84,7 +82,8 @@ fn gravity_and_celsius(
     temperature: Temperature,
 ) -> Result<(f64, f64, Vec<crate::OutOfRange>), DomainError> {
     let d = DomainError::positive("density at 15 °C", density_15)? / WATER;
-    let t = DomainError::positive("temperature", temperature)? - CELSIUS;
+    DomainError::positive("temperature", temperature)?;
+    let t = temperature.celsius();
     let mut outside = Vec::new();
     RANGE.check(t, &mut outside);
     Ok((d, t, outside))

@@ -5,14 +5,11 @@ use asperity::result::{PositionRow, RunResult};
 use super::along::SOURCE;
 use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series};
 
-/// 0 °C in kelvin.
-const ICE: f64 = 273.15;
-
 /// Bulk temperature that film and friction were taken at \[°C\].
 pub(super) fn bulk(result: &RunResult) -> f64 {
     match &result.bulk {
         Some(found) => found.bulk_c,
-        None => result.inputs.operation.temperature.si() - ICE,
+        None => result.inputs.operation.temperature.celsius(),
     }
 }
 

@@ -122,7 +122,7 @@ impl Axes {
     /// The temperature of `case`.
     #[must_use]
     pub fn default_temperature(case: &Case) -> Vec<f64> {
-        vec![rounded(case.temperature.si() + ABSOLUTE_ZERO)]
+        vec![rounded(case.temperature.celsius())]
     }
 
     /// Points of the map.

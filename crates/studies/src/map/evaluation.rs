@@ -153,7 +153,7 @@ fn speed_of(speed_rpm: f64) -> AngularSpeed {
 fn temperature_of(temperature_c: f64) -> Temperature {
     let text = format!("{temperature_c} °C");
     text.parse()
-        .unwrap_or_else(|_| Temperature::from_si(temperature_c + 273.15))
+        .unwrap_or_else(|_| Temperature::from_celsius(temperature_c))
 }
 
 /// The smallest torque \[N m\] of the sign of `sign` whose contacts the traces resolve, to a part in 4000; for

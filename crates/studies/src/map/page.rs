@@ -99,7 +99,7 @@ fn usual<'a>(map: &Map, finish: &'a FinishMap) -> Vec<&'a str> {
     let place = [
         operation.torque.si(),
         speed,
-        operation.temperature.si() - 273.15,
+        operation.temperature.celsius(),
     ];
     let far = |point: &&Point| {
         let at = [point.torque_nm, point.speed_rpm, point.temperature_c];

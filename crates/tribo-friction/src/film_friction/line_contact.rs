@@ -189,7 +189,7 @@ impl<'a> LoadedFilm<'a> {
         };
         let mut outside = Vec::new();
         let seen = [
-            bulk - 273.15,
+            Temperature::from_si(bulk).celsius(),
             viscosity.si() * 1e3,
             max_pressure * 1e-9,
             entrainment,

@@ -110,7 +110,7 @@ mod tests {
         let oil = oil.resolve("90 °C".parse().unwrap()).unwrap();
         let table = ViscosityTable::of(&oil).unwrap();
         for (celsius, tolerance) in [(-20.13, 1e-9), (0.2, 1e-9), (90.37, 1e-11), (180.11, 1e-11)] {
-            let t = Temperature::from_si(celsius + 273.15);
+            let t = Temperature::from_celsius(celsius);
             let state = oil.at(t).unwrap().value;
             let [l, slope] = table.at(t.si());
             assert!(
