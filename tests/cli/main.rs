@@ -29,6 +29,7 @@ mod mutated;
 mod outside;
 mod presets;
 mod profile_reports;
+mod relief;
 mod result_messages;
 mod results;
 mod rexs;

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use asperity::case::{LoadedCase, from_text};
+use asperity::case::{LoadedCase, ReliefInput, from_text};
+use asperity::gear::AmountDirection;
+use asperity::quantity::Length;
 use asperity_tests::assert_close;
 
 /// Base radii of the pair below \[m\].
@@ -12,6 +14,11 @@ const ARCS: [[f64; 2]; 2] = [[0.2e-3, 3.9e-3], [3.2e-3, 7.0e-3]];
 /// cos β_b of the pair.
 const COS_BASE_HELIX: f64 = 0.927_752_144_885_6;
 
+/// Arcs at the ends of the active flanks towards the tips \[m\].
+const TIPS: [f64; 2] = [3.662_471_24e-3, 6.837_287_69e-3];
+/// Relief at the tips, normal to the flank, and the arc over which it grows \[m\].
+const RELIEF: [f64; 2] = [8e-6, 1.2e-3];
+
 /// Height normal to a flank at an arc \[m\]: waves of many lengths, relief towards the tip.
 fn height(body: usize, arc: f64) -> f64 {
     let seed = 1.0 + body as f64;
@@ -20,9 +27,9 @@ fn height(body: usize, arc: f64) -> f64 {
         let phase = (f64::from(k) * 2.399 + seed).sin() * 9.0;
         0.35e-6 * (length / 250e-6).sqrt() * (std::f64::consts::TAU * arc / length + phase).sin()
     });
-    let [root, tip] = ARCS[body];
-    let along = (arc - root) / (tip - root);
-    waves.sum::<f64>() * 0.45 - 4e-6 * along * along
+    let [amount, length] = RELIEF;
+    let relieved = (1.0 - (TIPS[body] - arc) / length).max(0.0);
+    waves.sum::<f64>() * 0.45 - amount * relieved * relieved
 }
 
 /// A way to export a trace.
@@ -111,6 +118,16 @@ fn case(export: Export, from_tip: bool, swapped: bool) -> LoadedCase {
     .unwrap()
 }
 
+/// The same with the relief of both gears from their traces.
+fn relieved(case: &LoadedCase) -> LoadedCase {
+    let pinion = case.with_key("gears.pinion.relief", "from-trace").unwrap();
+    pinion.with_key("gears.wheel.relief", "from-trace").unwrap()
+}
+
+fn loss_factor(case: &LoadedCase) -> f64 {
+    case.case.load_map().unwrap().loss_factor()
+}
+
 fn loss(case: &LoadedCase) -> f64 {
     assert!(case.surfaces.placement().is_some());
     let summary = asperity::losses(case, &|_, _| ()).unwrap().summary;
@@ -123,26 +140,43 @@ fn loss(case: &LoadedCase) -> f64 {
 
 #[test]
 fn a_flank_loses_the_same_however_it_was_exported() {
-    let expected = loss(&case(Export::Arc, false, false));
+    let made = [false, true].map(|is_relieved| {
+        move |export, from_tip| match (case(export, from_tip, false), is_relieved) {
+            (case, false) => loss(&case),
+            (case, true) => loss(&relieved(&case)),
+        }
+    });
+    let expected = made.map(|loss| loss(Export::Arc, false));
+    assert!(
+        expected[1] < 0.96 * expected[0],
+        "the relief counts: {expected:?}"
+    );
     for (export, name) in [
         (Export::Arc, "arc"),
         (Export::RollLength, "roll length"),
         (Export::RollDegrees, "roll angle"),
     ] {
         for from_tip in [false, true] {
-            let found = loss(&case(export, from_tip, false));
-            println!("{name}, from the tip {from_tip}: {found:.3} W");
-            assert_close(&format!("{name} {from_tip}"), found, expected, 0.01);
+            for (loss, expected) in made.iter().zip(expected) {
+                let found = loss(export, from_tip);
+                println!("{name}, from the tip {from_tip}: {found:.3} W");
+                assert_close(&format!("{name} {from_tip}"), found, expected, 0.01);
+            }
         }
     }
 }
 
 #[test]
 fn pinion_and_wheel_can_change_places() {
-    let expected = loss(&case(Export::Arc, false, false));
-    let swapped = loss(&case(Export::Arc, true, true));
-    println!("{expected:.3} W, swapped {swapped:.3} W");
-    assert_close("swapped", swapped, expected, 0.005);
+    let [one, other] = [
+        case(Export::Arc, false, false),
+        case(Export::Arc, true, true),
+    ];
+    for change in [LoadedCase::clone, relieved] {
+        let [expected, swapped] = [&one, &other].map(|case| loss(&change(case)));
+        println!("{expected:.3} W, swapped {swapped:.3} W");
+        assert_close("swapped", swapped, expected, 0.005);
+    }
 }
 
 #[test]
@@ -156,4 +190,103 @@ fn a_trace_that_lies_the_other_way_round_loses_something_else() {
     assert!(start < end);
     let change = loss(&wrong) / loss(&right) - 1.0;
     assert!(change.abs() > 1e-4, "{change}");
+}
+
+#[test]
+fn the_form_of_a_trace_is_the_relief_that_was_ground() {
+    let placed = case(Export::RollLength, false, false);
+    let measured = relieved(&placed);
+    let [amount, length] = RELIEF;
+    let drawn = placed.with(|input| {
+        input.gears.amounts = Some(AmountDirection::Normal);
+        let tips = [&mut input.gears.pinion, &mut input.gears.wheel];
+        for (body, gear) in tips.into_iter().enumerate() {
+            // It grows with the square of the arc, which is nearly that of the roll length.
+            let roll = |arc: f64| (2.0 * BASE[body] * arc).sqrt();
+            gear.get_or_insert_default().tip_relief = Some(ReliefInput {
+                amount: Length::from_si(amount),
+                length: Some(Length::from_si(
+                    roll(TIPS[body]) - roll(TIPS[body] - length),
+                )),
+                start_diameter: None,
+                power: Some(2),
+            });
+        }
+    });
+    let factors = [&measured, &drawn.unwrap(), &placed].map(loss_factor);
+    println!(
+        "H_V from the traces {:.5}, drawn {:.5}, without {:.5}",
+        factors[0], factors[1], factors[2]
+    );
+    assert_close("H_V", factors[0], factors[1], 5e-3);
+    assert!(factors[2] > 1.05 * factors[1]);
+    for report in &measured.flanks {
+        let form = report.form.as_ref().unwrap();
+        assert_close("at the tip", form.at_tip.si(), amount, 0.2);
+        assert!(
+            (0.0..0.2 * amount).contains(&form.at_root.si()),
+            "{:?}",
+            form.at_root
+        );
+    }
+}
+
+#[test]
+fn the_form_follows_torque_and_gears() {
+    let at = |torque: &str| {
+        let case = case(Export::RollLength, false, false);
+        relieved(&case.with_key("operation.torque", torque).unwrap())
+    };
+    let cutoff = |case: &LoadedCase| case.flanks[0].form.as_ref().unwrap().cutoff.si();
+    let (half, whole) = (at("72.5 N m"), at("145 N m"));
+    // Eight half-widths, in whole micrometres, go with the root of the load.
+    assert_close(
+        "cut-off",
+        cutoff(&half),
+        0.5_f64.sqrt() * cutoff(&whole),
+        2e-3,
+    );
+    let again = half.with_key("operation.torque", "145 N m").unwrap();
+    assert_eq!(loss(&again), loss(&whole));
+    assert!(whole.warnings.iter().any(|warning| warning.code == "W434"));
+    // A cut-off above them holds at every torque.
+    for case in [&half, &whole] {
+        let longer = case.with_key("surface.cutoff", "1.9 mm").unwrap();
+        assert_eq!(cutoff(&longer), 1.9e-3);
+        assert!(longer.warnings.iter().all(|warning| warning.code != "W434"));
+    }
+    // Of other gears the same roll lengths are other places, and these do not span the flank.
+    assert!(whole.with_key("gears.module", "2 mm").is_err());
+}
+
+#[test]
+fn several_traces_have_the_mean_of_their_forms() {
+    let form = |traces: &str| {
+        let flank = |factor: f64| {
+            let (text, _) = exported(0, Export::RollLength, false);
+            let (header, rows) = text.split_once('\n').unwrap();
+            let times = |row: &str| {
+                let (x, z) = row.split_once(',').unwrap();
+                format!("{x},{:.9}\n", factor * z.parse::<f64>().unwrap())
+            };
+            format!("{header}\n{}", rows.lines().map(times).collect::<String>())
+        };
+        let text = format!(
+            "gears = {{ teeth = [23, 68], module = \"1.8 mm\", helix = \"23.4 deg\", face_width = \"32 mm\", \
+             pinion = {{ relief = \"from-trace\" }} }}\n\
+             operation = {{ torque = \"145 N m\", speed = \"9000 1/min\", temperature = \"90 °C\" }}\n\
+             lubricant = {{ oil = \"m100\" }}\n\
+             [surface]\npinion = {{ traces = [{traces}] }}\nwheel = {{ rq = \"0.4 um\" }}\n"
+        );
+        let read = |name: &str| match name.parse() {
+            Ok(factor) => Ok(flank(factor).into_bytes()),
+            Err(_) => Err(std::io::ErrorKind::NotFound.into()),
+        };
+        let case = from_text("case.toml", &text, &read).unwrap().case;
+        case.micro_geometry.measured[0].clone().unwrap()
+    };
+    let (one, three) = (form("\"1\""), form("\"0.5\", \"1\", \"1.5\""));
+    for (one, mean) in one.height.iter().zip(&three.height) {
+        assert!((one.si() - mean.si()).abs() < 1e-12);
+    }
 }

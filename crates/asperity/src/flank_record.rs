@@ -9,6 +9,7 @@ use asperity_roughness::Parameters;
 use asperity_roughness::preparation::PreparationRecord;
 use serde::{Deserialize, Serialize};
 
+use crate::flank_form::FlankForm;
 use crate::surfaces::FlankReport;
 
 /// One flank of a result.
@@ -30,6 +31,40 @@ pub struct FlankRecord {
     /// known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub roll_lengths_mm: Option<[f64; 2]>,
+    /// Form of the flank, where the relief of its gear is taken from the trace.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub form: Option<FormRecord>,
+}
+
+/// Form of a flank, parted from the roughness of its trace.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FormRecord {
+    /// Cut-off between form and roughness \[mm\].
+    pub cutoff_mm: f64,
+    /// Missing material at the tip end of the active flank, against where least is missing \[µm\].
+    pub at_tip_um: f64,
+    /// The same at the root end \[µm\].
+    pub at_root_um: f64,
+    /// Roll lengths \[mm\].
+    pub roll_length_mm: Vec<f64>,
+    /// Heights above the involute there, normal to the flank \[µm\].
+    pub height_um: Vec<f64>,
+}
+
+impl From<&FlankForm> for FormRecord {
+    fn from(found: &FlankForm) -> Self {
+        let times = |lengths: &[Length], factor: f64| {
+            let lengths = lengths.iter();
+            lengths.map(|length| length.si() * factor).collect()
+        };
+        Self {
+            cutoff_mm: found.cutoff.si() * 1e3,
+            at_tip_um: found.at_tip.si() * 1e6,
+            at_root_um: found.at_root.si() * 1e6,
+            roll_length_mm: times(&found.form.roll_length, 1e3),
+            height_um: times(&found.form.height, 1e6),
+        }
+    }
 }
 
 /// Details of the reading of a file: [`Reading`] without its heights.
@@ -98,6 +133,7 @@ impl From<&FlankReport> for FlankRecord {
             roll_lengths_mm: flank
                 .roll_lengths
                 .map(|ends| ends.map(|end| end.si() * 1e3)),
+            form: flank.form.as_ref().map(FormRecord::from),
         }
     }
 }

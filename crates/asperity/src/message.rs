@@ -193,6 +193,7 @@ explanations! {
     "W431" "losses beside the mesh left aside": "The case states losses of its gearbox, and the numbers here are of the mesh alone." => "Nothing, where the mesh is meant; asperity run adds the gearbox.";
     "W432" "outside of the micropitting specification": "ISO/TS 6336-22 was made from external gears of 3 to 11 mm module at 8 to 60 m/s and holds for virtual contact ratios below 2.5 and pressure and helix angles up to 25 degrees. The gears or their operation lie outside." => "Take the specific film as a number to compare with tests of your own on such gears, not as a rating.";
     "W433" "contact on the fillet": "The tip of the mating gear reaches below the involute that the tool has left, into the fillet: the gears interfere, or rub where no law of the model holds. The path of contact is taken to its end all the same." => "Check addendum, tip diameters, dedendum and fillet radius on the drawing: shorten the tips, or give the root as it is cut.";
+    "W434" "form parted above the cut-off": "The relief of a gear is taken from its trace, and waves that lie within a contact, shorter than eight of its half-widths, are no separation of the teeth: the trace is parted there, above the cut-off asked for, and its roughness holds the longer waves as well." => "Nothing, or set surface.cutoff to at least the length named, so that it does not change with the torque.";
 }
 
 #[cfg(test)]

@@ -12,6 +12,7 @@ use asperity_roughness::section_heights::section_heights;
 use serde::Serialize;
 
 use crate::error::PositionError;
+use crate::flank_form::FlankForm;
 use crate::local_roughness::{Roughness, peaks};
 use crate::placement::Placement;
 use crate::station::Station;
@@ -467,6 +468,9 @@ pub struct FlankReport {
     pub preparation: Option<PreparationRecord>,
     /// Parameters of the prepared trace.
     pub parameters: Option<Parameters>,
+    /// Form of the flank, where the relief of its gear is taken from the trace.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub form: Option<FlankForm>,
     /// Roll lengths of the first and the last point of the prepared trace, where its place on the flank is known.
     #[serde(skip)]
     pub roll_lengths: Option<[Length; 2]>,

@@ -361,7 +361,7 @@ pub const EQUATIONS: &[Equation] = &[
     Equation::new(
         "Relief-1",
         "Separation of modified flanks",
-        "e = Σ C_a ((ξ − ξ₁) p_et/L)ⁿ + C_c (2y/b − 1)² + C_l (y/b − ½) + C_p (ξ/ε_α − ½) + C_Ca (2ξ/ε_α − 1)² + pitch",
+        "e = Σ C_a ((ξ − ξ₁) p_et/L)ⁿ + C_c (2y/b − 1)² + C_l (y/b − ½) + C_p (ξ/ε_α − ½) + C_Ca (2ξ/ε_α − 1)² + Σ e_i(ξ) + pitch",
         "crates/gear/src/relief.rs",
         "relieved_loss_factors_are_those_of_the_reference",
         &[ISO_21771, ISO_1328_1],
@@ -372,6 +372,14 @@ pub const EQUATIONS: &[Equation] = &[
         "L = |√(r_end² − r_b²) − √(r_start² − r_b²)|",
         "crates/gear/src/relief.rs",
         "a_start_diameter_gives_the_roll_length_it_leaves",
+        &[ISO_21771],
+    ),
+    Equation::new(
+        "Relief-3",
+        "Separation by the measured form of a flank",
+        "e_i(ξ) = w̄_i − w_i(ρ_i(ξ)), ρ₁ = s_A + ξ p_et, ρ₂ = |T₁T₂ − ρ₁|",
+        "crates/gear/src/relief.rs",
+        "a_measured_form_acts_as_the_relief_it_shows",
         &[ISO_21771],
     ),
     Equation::new(

@@ -85,7 +85,9 @@ pub use pair::GearPair;
 pub use pair_compliance::StiffnessSource;
 pub use path_of_contact::PathOfContact;
 pub use positions::{MeshPosition, PositionRule};
-pub use relief::{AmountDirection, EndRelief, MicroGeometry, Relief, ReliefExtent, ReliefShape};
+pub use relief::{
+    AmountDirection, EndRelief, MeasuredForm, MicroGeometry, Relief, ReliefExtent, ReliefShape,
+};
 pub use tooth_outline::RootForm;
 pub use transverse_tooth::TransverseTooth;
 

@@ -7,6 +7,7 @@
 //! | e(ξ, y) | separation of unloaded flanks, normal to the flank; positive removes material | m |
 //! | C_a, L, n | amount, roll length and power of a relief | m, m, - |
 //! | C_c, C_l, C_p, C_Ca | crowning, lead slope, profile slope, profile crowning of the pair | m |
+//! | w_i(ρ) | measured form of gear i over its roll length, above the involute | m |
 //! | b | face width | m |
 //!
 //! Amounts count along the transverse base tangent, as inspection charts print them, and are then
@@ -79,6 +80,88 @@ pub struct EndRelief {
     pub shape: ReliefShape,
 }
 
+/// Form of the flank of one gear as it was measured, against the involute and normal to the flank.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MeasuredForm {
+    /// Roll lengths, rising.
+    pub roll_length: Vec<Length>,
+    /// Heights above the involute at these places; between them the form is straight, beyond them level.
+    pub height: Vec<Length>,
+}
+
+impl MeasuredForm {
+    /// Height at a roll length \[m\].
+    #[must_use]
+    pub fn at(&self, roll: Length) -> f64 {
+        let heights = self.height.iter().map(|height| height.si());
+        let points = self.roll_length.iter().map(|roll| roll.si()).zip(heights);
+        interpolated(&points.collect::<Vec<_>>(), roll.si())
+    }
+
+    /// Mean of several forms of one gear over the roll lengths that all of them have; none of no forms, or where
+    /// they have no common place.
+    ///
+    /// ```
+    /// use asperity_core::quantity::Length;
+    /// use asperity_gear::MeasuredForm;
+    /// let form = |height: [f64; 2]| MeasuredForm {
+    ///     roll_length: [4e-3, 9e-3].map(Length::from_si).to_vec(),
+    ///     height: height.map(Length::from_si).to_vec(),
+    /// };
+    /// let mean = MeasuredForm::mean(&[form([0.0, 2e-6]), form([4e-6, 2e-6])]).unwrap();
+    /// assert!((mean.at(Length::from_si(4e-3)) - 2e-6).abs() < 1e-18);
+    /// ```
+    #[must_use]
+    pub fn mean(forms: &[Self]) -> Option<Self> {
+        let [first, others @ ..] = forms else {
+            return None;
+        };
+        if others.is_empty() {
+            return Some(first.clone());
+        }
+        let ends = |form: &Self| {
+            Some([
+                form.roll_length.first()?.si(),
+                form.roll_length.last()?.si(),
+            ])
+        };
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        for form in forms {
+            let [from, to] = ends(form)?;
+            (low, high) = (low.max(from), high.min(to));
+        }
+        let common = first.roll_length.iter().copied();
+        let roll_length: Vec<Length> = common
+            .filter(|roll| (low..=high).contains(&roll.si()))
+            .collect();
+        let mean_at = |roll: &Length| {
+            forms.iter().map(|form| form.at(*roll)).sum::<f64>() / forms.len() as f64
+        };
+        let height = roll_length
+            .iter()
+            .map(|roll| Length::from_si(mean_at(roll)))
+            .collect();
+        (!roll_length.is_empty()).then_some(Self {
+            roll_length,
+            height,
+        })
+    }
+}
+
+/// The value at `x` of the line through `points` with rising abscissae; level beyond them, 0 without points.
+fn interpolated(points: &[(f64, f64)], x: f64) -> f64 {
+    let after = points.partition_point(|(at, _)| *at <= x);
+    match (
+        after.checked_sub(1).and_then(|before| points.get(before)),
+        points.get(after),
+    ) {
+        (Some((x0, y0)), Some((x1, y1))) => y0 + (y1 - y0) * (x - x0) / (x1 - x0),
+        (Some((_, y)), None) | (None, Some((_, y))) => *y,
+        (None, None) => 0.0,
+    }
+}
+
 /// All modifications of a pair. Index 0 is gear 1; the rest is the sum over both gears.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
@@ -99,6 +182,8 @@ pub struct MicroGeometry {
     pub profile_crowning: Length,
     /// Pitch deviations of successive pairs of teeth; the mesh cycle has as many pitches.
     pub pitch: Vec<Length>,
+    /// Measured form of each gear, normal to the flank whatever the direction of the amounts.
+    pub measured: [Option<MeasuredForm>; 2],
     /// The direction in which all amounts are measured.
     pub direction: AmountDirection,
 }
@@ -135,14 +220,17 @@ impl MicroGeometry {
         ];
         self.tip_relief == [None; 2]
             && self.root_relief == [None; 2]
+            && self.measured == [None, None]
             && self.end_relief.is_none()
             && slopes.iter().all(|c| c.si() == 0.0)
             && self.pitch.iter().all(|c| c.si() == 0.0)
     }
 
-    /// Whether tips or roots are relieved.
+    /// Whether tips or roots are relieved, as drawn or as measured.
     pub fn relieves_profile(&self) -> bool {
-        self.tip_relief != [None; 2] || self.root_relief != [None; 2]
+        self.tip_relief != [None; 2]
+            || self.root_relief != [None; 2]
+            || self.measured != [None, None]
     }
 }
 
@@ -176,6 +264,8 @@ pub(crate) struct Separation {
     profile_slope: f64,
     profile_crowning: f64,
     pitch: Vec<f64>,
+    /// Separation by the measured form of each gear, over ξ.
+    measured: Vec<Vec<(f64, f64)>>,
     eps_alpha: f64,
 }
 
@@ -234,12 +324,13 @@ impl Separation {
             profile_slope: normal("profile slope", micro.profile_slope)?,
             profile_crowning: normal("profile crowning", micro.profile_crowning)?,
             pitch: if pitch.is_empty() { vec![0.0] } else { pitch },
+            measured: measured(micro, pair)?,
             eps_alpha: pair.path.eps_alpha,
         })
     }
 
     /// e = Σ C_a ((ξ − ξ₁) p_et/L)ⁿ + C_c (2y/b − 1)² + C_l (y/b − ½) + C_p (ξ/ε_α − ½)
-    /// + C_Ca (2ξ/ε_α − 1)² + pitch                                            [Relief-1]
+    /// + C_Ca (2ξ/ε_α − 1)² + Σ e_i(ξ) + pitch                                 [Relief-1]
     ///
     /// `across` is y/b; `tooth` counts the pairs of teeth.
     pub(crate) fn at(&self, xi: f64, across: f64, tooth: i64) -> f64 {
@@ -248,12 +339,20 @@ impl Separation {
         let profile = self.profile_slope * along + self.profile_crowning * 4.0 * along * along;
         let lead = self.lead_slope * from_middle + self.crowning * 4.0 * from_middle * from_middle;
         let reliefs: f64 = self.ends.iter().map(|end| end.at(xi)).sum();
+        let measured: f64 = (self.measured.iter())
+            .map(|form| interpolated(form, xi))
+            .sum();
         let face_ends = self.end_relief.map_or(0.0, |(amount, length, squared)| {
             let t = (1.0 - across.min(1.0 - across) / length).max(0.0);
             amount * if squared { t * t } else { t }
         });
         let turn = tooth.rem_euclid(self.pitch.len() as i64) as usize;
-        reliefs + profile + lead + face_ends + self.pitch.get(turn).copied().unwrap_or(0.0)
+        reliefs
+            + profile
+            + measured
+            + lead
+            + face_ends
+            + self.pitch.get(turn).copied().unwrap_or(0.0)
     }
 
     /// Coordinates within the path where a relief starts.
@@ -271,6 +370,49 @@ impl Separation {
     pub(crate) fn pitches(&self) -> usize {
         self.pitch.len()
     }
+}
+
+/// e_i(ξ) = w̄_i − w_i(ρ_i(ξ)),  ρ₁ = s_A + ξ p_et,  ρ₂ = |T₁T₂ − ρ₁|              [Relief-3]
+///
+/// w̄_i is the mean over the active flank by roll length: a constant only turns the gears.
+fn measured(micro: &MicroGeometry, pair: &GearPair) -> Result<Vec<Vec<(f64, f64)>>, DomainError> {
+    /// Intervals of the mean over the active flank.
+    const INTERVALS: usize = 512;
+    let path = &pair.path;
+    let mut found = Vec::new();
+    for (gear, form) in micro.measured.iter().enumerate() {
+        let Some(form) = form else { continue };
+        cite!("Relief-3");
+        let rolls = &form.roll_length;
+        let rule = "must have as many heights as roll lengths, which rise";
+        let rises = rolls.windows(2).all(|two| two[0].si() < two[1].si());
+        let matches = rises && !rolls.is_empty() && rolls.len() == form.height.len();
+        DomainError::require(matches, "measured form", rolls.len() as f64, "points", rule)?;
+        let place = |roll: f64| {
+            let s = match (gear, pair.internal) {
+                (0, _) => roll,
+                (_, false) => path.t1t2.si() - roll,
+                (_, true) => path.t1t2.si() + roll,
+            };
+            (s - path.a.si()) / path.base_pitch.si()
+        };
+        let mut line = Vec::with_capacity(rolls.len());
+        for (roll, height) in rolls.iter().zip(&form.height) {
+            let height = DomainError::finite("height of the measured form", *height)?;
+            line.push((place(DomainError::finite("roll length", *roll)?), -height));
+        }
+        if line.len() > 1 && line[0].0 > line[1].0 {
+            line.reverse();
+        }
+        let step = path.eps_alpha / INTERVALS as f64;
+        let middles = (0..INTERVALS).map(|k| (k as f64 + 0.5) * step);
+        let mean = middles.map(|xi| interpolated(&line, xi)).sum::<f64>() / INTERVALS as f64;
+        for (_, separation) in &mut line {
+            *separation -= mean;
+        }
+        found.push(line);
+    }
+    Ok(found)
 }
 
 /// L = |√(r_end² − r_b²) − √(r_start² − r_b²)|                                    [Relief-2]

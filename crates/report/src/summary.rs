@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use crate::tables::BODIES;
 use crate::wrap::{COLUMNS, wrapped};
 use asperity::loss_band::{LossBand, SamplingPart, Trust, rounded};
 use asperity::message::Warning;
@@ -82,6 +83,7 @@ fn numbers(result: &RunResult) -> String {
     if let Some(found) = &result.micropitting {
         text.push_str(&micropitting_text(found));
     }
+    text.push_str(&relief_text(result));
     let _ = write_regime(&mut text, result);
     let _ = write_run_in(&mut text, result);
     text
@@ -105,6 +107,28 @@ fn pairs_text(pairs: &PairSampling) -> String {
         two_digits(pairs.interaction_w),
     );
     wrapped(&line, "  ") + "\n"
+}
+
+/// Relief that was taken from the traces.
+fn relief_text(result: &RunResult) -> String {
+    let gears = BODIES.iter().zip(&result.flanks);
+    let found = gears.filter_map(|(gear, flank)| {
+        let form = flank.form.as_ref()?;
+        Some(format!(
+            "{gear} {:.1} um at the tip, {:.1} um at the root",
+            form.at_tip_um, form.at_root_um
+        ))
+    });
+    let found: Vec<String> = found.collect();
+    match found.is_empty() {
+        true => String::new(),
+        false => {
+            wrapped(
+                &format!("relief  from the traces: {}", found.join("; ")),
+                "  ",
+            ) + "\n"
+        }
+    }
 }
 
 /// A scatter with two digits of its own.

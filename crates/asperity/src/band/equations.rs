@@ -65,6 +65,14 @@ pub const EQUATIONS: &[Equation] = &[
         &[],
     ),
     Equation::new(
+        "Form-split",
+        "Cut-off between the form and the roughness of a trace",
+        "λ_f = max(λ_c, 8 a_H)",
+        "crates/asperity/src/case/flank_form.rs",
+        "the_form_of_a_trace_is_the_relief_that_was_ground",
+        &[],
+    ),
+    Equation::new(
         "Flank-window",
         "Window of a contact on a placed trace",
         "i = ±(ρ²/(2 r_b) − l₀)/dx",

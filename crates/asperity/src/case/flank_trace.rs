@@ -11,9 +11,9 @@ use asperity_profile_io::read::steepness::implausible;
 use asperity_profile_io::read::{
     LengthUnit, ReadError, ReadOptions, Reading, read_with_conditions,
 };
-use asperity_roughness::Parameters;
 use asperity_roughness::height_parameters::Mode;
-use asperity_roughness::preparation::prepare;
+use asperity_roughness::preparation::{RoughnessFilter, prepare, profiles};
+use asperity_roughness::{Parameters, Warning as RoughnessWarning};
 use sha2::{Digest, Sha256};
 
 use super::defaults::DefaultUsed;
@@ -23,6 +23,7 @@ use super::files::{
     Content, FILE_OF_COAST_PINION, FILE_OF_COAST_WHEEL, FILE_OF_PINION, FILE_OF_WHEEL, Files,
     TRACES_OF_COAST_PINION, TRACES_OF_COAST_WHEEL, TRACES_OF_PINION, TRACES_OF_WHEEL,
 };
+use super::flank_form::{self, FormError};
 use super::flank_place::{PlaceError, ReadPlace, Told, read_place};
 use super::flank_sample::{self, Listed};
 use super::input::{FlankInput, Side};
@@ -140,6 +141,11 @@ pub(super) fn flank(
             key,
             rule: "give file, the trace of the flank, or rq (ra or rz) when there is none",
         }),
+        (None, Some(_)) if flank_form::is_wanted(given.case, gear_of(key)) => {
+            let none = "a flank known by roughness values alone";
+            let of = (given.case, gear_of(key));
+            Err(flank_form::refused(FormError::NotPlaced, of, none, source))
+        }
         (None, Some(_)) => values(input, key, source),
         (Some(file), _) => {
             let keys = Keys {
@@ -223,7 +229,7 @@ fn trace(
     let (of_flank, key) = (keys.table, keys.file);
     // As the case names it: that is what the user looks for.
     let name = file.display().to_string();
-    let mut read = read_trace(input, file, key, given)?;
+    let mut read = read_trace(input, file, (of_flank, key), given)?;
     let place = place_of(input, &mut read, keys, given)?;
     let mirrored = match &place {
         Some(place) => place.turned,
@@ -242,8 +248,24 @@ fn trace(
     if let Some(place) = place.filter(|place| place.reference.is_some()) {
         filters.keep_ends(given.case, of_flank, &place);
     }
+    let gear = gear_of(of_flank);
+    let of_form = |error| flank_form::refused(error, (given.case, gear), &name, given.source);
+    let form_cutoff = filters.part_form(given.case, gear, read.reading.as_ref());
+    let form_cutoff = form_cutoff.map_err(of_form)?;
     let preparation = &filters.preparation;
-    let prepared = prepare(&raw, preparation).map_err(refused)?;
+    let (mut prepared, waviness) = match form_cutoff {
+        None => (prepare(&raw, preparation).map_err(refused)?, None),
+        Some(_) => {
+            let found = profiles(&raw, preparation, RoughnessFilter::Gaussian).map_err(refused)?;
+            (found.roughness, found.waviness)
+        }
+    };
+    if form_cutoff.is_some() {
+        // It was left in to be parted from the roughness.
+        prepared
+            .warnings
+            .retain(|warning| !matches!(warning, RoughnessWarning::FormNotRemoved { .. }));
+    }
     // Without a cut-off the whole trace is one evaluation of five sections, and nothing is filtered twice.
     let lambda_c = preparation.lambda_c;
     let section = lambda_c.unwrap_or_else(|| prepared.profile.length() / 5.0);
@@ -263,8 +285,7 @@ fn trace(
     for warning in prepared.warnings.iter().chain(&parameters.warnings) {
         warn(warning.code(), warning, warning.remedy());
     }
-    warnings.extend(filters.overridden);
-    let gear = gear_of(of_flank);
+    warnings.extend(filters.overridden.into_iter().chain(filters.parted));
     let placed = place.and_then(|place| {
         Some(PlacedTrace {
             first_arc: place.first_arc(raw.len(), raw.spacing(), prepared.first_index)?,
@@ -272,7 +293,15 @@ fn trace(
             base_radius: given.case.gears.base_radius[gear as usize].si().abs(),
         })
     });
+    let form = match (form_cutoff, &waviness, &placed) {
+        (None, ..) => None,
+        (Some(cutoff), Some(waviness), Some(placed)) => Some(
+            flank_form::measured(waviness, cutoff, placed, (given.case, gear)).map_err(of_form)?,
+        ),
+        (Some(_), ..) => return Err(of_form(FormError::NotPlaced)),
+    };
     let report = FlankReport {
+        form,
         trace: Some(read.profile.clone()),
         file: Some(name),
         sha256: read.sha256,
@@ -342,7 +371,7 @@ struct ReadTrace {
 fn read_trace(
     input: &FlankInput,
     file: &Path,
-    key: &'static str,
+    (of_flank, key): (&'static str, &'static str),
     given: Given<'_>,
 ) -> Result<ReadTrace, CaseError> {
     let source = given.source;
@@ -363,7 +392,14 @@ fn read_trace(
             });
         }
     };
-    let options = read_options(input);
+    // Roll lengths are of the gear, unless the case says otherwise.
+    let gear = gear_of(of_flank) as usize;
+    let options = ReadOptions {
+        base_radius: input.base_radius.or(Some(Length::from_si(
+            given.case.gears.base_radius[gear].si().abs(),
+        ))),
+        ..read_options(input)
+    };
     let conditions = given.files.conditions(file);
     let name = file.display().to_string();
     let read = read_with_conditions(&name, &bytes, conditions.as_deref(), &options);
@@ -409,8 +445,8 @@ fn read_options(input: &FlankInput) -> ReadOptions {
         row: input.row,
         line: input.line.unwrap_or_default(),
         abscissa: input.abscissa,
-        base_radius: input.base_radius,
         uneven: input.uneven.unwrap_or_default(),
+        ..ReadOptions::default()
     }
 }
 

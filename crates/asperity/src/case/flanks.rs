@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use asperity_core::DomainError;
 use asperity_core::provenance::Provenance;
+use asperity_gear::MeasuredForm;
 
 use super::defaults::DefaultUsed;
 use super::domain::domain;
@@ -27,6 +28,8 @@ pub(super) struct Flanks {
     pub reports: [FlankReport; 2],
     /// All traces, where a flank has several.
     pub sampled: Option<Arc<SampledFlanks>>,
+    /// Form of each gear, the mean of its traces, where its relief is taken from them.
+    pub forms: [Option<MeasuredForm>; 2],
     /// Places y/b between zones of the face with traces of their own.
     pub zones: Vec<f64>,
     pub warnings: Vec<Warning>,
@@ -139,6 +142,10 @@ fn both(case: &Case, source: &Source, files: &Files) -> Result<Flanks, CaseError
             named,
         })
     });
+    let forms = flanks.each_ref().map(|flanks| {
+        let forms = flanks.iter().filter_map(|flank| flank.report.form.as_ref());
+        MeasuredForm::mean(&forms.map(|found| found.form.clone()).collect::<Vec<_>>())
+    });
     let reports = flanks.map(|flanks| {
         flanks
             .into_iter()
@@ -150,6 +157,7 @@ fn both(case: &Case, source: &Source, files: &Files) -> Result<Flanks, CaseError
         surfaces,
         reports,
         sampled,
+        forms,
         zones,
         warnings,
         assumed,

@@ -8,6 +8,10 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GearFlankInput {
+    /// Where the form of the profile comes from: `drawn` (default), as the keys below give it, or `from-trace`, from the
+    /// trace of the flank, which must be placed and span the active flank.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub relief: Option<ReliefSource>,
     /// Relief of the tips; default none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tip_relief: Option<ReliefInput>,
@@ -35,6 +39,24 @@ pub struct GearFlankInput {
     /// Root fillet radius ρ_fP* of the basic rack, in modules; default 0.38.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fillet_radius: Option<f64>,
+}
+
+impl GearFlankInput {
+    /// Whether the form of the profile is that of the trace.
+    pub(crate) fn is_from_trace(&self) -> bool {
+        self.relief == Some(ReliefSource::FromTrace)
+    }
+}
+
+/// Where the form of a profile comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ReliefSource {
+    /// From the drawing: tip relief, root relief, slope and crowning of the profile.
+    #[default]
+    Drawn,
+    /// From the trace of the flank.
+    FromTrace,
 }
 
 /// Relief of tips or roots: `{ amount = "10 um", length = "2.9 mm" }`.

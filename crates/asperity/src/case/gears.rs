@@ -96,14 +96,15 @@ pub(super) fn micro_geometry(
         given.pinion.unwrap_or_default(),
         given.wheel.unwrap_or_default(),
     ];
-    for (key, is_given) in [
-        ("gears.pinion.tip_relief", flanks[0].tip_relief.is_some()),
-        ("gears.wheel.tip_relief", flanks[1].tip_relief.is_some()),
+    for (key, flank) in [
+        ("gears.pinion.tip_relief", &flanks[0]),
+        ("gears.wheel.tip_relief", &flanks[1]),
     ] {
-        if !is_given {
+        if flank.tip_relief.is_none() && !flank.is_from_trace() {
             defaults.note(key, &"none");
         }
     }
+    refuse_drawn_and_measured(&flanks, source)?;
     let sum = |amount: fn(&GearFlankInput) -> Option<Length>, sign: f64| {
         let [first, second] =
             [amount(&flanks[0]), amount(&flanks[1])].map(Option::unwrap_or_default);
@@ -136,6 +137,8 @@ pub(super) fn micro_geometry(
         profile_slope: sum(|flank| flank.profile_slope, -1.0),
         profile_crowning: sum(|flank| flank.profile_crowning, 1.0),
         pitch: given.pitch_deviations.clone().unwrap_or_default(),
+        // Known with the traces.
+        measured: [None, None],
         direction: AmountDirection::default(),
     };
     if micro.is_unmodified() {
@@ -144,6 +147,46 @@ pub(super) fn micro_geometry(
     let direction = defaults.take("gears.amounts", given.amounts, AmountDirection::default());
     Ok(MicroGeometry { direction, ..micro })
 }
+
+/// Refuses a profile form that is both drawn and measured.
+fn refuse_drawn_and_measured(
+    flanks: &[GearFlankInput; 2],
+    source: &Source,
+) -> Result<(), CaseError> {
+    for (flank, keys) in flanks.iter().zip(PROFILE_KEYS) {
+        let given = [
+            flank.tip_relief.is_some(),
+            flank.root_relief.is_some(),
+            flank.profile_slope.is_some(),
+            flank.profile_crowning.is_some(),
+        ];
+        let drawn = keys.into_iter().zip(given).find(|(_, is_given)| *is_given);
+        if let (true, Some((key, _))) = (flank.is_from_trace(), drawn) {
+            return Err(CaseError::Conflict {
+                place: source.place_of(key),
+                key,
+                rule: "is in the trace already, by relief = \"from-trace\" of this gear; give one of the two",
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Keys that draw the form of a profile, for pinion and wheel.
+const PROFILE_KEYS: [[&str; 4]; 2] = [
+    [
+        "gears.pinion.tip_relief",
+        "gears.pinion.root_relief",
+        "gears.pinion.profile_slope",
+        "gears.pinion.profile_crowning",
+    ],
+    [
+        "gears.wheel.tip_relief",
+        "gears.wheel.root_relief",
+        "gears.wheel.profile_slope",
+        "gears.wheel.profile_crowning",
+    ],
+];
 
 fn relief(given: ReliefInput, key: &'static str, source: &Source) -> Result<Relief, CaseError> {
     let extent = match (given.length, given.start_diameter) {

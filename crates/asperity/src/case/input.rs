@@ -371,7 +371,7 @@ pub struct FlankInput {
     /// Meaning of the positions: `distance`, `roll-length`, `roll-degrees`, `roll-radians`; default as stated
     /// in the header.
     pub abscissa: Option<Abscissa>,
-    /// Base radius of the gear, for positions that are roll lengths or roll angles.
+    /// Base radius for positions that are roll lengths or roll angles; default that of the gear.
     pub base_radius: Option<Length>,
     /// Unevenly spaced positions: `refuse` (default) or `resample`.
     pub uneven: Option<Uneven>,

@@ -5,14 +5,17 @@ use std::sync::Arc;
 
 use asperity_core::Profile;
 use asperity_core::provenance::Provenance;
+use asperity_gear::LoadConditions;
 use asperity_profile_io::read::whole_file;
 use asperity_tribo_friction::XuCalibration;
 
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
 use super::files::{Content, Files, XU_COEFFICIENTS};
+use super::flank_form::shortest_form;
 use super::flanks::{Flanks, flanks};
 use super::gearbox::gearbox;
+use super::gears::check_load;
 use super::input::{CaseInput, Formulation, schema};
 use super::known_keys::first_unknown;
 use super::law_names::{FullFilmName, LoadShareName};
@@ -243,6 +246,16 @@ impl LoadedCase {
         }
     }
 
+    /// Whether traces have a place on the flanks, along them or across the face.
+    fn is_placed(&self) -> bool {
+        let is_rolled = |flank: &FlankReport| {
+            let reading = flank.reading.as_ref();
+            let arc = reading.and_then(|reading| reading.metadata.arc_from_base);
+            flank.roll_lengths.is_some() || arc.is_some()
+        };
+        !self.case.face_zones.is_empty() || self.all_traces().into_iter().any(is_rolled)
+    }
+
     fn changed_to(&self, input: CaseInput) -> Result<Self, Error> {
         // Lines of the file would be those of the values before.
         let source = Source::without_text(&self.name);
@@ -341,15 +354,17 @@ pub(super) fn complete(
         surfaces,
         reports,
         sampled,
+        forms,
         zones,
         warnings,
         assumed,
         provenance: of_flanks,
     } = match before {
-        Some(before) if same_flanks(&before.case, &case) => Flanks {
+        Some(before) if same_flanks(&before.case, &case, before.is_placed()) => Flanks {
             surfaces: before.surfaces.clone(),
             reports: before.flanks.clone(),
             sampled: before.sampled.clone(),
+            forms: before.case.micro_geometry.measured.clone(),
             zones: before.case.face_zones.clone(),
             warnings: of_files(&before.warnings),
             assumed: before.assumed.clone(),
@@ -370,6 +385,14 @@ pub(super) fn complete(
         });
     }
     case.face_zones = zones;
+    if forms != [None, None] {
+        let of_before = before.map(|before| &before.case.micro_geometry.measured);
+        let is_checked = is_checked && of_before == Some(&forms);
+        case.micro_geometry.measured = forms;
+        if !is_checked {
+            check_load_of(&case, source)?;
+        }
+    }
     if surfaces.teeth().is_some() {
         refuse_several(&case, source)?;
     }
@@ -420,10 +443,29 @@ fn loads_alike(before: &CaseInput, input: &CaseInput) -> bool {
         && before.operation.torque == input.operation.torque
 }
 
+/// Solves for the load once, so that a form that does not suit the model is reported with its place.
+fn check_load_of(case: &Case, source: &Source) -> Result<(), CaseError> {
+    let mesh = LoadConditions {
+        pair: &case.gears,
+        torque: case.torque,
+        micro: &case.micro_geometry,
+        materials: &case.materials,
+        settings: &case.load_settings,
+    };
+    check_load(&mesh, &case.model, case.formulation, source)
+}
+
 /// Whether the same flanks carry the load in both cases, prepared alike.
-fn same_flanks(before: &Case, case: &Case) -> bool {
+fn same_flanks(before: &Case, case: &Case, is_placed: bool) -> bool {
     let (old, new) = (&before.input.surface, &case.input.surface);
-    old == new && old.loaded(before.torque).2 == new.loaded(case.torque).2
+    let shortest = |case| shortest_form(case).ok().flatten();
+    let forms = [shortest(before), shortest(case)];
+    // A trace has its place, and its form, on a flank of certain gears.
+    let is_of_gears = is_placed || forms != [None, None];
+    old == new
+        && old.loaded(before.torque).2 == new.loaded(case.torque).2
+        && (!is_of_gears || before.input.gears == case.input.gears)
+        && forms[0] == forms[1]
 }
 
 /// The cache folder of the user by the rules of the system.

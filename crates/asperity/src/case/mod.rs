@@ -22,6 +22,7 @@ mod defaults;
 mod domain;
 mod error;
 mod files;
+mod flank_form;
 mod flank_pairs;
 mod flank_place;
 mod flank_sample;
@@ -62,7 +63,7 @@ pub use check::{Findings, check};
 pub use defaults::DefaultUsed;
 pub use error::CaseError;
 pub use flank_place::{FlankPlaceInput, TraceStart};
-pub use gear_input::{EndReliefInput, GearFlankInput, ReliefInput};
+pub use gear_input::{EndReliefInput, GearFlankInput, ReliefInput, ReliefSource};
 pub use gearbox::{Gearbox, Part, PartKind};
 pub use gearbox_input::{BearingInput, BearingKind, GearboxInput, JetInput, SealInput, Shaft};
 pub use input::{

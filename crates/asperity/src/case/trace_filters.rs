@@ -1,10 +1,14 @@
 //! Filters of a trace: those of the case, of its file, or by default.
 
+use asperity_core::quantity::Length;
+use asperity_gear::Gear;
 use asperity_profile_io::read::{FilterState, Reading};
+use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::preparation::Preparation;
 
 use super::defaults::DefaultUsed;
+use super::flank_form::{FormError, is_wanted, shortest_form};
 use super::flank_place::ReadPlace;
 use super::resolve::Case;
 use crate::message::Warning;
@@ -16,6 +20,8 @@ pub(super) struct Filters {
     pub stated: Vec<DefaultUsed>,
     /// The warning that the case asks for other cut-offs than the file states.
     pub overridden: Option<Warning>,
+    /// The warning that the cut-off is longer than asked for.
+    pub parted: Option<Warning>,
 }
 
 impl Filters {
@@ -38,6 +44,49 @@ impl Filters {
         }
     }
 
+    /// Leaves the form of a trace that the relief is taken from where it is, to be parted from the roughness at the
+    /// cut-off that is found; none where the relief of the gear is drawn.
+    pub(super) fn part_form(
+        &mut self,
+        case: &Case,
+        gear: Gear,
+        reading: Option<&Reading>,
+    ) -> Result<Option<Length>, FormError> {
+        let (true, Some(shortest)) = (is_wanted(case, gear), shortest_form(case)?) else {
+            return Ok(None);
+        };
+        if reading.is_some_and(|reading| reading.filter_state == FilterState::Roughness) {
+            return Err(FormError::Filtered);
+        }
+        match case.input.surface.form {
+            None => self.stated.push(DefaultUsed {
+                key: "surface.form".into(),
+                value: "\"none\"".to_owned(),
+                source: Some("of a trace that the relief is taken from".into()),
+            }),
+            Some(Form::None | Form::Mean) => {}
+            Some(other) => return Err(FormError::Removed(other)),
+        }
+        self.preparation.form = Form::None;
+        let asked = self.preparation.lambda_c;
+        let cutoff = match asked {
+            Some(asked) if asked >= shortest => asked,
+            _ => {
+                let asked = asked.map_or("no cut-off".to_owned(), |asked| format!("{asked}"));
+                self.parted = Some(Warning::new(
+                    "W434",
+                    format!(
+                        "form and roughness of the {gear} are parted at {:.2} mm, eight half-widths of the contact, instead of {asked}: shorter waves lie within a contact and count as roughness",
+                        shortest.si() * 1e3
+                    ),
+                ));
+                shortest
+            }
+        };
+        self.preparation.lambda_c = Some(cutoff);
+        Ok(Some(cutoff))
+    }
+
     pub(super) fn of(case: &Case, file: &str, reading: Option<&Reading>) -> Self {
         /// Cut-offs that differ by less are the same as printed.
         const SAME: f64 = 1e-6;
@@ -46,6 +95,7 @@ impl Filters {
             preparation: case.preparation,
             stated: Vec::new(),
             overridden: None,
+            parted: None,
         };
         // What was filtered before has been filtered with them.
         let unfiltered = reading.filter(|r| r.filter_state != FilterState::Roughness);

@@ -6,7 +6,7 @@ use maud::{Markup, PreEscaped, html};
 
 use super::along::points;
 use super::page::{embedded, figure, legend};
-use super::{mesh, temperatures};
+use super::{mesh, relief, temperatures};
 use crate::chart::{Drawing, Dress, Facing, FacingFrame};
 use crate::page_tables::{PageTables, shown_position};
 
@@ -18,6 +18,7 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
         div.charts {
             @if let Some(mesh) = mesh::picture(result) { (figure(&mesh)) }
             @if let Some(facing) = facing { (slider(facing)) }
+            @if let Some(relief) = relief::along_the_path(result) { (figure(&relief)) }
         }
         @if result.flanks.iter().all(|flank| flank.roll_lengths_mm.is_none()) {
             p.sub { "Where the traces lie on their flanks is not known: no key " code { "at" } " says so." }

@@ -19,6 +19,7 @@ mod overview;
 mod page;
 mod pairs;
 mod path;
+mod relief;
 mod temperatures;
 
 pub use contact::drawings as drawings_of_contact;

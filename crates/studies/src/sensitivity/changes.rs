@@ -1,6 +1,6 @@
 //! The changes of a case that are looked at, one at a time.
 
-use asperity::case::{LoadedCase, ReliefInput};
+use asperity::case::{LoadedCase, ReliefInput, ReliefSource};
 use asperity::surfaces::{Surfaces, Texture};
 use asperity::{Error, PositionError};
 use asperity_core::Profile;
@@ -24,8 +24,6 @@ const VISCOSITY: [f64; 2] = [0.8, 1.25];
 const TEMPERATURE: f64 = 10.0;
 /// Steps of the tip relief.
 const RELIEF: Length = Length::from_si(5e-6);
-/// Celsius' zero \[K\].
-const ZERO: f64 = 273.15;
 const BASE_OILS: [BaseOil; 4] = [
     BaseOil::Mineral,
     BaseOil::Pao,
@@ -161,7 +159,7 @@ fn oil(loaded: &LoadedCase) -> Vec<Change> {
             .and_then(|law| loaded.with(|input| input.lubricant.viscosity = Some(law)));
         change("viscosity", format!("× {factor}"), case)
     });
-    let temperature = loaded.case.input.operation.temperature.si() - ZERO;
+    let temperature = loaded.case.input.operation.temperature.celsius();
     let celsius = |temperature: f64| format!("{} °C", digits(temperature, 5));
     // A viscosity without temperature is that of the case, whatever its temperature.
     let knows_temperature = !matches!(
@@ -238,10 +236,7 @@ fn viscosity(loaded: &LoadedCase, factor: f64) -> Result<ViscosityLaw, Error> {
         // An oil of the library.
         None => {
             let at = |celsius: f64| {
-                let state = loaded
-                    .case
-                    .lubricant
-                    .at(Temperature::from_si(celsius + ZERO));
+                let state = loaded.case.lubricant.at(Temperature::from_celsius(celsius));
                 state.map(|state| times(state.value.kinematic_viscosity))
             };
             let both = at(40.0).and_then(|at_40| Ok((at_40, at(100.0)?)));
@@ -256,6 +251,14 @@ fn relief(loaded: &LoadedCase) -> Vec<Change> {
     let path = loaded.case.gears.path();
     let double_contact = Length::from_si((path.e.si() - path.d.si()).max(0.0));
     let gears = &loaded.case.input.gears;
+    let is_measured = [&gears.pinion, &gears.wheel].map(|gear| {
+        let source = gear.as_ref().and_then(|gear| gear.relief);
+        source == Some(ReliefSource::FromTrace)
+    });
+    if is_measured.contains(&true) {
+        // What the trace shows has no amount of its own.
+        return Vec::new();
+    }
     let own =
         [&gears.pinion, &gears.wheel].map(|gear| gear.as_ref().and_then(|gear| gear.tip_relief));
     let um = |amount: Length| digits(1e6 * amount.si(), 3);

@@ -1,0 +1,204 @@
+//! The form of a flank from its trace: what of it holds the teeth apart, and what is roughness.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | λ_f | cut-off between form and roughness | m |
+//! | λ_c | cut-off of the roughness filter | m |
+//! | a_H | half-width of the contact at the pitch point under the mean line load | m |
+//! | w | mean line of the trace at λ_f | m |
+//!
+//! The trace counts as the deviation of the flank from its involute, as gear inspection exports it: the form goes to
+//! the load over the teeth, the rest is pressed into the mating flank, and nothing is in both.
+
+use asperity_contact::hertz_line::HertzLine;
+use asperity_core::quantity::{Length, LineLoad};
+use asperity_core::{Profile, cite};
+use asperity_gear::{FlankPoint, Gear, MeasuredForm};
+use asperity_roughness::form::Form;
+
+use super::error::CaseError;
+use super::gear_input::GearFlankInput;
+use super::resolve::Case;
+use super::source::Source;
+use crate::flank_form::FlankForm;
+use crate::placement::PlacedTrace;
+
+/// The flank of `gear` in the table `gears`, and its key of the form.
+fn told(case: &Case, gear: Gear) -> (Option<&GearFlankInput>, &'static str) {
+    match gear {
+        Gear::Pinion => (case.input.gears.pinion.as_ref(), "gears.pinion.relief"),
+        Gear::Wheel => (case.input.gears.wheel.as_ref(), "gears.wheel.relief"),
+    }
+}
+
+/// Whether the form of `gear` comes from its trace.
+pub(super) fn is_wanted(case: &Case, gear: Gear) -> bool {
+    told(case, gear)
+        .0
+        .is_some_and(GearFlankInput::is_from_trace)
+}
+
+/// Shortest form, where any is taken from a trace:
+///
+/// ```text
+/// λ_f = max(λ_c, 8 a_H)                                                        [Form-split]
+/// ```
+///
+/// Of this, 8 a_H in whole micrometres: a shorter wave is within the window of a contact, which sees it as roughness.
+pub(super) fn shortest_form(case: &Case) -> Result<Option<Length>, FormError> {
+    /// Half-widths of the shortest form.
+    const HALF_WIDTHS: f64 = 8.0;
+    const MICRO: f64 = 1e6;
+    if !is_wanted(case, Gear::Pinion) && !is_wanted(case, Gear::Wheel) {
+        return Ok(None);
+    }
+    cite!("Form-split");
+    let (gears, path) = (&case.gears, case.gears.path());
+    let lines = gears.face_width * (path.eps_alpha / gears.base_helix.si().cos());
+    let force = gears
+        .forces(case.torque)
+        .map_err(unsolved)?
+        .normal_base
+        .si()
+        .abs();
+    let load = LineLoad::from_si(force / lines.si());
+    let motion = gears.kinematics(path.c, case.speed).map_err(unsolved)?;
+    let hertz = HertzLine::new(load, motion.radius, case.modulus).map_err(unsolved)?;
+    let shortest = (HALF_WIDTHS * hertz.half_width.si() * MICRO).ceil() / MICRO;
+    Ok(Some(Length::from_si(shortest)))
+}
+
+/// A form that the trace does not show.
+pub(super) enum FormError {
+    /// The trace lies nowhere.
+    NotPlaced,
+    /// The file holds a roughness profile.
+    Filtered,
+    /// The form was taken off before.
+    Removed(Form),
+    /// Roll lengths of the trace and of the active flank.
+    Short([Length; 2], [Length; 2]),
+    /// Range of the form, and the largest that a relief has.
+    High(Length, Length),
+    /// Gears or contact refuse the numbers, and say why.
+    Unsolved(String),
+}
+
+fn unsolved(error: impl std::fmt::Display) -> FormError {
+    FormError::Unsolved(error.to_string())
+}
+
+/// The error at the key of `gear`; `file` is that of the trace.
+pub(super) fn refused(
+    error: FormError,
+    (case, gear): (&Case, Gear),
+    file: &str,
+    source: &Source,
+) -> CaseError {
+    let key = told(case, gear).1;
+    let mm = |length: Length| format!("{:.3}", length.si() * 1e3);
+    let message = match error {
+        FormError::NotPlaced => format!(
+            "the place of {file} on the flank is not known: give the roll length of a point of it, as surface.{gear}.at = {{ roll_length = \"8.2 mm\" }}, or export it over roll lengths"
+        ),
+        FormError::Filtered => format!(
+            "{file} holds a roughness profile, from which the form was removed: export the unfiltered deviations"
+        ),
+        FormError::Removed(form) => format!(
+            "surface.form = \"{}\" removes the form that is asked for: leave it out and give deviations from the involute",
+            serde_json::to_value(form)
+                .ok()
+                .and_then(|name| Some(name.as_str()?.to_owned()))
+                .unwrap_or_default()
+        ),
+        FormError::Short([from, to], [active_from, active_to]) => format!(
+            "{file} reaches from roll length {} to {} mm, and the active flank from {} to {} mm: give a trace of all of it, or draw the relief",
+            mm(from),
+            mm(to),
+            mm(active_from),
+            mm(active_to)
+        ),
+        FormError::High(range, largest) => format!(
+            "the form of {file} spans {:.1} um, and no relief of this module more than {:.0} um: the trace must be the deviation from the involute, levelled on the gear's axis",
+            range.si() * 1e6,
+            largest.si() * 1e6
+        ),
+        FormError::Unsolved(reason) => reason,
+    };
+    CaseError::Value {
+        place: source.place_of(key),
+        key: Some(key.to_owned()),
+        message,
+    }
+}
+
+/// The form whose mean line `waviness` is, filtered at `cutoff` and placed as `placed`.
+pub(super) fn measured(
+    waviness: &Profile,
+    cutoff: Length,
+    placed: &PlacedTrace,
+    (case, gear): (&Case, Gear),
+) -> Result<FlankForm, FormError> {
+    /// Share of the active flank that may be missing at either end of the trace.
+    const MAY_MISS: f64 = 0.01;
+    /// Points of a cut-off: straight lines between them are off by under 1e-3 of the amplitude of a wave that long.
+    const POINTS: f64 = 64.0;
+    /// Largest range of a form, in modules; reliefs are of up to 0.02.
+    const LARGEST: f64 = 0.05;
+    let path = case.gears.path();
+    let arc = |s: Length| {
+        let found = case.gears.arc_of(gear, FlankPoint::Position(s));
+        found.map(|arc| arc.si()).map_err(unsolved)
+    };
+    let [from, to] = {
+        let ends = [arc(path.a)?, arc(path.e)?];
+        [ends[0].min(ends[1]), ends[0].max(ends[1])]
+    };
+    let roll = |arc: f64| Length::from_si((2.0 * placed.base_radius * arc.max(0.0)).sqrt());
+    let arc_at =
+        |i: usize| placed.first_arc + placed.direction * waviness.spacing().si() * i as f64;
+    let last = waviness.len() - 1;
+    let ends = [arc_at(0).min(arc_at(last)), arc_at(0).max(arc_at(last))];
+    let slack = MAY_MISS * (to - from);
+    if ends[0] > from + slack || ends[1] < to - slack {
+        return Err(FormError::Short(ends.map(roll), [from, to].map(roll)));
+    }
+    let every = ((cutoff / waviness.spacing()) / POINTS).floor().max(1.0) as usize;
+    let kept = (0..=last).filter(|i| i.is_multiple_of(every) || *i == last);
+    let on_flank = kept.filter(|i| arc_at(*i) > 0.0);
+    let mut points: Vec<(Length, Length)> = on_flank
+        .map(|i| (roll(arc_at(i)), Length::from_si(waviness.heights()[i])))
+        .collect();
+    if placed.direction < 0.0 {
+        points.reverse();
+    }
+    let (roll_length, height) = points.into_iter().unzip();
+    let form = MeasuredForm {
+        roll_length,
+        height,
+    };
+    let [shortest, longest] = [from, to].map(roll);
+    let is_active = |at: &&Length| (shortest..=longest).contains(*at);
+    let inner = form.roll_length.iter().filter(is_active).copied();
+    let active = inner.chain([shortest, longest]).map(|at| form.at(at));
+    let (lowest, highest) = active.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), z| {
+        (low.min(z), high.max(z))
+    });
+    let largest = case.gears.normal_module * LARGEST;
+    let range = Length::from_si(highest - lowest);
+    if range > largest {
+        return Err(FormError::High(range, largest));
+    }
+    let missing = |at: Length| Length::from_si(highest - form.at(at));
+    // Roll lengths grow towards the tip, of a ring towards the root.
+    let [at_root, at_tip] = match (gear, case.gears.internal) {
+        (Gear::Wheel, true) => [missing(longest), missing(shortest)],
+        _ => [missing(shortest), missing(longest)],
+    };
+    Ok(FlankForm {
+        cutoff,
+        at_tip,
+        at_root,
+        form,
+    })
+}
