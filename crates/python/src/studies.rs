@@ -81,7 +81,7 @@ pub fn sensitivity(
 ) -> PyResult<Sensitivity> {
     let case = case.pair()?;
     in_parallel(py, threads, progress.as_ref(), |told| {
-        let found = changing::sensitivity(&case, &|done, total| told.tell(done, total))?;
+        let found = changing::sensitivity(case, &|done, total| told.tell(done, total))?;
         Ok(Sensitivity(found))
     })
 }
