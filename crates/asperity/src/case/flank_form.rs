@@ -88,18 +88,18 @@ fn unsolved(error: impl std::fmt::Display) -> FormError {
     FormError::Unsolved(error.to_string())
 }
 
-/// The error at the key of `gear`; `file` is that of the trace.
+/// The error at the key of `gear`; `file` is that of the trace, `at` the key of its place.
 pub(super) fn refused(
     error: FormError,
     (case, gear): (&Case, Gear),
-    file: &str,
+    (file, at): (&str, &str),
     source: &Source,
 ) -> CaseError {
     let key = told(case, gear).1;
     let mm = |length: Length| format!("{:.3}", length.si() * 1e3);
     let message = match error {
         FormError::NotPlaced => format!(
-            "the place of {file} on the flank is not known: give the roll length of a point of it, as surface.{gear}.at = {{ roll_length = \"8.2 mm\" }}, or export it over roll lengths"
+            "the place of {file} on the flank is not known: give the roll length of a point of it, as {at} = {{ roll_length = \"8.2 mm\" }}, or export it over roll lengths"
         ),
         FormError::Filtered => format!(
             "{file} holds a roughness profile, from which the form was removed: export the unfiltered deviations"

@@ -144,7 +144,12 @@ pub(super) fn flank(
         (None, Some(_)) if flank_form::is_wanted(given.case, gear_of(key)) => {
             let none = "a flank known by roughness values alone";
             let of = (given.case, gear_of(key));
-            Err(flank_form::refused(FormError::NotPlaced, of, none, source))
+            Err(flank_form::refused(
+                FormError::NotPlaced,
+                of,
+                (none, keys.at),
+                source,
+            ))
         }
         (None, Some(_)) => values(input, key, source),
         (Some(file), _) => {
@@ -249,7 +254,8 @@ fn trace(
         filters.keep_ends(given.case, of_flank, &place);
     }
     let gear = gear_of(of_flank);
-    let of_form = |error| flank_form::refused(error, (given.case, gear), &name, given.source);
+    let of_form =
+        |error| flank_form::refused(error, (given.case, gear), (&name, keys.at), given.source);
     let form_cutoff = filters.part_form(given.case, gear, read.reading.as_ref());
     let form_cutoff = form_cutoff.map_err(of_form)?;
     let preparation = &filters.preparation;
