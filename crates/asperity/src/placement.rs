@@ -59,10 +59,13 @@ impl PlacedTrace {
     /// Roll lengths of the first and the last point of `trace`; 0 where it reaches below the base circle.
     pub(crate) fn roll_lengths(&self, trace: &Profile) -> [Length; 2] {
         let last = self.first_arc + self.direction * trace.length().si();
-        [self.first_arc, last].map(|arc| {
-            // ρ = √(2 r_b l), [Flank-arc] solved for ρ.
-            Length::from_si((2.0 * self.base_radius * arc.max(0.0)).sqrt())
-        })
+        [self.first_arc, last].map(|arc| self.roll_length(arc))
+    }
+
+    /// Roll length of the point at an arc \[m\]; 0 below the base circle.
+    pub(crate) fn roll_length(&self, arc: f64) -> Length {
+        // ρ = √(2 r_b l), [Flank-arc] solved for ρ.
+        Length::from_si((2.0 * self.base_radius * arc.max(0.0)).sqrt())
     }
 }
 

@@ -154,7 +154,7 @@ pub(super) fn measured(
         let ends = [arc(path.a)?, arc(path.e)?];
         [ends[0].min(ends[1]), ends[0].max(ends[1])]
     };
-    let roll = |arc: f64| Length::from_si((2.0 * placed.base_radius * arc.max(0.0)).sqrt());
+    let roll = |arc: f64| placed.roll_length(arc);
     let arc_at =
         |i: usize| placed.first_arc + placed.direction * waviness.spacing().si() * i as f64;
     let last = waviness.len() - 1;
