@@ -21,12 +21,9 @@ PROGRAM = os.environ.get("ASPERITY_PROGRAM", str(ROOT / "target/release/asperity
 CASES, PROFILES = ROOT / "fixtures/cases", ROOT / "fixtures/profiles"
 
 # Largest difference of a number of result.json, relative to it: sums and solutions differ by rounding, which a contact
-# solved to a tolerance of 1e-8 multiplies; 3e-8 was seen. The loss is a mean over many contacts; 7e-12 was seen.
+# solved to a tolerance of 1e-8 multiplies; 1.7e-7 was seen. The loss is a mean over many contacts; 7e-12 was seen.
 BOUND = 1e-6
 LOSS_BOUND = 1e-9
-# At the points A to E the load was shown of the nearest of evenly spaced lines of contact, and rounding decided which is
-# nearest; 1.5e-3 was seen. It is interpolated since, which was not compared anew. No loss comes from these points.
-BOUND_AT_POINTS = 5e-3
 # Errors that are left at the end of a solution: rounding themselves, so that their size counts and not their digits.
 EVIDENCE = ("load_error", "duality_gap", "residual")
 EVIDENCE_AT_MOST = 1e-7
@@ -100,7 +97,7 @@ def compare(found, expected):
     """Holds the numbers of two results against each other; everything else must be equal. Gives how many there are."""
     found, expected = dict(leaves(found)), dict(leaves(expected))
     assert found.keys() == expected.keys()
-    seen = {"points": (0.0, ""), "others": (0.0, "")}
+    largest = (0.0, "")
     numbers = 0
     for path, one in expected.items():
         other = found[path]
@@ -112,11 +109,9 @@ def compare(found, expected):
             assert max(abs(one), abs(other)) < EVIDENCE_AT_MOST, path
             continue
         scale = max(abs(one), abs(other))
-        kind = "points" if path.startswith("points[") else "others"
-        seen[kind] = max(seen[kind], (abs(one - other) / scale if scale else 0.0, path))
-    print(f"{numbers} numbers, largest differences {seen}")
-    assert seen["others"][0] < BOUND, seen
-    assert seen["points"][0] < BOUND_AT_POINTS, seen
+        largest = max(largest, (abs(one - other) / scale if scale else 0.0, path))
+    print(f"{numbers} numbers, largest difference {largest}")
+    assert largest[0] < BOUND, largest
     return numbers
 
 
