@@ -18,8 +18,14 @@ pub fn program() -> &'static Path {
     static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
     PROGRAM.get_or_init(|| {
         let mut cargo = Command::new(env!("CARGO"));
-        cargo.args(["build", "--quiet", "--package", "asperity-cli"]);
-        cargo.args(["--bin", "asperity", "--message-format", "json"]);
+        cargo.args(["build", "--quiet", "--bin", "asperity"]);
+        cargo.args(["--message-format", "json"]);
+        // Where all tests are built, the program with them takes the features of what it shares with them; on its
+        // own it has fewer, and most of the workspace would be compiled a second time.
+        match std::env::var_os("CI").is_some() {
+            true => cargo.args(["--workspace", "--tests"]),
+            false => cargo.args(["--package", "asperity-cli"]),
+        };
         if !cfg!(debug_assertions) {
             cargo.arg("--release");
         }
@@ -29,7 +35,11 @@ pub fn program() -> &'static Path {
         let messages = String::from_utf8(built.stdout).unwrap();
         let made = messages.lines().find_map(|line| {
             let message: serde_json::Value = serde_json::from_str(line).ok()?;
-            Some(PathBuf::from(message.get("executable")?.as_str()?))
+            let is_program = message["target"]["kind"][0] == "bin"
+                && message["target"]["name"] == "asperity"
+                && message["profile"]["test"] == false;
+            let file = message["executable"].as_str()?;
+            is_program.then(|| PathBuf::from(file))
         });
         made.unwrap()
     })
