@@ -61,6 +61,7 @@ pub mod positions;
 mod quadrature;
 mod rack;
 pub mod relief;
+mod straight;
 mod tips;
 mod tooth_compliance;
 pub mod tooth_outline;

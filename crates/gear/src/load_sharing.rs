@@ -18,6 +18,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::GearError;
+use crate::straight;
 
 /// Rounding of a profile coordinate.
 const ROUNDING: f64 = 1e-12;
@@ -171,7 +172,7 @@ impl<'a> Weights<'a> {
                 }
             }
             LoadSharing::MinPotential => (self.b0 * (xi - 0.5 * eps)).cos(),
-            LoadSharing::Table(rows) => interpolate(rows, xi / eps),
+            LoadSharing::Table(rows) => straight::along(rows, xi / eps),
         }
     }
 
@@ -244,14 +245,4 @@ fn check_table(rows: &[(f64, f64)]) -> Result<(), GearError> {
         return refuse(last, "some weight must be positive");
     }
     Ok(())
-}
-
-/// Linear interpolation in checked rows.
-fn interpolate(rows: &[(f64, f64)], place: f64) -> f64 {
-    let above = rows
-        .partition_point(|row| row.0 < place)
-        .clamp(1, rows.len() - 1);
-    let ((x0, y0), (x1, y1)) = (rows[above - 1], rows[above]);
-    // A place beyond the ends by rounding takes the value there.
-    y0 + (y1 - y0) * ((place - x0) / (x1 - x0)).clamp(0.0, 1.0)
 }

@@ -21,6 +21,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{Gear, GearError};
 use crate::pair::GearPair;
+use crate::straight;
 
 /// The direction in which amounts are measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
@@ -94,9 +95,13 @@ impl MeasuredForm {
     /// Height at a roll length \[m\].
     #[must_use]
     pub fn at(&self, roll: Length) -> f64 {
-        let heights = self.height.iter().map(|height| height.si());
-        let points = self.roll_length.iter().map(|roll| roll.si()).zip(heights);
-        interpolated(&points.collect::<Vec<_>>(), roll.si())
+        let above = self.roll_length.partition_point(|place| *place <= roll);
+        let point = |k: usize| Some((self.roll_length.get(k)?.si(), self.height.get(k)?.si()));
+        straight::between(
+            above.checked_sub(1).and_then(point),
+            point(above),
+            roll.si(),
+        )
     }
 
     /// Mean of several forms of one gear over the roll lengths that all of them have; none of no forms, or where
@@ -146,19 +151,6 @@ impl MeasuredForm {
             roll_length,
             height,
         })
-    }
-}
-
-/// The value at `x` of the line through `points` with rising abscissae; level beyond them, 0 without points.
-fn interpolated(points: &[(f64, f64)], x: f64) -> f64 {
-    let after = points.partition_point(|(at, _)| *at <= x);
-    match (
-        after.checked_sub(1).and_then(|before| points.get(before)),
-        points.get(after),
-    ) {
-        (Some((x0, y0)), Some((x1, y1))) => y0 + (y1 - y0) * (x - x0) / (x1 - x0),
-        (Some((_, y)), None) | (None, Some((_, y))) => *y,
-        (None, None) => 0.0,
     }
 }
 
@@ -340,7 +332,7 @@ impl Separation {
         let lead = self.lead_slope * from_middle + self.crowning * 4.0 * from_middle * from_middle;
         let reliefs: f64 = self.ends.iter().map(|end| end.at(xi)).sum();
         let measured: f64 = (self.measured.iter())
-            .map(|form| interpolated(form, xi))
+            .map(|form| straight::along(form, xi))
             .sum();
         let face_ends = self.end_relief.map_or(0.0, |(amount, length, squared)| {
             let t = (1.0 - across.min(1.0 - across) / length).max(0.0);
@@ -406,7 +398,7 @@ fn measured(micro: &MicroGeometry, pair: &GearPair) -> Result<Vec<Vec<(f64, f64)
         }
         let step = path.eps_alpha / INTERVALS as f64;
         let middles = (0..INTERVALS).map(|k| (k as f64 + 0.5) * step);
-        let mean = middles.map(|xi| interpolated(&line, xi)).sum::<f64>() / INTERVALS as f64;
+        let mean = middles.map(|xi| straight::along(&line, xi)).sum::<f64>() / INTERVALS as f64;
         for (_, separation) in &mut line {
             *separation -= mean;
         }

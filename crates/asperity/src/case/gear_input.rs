@@ -43,7 +43,8 @@ pub struct GearFlankInput {
 
 impl GearFlankInput {
     /// Whether the form of the profile is that of the trace.
-    pub(crate) fn is_from_trace(&self) -> bool {
+    #[must_use]
+    pub fn is_from_trace(&self) -> bool {
         self.relief == Some(ReliefSource::FromTrace)
     }
 }

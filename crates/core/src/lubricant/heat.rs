@@ -98,7 +98,7 @@ mod tests {
         // d = 0.9 at 100 °F: c = (0.388 + 0.00045·100)/√0.9 BTU/(lb °F), k = 0.813/0.9·(1 − 0.0003·68)
         // BTU in/(h ft² °F), converted with 4186.8 J/(kg K) and 0.144228 W/(m K).
         let density = Density::from_si(0.9 * 999.0);
-        let t = Temperature::from_si(273.15 + 68.0 / 1.8);
+        let t = Temperature::from_celsius(68.0 / 1.8);
         let c = cragoe_heat_capacity(density, t).unwrap().value.si();
         let k = cragoe_conductivity(density, t).unwrap().value.si();
         // The constants are rounded to three or four digits.

@@ -1,5 +1,6 @@
 //! Quantities from text and to text.
 
+use super::Temperature;
 use super::error::QuantityError;
 use super::unit::{Quantity, Scale, Unit};
 use crate::unit_text;
@@ -80,7 +81,9 @@ fn unit_value(number: &str, scale: Scale) -> Option<f64> {
     match scale {
         Scale::Decimal(shift) => unit_text::parse_shifted(number, shift),
         Scale::Factor(factor) => unit_text::parse_shifted(number, 0).map(|v| v * factor),
-        Scale::Celsius => unit_text::parse_shifted(number, 0).map(|v| v + 273.15),
+        Scale::Celsius => {
+            unit_text::parse_shifted(number, 0).map(|v| Temperature::from_celsius(v).si())
+        }
     }
 }
 
@@ -89,7 +92,7 @@ fn text_in(value: f64, unit: &Unit) -> Option<String> {
     let candidate = match unit.scale {
         Scale::Decimal(shift) => return Some(unit_text::format_shifted(value, shift)),
         Scale::Factor(factor) => value / factor,
-        Scale::Celsius => value - 273.15,
+        Scale::Celsius => Temperature::from_si(value).celsius(),
     };
     // A rounded conversion may be off by a few last bits: prefer few digits that read back.
     (1..=17).find_map(|digits| {
@@ -104,7 +107,7 @@ fn rounded(value: f64, unit: &Unit, digits: usize) -> Option<String> {
     let in_unit = match unit.scale {
         Scale::Decimal(shift) => value / 10f64.powi(shift),
         Scale::Factor(factor) => value / factor,
-        Scale::Celsius => value - 273.15,
+        Scale::Celsius => Temperature::from_si(value).celsius(),
     };
     let text = format!("{in_unit:.*e}", digits.max(1) - 1);
     Some(unit_text::format_shifted(text.parse().ok()?, 0))

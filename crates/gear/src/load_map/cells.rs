@@ -18,6 +18,7 @@ use super::map::{LoadMap, LoadSample, Model, NARROW_OVERLAP};
 use crate::error::GearError;
 use crate::positions::spread;
 use crate::quadrature::breakpoints;
+use crate::straight;
 
 /// Most cells accepted.
 const MOST_CELLS: usize = 10_000;
@@ -317,13 +318,7 @@ fn between_neighbours(place: f64, points: impl Iterator<Item = (f64, f64)>) -> f
             _ => {}
         }
     }
-    match (below, above) {
-        (Some((low, first)), Some((high, last))) => {
-            first + (last - first) * (place - low) / (high - low)
-        }
-        (Some((_, value)), None) | (None, Some((_, value))) => value,
-        (None, None) => 0.0,
-    }
+    straight::between(below, above, place)
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The changes of a case that are looked at, one at a time.
 
-use asperity::case::{LoadedCase, ReliefInput, ReliefSource};
+use asperity::case::{GearFlankInput, LoadedCase, ReliefInput};
 use asperity::surfaces::{Surfaces, Texture};
 use asperity::{Error, PositionError};
 use asperity_core::Profile;
@@ -251,11 +251,8 @@ fn relief(loaded: &LoadedCase) -> Vec<Change> {
     let path = loaded.case.gears.path();
     let double_contact = Length::from_si((path.e.si() - path.d.si()).max(0.0));
     let gears = &loaded.case.input.gears;
-    let is_measured = [&gears.pinion, &gears.wheel].map(|gear| {
-        let source = gear.as_ref().and_then(|gear| gear.relief);
-        source == Some(ReliefSource::FromTrace)
-    });
-    if is_measured.contains(&true) {
+    let mut flanks = [&gears.pinion, &gears.wheel].into_iter().flatten();
+    if flanks.any(GearFlankInput::is_from_trace) {
         // What the trace shows has no amount of its own.
         return Vec::new();
     }

@@ -1,0 +1,46 @@
+//! Straight lines between points.
+
+/// A point: place and value.
+type Point = (f64, f64);
+
+/// The value at `x` of the line through `points` of rising places, that of the first or last beyond them; zero without
+/// points.
+pub(crate) fn along(points: &[Point], x: f64) -> f64 {
+    let above = points.partition_point(|(place, _)| *place <= x);
+    let below = above.checked_sub(1).and_then(|k| points.get(k));
+    between(below.copied(), points.get(above).copied(), x)
+}
+
+/// The value at `x` on the line between its neighbours, that of the only one where there is one; zero without any.
+pub(crate) fn between(below: Option<Point>, above: Option<Point>, x: f64) -> f64 {
+    match (below, above) {
+        (Some((x0, y0)), Some((x1, y1))) => y0 + (y1 - y0) * (x - x0) / (x1 - x0),
+        (Some((_, y)), None) | (None, Some((_, y))) => y,
+        (None, None) => 0.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::along;
+
+    #[test]
+    fn a_line_is_straight_between_its_points_and_level_beyond() {
+        let line = [(1.0, 2.0), (3.0, 6.0), (4.0, 0.0)];
+        let at = |x| along(&line, x);
+        assert_eq!(
+            [
+                at(0.0),
+                at(1.0),
+                at(2.0),
+                at(3.0),
+                at(3.5),
+                at(4.0),
+                at(9.0)
+            ],
+            [2.0, 2.0, 4.0, 6.0, 3.0, 0.0, 0.0]
+        );
+        assert_eq!(along(&[], 1.0), 0.0);
+        assert_eq!(along(&[(1.0, 5.0)], 7.0), 5.0);
+    }
+}
