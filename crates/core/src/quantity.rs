@@ -255,9 +255,6 @@ quantities! {
 }
 
 impl Temperature {
-    /// 0 °C \[K\].
-    const ICE: f64 = 273.15;
-
     /// The temperature of so many °C.
     ///
     /// ```
@@ -266,12 +263,12 @@ impl Temperature {
     /// ```
     #[must_use]
     pub fn from_celsius(celsius: f64) -> Self {
-        Self::from_si(celsius + Self::ICE)
+        Self::from_si(celsius + unit::ICE)
     }
 
     /// The temperature in °C.
     #[must_use]
     pub fn celsius(self) -> f64 {
-        self.si() - Self::ICE
+        self.si() - unit::ICE
     }
 }

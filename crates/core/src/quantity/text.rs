@@ -1,8 +1,7 @@
 //! Quantities from text and to text.
 
-use super::Temperature;
 use super::error::QuantityError;
-use super::unit::{Quantity, Scale, Unit};
+use super::unit::{ICE, Quantity, Scale, Unit};
 use crate::unit_text;
 
 pub(super) fn accepted<Q: Quantity>() -> String {
@@ -81,9 +80,7 @@ fn unit_value(number: &str, scale: Scale) -> Option<f64> {
     match scale {
         Scale::Decimal(shift) => unit_text::parse_shifted(number, shift),
         Scale::Factor(factor) => unit_text::parse_shifted(number, 0).map(|v| v * factor),
-        Scale::Celsius => {
-            unit_text::parse_shifted(number, 0).map(|v| Temperature::from_celsius(v).si())
-        }
+        Scale::Celsius => unit_text::parse_shifted(number, 0).map(|v| v + ICE),
     }
 }
 
@@ -92,7 +89,7 @@ fn text_in(value: f64, unit: &Unit) -> Option<String> {
     let candidate = match unit.scale {
         Scale::Decimal(shift) => return Some(unit_text::format_shifted(value, shift)),
         Scale::Factor(factor) => value / factor,
-        Scale::Celsius => Temperature::from_si(value).celsius(),
+        Scale::Celsius => value - ICE,
     };
     // A rounded conversion may be off by a few last bits: prefer few digits that read back.
     (1..=17).find_map(|digits| {
@@ -107,7 +104,7 @@ fn rounded(value: f64, unit: &Unit, digits: usize) -> Option<String> {
     let in_unit = match unit.scale {
         Scale::Decimal(shift) => value / 10f64.powi(shift),
         Scale::Factor(factor) => value / factor,
-        Scale::Celsius => Temperature::from_si(value).celsius(),
+        Scale::Celsius => value - ICE,
     };
     let text = format!("{in_unit:.*e}", digits.max(1) - 1);
     Some(unit_text::format_shifted(text.parse().ok()?, 0))

@@ -1,5 +1,8 @@
 //! Units, and what a quantity is.
 
+/// 0 °C \[K\].
+pub(super) const ICE: f64 = 273.15;
+
 /// Relation of a unit to the SI unit of its quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Scale {
