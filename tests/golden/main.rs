@@ -1,9 +1,12 @@
-//! Golden results of the shipped cases, so that no change of a result goes unnoticed.
+//! Golden results of the shipped cases, so that no change of a result goes unnoticed: the numbers one looks at
+//! first, and of every other number in a result ([`outline`]) its mean and size over where it stands.
 //!
 //! `ASPERITY_WRITE=1 cargo test -p asperity-tests --test golden` writes the values anew; do that only
 //! with a reason, and say it in the change.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
+
+mod outline;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use asperity::case::{LoadedCase, ReliefInput, from_text};
 use asperity::gear::AmountDirection;
 use asperity::quantity::Length;
+use asperity::result::PositionRow;
 use asperity_tests::assert_close;
 
 /// Base radii of the pair below \[m\].
@@ -190,6 +191,33 @@ fn a_trace_that_lies_the_other_way_round_loses_something_else() {
     assert!(start < end);
     let change = loss(&wrong) / loss(&right) - 1.0;
     assert!(change.abs() > 1e-4, "{change}");
+}
+
+#[test]
+fn the_share_that_the_traces_cover_is_that_of_the_loss() {
+    const FIRST_ARC: f64 = 1.2e-3;
+    let roll = (2.0 * BASE[0] * FIRST_ARC).sqrt() * 1e3;
+    let late = case(Export::Arc, false, false)
+        .with_key("surface.pinion.at.roll_length", &format!("{roll:.9} mm"))
+        .unwrap();
+    let result = asperity_tests::run(&late).result;
+    let preparation = result.flanks[0].preparation.as_ref().unwrap();
+    let cut_off = preparation.dropped_each_end as f64 * 0.5e-6;
+    let sliding =
+        |row: &PositionRow| row.weight_m * row.line_load_n_per_mm * row.sliding_m_per_s.abs();
+    let arc = |row: &PositionRow| (1e-3 * row.s_mm).powi(2) / (2.0 * BASE[0]);
+    let covered = result
+        .path
+        .iter()
+        .filter(|row| arc(row) > FIRST_ARC + cut_off);
+    let share = covered.map(sliding).sum::<f64>() / result.path.iter().map(sliding).sum::<f64>();
+    assert!((0.5..0.9).contains(&share), "{share}");
+    let warning = result.warnings.iter().find(|found| found.code == "W417");
+    let says = format!("the traces cover {:.0} % of the loss", 100.0 * share);
+    assert!(
+        warning.unwrap().text.starts_with(&says),
+        "{says} {warning:?}"
+    );
 }
 
 #[test]

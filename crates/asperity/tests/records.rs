@@ -81,6 +81,25 @@ fn shares_come_from_records_and_a_second_run_finds_them() {
 }
 
 #[test]
+fn the_heat_of_the_film_lowers_the_friction_of_its_records() {
+    let cache = tempfile::tempdir().unwrap();
+    let with = |conductivity: &str| {
+        let keys = [
+            ("model.thermal", "none"),
+            ("lubricant.thermal_conductivity", conductivity),
+        ];
+        run(&recorded(cache.path(), &keys)).summary
+    };
+    let [poor, good] = [with("0.09 W/(m K)"), with("0.28 W/(m K)")];
+    // The records are isothermal, so they are the same.
+    assert_eq!(files(cache.path()), 3);
+    assert_eq!(poor.asperity_share, good.asperity_share);
+    assert!(poor.film_w < 0.99 * good.film_w, "{poor:?} {good:?}");
+    let lubricated = poor.lubricated_asperity_w / good.lubricated_asperity_w;
+    assert!(lubricated < 0.99, "{poor:?} {good:?}");
+}
+
+#[test]
 fn a_damaged_record_is_solved_again_and_off_keeps_nothing() {
     let cache = tempfile::tempdir().unwrap();
     let loaded = recorded(cache.path(), &[("model.ehl.records", "2")]);
@@ -145,4 +164,16 @@ fn a_full_film_can_be_that_of_records() {
     // The mean gap of superfinished flanks is near their smooth film.
     assert!((0.7..1.4).contains(&(film.film_central_um / row.film_central_um)));
     assert!(film.p_max_mpa > row.hertz_pressure_mpa * 0.9);
+    // Between two records neither pressure nor film leaves what those have.
+    let films = solved.path.iter().filter_map(|row| row.full_film);
+    for film in films {
+        let gaps = solved.records.iter().map(|record| record.mean_gap_um);
+        let (least, most) = gaps.fold((f64::INFINITY, 0.0_f64), |(low, high), gap| {
+            (low.min(gap), high.max(gap))
+        });
+        assert!(
+            (0.5 * least..=most).contains(&film.film_minimum_um),
+            "{film:?}"
+        );
+    }
 }

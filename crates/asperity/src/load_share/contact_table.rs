@@ -261,3 +261,40 @@ fn hermite(a: &[f64; 3], b: &[f64; 3], x: f64) -> f64 {
     let (c2, c3) = (3.0 * rise - 2.0 * d0 - d1, d0 + d1 - 2.0 * rise);
     a[1] + t * (d0 + t * (c2 + t * c3))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_parabola_is_met_between_its_knots() {
+        let parabola = |x: f64| 0.3 + 2.0 * x + 1.5 * x * x;
+        let mut knots = [0.1, 0.25, 0.5, 0.6, 1.0].map(|x| [x, parabola(x), 0.0]);
+        set_monotone_slopes(&mut knots);
+        for pair in knots.windows(2) {
+            for part in [0.0, 0.2, 0.5, 0.9, 1.0] {
+                let x = pair[0][0] + part * (pair[1][0] - pair[0][0]);
+                let found = hermite(&pair[0], &pair[1], x);
+                assert!((found - parabola(x)).abs() < 1e-12, "{x}: {found}");
+            }
+        }
+    }
+
+    #[test]
+    fn no_extreme_appears_between_knots() {
+        let mut knots =
+            [[0.0, 0.0], [0.2, 0.0], [0.3, 1.0], [0.9, 1.1], [1.0, 0.5]].map(|[x, y]| [x, y, 0.0]);
+        set_monotone_slopes(&mut knots);
+        for pair in knots.windows(2) {
+            let (low, high) = (pair[0][1].min(pair[1][1]), pair[0][1].max(pair[1][1]));
+            for part in 1..20 {
+                let x = pair[0][0] + f64::from(part) / 20.0 * (pair[1][0] - pair[0][0]);
+                let found = hermite(&pair[0], &pair[1], x);
+                assert!(
+                    (low - 1e-12..=high + 1e-12).contains(&found),
+                    "{x}: {found}"
+                );
+            }
+        }
+    }
+}

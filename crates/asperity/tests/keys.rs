@@ -1,0 +1,147 @@
+//! What single keys of a case must be, and what the case says of them afterwards.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
+
+use std::path::Path;
+
+use asperity::Error;
+use asperity::case::{LoadedCase, load};
+
+fn e_drive() -> LoadedCase {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases/e-drive.toml");
+    load(&file, None).unwrap()
+}
+
+fn key_of(error: &Error) -> &str {
+    error.place().unwrap().key.as_deref().unwrap()
+}
+
+#[test]
+fn the_ends_of_a_range_are_in_or_out_as_its_rule_says() {
+    let case = e_drive();
+    // Key, values that may be, values that may not.
+    let ranges: [(&str, &[&str], &[&str]); 14] = [
+        ("positions", &["2", "10000"], &["1", "10001"]),
+        ("offsets", &["1", "10000"], &["0", "10001"]),
+        ("depths", &["0", "1000"], &["1001"]),
+        ("position", &["0", "1", "C"], &["-0.001", "1.001"]),
+        ("window", &["1.5", "100"], &["1.49", "100.1"]),
+        ("friction_scale", &["0.001", "10"], &["0", "10.01"]),
+        ("boundary_friction", &["0", "2"], &["-0.01", "2.01"]),
+        ("boundary_layer", &["0 nm", "1 um"], &["-1 nm", "1.01 um"]),
+        ("delta_step", &["1 nm", "0.999 mm"], &["0 mm", "1 mm"]),
+        ("numerical_error", &["0.001", "0.2"], &["0", "0.201"]),
+        ("tolerance", &["1e-16", "1e-4"], &["0", "1.01e-4"]),
+        ("ehl.records", &["2", "64"], &["1", "65"]),
+        ("ehl.cells", &["64", "8192"], &["0", "100", "8256"]),
+        ("ehl.travel", &["2", "1000"], &["1.9", "1001"]),
+    ];
+    for (name, inside, outside) in ranges {
+        let key = format!("model.{name}");
+        for value in inside {
+            let set = case.with_key(&key, value);
+            assert!(set.is_ok(), "{key} = {value}: {}", set.unwrap_err());
+        }
+        for value in outside {
+            let error = case.with_key(&key, value).unwrap_err();
+            assert_eq!(key_of(&error), key, "{key} = {value}: {error}");
+        }
+    }
+}
+
+#[test]
+fn a_bulk_temperature_takes_the_conductances_of_its_law() {
+    let case = e_drive();
+    let set = |law: &str| case.with_key("operation.bulk", law);
+    assert!(set(r#"{ law = "iso", lubrication = "jet" }"#).is_ok());
+    for name in ["pinion_to_oil", "wheel_to_oil", "between"] {
+        let law = format!(r#"{{ law = "iso", lubrication = "jet", {name} = "3 W/K" }}"#);
+        let error = set(&law).unwrap_err();
+        assert_eq!((error.code(), key_of(&error)), ("E205", "operation.bulk"));
+        assert!(error.to_string().contains("takes conductances"), "{error}");
+    }
+}
+
+#[test]
+fn grid_and_records_are_defaults_only_where_they_are_used() {
+    let case = e_drive();
+    let defaults = |keys: &[(&str, &str)]| {
+        let case = keys.iter().fold(case.clone(), |case, (key, value)| {
+            case.with_key(key, value).unwrap()
+        });
+        ["model.ehl.cells", "model.ehl.records"]
+            .map(|key| case.case.defaults.iter().any(|default| default.key == key))
+    };
+    assert_eq!(defaults(&[]), [false, false]);
+    assert_eq!(defaults(&[("model.full_film", "ehl")]), [true, false]);
+    assert_eq!(defaults(&[("model.full_film", "ehl-transient")]), [true; 2]);
+    assert_eq!(defaults(&[("model.load_share", "ehl")]), [true; 2]);
+}
+
+#[test]
+fn a_calibration_that_cannot_be_names_its_parameter() {
+    let case = e_drive();
+    for (name, band) in [
+        (
+            "boundary_friction",
+            r#"{ value = 0.1, low = 0.12, high = 0.13 }"#,
+        ),
+        (
+            "boundary_layer",
+            r#"{ value = "20 nm", low = "0 nm", high = "30 nm" }"#,
+        ),
+        (
+            "limiting_shear",
+            r#"{ value = 0.06, low = 0.05, high = 0.04 }"#,
+        ),
+        (
+            "eyring_stress",
+            r#"{ value = "9 MPa", low = "3 MPa", high = "8 MPa" }"#,
+        ),
+    ] {
+        let table = format!("{{ {name} = {band} }}");
+        let error = case.with_key("calibration", &table).unwrap_err();
+        assert_eq!(error.code(), "E205", "{error}");
+        let says = format!("calibration.{name}: needs 0 < low < high");
+        assert!(error.to_string().contains(&says), "{error}");
+    }
+}
+
+#[test]
+fn traces_of_two_spacings_are_told_with_both() {
+    let folder = tempfile::tempdir().unwrap();
+    let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
+    let text = std::fs::read_to_string(fixtures.join("cases/e-drive.toml")).unwrap();
+    let text = text.replace("../profiles/", "");
+    std::fs::write(folder.path().join("case.toml"), text).unwrap();
+    let pinion = std::fs::read(fixtures.join("profiles/ground_pinion.csv")).unwrap();
+    std::fs::write(folder.path().join("ground_pinion.csv"), pinion).unwrap();
+    let wheel = std::fs::read_to_string(fixtures.join("profiles/ground_wheel.csv")).unwrap();
+    let rows = wheel.lines().filter(|line| !line.starts_with('#'));
+    let head = rows
+        .clone()
+        .take_while(|line| line.starts_with(char::is_alphabetic));
+    let points = rows.filter(|line| !line.starts_with(char::is_alphabetic));
+    let coarser: Vec<&str> = head.chain(points.step_by(2)).collect();
+    std::fs::write(folder.path().join("ground_wheel.csv"), coarser.join("\n")).unwrap();
+    let loaded = load(&folder.path().join("case.toml"), None).unwrap();
+    let told = loaded.warnings.iter().find(|found| found.code == "W119");
+    let says =
+        "the flanks are spaced 500 nm and 1 um; the coarser was resampled linearly to 500 nm";
+    assert_eq!(told.unwrap().text, says);
+}
+
+#[test]
+fn a_place_that_no_flank_has_is_refused_with_what_was_wrong() {
+    let placed = |at: &str| {
+        let pinion = format!(
+            r#"{{ file = "../profiles/ground_pinion.csv", from = "root", at = {{ {at} }} }}"#
+        );
+        e_drive().with_key("surface.pinion", &pinion).unwrap_err()
+    };
+    let error = placed(r#"roll_length = "-3 mm""#);
+    assert!(
+        error.to_string().contains("must not be negative"),
+        "{error}"
+    );
+}
