@@ -9,6 +9,7 @@ use std::fmt::Write;
 use asperity::band::{difference, run_and_draw, run_with_band};
 use asperity::case::{LoadedCase, load_with, planetary};
 use asperity::kept_fields::KeptFields;
+use asperity::pipeline::run_keeping;
 use asperity::planetary::run_planetary_keeping;
 use asperity::survey::{film, survey};
 use serde_json::Value;
@@ -246,6 +247,26 @@ fn a_case_by_the_formulas_with_its_bulk_temperature_gives_what_it_gave() {
         "e-drive-superfinished-whole",
         &coarse("e-drive-superfinished.toml", &keys),
     );
+}
+
+#[test]
+fn steady_solutions_of_full_films_give_what_they_gave() {
+    let keys = [
+        ("model.full_film", "ehl"),
+        ("model.load_share", "lambda-star"),
+        ("operation.temperature", "60 °C"),
+    ];
+    let case = coarse("e-drive-superfinished.toml", &keys);
+    let outcome = run_keeping(&case, &KeptFields::Highest, &|_, _| {}).unwrap();
+    assert!(
+        outcome
+            .result
+            .path
+            .iter()
+            .any(|row| row.full_film.is_some())
+    );
+    let value = serde_json::json!({ "result": outcome.result, "fields": outcome.fields });
+    hold("full-film-whole", &value);
 }
 
 #[test]
