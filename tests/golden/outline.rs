@@ -23,8 +23,8 @@ const TOLERANCE: f64 = 1e-4;
 const LEFT_OUT: [&str; 11] = [
     "equations",
     "evidence",
-    "history",
     "inputs",
+    "load_error",
     "references",
     "residual_k",
     "schema_version",

@@ -296,11 +296,11 @@ fn no_sliding(loaded: &LoadedCase, positions: &[Position], found: &mut Vec<Warni
 /// W413, W414: a contact that runs into the end of its window, and a gap that no flank has.
 fn contacts(positions: &[Position], found: &mut Vec<Warning>) {
     let count = positions.len();
-    let doubts = |is_meant: fn(&ContactWarning) -> bool| {
-        let has_one = |position: &&Position| position.doubts.iter().any(is_meant);
+    let at = |is_meant: &dyn Fn(&Position, &ContactWarning) -> bool| {
+        let has_one = |position: &&Position| position.doubts.iter().any(|d| is_meant(position, d));
         positions.iter().filter(has_one).count()
     };
-    let at_end = doubts(|doubt| matches!(doubt, ContactWarning::PressureAtEnd { .. }));
+    let at_end = at(&|_, doubt| matches!(doubt, ContactWarning::PressureAtEnd { .. }));
     if at_end > 0 {
         found.push(Warning::new(
             "W413",
@@ -309,7 +309,15 @@ fn contacts(positions: &[Position], found: &mut Vec<Warning>) {
             ),
         ));
     }
-    let beyond = doubts(|doubt| matches!(doubt, ContactWarning::GapBeyondDeformation { .. }));
+    // The asperities may carry next to nothing and deform as little: what the whole load deforms is the measure.
+    let beyond = at(&|position, doubt| {
+        let ContactWarning::GapBeyondDeformation { gap_range, .. } = doubt else {
+            return false;
+        };
+        let half_width = position.station.hertz.half_width.si();
+        let of_all = half_width * half_width / (2.0 * position.station.motion.radius.si());
+        gap_range.si() > SUSPECT_GAP * of_all
+    });
     if beyond > 0 {
         found.push(Warning::new(
             "W414",
