@@ -7,11 +7,12 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use asperity::band::{difference, run_and_draw, run_with_band};
-use asperity::case::{LoadedCase, load_with, planetary};
+use asperity::case::{LoadedCase, load_with};
 use asperity::kept_fields::KeptFields;
 use asperity::pipeline::run_keeping;
 use asperity::planetary::run_planetary_keeping;
 use asperity::survey::{film, survey};
+use asperity_tests::planetary_set;
 use serde_json::Value;
 
 use super::folder;
@@ -170,30 +171,6 @@ fn hold(name: &str, value: &Value) {
     compare(name, &expected, &actual);
 }
 
-/// A small planetary set.
-const SET: &str = r#"
-title = "small set"
-[planetary]
-teeth = [27, 24, -75]
-planets = 3
-module = "1.5 mm"
-face_width = ["20 mm", "20 mm", "20 mm"]
-[operation]
-torque = "120 N m"
-speed = "3000 1/min"
-temperature = "90 °C"
-[lubricant]
-oil = "m100"
-[surface]
-cutoff = "0.25 mm"
-sun = { file = "ground_pinion.csv" }
-planet = { file = "ground_wheel.csv", mirrored = true }
-[model]
-positions = 6
-offsets = 2
-depths = 0
-"#;
-
 /// A shipped case, coarsely, with keys set.
 fn coarse(name: &str, keys: &[(&str, &str)]) -> LoadedCase {
     let file = folder("../fixtures/cases").join(name);
@@ -283,14 +260,7 @@ fn the_difference_of_two_finishes_is_what_it_was() {
 
 #[test]
 fn a_planetary_set_gives_what_it_gave() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("set.toml");
-    std::fs::write(&file, SET).unwrap();
-    for flank in ["ground_pinion.csv", "ground_wheel.csv"] {
-        let from = super::folder("../fixtures/profiles").join(flank);
-        std::fs::copy(from, folder.path().join(flank)).unwrap();
-    }
-    let loaded = planetary::load(&file).unwrap().unwrap();
+    let loaded = planetary_set();
     let outcome = run_planetary_keeping(&loaded, &KeptFields::Highest, &|_, _| {}).unwrap();
     let [first, second] = outcome.meshes;
     let value = serde_json::json!({

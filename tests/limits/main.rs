@@ -8,6 +8,7 @@ mod constant_friction;
 mod equations_used;
 mod friction_laws;
 mod placement;
+mod planetary;
 mod positions;
 mod regime;
 mod sampling;

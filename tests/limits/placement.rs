@@ -194,6 +194,29 @@ fn a_trace_that_lies_the_other_way_round_loses_something_else() {
 }
 
 #[test]
+fn a_point_is_one_place_by_each_of_its_coordinates() {
+    let placed = case(Export::Arc, false, false);
+    let expected = placed.surfaces.placement().unwrap().traces[0].first_arc;
+    let (base, arc) = (BASE[0] * 1e3, ARCS[0][0] * 1e3);
+    let roll = (2.0 * base * arc).sqrt();
+    let radius = base.hypot(roll);
+    let farther = (2.0 * base * (arc + 0.7)).sqrt();
+    for at in [
+        format!("roll_length = \"{roll:.12} mm\""),
+        format!("position = \"{roll:.12} mm\""),
+        format!("radius = \"{radius:.12} mm\""),
+        format!("diameter = \"{:.12} mm\"", 2.0 * radius),
+        format!("roll_angle = \"{:.12} deg\"", (roll / base).to_degrees()),
+        format!("roll_length = \"{farther:.12} mm\", x = \"0.7 mm\""),
+    ] {
+        let case = placed.with_key("surface.pinion.at", &format!("{{ {at} }}"));
+        let found = case.unwrap().surfaces.placement().unwrap().traces[0].first_arc;
+        // The base radius above has ten digits.
+        assert!((found - expected).abs() < 1e-9, "{at}: {found} {expected}");
+    }
+}
+
+#[test]
 fn the_share_that_the_traces_cover_is_that_of_the_loss() {
     const FIRST_ARC: f64 = 1.2e-3;
     let roll = (2.0 * BASE[0] * FIRST_ARC).sqrt() * 1e3;
