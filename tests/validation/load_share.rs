@@ -74,8 +74,14 @@ fn a_flank_that_the_film_alone_makes_flow_is_refused() {
 
 #[test]
 fn the_tolerance_of_the_contacts_does_not_move_the_loss() {
-    let at = |tolerance: &str| few("e-drive", &[("model.tolerance", tolerance)]).loss_w;
-    assert_close("loss", at("1e-4"), at("1e-8"), 1e-6);
+    let at = |tolerance: &str| few("e-drive", &[("model.tolerance", tolerance)]);
+    let [loose, tight] = [at("1e-4"), at("1e-11")];
+    assert_close("loss", loose.loss_w, tight.loss_w, 1e-6);
+    assert!(tight.worst_duality_gap <= 1e-11, "{tight:?}");
+    assert!(
+        (1e-9..=1e-4).contains(&loose.worst_duality_gap),
+        "{loose:?}"
+    );
 }
 
 #[test]

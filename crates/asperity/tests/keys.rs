@@ -50,6 +50,44 @@ fn the_ends_of_a_range_are_in_or_out_as_its_rule_says() {
 }
 
 #[test]
+fn a_value_is_noted_where_its_usual_range_ends() {
+    let case = e_drive();
+    // Key, the usual ends, values beyond them.
+    let ranges: [(&str, [&str; 2], [&str; 2]); 4] = [
+        (
+            "operation.temperature",
+            ["-29 °C", "179 °C"],
+            ["-31 °C", "181 °C"],
+        ),
+        (
+            "operation.speed",
+            ["1.1 1/min", "59000 1/min"],
+            ["0.9 1/min", "61000 1/min"],
+        ),
+        (
+            "lubricant.density",
+            ["705 kg/m3", "1190 kg/m3"],
+            ["695 kg/m3", "1210 kg/m3"],
+        ),
+        ("gears.helix", ["-44 deg", "44 deg"], ["-46 deg", "46 deg"]),
+    ];
+    let noted = |key: &str, value: &str| {
+        let case = case.with_key(key, value).unwrap();
+        let said = format!("{key} = ");
+        let about = |text: &str| text.starts_with(&said);
+        case.warnings.iter().any(|found| about(&found.text))
+    };
+    for (key, usual, beyond) in ranges {
+        for value in usual {
+            assert!(!noted(key, value), "{key} = {value}");
+        }
+        for value in beyond {
+            assert!(noted(key, value), "{key} = {value}");
+        }
+    }
+}
+
+#[test]
 fn a_bulk_temperature_takes_the_conductances_of_its_law() {
     let case = e_drive();
     let set = |law: &str| case.with_key("operation.bulk", law);
