@@ -60,3 +60,52 @@ fn warnings_count_the_positions_and_contacts_that_they_are_about() {
     let strained = text("W410").unwrap();
     assert!(strained.contains("in 12 of 12 contacts"), "{strained}");
 }
+
+#[test]
+fn losses_name_what_left_its_range_as_a_run_does() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases/e-drive.toml");
+    let few = |temperature: &str| {
+        let case = load(&file, None).unwrap().with(|input| {
+            input.model.positions = Some(4);
+            input.model.offsets = Some(2);
+        });
+        case.unwrap()
+            .with_key("operation.temperature", temperature)
+            .unwrap()
+    };
+    let named = |temperature: &str| {
+        asperity::losses(&few(temperature), &|_, _| ())
+            .unwrap()
+            .outside
+    };
+    let outside = named("90 °C");
+    assert!(
+        outside.iter().all(|name| name.starts_with("W40")),
+        "{outside:?}"
+    );
+    let warnings = asperity::run(&few("90 °C"), &|_, _| ())
+        .unwrap()
+        .result
+        .warnings;
+    let ranges = warnings.iter().filter(|found| found.code == "W401");
+    let mut said = 0;
+    for warning in ranges {
+        let (input, _) = warning
+            .text
+            .split_once(" = ")
+            .unwrap_or((&warning.text, ""));
+        assert!(
+            outside.iter().any(|name| name.ends_with(input)),
+            "{outside:?} {input}"
+        );
+        said += 1;
+    }
+    assert!(said > 0);
+    // Hot oil is thinner than Gold's fit reaches.
+    let thin = |names: &[String]| {
+        names
+            .iter()
+            .any(|name| name == "W401 Gold: kinematic viscosity")
+    };
+    assert!(thin(&outside) && !thin(&named("40 °C")), "{outside:?}");
+}
