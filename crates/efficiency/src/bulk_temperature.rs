@@ -278,4 +278,28 @@ mod tests {
             EfficiencyError::BulkNotSettled { steps: 50, .. }
         ));
     }
+    #[test]
+    fn a_state_refused_on_the_way_is_told_with_the_last_temperature_that_was_not() {
+        let made = |at: Temperature| -> Result<Temperature, EfficiencyError> {
+            match at > celsius(100.0) {
+                true => Err(EfficiencyError::from(
+                    asperity_core::DomainError::positive("made", Temperature::from_si(-1.0))
+                        .unwrap_err(),
+                )),
+                false => Ok(Temperature::from_si(at.si() + 8.0)),
+            }
+        };
+        // 90, 94 and 98 °C are met, 102 °C is not.
+        let error = fixed_point(celsius(90.0), made).unwrap_err();
+        let EfficiencyError::BulkNotSettled {
+            temperature,
+            residual,
+            steps,
+        } = error
+        else {
+            panic!("{error:?}");
+        };
+        assert!((temperature - celsius(98.0)).si().abs() < 1e-9);
+        assert_eq!((residual, steps), (8.0, 3));
+    }
 }

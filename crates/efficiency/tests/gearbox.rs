@@ -195,4 +195,8 @@ fn a_bearing_says_what_its_form_is_not_for() {
         ..BALL
     };
     assert!(without.check().is_err());
+    for axial_factor in [0.0, -1.6, f64::INFINITY, f64::NAN] {
+        let form = BearingForm::TaperedRoller { axial_factor };
+        assert!(RollingBearing { form, ..BALL }.check().is_err());
+    }
 }

@@ -262,3 +262,16 @@ fn zhu_hu_share_rises_to_one_and_stays() {
     assert!((share(2.0) - 1.0).abs() < 5e-4);
     assert_eq!(share(3.0), 1.0);
 }
+
+#[test]
+fn a_film_factor_is_finite_and_not_negative() {
+    let film = FilmThickness {
+        central: Length::from_si(0.3e-6),
+        minimum: Length::from_si(0.2e-6),
+    };
+    let of = |factor: f64| lambda_star(&film, factor, Length::from_si(0.5e-6));
+    assert!(of(0.0).is_ok());
+    for factor in [-0.1, f64::INFINITY, f64::NAN] {
+        assert!(of(factor).is_err(), "{factor}");
+    }
+}

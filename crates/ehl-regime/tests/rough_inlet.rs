@@ -70,6 +70,7 @@ fn a_wave_keeps_its_amplitude_ratio() {
             })
             .collect();
         let spectrum = TraceSpectrum::new(&wave, um(0.5)).unwrap();
+        assert_eq!(spectrum.points(), points);
         let per_length = 4e5;
         let length = points as f64 * 0.5e-6;
         let ratio = amplitude_ratio(per_length * length / waves as f64);
@@ -239,5 +240,16 @@ proptest! {
     #[test]
     fn amplitudes_fall_with_wavelength(nabla in 0.0..100.0_f64, more in 0.01..10.0_f64) {
         prop_assert!(amplitude_ratio(nabla + more) < amplitude_ratio(nabla));
+    }
+}
+
+#[test]
+fn a_lay_is_a_ratio_up_to_1_and_a_supply_has_a_factor_from_1_on() {
+    assert_eq!(Lay::try_from(0.5).unwrap(), Lay::new(0.5).unwrap());
+    assert_ne!(Lay::try_from(0.5).unwrap(), Lay::ACROSS);
+    assert!(Lay::try_from(-1.0).is_err() && Lay::try_from(1.1).is_err());
+    assert!(supplied_gap(um(0.1), 1.0, 0.5).is_ok());
+    for factor in [0.5, f64::INFINITY, f64::NAN] {
+        assert!(supplied_gap(um(0.1), factor, 0.5).is_err(), "{factor}");
     }
 }

@@ -406,3 +406,32 @@ fn a_pitch_point_off_the_path_is_allowed() {
     let hand = (1.0 + 1.0 / pair.ratio) * arm / pair.base_radius[0].si();
     assert!((local / hand - 1.0).abs() < 1e-12, "{local} {hand}");
 }
+
+#[test]
+fn exchanged_gears_take_everything_of_theirs_with_them() {
+    let pair = GearPairInput {
+        face_width: [mm(30.0), mm(28.0)],
+        profile_shift: Some([0.2, -0.1]),
+        tip_radius: Some([mm(41.0), mm(63.0)]),
+        ..spur()
+    };
+    let swapped = pair.swapped();
+    assert_eq!(swapped.teeth, [40, 25]);
+    assert_eq!(swapped.face_width, [mm(28.0), mm(30.0)]);
+    assert_eq!(swapped.profile_shift, Some([-0.1, 0.2]));
+    assert_eq!(swapped.tip_radius, Some([mm(63.0), mm(41.0)]));
+    assert_eq!(swapped.swapped(), pair);
+}
+
+#[test]
+fn the_points_of_the_path_have_their_letters() {
+    let pair = GearPair::new(&spur()).unwrap();
+    let path = pair.path();
+    let [a, b, c, d, e] = path.named_points();
+    assert_eq!([a.0, b.0, c.0, d.0, e.0], ["A", "B", "C", "D", "E"]);
+    assert_eq!(
+        [a.1, b.1, c.1, d.1, e.1],
+        [path.a, path.b, path.c, path.d, path.e]
+    );
+    assert!(a.1 < b.1 && b.1 < c.1 && c.1 < d.1 && d.1 < e.1);
+}

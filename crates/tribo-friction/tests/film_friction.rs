@@ -266,6 +266,86 @@ fn at_high_slip_the_coefficient_is_the_limiting_shear() {
 }
 
 #[test]
+fn the_limiting_stress_falls_with_temperature_from_90_c() {
+    let constants = TractionConstants {
+        ambient_limit: Pressure::from_si(0.0),
+        limiting_shear_fall: PerKelvin::from_si(0.005),
+        ..TractionConstants::of(OilFamily::Mineral).unwrap()
+    };
+    let rheology = oil("M100")
+        .with_constants(constants)
+        .unwrap()
+        .with_laws(ShearLaw::Newton, PressureLaw::Roelands);
+    let mut contact = e_drive(1.9);
+    contact.film = Length::from_si(1e-10);
+    for t in [40.0, 90.0] {
+        contact.temperature = celsius(t);
+        let mu = isothermal(&rheology, &contact, 32);
+        let expected = 0.047 * (-0.005 * (t - 90.0_f64)).exp();
+        assert!((mu / expected - 1.0).abs() < 1e-6, "{t}: {mu} {expected}");
+    }
+}
+
+#[test]
+fn a_slow_film_is_newtonian_whatever_its_eyring_stress() {
+    let contact = e_drive(1e-7);
+    let of = |stress: f64| {
+        let constants = TractionConstants {
+            eyring_stress: Pressure::from_si(stress),
+            ..TractionConstants::of(OilFamily::Pao).unwrap()
+        };
+        isothermal(
+            &oil("e-fluid").with_constants(constants).unwrap(),
+            &contact,
+            16,
+        )
+    };
+    assert!((of(2e6) / of(20e6) - 1.0).abs() < 1e-4);
+}
+
+#[test]
+fn what_a_solution_says_of_its_stress_and_heat_agrees() {
+    for (slip, limited) in [(1e-6, 0.0), (1.9, 1.0)] {
+        let mut contact = e_drive(slip);
+        if limited > 0.0 {
+            contact.film = Length::from_si(1e-9);
+            contact.temperature = celsius(0.0);
+        }
+        let found = friction(&oil("M100"), &contact, 16);
+        assert_eq!(found.limited_share, limited, "{found:?}");
+    }
+    let found = friction(&oil("M100"), &e_drive(0.4), 16);
+    assert!((0.0..=1.0).contains(&found.limited_share));
+    assert!(found.mean_film_rise > 0.0 && found.mean_film_rise <= found.largest_film_rise);
+    let force = found.mean_stress.si() * 2.0 * found.half_width.si();
+    assert!((force / (found.coefficient * 144e3) - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn constants_that_no_oil_has_are_refused_by_name() {
+    let good = TractionConstants::of(OilFamily::Mineral).unwrap();
+    let mut all = [good; 6];
+    all[0].limiting_shear = 0.0;
+    all[1].limiting_shear_fall = PerKelvin::from_si(-1e-3);
+    all[2].ambient_limit = Pressure::from_si(-1.0);
+    all[3].eyring_stress = Pressure::from_si(0.0);
+    all[4].gold_exponent = f64::NAN;
+    all[5].conductivity_rise = -1.0;
+    let names = [
+        "limiting shear stress over pressure",
+        "fall of the limiting shear",
+        "limiting shear stress at p = 0",
+        "Eyring stress",
+        "Gold exponent t",
+        "conductivity rise c1",
+    ];
+    for (constants, name) in all.into_iter().zip(names) {
+        let error = oil("M100").with_constants(constants).unwrap_err();
+        assert!(error.to_string().contains(name), "{error}");
+    }
+}
+
+#[test]
 fn without_sliding_there_is_no_friction() {
     let solution = friction(&oil("e-fluid"), &e_drive(0.0), 16);
     assert_eq!((solution.coefficient, solution.surface_rise), (0.0, 0.0));
@@ -313,7 +393,13 @@ fn the_slope_over_surface_temperature_is_that_of_the_friction() {
         (ShearLaw::Carreau, PressureLaw::Roelands),
         (ShearLaw::Newton, PressureLaw::Barus),
     ] {
-        let rheology = oil("M100").with_laws(shear, pressure);
+        // A limiting stress that falls with temperature adds its own slope.
+        let constants = TractionConstants {
+            limiting_shear_fall: PerKelvin::from_si(0.004),
+            ..TractionConstants::of(OilFamily::Mineral).unwrap()
+        };
+        let rheology = oil("M100").with_constants(constants).unwrap();
+        let rheology = rheology.with_laws(shear, pressure);
         let contact = e_drive(0.3);
         let mut film = LoadedFilm::new(&rheology, &contact, FilmSettings::default()).unwrap();
         let [_, slope] = film.friction_at(10.0).unwrap();
@@ -326,6 +412,36 @@ fn the_slope_over_surface_temperature_is_that_of_the_friction() {
             "{shear:?} {pressure:?}: {slope} {numeric}"
         );
     }
+}
+
+#[test]
+fn viscosity_rises_with_pressure_by_the_law_asked_for() {
+    let (pressure, sliding, film) = (0.4e9_f64, 1e-6, 1e-6);
+    let stress = |law, pressure| {
+        let rheology = oil("M100").with_laws(ShearLaw::Newton, law);
+        let found = rheology.shear_stress(
+            Pressure::from_si(pressure),
+            celsius(90.0),
+            Speed::from_si(sliding),
+            Length::from_si(film),
+        );
+        found.unwrap().value
+    };
+    let alpha = 1e-8;
+    let log_0 = stress(PressureLaw::Barus, 0.0).ln();
+    let rise = |law| stress(law, pressure).ln() - log_0;
+    assert!((rise(PressureLaw::Barus) / (alpha * pressure) - 1.0).abs() < 1e-6);
+    // Roelands in closed form, with ln eta_0 + 9.67 = ln(eta_0/6.315e-5 Pa s).
+    let growth = log_0 + 9.67;
+    let z = alpha / (5.1e-9 * growth);
+    let expected = growth * ((1.0 + 5.1e-9 * pressure).powf(z) - 1.0);
+    let found = rise(PressureLaw::Roelands);
+    assert!((found / expected - 1.0).abs() < 1e-4, "{found} {expected}");
+    // Where Barus' exponent is held, the stress is still the limiting one.
+    let constants = TractionConstants::of(OilFamily::Mineral).unwrap();
+    let held = stress(PressureLaw::Barus, 6e9);
+    let limit = constants.ambient_limit.si() + constants.limiting_shear * 6e9;
+    assert!(held > 0.9 * limit && held <= limit, "{held} {limit}");
 }
 
 #[test]

@@ -12,9 +12,9 @@ use asperity_core::quantity::{
     DynamicViscosity, KinematicViscosity, Length, LineLoad, Pressure, Speed, Temperature,
 };
 use asperity_tribo_friction::{
-    FlashConditions, FrictionConditions, FrictionError, FrictionLaw, FrictionSettings,
-    MeshConditions, RollingConditions, XuCalibration, XuCoefficients, XuLaw, doleschel,
-    flash_temperature, matsumoto, mixed_friction, rolling_force,
+    FilmTraction, FlashConditions, FrictionConditions, FrictionError, FrictionLaw,
+    FrictionSettings, MeshConditions, RollingConditions, XuCalibration, XuCoefficients, XuLaw,
+    doleschel, flash_temperature, matsumoto, mixed_friction, rolling_force,
 };
 use reference_case::{ALPHA, LOAD, MODULUS, OIL, POSITIONS, STEEL, conditions};
 
@@ -232,6 +232,29 @@ fn oil_temperatures_outside_the_fitted_range_are_named_for_every_published_law()
 }
 
 #[test]
+fn laws_of_the_standards_are_proportional_to_their_lubricant_factor() {
+    let mu = |factor: f64| {
+        let mesh = MeshConditions {
+            lubricant_factor: factor,
+            ..at_start().mesh
+        };
+        let position = FrictionConditions { mesh, ..at_start() };
+        let law = FrictionLaw::Iso14179Part2;
+        law.coefficient(&settings(), &position).unwrap().value
+    };
+    assert!((mu(0.8) / mu(1.0) - 0.8).abs() < 1e-12);
+}
+
+#[test]
+fn a_traction_carries_the_rises_it_is_given() {
+    let plain = FilmTraction::of(0.03);
+    assert_eq!((plain.surface_rise, plain.film_rise), (None, None));
+    let hot = plain.with_rises(12.0, 30.0);
+    assert_eq!((hot.surface_rise, hot.film_rise), (Some(12.0), Some(30.0)));
+    assert_eq!(hot.coefficient, 0.03);
+}
+
+#[test]
 fn impossible_inputs_are_refused_by_name() {
     let refused = |law: FrictionLaw, position: FrictionConditions, name: &str| match law
         .coefficient(&settings(), &position)
@@ -277,6 +300,18 @@ fn impossible_inputs_are_refused_by_name() {
         ..at_start()
     };
     assert!(FrictionLaw::Xu.coefficient(&as_is, &very_rough).is_err());
+    for friction_scale in [-1.0, 0.0, f64::INFINITY, f64::NAN] {
+        let scaled = FrictionSettings {
+            xu: XuLaw {
+                friction_scale,
+                ..XuLaw::default()
+            },
+            ..settings()
+        };
+        let error = FrictionLaw::Xu.coefficient(&scaled, &at_start());
+        let error = error.unwrap_err().to_string();
+        assert!(error.contains("friction scale"), "{error}");
+    }
 }
 
 #[test]

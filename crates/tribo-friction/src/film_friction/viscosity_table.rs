@@ -123,9 +123,12 @@ mod tests {
                 "{celsius}: {slope} {beta}"
             );
         }
-        let [low, high] = table.ends();
-        assert!(table.at(low - 10.0)[0] > table.at(low)[0]);
-        assert!(table.at(high + 10.0)[0] < table.at(high)[0]);
+        // Beyond its ends ln η goes straight on.
+        for (end, way) in table.ends().into_iter().zip([-10.0, 10.0]) {
+            let ([at_end, slope], [beyond, same]) = (table.at(end), table.at(end + way));
+            assert!(slope < 0.0 && same == slope);
+            assert!((beyond - (at_end + way * slope)).abs() < 1e-10);
+        }
     }
 
     #[test]
