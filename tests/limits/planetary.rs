@@ -41,15 +41,15 @@ fn losses_are_said_with_the_digits_of_their_band() {
         expected,
         expected[2] - expected[1],
     );
-    // No digit is finer than the fiftieth of a band.
+    // No digit is finer than a two-hundredth of the band.
     let step = |text: &str| {
         let first = text.split(' ').next().unwrap();
         let decimals = first.split_once('.').map_or(0, |(_, after)| after.len());
         0.1_f64.powi(decimals.try_into().unwrap())
     };
-    assert!(step(&loss) > 0.02 * (high - low), "{loss}");
+    assert!(step(&loss) > 5e-3 * (high - low), "{loss}");
     let band = expected[2] - expected[1];
-    assert!(step(&efficiency) > 0.02 * band, "{efficiency}");
+    assert!(step(&efficiency) > 5e-3 * band, "{efficiency}");
 
     for mesh in &result.meshes {
         let said = mesh.with_digits().map(|text| text.parse::<f64>().unwrap());

@@ -435,3 +435,29 @@ fn the_points_of_the_path_have_their_letters() {
     );
     assert!(a.1 < b.1 && b.1 < c.1 && c.1 < d.1 && d.1 < e.1);
 }
+
+#[test]
+fn a_tooth_of_a_ring_is_what_the_tooth_of_a_wheel_leaves_of_the_pitch() {
+    let (z, x) = (75.0, 0.15);
+    let input = GearPairInput {
+        profile_shift: Some([0.25, x]),
+        ..GearPairInput::standard([24, 75], mm(2.0), Angle::from_si(0.0), mm(20.0))
+    };
+    let pair = GearPair::internal(&input).unwrap();
+    let [_, thickness] = pair.tip_thickness.unwrap();
+    let radius = pair.tip_radius[1].si().abs();
+    let involute = |cosine: f64| {
+        let angle = cosine.acos();
+        angle.tan() - angle
+    };
+    let alpha = 20f64.to_radians();
+    let base = 0.5 * z * 2e-3 * alpha.cos();
+    // A wheel with as many teeth and the opposite shift fills the space of the ring.
+    let space = (std::f64::consts::FRAC_PI_2 + 2.0 * -x * alpha.tan()) / z + involute(alpha.cos())
+        - involute(base / radius);
+    let expected = 2.0 * radius * (std::f64::consts::PI / z - space);
+    assert!(
+        (thickness.si() / expected - 1.0).abs() < 1e-10,
+        "{thickness} {expected}"
+    );
+}

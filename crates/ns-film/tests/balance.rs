@@ -166,3 +166,45 @@ fn the_papers_difference_is_the_integral_of_its_gradient() {
     let integral = sum * h / (3.0 * f64::from(n));
     close(film.pressure_difference().unwrap().si(), integral, 1e-10);
 }
+
+#[test]
+fn the_radial_momentum_is_its_terms_added_by_hand() {
+    let flow = LocalFlow {
+        radius: 0.5,
+        along: 3.0,
+        along_theta: 0.7,
+        radial: 0.4,
+        radial_r: 1.1,
+        radial_rr: 5.0,
+        radial_theta: 0.25,
+        radial_theta_theta: 0.9,
+    };
+    // 9/0.5 - 0.4·1.1 - 6·0.25 = 16.06; 5 + 2.2 + 3.6 - 1.6 - 5.6 = 3.6
+    let found = radial_momentum(
+        &flow,
+        Density::from_si(2.0),
+        DynamicViscosity::from_si(10.0),
+    );
+    close(found.unwrap(), 2.0 * 16.06 + 10.0 * 3.6, 1e-12);
+}
+
+#[test]
+fn a_thick_film_adds_the_centrifugal_force_over_its_height() {
+    for flow in [1.0, 1.4] {
+        let section = FilmSection {
+            flow: flow * section().flow,
+            ..section()
+        };
+        let (h, r) = (section.thickness, section.radius.si());
+        let profile =
+            VelocityProfile::carrying(section.flow, section.wall_1, section.wall_2, h).unwrap();
+        let count = 4000;
+        let terms = (0..count).map(|k| {
+            let y = (f64::from(k) + 0.5) / f64::from(count) * h.si();
+            profile.speed(Length::from_si(y)).unwrap().si().powi(2) / (r + y)
+        });
+        let expected = section.density.si() * terms.sum::<f64>() * h.si() / f64::from(count);
+        let found = section.centrifugal_difference_thick().unwrap().si();
+        close(found, expected, 1e-6);
+    }
+}

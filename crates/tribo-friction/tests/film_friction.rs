@@ -416,9 +416,16 @@ fn the_slope_over_surface_temperature_is_that_of_the_friction() {
 
 #[test]
 fn viscosity_rises_with_pressure_by_the_law_asked_for() {
-    let (pressure, sliding, film) = (0.4e9_f64, 1e-6, 1e-6);
+    let (pressure, alpha, sliding, film) = (0.4e9_f64, 1e-8, 1e-6, 1e-6);
+    let constants = TractionConstants::of(OilFamily::Mineral).unwrap();
     let stress = |law, pressure| {
-        let rheology = oil("M100").with_laws(ShearLaw::Newton, law);
+        let rheology = FilmRheology::with_alpha(
+            &lubricant([96.0, 10.6], 882.0),
+            constants,
+            PressureViscosity::from_si(alpha),
+            celsius(90.0),
+        );
+        let rheology = rheology.unwrap().with_laws(ShearLaw::Newton, law);
         let found = rheology.shear_stress(
             Pressure::from_si(pressure),
             celsius(90.0),
@@ -427,8 +434,7 @@ fn viscosity_rises_with_pressure_by_the_law_asked_for() {
         );
         found.unwrap().value
     };
-    let alpha = 1e-8;
-    let log_0 = stress(PressureLaw::Barus, 0.0).ln();
+    let log_0 = stress(PressureLaw::Barus, 1.0).ln();
     let rise = |law| stress(law, pressure).ln() - log_0;
     assert!((rise(PressureLaw::Barus) / (alpha * pressure) - 1.0).abs() < 1e-6);
     // Roelands in closed form, with ln eta_0 + 9.67 = ln(eta_0/6.315e-5 Pa s).
@@ -438,7 +444,6 @@ fn viscosity_rises_with_pressure_by_the_law_asked_for() {
     let found = rise(PressureLaw::Roelands);
     assert!((found / expected - 1.0).abs() < 1e-4, "{found} {expected}");
     // Where Barus' exponent is held, the stress is still the limiting one.
-    let constants = TractionConstants::of(OilFamily::Mineral).unwrap();
     let held = stress(PressureLaw::Barus, 6e9);
     let limit = constants.ambient_limit.si() + constants.limiting_shear * 6e9;
     assert!(held > 0.9 * limit && held <= limit, "{held} {limit}");
