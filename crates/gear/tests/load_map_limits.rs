@@ -1020,3 +1020,35 @@ fn zones_of_the_face_share_each_cell() {
         }
     }
 }
+
+#[test]
+fn the_pairs_of_a_set_are_cut_by_its_rack_and_have_their_own_widths_and_tips() {
+    let angle = Angle::from_si(22.5_f64.to_radians());
+    let input = PlanetarySetInput {
+        pressure_angle: angle,
+        face_width: [mm(20.0), mm(18.0), mm(16.0)],
+        addendum: 0.9,
+        ..example_set()
+    };
+    let set = PlanetarySet::new(&input).unwrap();
+    for (pair, width) in [(&set.sun_planet, 18.0), (&set.planet_ring, 16.0)] {
+        assert!((pair.face_width.si() - 1e-3 * width).abs() < 1e-12);
+        assert!((pair.normal_pressure_angle.si() - angle.si()).abs() < 1e-12);
+    }
+    let tip = |pair: &GearPair, gear: usize| pair.tip_radius[gear].si().abs() * 1e3;
+    assert!((tip(&set.sun_planet, 0) - 1.5 * (13.5 + 0.9)).abs() < 1e-9);
+    assert!((tip(&set.planet_ring, 1) - 1.5 * (37.5 - 0.9)).abs() < 1e-9);
+    let given = PlanetarySetInput {
+        tip_radius: Some([mm(21.6), mm(19.3), mm(55.1)]),
+        ..input
+    };
+    let set = PlanetarySet::new(&given).unwrap();
+    let tips = [
+        (&set.sun_planet, 0),
+        (&set.sun_planet, 1),
+        (&set.planet_ring, 1),
+    ];
+    for ((pair, gear), expected) in tips.into_iter().zip([21.6, 19.3, 55.1]) {
+        assert!((tip(pair, gear) - expected).abs() < 1e-9);
+    }
+}

@@ -42,8 +42,6 @@ pub struct LoadCell {
     pub s: Length,
     /// Representative load f̄ of the cell, the weighted geometric mean.
     pub load: LineLoad,
-    /// Weighted standard deviation of ln f; e to this power is the factor to either side.
-    pub log_deviation: f64,
     /// Contribution to H_V: μ times this times the input power is the sliding power of the cell.
     pub loss_factor: f64,
     /// Share of H_V.
@@ -61,7 +59,6 @@ struct Sums {
     power: f64,
     xi: f64,
     log: f64,
-    log_squared: f64,
     length: f64,
     force: f64,
 }
@@ -73,11 +70,9 @@ impl Sums {
         if load <= 0.0 {
             return;
         }
-        let log = load.ln();
         self.power += power;
         self.xi += power * sample.xi;
-        self.log += power * log;
-        self.log_squared += power * log * log;
+        self.log += power * load.ln();
         self.length += weight;
         self.force += weight * load;
     }
@@ -181,14 +176,12 @@ impl LoadMap {
             .filter(|(_, sums, _)| sums.power > 0.0)
             .map(|(zone, sums, ends)| {
                 let (xi, log) = (sums.xi / sums.power, sums.log / sums.power);
-                let variance = sums.log_squared / sums.power - log * log;
                 LoadCell {
                     from: ends[0],
                     to: ends[1],
                     xi,
                     s: self.pair.path.place(xi),
                     load: LineLoad::from_si(log.exp()),
-                    log_deviation: variance.max(0.0).sqrt(),
                     loss_factor: sums.power / self.torque,
                     sliding_share: sums.power / total,
                     contact_length: Length::from_si(sums.length),
