@@ -278,6 +278,7 @@ mod tests {
             EfficiencyError::BulkNotSettled { steps: 50, .. }
         ));
     }
+
     #[test]
     fn a_state_refused_on_the_way_is_told_with_the_last_temperature_that_was_not() {
         let made = |at: Temperature| -> Result<Temperature, EfficiencyError> {
