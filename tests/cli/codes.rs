@@ -15,6 +15,10 @@ const NOT_PROVOKED: &[(&str, &str)] = &[
         "stands for a fault of the program; a test that provoked one would be a bug report",
     ),
     (
+        "E502",
+        "is the error of a cancelled token, which the command has none of: tests/limits/cancelling.rs",
+    ),
+    (
         "W423",
         "the rounds of the load map settle for every mesh that is known",
     ),

@@ -4,6 +4,7 @@
 
 mod band;
 mod bulk;
+mod cancelling;
 mod constant_friction;
 mod equations_used;
 mod friction_laws;

@@ -47,7 +47,6 @@ pub(crate) fn is_substituted(surfaces: &Surfaces, station: &Station) -> bool {
         Resolution::WhereFine => {
             station.hertz.half_width / first.spacing() < LEAST_POINTS_PER_HALF_WIDTH
         }
-        Resolution::WholeTraces => true,
     }
 }
 

@@ -2,8 +2,10 @@
 
 use asperity_contact::ContactError;
 use asperity_core::DomainError;
+use asperity_core::cancel::Cancelled;
 use asperity_core::remedy::{Remedy, Setting, Value};
 use asperity_efficiency::EfficiencyError;
+use asperity_ehl::EhlError;
 
 use crate::case::{CaseError, Place, Source};
 use crate::load_share::LoadShareError;
@@ -25,6 +27,9 @@ pub enum PositionError {
     /// Friction refuses the numbers.
     #[error(transparent)]
     Friction(#[from] asperity_tribo_friction::FrictionError),
+    /// The work was cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// The load share has no solution.
     #[error(transparent)]
     LoadShare(#[from] LoadShareError),
@@ -169,6 +174,18 @@ impl PositionError {
             }
             other => other,
         }
+    }
+
+    /// Whether the work was cancelled ([`asperity_core::cancel`]), and nothing failed.
+    #[must_use]
+    pub fn is_cancelled(&self) -> bool {
+        matches!(
+            self.reason(),
+            Self::Cancelled(_)
+                | Self::Contact(ContactError::Cancelled(_))
+                | Self::LoadShare(LoadShareError::Contact(ContactError::Cancelled(_)))
+                | Self::Ehl(EhlError::Cancelled(_) | EhlError::Hertz(ContactError::Cancelled(_)))
+        )
     }
 
     /// The reason, without what was kept to look at.
@@ -328,6 +345,7 @@ impl PositionError {
     /// Stable code of the message.
     pub fn code(&self) -> &'static str {
         match self.reason() {
+            reason if reason.is_cancelled() => "E502",
             Self::TooCoarse { .. } => "E121",
             Self::TraceTooShort { .. } => "E122",
             Self::NotCovered { .. } => "E123",

@@ -136,6 +136,7 @@ explanations! {
     "E401" "a result cannot be written": "The system refused to write, or the place is taken by something that is not a result." => "Choose another place or name, create its folder, or free some space.";
     "E402" "not a result": "The file or folder named is not the result of a run, or lacks what was asked for." => "Name a result folder, e.g. results/e-drive, or its result.json.";
     "E501" "internal fault": "A consistency check within the program failed. This is a fault of the program, not of the input." => "Please report it with the case file.";
+    "E502" "cancelled": "The program that had started the work cancelled it; there is no result." => "Start it again.";
     "W111" "a unit was assumed": "The file does not name a unit, and only one is plausible." => "State the unit to be sure." [ZUnit, XUnit];
     "W112" "form not removed": "The trace still contains the shape of the flank, so its parameters do not describe roughness." => "Remove the form, e.g. with poly2." [Form];
     "W113" "spacing coarse for the noise filter": "The spacing is above a fifth of the cut-off lambda_s, so the filter is poorly sampled." => "Choose a longer noise cut-off lambda_s, or measure with a finer spacing." [NoiseCutoff];

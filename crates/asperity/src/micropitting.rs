@@ -46,7 +46,7 @@ const fn range(name: &'static str, low: f64, high: f64, unit: &'static str) -> F
     }
 }
 
-/// The rating of a solved path, where the case asks for it; `ends` are the points A and E, where they are loaded.
+/// The rating of a solved path, where the case asks for it; `ends` are the points A and E, where they are solved.
 pub(crate) fn report(
     loaded: &LoadedCase,
     positions: &[Position],
@@ -57,11 +57,8 @@ pub(crate) fn report(
     };
     let rating = Rating::of(loaded, given)?;
     let mut cells = Vec::with_capacity(positions.len() + ends.len());
-    for position in positions {
+    for position in positions.iter().chain(ends.iter().copied()) {
         cells.push(rating.cell(position)?);
-    }
-    for end in ends {
-        cells.extend(rating.end(&end.station, positions)?);
     }
     cells.sort_by(|a, b| a.path_fraction.total_cmp(&b.path_fraction));
     let least = cells.iter().min_by(|a, b| a.lambda.total_cmp(&b.lambda));
@@ -159,19 +156,6 @@ impl<'a> Rating<'a> {
             flowing_area: seen.map(|(_, area)| area),
             ..self.film_at(station, friction(position))?
         })
-    }
-
-    /// An end of the path, whose rough contact is not solved: with the friction of the nearest position.
-    fn end(
-        &self,
-        station: &Station,
-        positions: &[Position],
-    ) -> Result<Option<MicropittingCell>, PositionError> {
-        let far = |position: &&Position| (position.station.s.si() - station.s.si()).abs();
-        let nearest = positions.iter().min_by(|a, b| far(a).total_cmp(&far(b)));
-        nearest
-            .map(|position| self.film_at(station, friction(position)))
-            .transpose()
     }
 
     /// Film and temperature by the specification; nothing of the rough contact.

@@ -23,7 +23,7 @@ use crate::case::LoadedCase;
 use crate::chosen_laws::ChosenLaws;
 use crate::contact_tables::{ContactTables, KeptContact};
 use crate::detail::Detail;
-use crate::encounter::meeting;
+use crate::encounter::{is_substituted, meeting};
 use crate::error::{Error, PositionError};
 use crate::formulation;
 use crate::gearbox;
@@ -200,7 +200,7 @@ pub fn contact_tables(loaded: &LoadedCase) -> Result<ContactTables, Error> {
         .map(|station| {
             let mut tables = Vec::with_capacity(count);
             for k in 0..count {
-                checkpoint();
+                checkpoint()?;
                 let window = case.model.window;
                 if let (Some(met), roughness) = meeting(surfaces, &station, window, k, count)? {
                     let table = is_solved.then(|| rough_film::table(case, &station, &met));
@@ -262,7 +262,7 @@ fn outcome(
         ContactTables::new(&loaded.case, &loaded.surfaces, mesh.map.clone(), rows)
     });
     let sums = || {
-        let points = mesh.points(loaded, &laws)?;
+        let points = mesh.points(loaded, &laws, &used)?;
         mesh.sums(loaded, positions)?.outcome(&points)
     };
     let mut outcome = used.collect(sums).map_err(Box::new)?;
@@ -307,6 +307,25 @@ fn run_in_flanks(
     let positions = mesh.positions(&run, &keeper, &|_, _| {}, used)?;
     let sums = || mesh.sums(loaded, positions)?.run_in_flanks(ran_in);
     Ok(Some(used.collect(sums).map_err(Box::new)?))
+}
+
+/// Solves mesh positions in parallel and checks each for plausibility; `after` is called with each that has a solution.
+fn solve_each(
+    run: &Run<'_>,
+    stations: &[Station],
+    used: &Provenance,
+    after: impl Fn(&mut Position) + Sync,
+) -> Vec<Result<Position, PositionError>> {
+    let solve = |station: &Station| {
+        used.collect(|| {
+            check_station(station)?;
+            let mut position = run.solve(station.clone())?;
+            check_position(&position)?;
+            after(&mut position);
+            Ok(position)
+        })
+    };
+    stations.par_iter().map(solve).collect()
 }
 
 /// The load over the flanks, the mesh positions, and the records between which load shares are read.
@@ -374,22 +393,11 @@ impl Mesh {
     ) -> Result<Vec<Position>, Error> {
         let count = self.stations.len();
         let done = AtomicUsize::new(self.record_count);
-        let solved: Vec<Result<Position, PositionError>> = self
-            .stations
-            .par_iter()
-            .map(|station| {
-                let position = used.collect(|| {
-                    check_station(station)?;
-                    let mut position = run.solve(station.clone())?;
-                    check_position(&position)?;
-                    keeper.take(&mut position);
-                    Ok(position)
-                });
-                let before = done.fetch_add(1, Ordering::Relaxed);
-                progress(1 + before, self.record_count + count);
-                position
-            })
-            .collect();
+        let after = |position: &mut Position| {
+            keeper.take(position);
+            let before = done.fetch_add(1, Ordering::Relaxed);
+            progress(1 + before, self.record_count + count);
+        };
         let of_position = |(index, solved): (usize, Result<Position, PositionError>)| {
             solved.map_err(|source| Error::Position {
                 number: index + 1,
@@ -397,23 +405,31 @@ impl Mesh {
                 source: Box::new(source),
             })
         };
-        solved.into_iter().enumerate().map(of_position).collect()
+        let solved = solve_each(run, &self.stations, used, after).into_iter();
+        solved.enumerate().map(of_position).collect()
     }
 
-    /// The points A to E of the path by the film's formulae, for display.
+    /// The points A to E of the path, solved as the positions are, without fields. A point at which the traces do
+    /// not resolve the contact is left out, as the load share there would be that of another law.
     fn points(
         &self,
         loaded: &LoadedCase,
         laws: &ChosenLaws,
+        used: &Provenance,
     ) -> Result<Vec<(&'static str, Position)>, PositionError> {
         let case = &loaded.case;
         if formulation::of(case.formulation).takes_one_position() {
             return Ok(Vec::new());
         }
-        let run = self.run(loaded, laws, (Detail::Losses, None));
-        let stations = named_points(case, laws, &self.map)?.into_iter();
-        stations
-            .map(|(name, station)| Ok((name, run.solve(station)?)))
+        let run = self.run(loaded, laws, (Detail::Contacts, None));
+        let (names, stations): (Vec<_>, Vec<_>) = named_points(case, laws, &self.map)?
+            .into_iter()
+            .filter(|(_, station)| !is_substituted(&loaded.surfaces, station))
+            .unzip();
+        let solved = solve_each(&run, &stations, used, |_| {}).into_iter();
+        let named = names.into_iter().zip(solved);
+        named
+            .map(|(name, position)| Ok((name, position?)))
             .collect()
     }
 

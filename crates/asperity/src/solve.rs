@@ -21,7 +21,7 @@ use crate::local_roughness::Roughness;
 use crate::position::{ContactNumbers, Offset, Position, PrintedDeformation};
 use crate::records::{PathRecords, RecordedShare};
 use crate::rough_film::RoughFilm;
-use crate::station::{Resolution, Station};
+use crate::station::Station;
 use crate::surfaces::Surfaces;
 
 /// Everything that is the same at all positions of a run.
@@ -50,11 +50,7 @@ impl Run<'_> {
 
     /// Solves `station` at every offset, in order.
     pub(crate) fn solve(&self, station: Station) -> Result<Position, PositionError> {
-        let count = match station.resolution {
-            // Every offset of a pair would give the same.
-            Resolution::WholeTraces => self.surfaces.pairs(),
-            _ => self.surfaces.offsets(self.case.model.offsets),
-        };
+        let count = self.surfaces.offsets(self.case.model.offsets);
         let mut position = Position {
             offsets: Vec::with_capacity(count),
             fields: None,
@@ -78,7 +74,7 @@ impl Run<'_> {
         let recorded = records.map(|records| records.at(position.station.s, workspace.smooth));
         workspace.recorded = recorded;
         for k in 0..count {
-            checkpoint();
+            checkpoint()?;
             if self.surfaces.begins_a_pair(k, count) {
                 let station = &position.station;
                 let (met, ..) = self.surfaces.met(station.zone, k, count);

@@ -29,10 +29,8 @@ pub enum Resolution {
     /// It must be, or there is no result.
     Required,
     /// Where the points are too far apart, the roughness of the whole traces is used for the window: the
-    /// position carries so little of the loss.
+    /// position carries so little of the loss, or none.
     WhereFine,
-    /// The whole traces are used for the window: the position is only shown.
-    WholeTraces,
 }
 
 /// A mesh position: everything that does not depend on the roughness.

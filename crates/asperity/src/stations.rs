@@ -63,7 +63,7 @@ pub(crate) fn named_points(
     let mut found = Vec::new();
     let points = path.named_points().into_iter();
     for (name, s) in points.filter(|(_, s)| (path.a..=path.e).contains(s)) {
-        let place = shown_at(map, s, Resolution::WholeTraces)?;
+        let place = shown_at(map, s, Resolution::WhereFine)?;
         if place.load.si() > 0.0 {
             found.push((name, station(case, laws, found.len() + 1, &place)?));
         }

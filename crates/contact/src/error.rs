@@ -1,6 +1,7 @@
 //! Errors of contact problems.
 
 use asperity_core::DomainError;
+use asperity_core::cancel::Cancelled;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 
 use crate::boundary::Boundary;
@@ -13,6 +14,9 @@ pub enum ContactError {
     /// An input outside its domain.
     #[error(transparent)]
     Domain(#[from] DomainError),
+    /// The work was cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// Not enough points for a contact.
     #[error("{points} points are too few for a contact: give at least {least}")]
     TooFewPoints {

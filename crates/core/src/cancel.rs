@@ -1,22 +1,22 @@
-//! Cancelling work that nobody waits for any more.
+//! Cancelling long work from another thread.
 //!
-//! A program that runs long work gives each of its threads a [`Token`]; the loops of the library call [`checkpoint`].
-//! Once the token is cancelled, the next checkpoint unwinds the thread, as a panic does but without its message, and
-//! [`Token::run`] gives [`Cancelled`] in place of a result. Without a token a checkpoint costs a look at a
-//! thread-local flag.
+//! A program gives each thread of one piece of work a [`Token`]. The loops of the library call [`checkpoint`], which
+//! returns [`Cancelled`] once the token is cancelled; the error passes up as any other. Without a token a checkpoint
+//! costs the reading of a thread-local flag.
 //!
 //! ```
 //! use asperity_core::cancel::{Cancelled, Token, checkpoint};
 //! let token = Token::new();
 //! token.cancel();
-//! let endless = token.run(|| loop {
-//!     checkpoint();
+//! let endless = token.run(|| -> Result<(), Cancelled> {
+//!     loop {
+//!         checkpoint()?;
+//!     }
 //! });
-//! assert_eq!(endless, Err::<(), _>(Cancelled));
+//! assert_eq!(endless, Err(Cancelled));
 //! ```
 
 use std::cell::RefCell;
-use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -57,42 +57,37 @@ impl Token {
     }
 
     /// Runs `work` with this as the token of the thread.
-    ///
-    /// # Errors
-    /// When the token was cancelled before the work came to its end.
-    pub fn run<T>(&self, work: impl FnOnce() -> T) -> Result<T, Cancelled> {
-        let outer = CURRENT.replace(Some(self.clone()));
-        // Whatever the work had borrowed is given up with it.
-        let done = catch_unwind(AssertUnwindSafe(work));
-        CURRENT.set(outer);
-        done.map_err(|payload| match payload.downcast::<Cancelled>() {
-            Ok(cancelled) => *cancelled,
-            Err(payload) => resume_unwind(payload),
-        })
+    pub fn run<T>(&self, work: impl FnOnce() -> T) -> T {
+        /// The token before, which is that of the thread again however the work ends.
+        struct Outer(Option<Token>);
+        impl Drop for Outer {
+            fn drop(&mut self) {
+                CURRENT.set(self.0.take());
+            }
+        }
+        let _outer = Outer(CURRENT.replace(Some(self.clone())));
+        work()
     }
 }
 
-/// Ends the work on this thread where its token was cancelled; called in every loop that may take long.
+/// Called in every loop that may take long.
+///
+/// # Errors
+/// When the token of this thread is cancelled.
 #[inline]
-pub fn checkpoint() {
+pub fn checkpoint() -> Result<(), Cancelled> {
     let is_cancelled = CURRENT.with_borrow(|token| token.as_ref().is_some_and(Token::is_cancelled));
-    if is_cancelled {
-        resume_unwind(Box::new(Cancelled));
-    }
+    if is_cancelled { Err(Cancelled) } else { Ok(()) }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::panic::{AssertUnwindSafe, catch_unwind};
 
     #[test]
     fn work_that_is_not_cancelled_has_its_result() {
-        let token = Token::new();
-        let done = token.run(|| {
-            checkpoint();
-            7
-        });
-        assert_eq!(done, Ok(7));
+        assert_eq!(Token::new().run(|| checkpoint().map(|()| 7)), Ok(7));
     }
 
     #[test]
@@ -102,31 +97,27 @@ mod tests {
             let token = token.clone();
             move || {
                 token.adopt();
-                for _ in 0..u64::MAX {
-                    checkpoint();
+                loop {
+                    checkpoint()?;
                 }
             }
         });
         token.cancel();
-        let ended = worker.join().unwrap_err();
-        assert!(ended.is::<Cancelled>());
+        assert_eq!(worker.join().unwrap(), Err::<(), _>(Cancelled));
     }
 
     #[test]
     fn the_token_of_the_thread_is_the_outer_one_again() {
         let (outer, inner) = (Token::new(), Token::new());
-        let done = outer.run(|| {
+        outer.run(|| {
             inner.cancel();
             assert_eq!(inner.run(checkpoint), Err(Cancelled));
-            checkpoint();
+            assert_eq!(checkpoint(), Ok(()));
+            // After a panic as well.
+            let panicked = catch_unwind(AssertUnwindSafe(|| inner.run(|| panic!("a fault"))));
+            assert!(panicked.is_err());
+            assert_eq!(checkpoint(), Ok(()));
         });
-        assert_eq!(done, Ok(()));
-        checkpoint();
-    }
-
-    #[test]
-    fn other_panics_go_on() {
-        let panicked = catch_unwind(|| Token::new().run(|| resume_unwind(Box::new("other"))));
-        assert!(panicked.unwrap_err().is::<&str>());
+        assert_eq!(checkpoint(), Ok(()));
     }
 }

@@ -2,6 +2,7 @@
 
 use asperity_contact::ContactError;
 use asperity_core::DomainError;
+use asperity_core::cancel::Cancelled;
 use asperity_core::quantity::Pressure;
 
 /// Errors of a lubricated line contact.
@@ -14,6 +15,9 @@ pub enum EhlError {
     /// The Hertz contact that scales the problem does not exist.
     #[error(transparent)]
     Hertz(#[from] ContactError),
+    /// The work was cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// The grid cannot be halved often enough for the two-level solver.
     #[error("{cells} cells: give a multiple of {multiple} between {least} and {most}")]
     Cells {

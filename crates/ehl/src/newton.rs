@@ -186,7 +186,10 @@ impl Newton {
         let mut unknowns = start;
         let mut effort = Effort::default();
         loop {
-            checkpoint();
+            if checkpoint().is_err() {
+                // The caller passes a checkpoint before it tries again.
+                return Err(effort);
+            }
             self.evaluate(problem, system, &unknowns);
             let load = problem.grid.integral(&unknowns.pressure) / FRAC_PI_2;
             let is_loaded = (load - 1.0).abs() <= limits.load;

@@ -4,6 +4,7 @@
 //! the sequence fails, it is tried with tight linear systems, then the finest grid from the Hertz pressure, then
 //! continuation from a thicker film.
 
+use asperity_core::cancel::checkpoint;
 use asperity_core::cite;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 use serde::{Deserialize, Serialize};
@@ -315,13 +316,16 @@ pub(crate) fn solve_sequence(
             newton_iterations: work.0,
             gmres_iterations: work.1,
         }),
-        Err(effort) => Err(EhlError::NotConverged {
-            cells,
-            iterations: effort.iterations,
-            change: effort.change,
-            changes: effort.flips,
-            hint: "use more cells, or a law that bends (Roelands) where Barus' exponent alpha p0 exceeds 14",
-        }),
+        Err(effort) => {
+            checkpoint()?;
+            Err(EhlError::NotConverged {
+                cells,
+                iterations: effort.iterations,
+                change: effort.change,
+                changes: effort.flips,
+                hint: "use more cells, or a law that bends (Roelands) where Barus' exponent alpha p0 exceeds 14",
+            })
+        }
     }
 }
 

@@ -6,6 +6,7 @@
 //! | S | slide-to-roll ratio; the surfaces travel 1 + S/2 and 1 − S/2 half-widths per T |
 //! | ω | ratio of a step to the one before |
 
+use asperity_core::cancel::checkpoint;
 use asperity_core::cite;
 use asperity_core::quantity::Length;
 
@@ -139,6 +140,7 @@ impl Stepper {
                     return Ok(step);
                 }
                 Err(change) => {
+                    checkpoint()?;
                     self.step *= 0.5;
                     self.steps_cut += 1;
                     if self.step * (SMALLEST_PART as f64) < 0.99 * self.longest {

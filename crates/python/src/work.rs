@@ -5,7 +5,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread;
 use std::time::Duration;
 
-use asperity::core::cancel::{Cancelled, Token};
+use asperity::core::cancel::Token;
 use pyo3::prelude::*;
 
 use crate::failure::Failure;
@@ -52,7 +52,7 @@ pub fn in_parallel<T: Send>(
             .start_handler(move |_| adopting.adopt())
             .build();
         let pool = pool.map_err(|error| Failure::new("E501", error.to_string()));
-        Ok(pool.and_then(|pool| pool.install(|| work(told))))
+        pool.and_then(|pool| pool.install(|| work(told)))
     })
 }
 
@@ -61,10 +61,10 @@ pub fn alone<T: Send>(
     py: Python<'_>,
     work: impl FnOnce() -> Result<T, Failure> + Send,
 ) -> PyResult<T> {
-    beside(py, None, move |_, _| Ok(work()))
+    beside(py, None, move |_, _| work())
 }
 
-type Done<T> = Result<Result<T, Failure>, Cancelled>;
+type Done<T> = Result<T, Failure>;
 
 fn beside<T: Send>(
     py: Python<'_>,
@@ -77,7 +77,7 @@ fn beside<T: Send>(
         let run = |sender: Sender<Done<T>>| {
             let done = token.run(|| work(&token, &told));
             // Nobody listens where the caller has failed; then nothing is missed.
-            let _ = sender.send(done.and_then(|done| done));
+            let _ = sender.send(done);
         };
         let builder = thread::Builder::new().stack_size(STACK);
         let worker = builder
@@ -102,7 +102,7 @@ fn beside<T: Send>(
             return Err(error);
         }
         match (done, joined) {
-            (Some(Ok(done)), Ok(())) => {
+            (Some(done), Ok(())) => {
                 let value = done?;
                 watch.tell(py)?;
                 Ok(value)

@@ -18,7 +18,7 @@ use super::line_search::settle;
 use super::search_direction::{Search, choose_direction, remove_patch_means};
 use super::workspace::{Level, Task, Workspace};
 use crate::convolution::{Lanes, Run, listed, parts, vectorised};
-use asperity_core::cancel::checkpoint;
+use asperity_core::cancel::{Cancelled, checkpoint};
 use asperity_core::cite;
 
 /// Updates of the set after which projected gradients take over.
@@ -36,11 +36,26 @@ const FORGIVEN_SHARE: f64 = 0.45;
 
 /// Improves `work.pressure`, whose opening is known, until its certificate is within the tolerance
 /// or the sets do not settle; returns the iterations. The opening is that of the result.
-pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize {
+pub(crate) fn minimise(
+    level: Level,
+    work: &mut Workspace,
+    task: &Task,
+) -> Result<usize, Cancelled> {
+    let iterations = update_sets(level, work, task);
+    // The next problem of this solver finds the workspace clear, even after a cancelled one.
+    work.coarse.dismiss();
+    for array in [&mut work.direction, &mut work.previous] {
+        array.fill(0.0);
+    }
+    iterations
+}
+
+/// Solves on one set after the other, until the certificate is within the tolerance or no set follows.
+fn update_sets(level: Level, work: &mut Workspace, task: &Task) -> Result<usize, Cancelled> {
     let forgiven = FORGIVEN_SHARE * task.tolerance * task.reference_gap;
     let (mut iterations, mut worse, mut last) = (0, 0, f64::INFINITY);
     for set in 0..MAX_SET_UPDATES {
-        checkpoint();
+        checkpoint()?;
         let assessment = work.assess(task);
         worse = if assessment.duality_gap < last {
             0
@@ -73,16 +88,12 @@ pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task) -> usize
             task,
             forgiven,
             most.min(MAX_ITERATIONS_PER_SET),
-        );
+        )?;
         work.update_set(task, forgiven);
         std::mem::swap(&mut work.runs, &mut work.held);
         settle(level, work, task);
     }
-    work.coarse.dismiss();
-    for array in [&mut work.direction, &mut work.previous] {
-        array.fill(0.0);
-    }
-    iterations
+    Ok(iterations)
 }
 
 /// Conjugate gradients on the runs, all of whose points are free, until the set has to change or
@@ -93,7 +104,7 @@ fn solve_on_set(
     task: &Task,
     forgiven: f64,
     most: usize,
-) -> usize {
+) -> Result<usize, Cancelled> {
     let mut residual = work.measure_set();
     remove_patch_means(work, task, residual.mean);
     step(level, work, task);
@@ -101,21 +112,21 @@ fn solve_on_set(
     let mut search = Search::default();
     let mut goal = (SET_TOLERANCE * residual.largest).max(forgiven);
     for iteration in 0..most {
-        checkpoint();
+        checkpoint()?;
         if residual.largest <= goal {
             if goal <= forgiven || work.has_to_change(task, residual.mean, forgiven) {
-                return iteration;
+                return Ok(iteration);
             }
             goal = forgiven;
         }
         let points = work.residual.len();
         choose_direction(level, work, task, points, residual.mean, &mut search);
         if !step(level, work, task) {
-            return iteration;
+            return Ok(iteration);
         }
         residual = work.measure_set();
     }
-    most
+    Ok(most)
 }
 
 /// Goes along the direction to the least energy, whatever the bounds; false when there is none.

@@ -18,6 +18,7 @@ mod workspace;
 
 use std::collections::BTreeMap;
 
+use asperity_core::cancel::Cancelled;
 use asperity_core::quantity::{Length, LineEnergy, Pressure};
 use asperity_core::{DomainError, cite};
 use rustfft::FftPlanner;
@@ -232,7 +233,7 @@ impl Solver {
             buffers.signal(shape.points)
         })?;
         let start = self.start(&discrete, settings)?;
-        let (iterations, certified) = self.descend(&discrete, settings, start);
+        let (iterations, certified) = self.descend(&discrete, settings, start)?;
         self.conclude(&discrete, settings, iterations, &certified)
     }
 
@@ -274,7 +275,7 @@ impl Solver {
             };
             let gap = &gap[window.range()];
             let task = discrete.coarse_task(gap, halvings as i32 + 1, smooth, settings)?;
-            self.minimise(window, &task, &mut pressure);
+            self.minimise(window, &task, &mut pressure)?;
             let finer = if smooth { prolong_slopes } else { prolong };
             pressure = finer(&pressure, grids[halvings]);
         }
@@ -286,16 +287,21 @@ impl Solver {
     }
 
     /// Improves the pressure within the window, which is all there is then; returns the iterations.
-    fn minimise(&mut self, window: Window, task: &Task, pressure: &mut [f64]) -> usize {
+    fn minimise(
+        &mut self,
+        window: Window,
+        task: &Task,
+        pressure: &mut [f64],
+    ) -> Result<usize, Cancelled> {
         self.work.pressure.clear();
         self.work
             .pressure
             .extend_from_slice(&pressure[window.range()]);
         let level = self.levels.level(window.points, &mut self.work);
-        let iterations = minimise(level, &mut self.work, task);
+        let iterations = minimise(level, &mut self.work, task)?;
         pressure.fill(0.0);
         pressure[window.range()].copy_from_slice(&self.work.pressure);
-        iterations
+        Ok(iterations)
     }
 
     /// Solves the finest grid, windows first, and leaves the result in the workspace. Returns the
@@ -305,7 +311,7 @@ impl Solver {
         discrete: &DiscreteProblem,
         settings: &SolverSettings,
         mut pressure: Vec<f64>,
-    ) -> (usize, Certified) {
+    ) -> Result<(usize, Certified), Cancelled> {
         let points = self.shape.points;
         let mut touches = touching(&discrete.gap, &pressure);
         let (mut iterations, mut attempt, mut was_whole) = (0, 0, false);
@@ -316,7 +322,7 @@ impl Solver {
                 Window::whole(points)
             };
             let task = discrete.task(window, settings, settings.max_iterations - iterations);
-            iterations += self.minimise(window, &task, &mut pressure);
+            iterations += self.minimise(window, &task, &mut pressure)?;
             let is_whole = window.points == points;
             if !is_whole {
                 self.spread(discrete, settings, &pressure);
@@ -325,7 +331,7 @@ impl Solver {
             // The whole grid is solved again when its reference gap was that of a poor start.
             let solved = certified.assessment.within(settings.tolerance);
             if solved || attempt == MAX_WINDOWS || (is_whole && was_whole) {
-                return (iterations, certified);
+                return Ok((iterations, certified));
             }
             (attempt, was_whole) = (attempt + 1, is_whole);
             touches.clear();

@@ -18,7 +18,7 @@
 //! | d, τ | direction, length of the trial step along it | Pa, - |
 //! | Δ, s | feasible step, its length by exact line search | Pa, - |
 
-use asperity_core::cancel::checkpoint;
+use asperity_core::cancel::{Cancelled, checkpoint};
 
 use super::line_search::{
     SINGLE, exact_length, farthest, line_search, settle, take_step, try_gradient, try_step,
@@ -38,12 +38,17 @@ const MAX_DRIFT: f64 = 0.1;
 
 /// Improves `work.pressure`, whose opening is known, until its certificate is within the tolerance or
 /// no progress is left; returns the iterations, of which `most` are allowed.
-pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task, most: usize) -> usize {
+pub(crate) fn minimise(
+    level: Level,
+    work: &mut Workspace,
+    task: &Task,
+    most: usize,
+) -> Result<usize, Cancelled> {
     let mut iterations = 0;
     let mut search = Search::default();
     let (mut updates, mut stalled, mut best) = (0, 0, f64::INFINITY);
     loop {
-        checkpoint();
+        checkpoint()?;
         let mut assessment = work.assess(task);
         let left = assessment.penetration.max(task.tolerance) * task.reference_gap;
         let drifted = search.drift > MAX_DRIFT * left || updates >= REFRESH_INTERVAL;
@@ -65,7 +70,7 @@ pub(crate) fn minimise(level: Level, work: &mut Workspace, task: &Task, most: us
             || stalled > MAX_STALLED
             || !advance(level, work, task, &assessment, &mut search)
         {
-            return iterations;
+            return Ok(iterations);
         }
         iterations += 1;
         updates += 1;

@@ -1,7 +1,5 @@
 //! Generalised minimal residuals with a preconditioner on the right.
 
-use asperity_core::cancel::checkpoint;
-
 use super::small_lu::dot;
 use super::system::LinearEffort;
 
@@ -46,7 +44,6 @@ impl Gmres {
         }
         let mut iterations = 0;
         while iterations < cap {
-            checkpoint();
             self.reserve(iterations + 1, right.len());
             let left = self.step(operator, iterations);
             iterations += 1;

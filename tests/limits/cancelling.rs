@@ -1,0 +1,63 @@
+//! Work that is cancelled ends with an error and nothing else.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
+
+use asperity::core::cancel::Token;
+use asperity::{case, pipeline};
+
+fn e_drive() -> case::LoadedCase {
+    let file = "../fixtures/cases/e-drive.toml".as_ref();
+    case::load_with(file, &|input| {
+        (input.model.positions, input.model.offsets) = (Some(8), Some(2));
+    })
+    .unwrap()
+}
+
+#[test]
+fn a_cancelled_run_is_an_error_whatever_was_computed() {
+    let case = e_drive();
+    let token = Token::new();
+    // The threads of the pool adopt the token: those of the tests' own pool stay as they are.
+    let adopting = token.clone();
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(2)
+        .start_handler(move |_| adopting.adopt())
+        .build()
+        .unwrap();
+    let whole = pool.install(|| pipeline::losses(&case, &|_, _| {}));
+    assert!(whole.is_ok());
+    let done = AtomicUsize::new(0);
+    let cancelling = |_, _| {
+        done.fetch_add(1, Ordering::Relaxed);
+        token.cancel();
+    };
+    let error = pool
+        .install(|| pipeline::run(&case, &cancelling))
+        .unwrap_err();
+    assert_eq!(error.code(), "E502", "{error}");
+    assert!(error.position().unwrap().is_cancelled());
+    // One position a thread was under way.
+    assert!(done.into_inner() <= 2);
+    let begun = Instant::now();
+    assert!(pool.install(|| pipeline::contact_tables(&case)).is_err());
+    assert!(begun.elapsed().as_secs() < 5);
+}
+
+#[test]
+fn a_cancelled_record_of_mixed_lubrication_is_an_error() {
+    let case = e_drive();
+    let case = case.with_key("model.load_share", "ehl").unwrap();
+    let case = case.with_key("model.ehl.cache", "off").unwrap();
+    let token = Token::new();
+    token.cancel();
+    let error = token.run(|| {
+        // On this thread, which has the token.
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(1)
+            .use_current_thread();
+        let pool = pool.build().unwrap();
+        pool.install(|| pipeline::losses(&case, &|_, _| {}).unwrap_err())
+    });
+    assert_eq!(error.code(), "E502", "{error}");
+}
