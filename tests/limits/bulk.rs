@@ -4,6 +4,7 @@ use std::path::Path;
 
 use asperity::band::UncertainParameter;
 use asperity::case::{LoadedCase, load_with};
+use asperity::core::lubricant::ViscosityLaw;
 use asperity::quantity::Temperature;
 use asperity::{losses, pipeline};
 
@@ -83,6 +84,79 @@ fn a_run_tells_the_oil_it_was_given_and_the_flanks_it_found() {
     for tag in ["Bulk-iso", "Bulk-fixed-point"] {
         assert!(run.equations.iter().any(|used| used.tag == tag), "{tag}");
     }
+}
+
+/// Gate T2's case: a viscosity given at the temperature of the operation.
+fn given_viscosity() -> LoadedCase {
+    let file =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/measured/petry-johnson.toml");
+    load_with(&file, &|input| input.model.positions = Some(6)).unwrap()
+}
+
+#[test]
+fn a_viscosity_given_without_a_temperature_thins_as_the_flanks_warm() {
+    let law = r#"{ law = "iso", lubrication = "jet" }"#;
+    let loss = |case: &LoadedCase| losses(case, &|_, _| {}).unwrap().summary.loss_w;
+    let case = given_viscosity();
+    let warm = case.with_key("operation.bulk", law).unwrap();
+    let stated = case
+        .with(|input| input.lubricant = input.lubricant.stated_at(case.case.temperature).unwrap())
+        .unwrap();
+    let stated_warm = stated.with_key("operation.bulk", law).unwrap();
+    assert_eq!(loss(&warm), loss(&stated_warm));
+    assert!(
+        loss(&warm) < 0.97 * loss(&case),
+        "{} {}",
+        loss(&warm),
+        loss(&case)
+    );
+    // The result states the oil as the case does.
+    let run = pipeline::run(&warm, &|_, _| {}).unwrap().result;
+    assert_eq!(run.inputs, warm.case.input);
+}
+
+#[test]
+fn a_given_viscosity_belongs_to_the_temperature_that_the_case_states() {
+    let case = given_viscosity();
+    let viscosity = |case: &LoadedCase| case.case.oil.dynamic_viscosity.si();
+    // By a key, by a value, and past the text of the file: 10 K at 0.04 1/K.
+    let file =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/measured/petry-johnson.toml");
+    let key = ("operation.temperature".to_owned(), "120 °C".to_owned());
+    let source = asperity::case::open_source(&file).unwrap();
+    let hotter = [
+        case.with_key(&key.0, &key.1).unwrap(),
+        case.with(|input| input.operation.temperature = Temperature::from_celsius(120.0))
+            .unwrap(),
+        load_with(&file, &|input| {
+            input.operation.temperature = Temperature::from_celsius(120.0)
+        })
+        .unwrap(),
+        asperity::case::load_set(source, file.parent().unwrap(), &[key], &|_| {}).unwrap(),
+    ];
+    for hot in &hotter {
+        let ratio = viscosity(hot) / viscosity(&case);
+        assert!((ratio - (-0.4f64).exp()).abs() < 1e-12, "{ratio}");
+        // What the result states is the same case again.
+        let again = LoadedCase::try_from(hot.case.input.clone()).unwrap();
+        assert_eq!(viscosity(&again), viscosity(hot));
+    }
+    // And back.
+    let back = hotter[0]
+        .with_key("operation.temperature", "110 °C")
+        .unwrap();
+    assert_eq!(viscosity(&back), viscosity(&case));
+    // A viscosity stated together with the temperature holds at it.
+    let other = case
+        .with(|input| {
+            input.operation.temperature = Temperature::from_celsius(120.0);
+            input.lubricant.viscosity = Some(ViscosityLaw::Given {
+                dynamic_viscosity: "8 mPa s".parse().unwrap(),
+                temperature: None,
+            });
+        })
+        .unwrap();
+    assert!((viscosity(&other) - 8e-3).abs() < 1e-18);
 }
 
 #[test]

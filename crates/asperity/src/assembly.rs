@@ -288,8 +288,8 @@ fn summary(
             power(LossKind::DeformationPinion),
             power(LossKind::DeformationWheel),
         ],
-        deformation_after_contact_w: [0, 1].map(|body: usize| {
-            let of = |offset: &Offset| offset.deformation.after_contact[body];
+        deformation_in_contact_w: [0, 1].map(|body: usize| {
+            let of = |offset: &Offset| offset.deformation.in_contact[body];
             let at = positions
                 .iter()
                 .map(|position| mean(position.offsets.iter().map(of)));
@@ -492,13 +492,12 @@ fn bulk_report(case: &Case) -> Option<BulkReport> {
     case.found_bulk.as_ref().map(|found| found.report.clone())
 }
 
-/// The case as read, with the operation as it was before the bulk temperature was found.
+/// The case as stated, before its bulk temperature was computed.
 fn inputs(case: &Case) -> CaseInput {
-    let mut inputs = case.input.clone();
-    if let Some(found) = &case.found_bulk {
-        inputs.operation = found.operation;
+    match &case.found_bulk {
+        Some(found) => CaseInput::clone(&found.stated),
+        None => case.input.clone(),
     }
-    inputs
 }
 
 #[cfg(test)]

@@ -37,7 +37,7 @@ pub(crate) fn settle(
     let mut settled = at(loaded, found.temperature)?;
     settled.provenance.include(&used);
     settled.case.found_bulk = Some(FoundBulk {
-        operation: loaded.case.input.operation,
+        stated: Box::new(loaded.case.input.clone()),
         report: law.report(oil, &found),
     });
     Ok(settled)

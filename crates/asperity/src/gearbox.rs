@@ -166,7 +166,7 @@ pub(crate) fn check(case: &Case) -> Result<(), PositionError> {
 
 fn operating_point(case: &Case) -> OperatingPoint {
     // What was found from the loss of the mesh is the temperature of its flanks.
-    let of_oil = case.found_bulk.as_ref().map(|found| found.operation);
+    let of_oil = case.found_bulk.as_ref().map(|found| found.stated.operation);
     OperatingPoint {
         torque: case.torque,
         speed: case.speed,

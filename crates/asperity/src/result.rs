@@ -45,8 +45,8 @@ pub struct RunResult {
     pub load: LoadReport,
     /// One row per mesh position.
     pub path: Vec<PositionRow>,
-    /// The points A to E of the path under the mean load over the face, with the roughness of the whole flanks;
-    /// shown, and in no mean. Points that relief unloads are left out.
+    /// The points A to E of the path under the mean load over the face, solved as the positions of the path are, and
+    /// part of no mean. Left out are points without load and points at which the traces do not resolve the contact.
     pub points: Vec<PointRow>,
     /// Records of mixed lubrication that load share or full film rest on; none with other laws.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -127,11 +127,11 @@ pub struct Summary {
     pub boundary_w: f64,
     /// Rolling loss, hysteresis of the steel included \[W\].
     pub rolling_w: f64,
-    /// Deformation loss of pinion and wheel \[W\], where the formulation counts it.
+    /// Deformation loss of pinion and wheel by plastic displacement \[W\], where the formulation counts it.
     pub deformation_w: [f64; 2],
-    /// Part of it after contact, by plastic displacement alone \[W\].
+    /// Power of elastic and plastic displacement in contact \[W\], of which only the plastic part is lost.
     #[serde(default)]
-    pub deformation_after_contact_w: [f64; 2],
+    pub deformation_in_contact_w: [f64; 2],
     /// Part of the rolling loss by hysteresis of the steel \[W\].
     pub hysteresis_w: f64,
     /// Elastic work put into the flanks and given back, but for hysteresis \[W\]; no loss.

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::bulk_input::{BulkInput, BulkLaw, Lubrication};
 use super::domain::domain;
 use super::error::CaseError;
-use super::input::{Formulation, OperationInput};
+use super::input::{CaseInput, Formulation};
 use super::law_names::{FullFilmName, LoadShareName};
 use super::model::Model;
 use super::source::Source;
@@ -51,11 +51,11 @@ pub struct BulkReport {
     pub runs_away_from_c: Option<f64>,
 }
 
-/// What a case at its bulk temperature was before: the operation as given, and the temperature found.
+/// The bulk temperature of a case that states the temperature of its oil, and the case as stated.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FoundBulk {
-    /// Torque, speed and temperature of the oil, as given.
-    pub operation: OperationInput,
+    /// The case as stated, with the temperature of the oil.
+    pub stated: Box<CaseInput>,
     /// The temperature.
     pub report: BulkReport,
 }

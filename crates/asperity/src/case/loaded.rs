@@ -119,9 +119,11 @@ pub fn load_holding(
         files.hold(name, Content::Heights(Arc::new(trace.clone())));
     }
     let read = |source: &mut Source| -> Result<LoadedCase, Error> {
-        let mut input = read(source)?;
+        let stated = read(source)?;
+        let mut input = stated.clone();
         set_keys(&mut input, source, set)?;
         change(&mut input);
+        keep_oil(&stated, &mut input);
         Ok(complete(input, source, files.into(), None)?)
     };
     read(&mut source).map_err(|error| match error {
@@ -151,8 +153,10 @@ pub fn load_with(path: &Path, change: &dyn Fn(&mut CaseInput)) -> Result<LoadedC
     let source = open(path)?;
     let folder = path.parent().unwrap_or(Path::new("."));
     let read = || {
-        let mut input = read(&source)?;
+        let stated = read(&source)?;
+        let mut input = stated.clone();
         change(&mut input);
+        keep_oil(&stated, &mut input);
         complete(input, &source, Files::in_folder(folder).into(), None)
     };
     read().map_err(|error| Error::in_text(error, source.clone()))
@@ -256,7 +260,8 @@ impl LoadedCase {
         !self.case.face_zones.is_empty() || self.all_traces().into_iter().any(is_rolled)
     }
 
-    fn changed_to(&self, input: CaseInput) -> Result<Self, Error> {
+    fn changed_to(&self, mut input: CaseInput) -> Result<Self, Error> {
+        keep_oil(&self.case.input, &mut input);
         // Lines of the file would be those of the values before.
         let source = Source::without_text(&self.name);
         Ok(complete(
@@ -325,6 +330,18 @@ pub(super) fn read(source: &Source) -> Result<CaseInput, CaseError> {
         },
         error => error,
     })
+}
+
+/// States the temperature of a viscosity and a density that hold at the temperature of the case, once that is changed.
+fn keep_oil(stated: &CaseInput, input: &mut CaseInput) {
+    let temperature = stated.operation.temperature;
+    if input.operation.temperature == temperature || input.lubricant != stated.lubricant {
+        return;
+    }
+    // An oil that is not in the library is reported with its place when the case is completed.
+    if let Ok(lubricant) = stated.lubricant.stated_at(temperature) {
+        input.lubricant = lubricant;
+    }
 }
 
 /// Completes the case and reads its traces, or takes them from `before`, where they are the same.

@@ -101,10 +101,10 @@ impl Strategy for Paper {
     ) -> Result<Vec<(LossKind, Power)>, PositionError> {
         let kinds = [LossKind::DeformationPinion, LossKind::DeformationWheel];
         let of = |body: usize| {
+            // What is left after contact: the elastic part in contact is given back.
             let power = positions
                 .iter()
-                .map(|position| &position.offsets[offset].deformation)
-                .map(|powers| powers.in_contact[body] + powers.after_contact[body])
+                .map(|position| position.offsets[offset].deformation.after_contact[body])
                 .sum();
             Power::from_si(power)
         };

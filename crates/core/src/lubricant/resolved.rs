@@ -95,10 +95,7 @@ impl LubricantInput {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn resolve(&self, bulk: Temperature) -> Result<Lubricant, LubricantError> {
-        let mut input = match &self.oil {
-            Some(name) => self.over(&library::find(name)?.lubricant),
-            None => self.clone(),
-        };
+        let mut input = self.complete()?;
         let mut assumptions = Vec::new();
         if let (None, Some(assumed)) = (input.base_oil, input.assume_base_oil) {
             assumptions.push(Assumption {
@@ -135,6 +132,59 @@ impl LubricantInput {
         // Numbers outside their domain are found here and not at the first position.
         lubricant.at(bulk)?;
         Ok(lubricant)
+    }
+
+    /// This input with the values of the library's oil it names.
+    fn complete(&self) -> Result<Self, LubricantError> {
+        Ok(match &self.oil {
+            Some(name) => self.over(&library::find(name)?.lubricant),
+            None => self.clone(),
+        })
+    }
+
+    /// This input with a viscosity given at one temperature, and the density with it, stated at `bulk` where they
+    /// state no temperature of their own: for a case whose temperature is changed afterwards, because the oil
+    /// becomes thinner as it is heated, and its values stay those of the temperature they were given for.
+    ///
+    /// # Errors
+    /// When the oil is not in the library.
+    ///
+    /// ```
+    /// use asperity_core::lubricant::{LubricantInput, ViscosityLaw};
+    /// let oil = LubricantInput {
+    ///     viscosity: Some(ViscosityLaw::Given { dynamic_viscosity: "97.5 mPa s".parse()?, temperature: None }),
+    ///     temperature_coefficient: Some("0.045 1/K".parse()?),
+    ///     density: Some("998 kg/m3".parse()?),
+    ///     pressure_viscosity: Some("2e-8 m2/N".parse()?),
+    ///     ..LubricantInput::default()
+    /// };
+    /// let (stated, hot) = ("60 °C".parse()?, "80 °C".parse()?);
+    /// let state = oil.stated_at(stated)?.resolve(hot)?.at(hot)?.value;
+    /// assert!((state.dynamic_viscosity.si() - 0.0975 * (-0.9f64).exp()).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn stated_at(&self, bulk: Temperature) -> Result<Self, LubricantError> {
+        let complete = self.complete()?;
+        let Some(ViscosityLaw::Given {
+            dynamic_viscosity,
+            temperature,
+        }) = complete.viscosity
+        else {
+            return Ok(self.clone());
+        };
+        let mut stated = self.clone();
+        if temperature.is_none() {
+            stated.viscosity = Some(ViscosityLaw::Given {
+                dynamic_viscosity,
+                temperature: Some(bulk),
+            });
+            stated.temperature_coefficient = complete.temperature_coefficient;
+        }
+        if complete.density_temperature.is_none() {
+            stated.density = complete.density;
+            stated.density_temperature = Some(bulk);
+        }
+        Ok(stated)
     }
 
     /// This input, with what it leaves out taken from `base`.

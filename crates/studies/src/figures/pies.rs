@@ -25,8 +25,7 @@ struct PartRow {
 }
 
 pub(super) fn figures(summary: &Summary, folder: &Path) -> Result<Vec<Figure>, FigureError> {
-    let after = summary.deformation_after_contact_w;
-    let within = [0, 1].map(|body: usize| summary.deformation_w[body] - after[body]);
+    let (within, after) = (summary.deformation_in_contact_w, summary.deformation_w);
     let (sliding, rolling) = (summary.sliding_w, summary.rolling_w);
     let parts = [
         ("deformation, pinion", within[0], after[0]),
