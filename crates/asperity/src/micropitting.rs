@@ -141,25 +141,11 @@ impl<'a> Rating<'a> {
         })
     }
 
+    /// Film and temperature by the specification, beside what the rough contact has.
     fn cell(&self, position: &Position) -> Result<MicropittingCell, PositionError> {
         let station = &position.station;
         let seen = position.view.as_ref().map(|view| self.seen(view, station));
-        let solid = mean(
-            position
-                .offsets
-                .iter()
-                .map(|offset| 1.0 - offset.film_share),
-        );
-        Ok(MicropittingCell {
-            solid_share: Some(solid),
-            solid_pressure_99_mpa: seen.and_then(|(pressure, _)| pressure),
-            flowing_area: seen.map(|(_, area)| area),
-            ..self.film_at(station, friction(position))?
-        })
-    }
-
-    /// Film and temperature by the specification; nothing of the rough contact.
-    fn film_at(&self, station: &Station, friction: f64) -> Result<MicropittingCell, PositionError> {
+        let offsets = position.offsets.iter();
         let case = &self.loaded.case;
         let path = case.gears.path();
         let pressure = station.hertz.max_pressure * self.load_factor.sqrt();
@@ -169,7 +155,7 @@ impl<'a> Rating<'a> {
             speeds: [station.motion.u1, station.motion.u2],
             modulus: case.modulus * 2.0,
         };
-        let flash = contact.flash(friction, self.effusivity)?;
+        let flash = contact.flash(friction(position), self.effusivity)?;
         let hot = Temperature::from_si(case.temperature.si() + flash);
         let film = contact.film(self.oil(case.temperature)?, self.oil(hot)?)?;
         Ok(MicropittingCell {
@@ -179,9 +165,9 @@ impl<'a> Rating<'a> {
             film_um: film.si() * 1e6,
             lambda: specific_film(film, self.ra)?,
             lambda_short: self.short_rq(station)?.map(|rq| film.si() / rq),
-            solid_share: None,
-            solid_pressure_99_mpa: None,
-            flowing_area: None,
+            solid_share: mean(offsets.map(|offset| 1.0 - offset.film_share)),
+            solid_pressure_99_mpa: seen.and_then(|(pressure, _)| pressure),
+            flowing_area: seen.map(|(_, area)| area),
         })
     }
 

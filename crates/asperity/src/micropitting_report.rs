@@ -44,10 +44,11 @@ pub struct MicropittingCell {
     pub lambda: f64,
     /// The same film over the composite Rq of the windows that meet, of wavelengths below 0.08 mm; none without traces.
     pub lambda_short: Option<f64>,
-    /// Share of the load on touching asperities; none at A and E, whose rough contact is not solved.
-    pub solid_share: Option<f64>,
-    /// Pressure that 99 % of the touching points stay below, at the first offset \[MPa\]; none where nothing touches.
+    /// Share of the load on touching asperities.
+    pub solid_share: f64,
+    /// Pressure that 99 % of the touching points stay below, at the first offset \[MPa\]; none at A and E and where
+    /// nothing touches.
     pub solid_pressure_99_mpa: Option<f64>,
-    /// Share of the nominal contact at the flow pressure of the softer flank, at the first offset.
+    /// Share of the nominal contact at the flow pressure of the softer flank, at the first offset; none at A and E.
     pub flowing_area: Option<f64>,
 }

@@ -95,7 +95,7 @@ mod tests {
         let token = Token::new();
         let worker = std::thread::spawn({
             let token = token.clone();
-            move || {
+            move || -> Result<(), Cancelled> {
                 token.adopt();
                 loop {
                     checkpoint()?;
@@ -103,7 +103,7 @@ mod tests {
             }
         });
         token.cancel();
-        assert_eq!(worker.join().unwrap(), Err::<(), _>(Cancelled));
+        assert_eq!(worker.join().unwrap(), Err(Cancelled));
     }
 
     #[test]

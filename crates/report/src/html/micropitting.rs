@@ -44,7 +44,7 @@ pub(super) fn section(found: &MicropittingReport) -> Markup {
                 td.number { (format!("{:.4}", cell.film_um)) }
                 td.number { (format!("{:.3}", cell.lambda)) }
                 td.number { (text(cell.lambda_short, 3)) }
-                td.number { (text(cell.solid_share.map(|share| 100.0 * share), 1)) }
+                td.number { (text(Some(100.0 * cell.solid_share), 1)) }
                 td.number { (text(cell.solid_pressure_99_mpa, 0)) }
                 td.number { (text(cell.flowing_area.map(|area| 100.0 * area), 2)) }
             } } }
