@@ -44,6 +44,7 @@ pub mod error;
 mod fields;
 mod film_alone;
 pub mod film_constants;
+pub mod fingerprint;
 pub mod flank_form;
 pub mod flank_record;
 pub mod fluid;
