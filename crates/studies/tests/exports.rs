@@ -76,6 +76,7 @@ fn map_of(torque: &[f64], temperatures: &[f64]) -> Map {
         ratio: 68.0 / 23.0,
         finishes: vec![FinishMap {
             name: "ground".to_owned(),
+            fingerprint: String::new(),
             files: Vec::new(),
             coast_files: Vec::new(),
             resolved_from_nm: [1.0, 1.0],

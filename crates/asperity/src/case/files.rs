@@ -1,7 +1,7 @@
 //! Files that a case names: their keys, where they come from, and the sums of those that were read.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -229,19 +229,20 @@ impl Files {
         self.held.get(name)
     }
 
-    /// Sums of the files that `input` names; those that cannot be read are left out.
-    pub(super) fn sums_of(&self, input: &CaseInput) -> FileSums {
-        let reader = Reader::of(self);
-        for named in named(input) {
-            let names = match named.is_pattern {
+    /// Sums of the files that any of `inputs` names; those that cannot be read are left out.
+    pub(super) fn sums_of(&self, inputs: &[CaseInput]) -> FileSums {
+        let named = inputs.iter().flat_map(named);
+        let names: BTreeSet<PathBuf> = named
+            .flat_map(|named| match named.is_pattern {
                 true => self.matching(&named.name),
                 false => vec![named.name],
-            };
-            for name in names {
-                // A file that cannot be read is an error of the case that needs it.
-                let _ = reader.content(&name);
-                reader.conditions(&name);
-            }
+            })
+            .collect();
+        let reader = Reader::of(self);
+        for name in &names {
+            // A file that cannot be read is an error of the case that needs it.
+            let _ = reader.content(name);
+            reader.conditions(name);
         }
         reader.into_sums()
     }

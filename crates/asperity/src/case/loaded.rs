@@ -211,11 +211,11 @@ impl LoadedCase {
             .collect()
     }
 
-    /// Files that the case would read with `input` in place of its own, and their SHA-256; those that cannot be read
-    /// are left out.
+    /// Files that the case would read with any of `inputs` in place of its own, and their SHA-256; those that cannot be
+    /// read are left out.
     #[must_use]
-    pub fn files_of(&self, input: &CaseInput) -> FileSums {
-        self.files.sums_of(input)
+    pub fn files_of(&self, inputs: &[CaseInput]) -> FileSums {
+        self.files.sums_of(inputs)
     }
 
     /// SHA-256 of all that decides the result: every key of the case, every byte of the files read for it, the version

@@ -1,11 +1,11 @@
 //! The work of a map.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::Error;
 use asperity::case::LoadedCase;
+use asperity::fingerprint::Fingerprint;
 use asperity::pipeline::Progress;
 use asperity::result::OffsetRow;
 
@@ -15,7 +15,7 @@ use super::evaluation::{
     Evaluated, at_torque, computed_speeds, evaluate, gearbox_of, resolved_from, shown, torque_of,
 };
 use super::point::{EXTENDED, FinishMap, Map, MapWarning, Numbers, Point, ranges};
-use crate::compare::Finish;
+use crate::compare::{Finish, files};
 
 /// Version of the structure of `map.json`.
 const SCHEMA_VERSION: u32 = 1;
@@ -150,26 +150,26 @@ fn of_finish(
         asperity::losses(&case, &|_, _| {})?;
     }
     let coast = match sides.has_coast {
-        true => files(&at_torque(&finish.case, torque_of(-sides.from[1]))?),
-        false => Vec::new(),
+        true => Some(at_torque(&finish.case, torque_of(-sides.from[1]))?),
+        false => None,
     };
     let drive = at_torque(&finish.case, torque_of(sides.from[0]))?;
+    // The case names the gearbox, each side its flanks.
+    let cases = [Some(&finish.case), Some(&drive), coast.as_ref()];
+    let fingerprint = cases
+        .into_iter()
+        .flatten()
+        .fold(Fingerprint::default(), |sum, case| {
+            sum.with(case.fingerprint())
+        });
     Ok(FinishMap {
         name: finish.name.clone(),
+        fingerprint: fingerprint.hex(),
         files: files(&drive),
-        coast_files: coast,
+        coast_files: coast.as_ref().map(files).unwrap_or_default(),
         resolved_from_nm: sides.from,
         points,
     })
-}
-
-/// The folder of a trace is nobody's business; its sum tells which file it was.
-fn files(case: &LoadedCase) -> Vec<[String; 2]> {
-    let named = case.all_traces().into_iter().filter_map(|flank| {
-        let file = Path::new(flank.file.as_deref()?).file_name()?;
-        Some([file.to_string_lossy().into_owned(), flank.sha256.clone()?])
-    });
-    named.collect()
 }
 
 fn point(
