@@ -26,6 +26,7 @@
 
 mod assembly;
 mod attention;
+pub mod balance;
 pub mod band;
 mod branch;
 mod bulk;

@@ -81,6 +81,7 @@ pub use micropitting_input::MicropittingInput;
 pub use model::{EhlChoices, Model};
 pub use page::markdown;
 pub use place::Place;
+pub use plausibility::possible_range;
 pub use resolve::{Case, resolve};
 pub use source::{Source, Syntax};
 pub use trace::{Flank, Trace};
