@@ -23,7 +23,7 @@ pub struct Coverage {
 /// A cycle of which too much is outside of a map.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error(
-    "{:.1} % of the energy of the cycle is outside of the map, at most {:.0} % may be: torque {:.4} to {:.4} N m and speed up to {:.4} 1/min on a map of {:.4} to {:.4} N m up to {:.4} 1/min",
+    "{:.1} % of the energy of the cycle is outside of the map, at most {:.0} % may be: torque {:.1} to {:.1} N m and speed up to {:.0} 1/min on a map of {:.1} to {:.1} N m up to {:.0} 1/min",
     100.0 * .0.outside_energy, 100.0 * MOST_OUTSIDE, .0.torque_nm[0], .0.torque_nm[1], .0.speed_rpm,
     .0.of_map[0], .0.of_map[1], .0.of_map[2]
 )]

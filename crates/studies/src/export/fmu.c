@@ -37,11 +37,12 @@ static double between(const double *table, int i, int j, double a, double b) {
     return (1 - a) * ((1 - b) * low[0] + b * low[1]) + a * ((1 - b) * high[0] + b * high[1]);
 }
 
-/* Outside the table loss over torque is held: the loss of the edge times the torque over that of the edge; where the edge
-   has no torque, the loss of the other direction of the torque is taken. */
+/* Outside the table loss over torque is held: the loss of the edge times the torque over that of the edge. A direction of
+   the torque that the table does not have takes the losses of the other one. */
 static void evaluate(Model *m) {
     double tau = m->v[TAU], y = m->v[OMEGA] < 0 ? -m->v[OMEGA] : m->v[OMEGA];
-    double t = edge(tau) == 0 ? -tau : tau, x = edge(t), factor = x == t || x == 0 ? 1 : t / x;
+    int is_other = (tau < 0 && T[0] >= 0) || (tau > 0 && T[NT - 1] <= 0);
+    double t = is_other ? -tau : tau, x = edge(t), factor = x == t || x == 0 ? 1 : t / x;
     int i = cell(T, NT, x), j = cell(W, NW, y);
     double a = share(T, i, x), b = share(W, j, y);
     if (factor < 0) factor = -factor;

@@ -3,7 +3,7 @@
 /// Loss torque over torque and speed, bilinear between the nodes.
 ///
 /// Outside the nodes loss over torque is held and the place is marked: the loss of the nearest edge times the torque over
-/// that of the edge. Where the edge has no torque, the loss of the other direction of the torque is taken.
+/// that of the edge. A direction of the torque that no node has takes the losses of the other one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
     /// Torques \[N m\], rising.
@@ -67,7 +67,8 @@ fn held(nodes: &[f64], torque: f64) -> (f64, f64) {
         torque if torque > high => high,
         torque => torque,
     };
-    let torque = match edge_of(torque) == 0.0 {
+    let is_other_direction = (torque < 0.0 && low >= 0.0) || (torque > 0.0 && high <= 0.0);
+    let torque = match is_other_direction {
         true => -torque,
         false => torque,
     };
@@ -125,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn beyond_an_edge_without_torque_the_other_direction_holds() {
+    fn a_direction_without_nodes_takes_the_losses_of_the_other() {
         let one_sided = Surface {
             torque_nm: vec![0.0, 20.0],
             loss_torque_nm: vec![1.0, 2.0, 5.0, 7.0],
