@@ -36,6 +36,7 @@ mod rexs;
 mod sensitivity;
 mod several_traces;
 mod single_modules;
+mod stale;
 mod storage;
 mod surfaces;
 mod sweep;

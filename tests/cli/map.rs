@@ -341,6 +341,106 @@ fn a_cycle_sums_the_losses_of_the_map() {
 }
 
 #[test]
+fn a_cycle_beyond_the_map_is_refused_unless_that_is_accepted() {
+    let bench = bench(&with_line(
+        "positions",
+        "positions = 4\nload_share = \"lambda-star\"",
+    ));
+    map(&bench, "m", &["--quiet", "--band", "none"]);
+    let rows = table(&bench, "m/map.csv");
+    let is_edge = |row: &&BTreeMap<String, String>| {
+        let place = ["torque_nm", "speed_rpm", "temperature_c"].map(|column| number(row, column));
+        place == [100.0, 500.0, 60.0]
+    };
+    let edge = number(rows.iter().find(is_edge).unwrap(), "loss_w");
+    bench.write(
+        "far.csv",
+        "time_s,torque_nm,speed_rpm\n0,300,500\n1,300,500\n",
+    );
+    bench
+        .run(&["cycle", "m", "far.csv", "--no-output"])
+        .refused(
+            4,
+            "E314",
+            &["100.0 % of the energy", "300.0 N m", "--allow-outside"],
+        );
+    let accepted = [
+        "cycle",
+        "m",
+        "far.csv",
+        "--allow-outside",
+        "-o",
+        "c",
+        "--json",
+    ];
+    let json = bench.run(&accepted).well().json();
+    assert_eq!(json["outside_energy_share"], 1.0);
+    // Loss over torque is held: three times the loss of the edge.
+    for row in table(&bench, "c/cycle.csv") {
+        let loss = number(&row, "loss_w");
+        assert!((loss / (3.0 * edge) - 1.0).abs() < 1e-12, "{loss} {edge}");
+    }
+    // A twentieth of the energy may be outside.
+    let row = |time: usize, torque: f64| format!("{time},{torque},500\n");
+    let mut few = "time_s,torque_nm,speed_rpm\n".to_owned();
+    few.extend((0..99).map(|time| row(time, 100.0)));
+    few.push_str(&row(99, 300.0));
+    bench.write("few.csv", few);
+    let said = bench
+        .run(&["cycle", "m", "few.csv", "--no-output"])
+        .well()
+        .out;
+    assert!(
+        said.contains("1.5 % of the energy (0.5 % of the moving time) is outside the map"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_number_that_no_cycle_has_is_refused_with_its_line() {
+    let bench = bench(&with_line(
+        "positions",
+        "positions = 4\nload_share = \"lambda-star\"",
+    ));
+    map(&bench, "m", &["--quiet", "--band", "none"]);
+    bench.write(
+        "huge.csv",
+        "# made up\ntime_s,torque_nm,speed_rpm\n0,10,500\n1,1e308,500\n2,10,500\n",
+    );
+    bench
+        .run(&["cycle", "m", "huge.csv", "--no-output"])
+        .refused(2, "E101", &["huge.csv: line 4: torque_nm = ", "beyond"]);
+    let set = "vehicle={ mass = \"1500 kg\", wheel_radius = \"300 mm\", ratio = 10.0, drag_area = \"0.6 m2\", rolling_resistance = 0.01 }";
+    bench.write("fast.csv", "time_s,speed_km_h\n0,0\n1,5000\n2,0\n");
+    bench
+        .run(&["cycle", "m", "fast.csv", "--no-output", "--set", set])
+        .refused(2, "E101", &["line 3: speed_km_h = 5000"]);
+}
+
+#[test]
+fn with_power_from_the_wheel_efficiency_is_one_minus_loss_over_power() {
+    let bench = bench(&with_line("offsets", "offsets = 4"));
+    let arguments = [
+        "run",
+        "case.toml",
+        "--no-output",
+        "--json",
+        "--set",
+        "operation.torque=-145 N m",
+    ];
+    let json = bench.run(&arguments).well().json();
+    let of = |key: &str| json["summary"][key].as_f64().unwrap();
+    let expected = 1.0 - of("loss_w") / of("power_in_w");
+    assert!(
+        (of("efficiency") - expected).abs() < 1e-15,
+        "{} {expected}",
+        of("efficiency")
+    );
+    let pinion = 145.0 * 9000.0 * std::f64::consts::PI / 30.0;
+    assert!((of("power_in_w") - of("loss_w") - pinion).abs() < 1e-6);
+}
+
+#[test]
 fn what_makes_no_map_is_refused() {
     let bench = bench(E_DRIVE);
     let map = |arguments: &[&str]| bench.run(&[&["map", "case.toml"], arguments].concat());

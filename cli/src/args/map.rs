@@ -125,6 +125,9 @@ pub struct CycleArgs {
     /// Temperature of the flanks in °C, one of the map [default: its first]
     #[arg(long, value_name = "°C", allow_hyphen_values = true)]
     pub temperature: Option<f64>,
+    /// Take a cycle with more than 5 % of its energy outside the map; loss over torque is held there
+    #[arg(long)]
+    pub allow_outside: bool,
     /// Folder of the result [default: results/<name of the map>-<name of the cycle>]
     #[arg(long, short)]
     pub output: Option<PathBuf>,

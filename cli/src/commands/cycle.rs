@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use asperity::case::VehicleInput;
-use asperity_studies::cycle::{self, Cycle};
+use asperity_studies::cycle::{self, Cycle, EnergyError};
 use asperity_studies::map::{self, Map, MapError};
 
 use super::keys;
@@ -21,11 +21,8 @@ pub fn cycle(args: &CycleArgs, common: &Common) -> Result<(), Failure> {
     let temperature = temperature(args, &map)?;
     let trace = read_cycle(&args.trace, map.input.vehicle.as_ref())?;
     let name = stem(&args.trace);
-    let found = cycle::evaluate(&map, temperature, &trace, &name).ok_or_else(|| {
-        let map = args.map.display();
-        Failure::new("E402", format!("{map}: points of the map have no result"))
-            .advising("Make the map anew with axes that the case can be run on.")
-    })?;
+    let found = cycle::evaluate(&map, temperature, (&trace, &name), args.allow_outside);
+    let found = found.map_err(|error| refused(args, &error))?;
     let folder = args
         .output
         .clone()
@@ -42,6 +39,19 @@ pub fn cycle(args: &CycleArgs, common: &Common) -> Result<(), Failure> {
         text.push_str(&format!("wrote {}\n", folder.display()));
     }
     print_text(common, &text)
+}
+
+fn refused(args: &CycleArgs, error: &EnergyError) -> Failure {
+    let (map, cycle) = (args.map.display(), args.trace.display());
+    match error {
+        EnergyError::Uncovered(_) => Failure::new("E314", format!("{cycle} on {map}: {error}"))
+            .advising("Make the map up to these torques and speeds, or pass --allow-outside: loss over torque is then held beyond its edge."),
+        EnergyError::Unbalanced(error) => {
+            Failure::new(error.code(), format!("{cycle} on {map}: {error}"))
+        }
+        _ => Failure::new("E402", format!("{map}: {error}"))
+            .advising("Make the map anew with axes that the case can be run on."),
+    }
 }
 
 /// The map in a folder.

@@ -40,7 +40,9 @@ fn refused(args: &SweepArgs, error: &SweepError) -> Failure {
             .advising("docs/FILE_FORMATS.md lists the keys of a study."),
         SweepError::Case(error) => Failure::of(error).adding(&format!(" (case of {study})")),
         SweepError::Storage(_) | SweepError::Report(_) => Failure::new("E401", error.to_string()),
-        SweepError::Missing { .. } => Failure::new("E309", format!("{study}: {error}")),
+        SweepError::Missing { .. } | SweepError::Changed { .. } => {
+            Failure::new("E309", format!("{study}: {error}"))
+        }
         _ => Failure::new("E402", error.to_string())
             .advising("Remove the part that is named; its cases are then run again."),
     }

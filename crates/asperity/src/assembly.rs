@@ -1,8 +1,10 @@
 //! From solved positions to the result: rows, summary, warnings.
 
 use asperity_core::quantity::Power;
-use asperity_efficiency::{LossKind, MeshEfficiency, equivalent_friction};
+use asperity_efficiency::output_torque::power_flow;
+use asperity_efficiency::{LossKind, MeshEfficiency, MeshOperation, equivalent_friction};
 
+use crate::balance::{Balance, Efficiency, Unbalanced};
 use crate::band::pair_sampling;
 use crate::band::pairs::means_of_pairs;
 use crate::case::{BulkReport, Case, CaseInput};
@@ -12,6 +14,7 @@ use crate::error::PositionError;
 use crate::film_constants::film_constants;
 use crate::flank_record::FlankRecord;
 use crate::load_report::LoadReport;
+use crate::losses::operation;
 use crate::position::{Offset, Position};
 use crate::records::{PathRecords, PlacedRecord};
 use crate::result::{
@@ -27,10 +30,12 @@ impl Solved<'_> {
     /// Losses alone.
     pub(crate) fn losses(self) -> Result<Losses, PositionError> {
         let (summary, gearbox) = self.with_gearbox()?;
+        let path = self.path()?;
+        self.check(&summary, gearbox.as_ref(), &path)?;
         Ok(Losses {
             outside: attention::outside(self.loaded, &self.positions, &summary)?,
             summary,
-            path: self.path()?,
+            path,
             offsets: offset_rows(&self.meshes),
             pairs: self.pairs().and_then(|(_, sampling)| sampling),
             run_in: None,
@@ -152,8 +157,10 @@ impl Solved<'_> {
     /// Report on flanks that have run in.
     pub(crate) fn run_in_flanks(&self, ran_in: RanIn) -> Result<RunInFlanks, PositionError> {
         let [measured, run_in] = ran_in.heights;
+        let summary = self.summary()?;
+        self.check(&summary, None, &self.path()?)?;
         Ok(RunInFlanks {
-            summary: self.summary()?,
+            summary,
             running_in: running_in(&self.loaded.case, &self.meshes),
             measured,
             run_in,
@@ -202,11 +209,80 @@ impl Solved<'_> {
         Ok((summary, gearbox))
     }
 
+    /// Whether the numbers of a result can be, and be together.
+    fn check(
+        &self,
+        summary: &Summary,
+        gearbox: Option<&GearboxReport>,
+        path: &[PositionRow],
+    ) -> Result<(), PositionError> {
+        let sum = |of, total, parts: &[f64]| {
+            let unit = "W";
+            Balance {
+                of,
+                unit,
+                total,
+                parts,
+            }
+            .check()
+        };
+        let efficiency = |of, value, loss, input| {
+            Efficiency {
+                of,
+                value,
+                loss,
+                input,
+            }
+            .check()
+        };
+        let s = summary;
+        let [pinion, wheel] = s.deformation_w;
+        let running_in = running_in(&self.loaded.case, &self.meshes);
+        let first_pass = match running_in.included {
+            true => running_in.first_pass_w,
+            false => 0.0,
+        };
+        sum(
+            "loss",
+            s.loss_w,
+            &[s.sliding_w, s.rolling_w, pinion, wheel, first_pass],
+        )?;
+        let sliding = [s.film_w, s.lubricated_asperity_w, s.boundary_w];
+        sum("sliding loss", s.sliding_w, &sliding)?;
+        let along = |of: fn(&PositionRow) -> f64| {
+            let powers = path.iter().map(move |row| row.weight_m * of(row));
+            powers.collect::<Vec<f64>>()
+        };
+        let sliding = along(|row| row.sliding_w_per_m);
+        sum("sliding loss along the path", s.sliding_w, &sliding)?;
+        let rolling = along(|row| row.rolling_w_per_m);
+        sum("rolling loss along the path", s.rolling_w, &rolling)?;
+        efficiency("efficiency", s.efficiency, s.loss_w, s.power_in_w)?;
+        if let Some(found) = gearbox {
+            let parts = [s.loss_w, found.parts_w];
+            sum("loss of the gearbox", found.loss_w, &parts)?;
+            let [value, input] = [found.efficiency, found.power_in_w];
+            efficiency("efficiency of the gearbox", value, found.loss_w, input)?;
+        }
+        for (of, value, unit) in [
+            ("torque out", s.torque_out_nm, "N m"),
+            ("equivalent friction", s.mu_equivalent, "-"),
+            ("hysteresis", s.hysteresis_w, "W"),
+            ("elastic work", s.elastic_cycling_w, "W"),
+            ("share of the asperities", s.asperity_share, "-"),
+        ] {
+            if !value.is_finite() {
+                return Err(Unbalanced::NotFinite { of, value, unit }.into());
+            }
+        }
+        Ok(())
+    }
+
     fn summary(&self) -> Result<Summary, PositionError> {
         let case = &self.loaded.case;
         let (positions, meshes) = (&self.positions, &self.meshes);
         let factors = [case.gears.ohlendorf_loss_factor(), self.map.loss_factor()];
-        let mut summary = summary(positions, meshes, factors)?;
+        let mut summary = summary(positions, meshes, &operation(case), factors)?;
         if let Some(records) = self.records.filter(|_| case.load_share().needs_records()) {
             let places = positions.iter().map(|position| &position.station);
             let weighted = places.map(|station| (station.s, station.weight));
@@ -233,10 +309,14 @@ fn offset_rows(meshes: &[MeshEfficiency]) -> Vec<OffsetRow> {
 fn summary(
     positions: &[Position],
     meshes: &[MeshEfficiency],
+    operation: &MeshOperation,
     [ohlendorf, local]: [f64; 2],
 ) -> Result<Summary, PositionError> {
     let efficiencies: Vec<f64> = meshes.iter().map(|mesh| mesh.flow.efficiency).collect();
-    let efficiency = mean(efficiencies.iter().copied());
+    let loss = mean(meshes.iter().map(|mesh| mesh.flow.loss.si()));
+    // Of the mean loss: where the wheel drives, the mean of the efficiencies is another number.
+    let flow = power_flow(operation, Power::from_si(loss))?;
+    let efficiency = flow.efficiency;
     let power = |kind| mean(meshes.iter().map(|mesh| mesh.breakdown.power(kind).si()));
     // One position stands for the mesh in the paper's reading; its loss factor is of the whole path.
     let equivalent = equivalent_friction(efficiency, local)?;
@@ -276,9 +356,9 @@ fn summary(
         efficiency,
         efficiency_deviation: deviation(&efficiencies),
         offsets: meshes.len(),
-        power_in_w: mean(meshes.iter().map(|mesh| mesh.flow.input_power.si())),
-        torque_out_nm: mean(meshes.iter().map(|mesh| mesh.flow.output_torque.si())),
-        loss_w: mean(meshes.iter().map(|mesh| mesh.flow.loss.si())),
+        power_in_w: flow.input_power.si(),
+        torque_out_nm: flow.output_torque.si(),
+        loss_w: loss,
         sliding_w: power(LossKind::Sliding),
         film_w: part_of(0),
         lubricated_asperity_w: part_of(1),
@@ -358,6 +438,7 @@ fn row(case: &Case, position: &Position, rolling: f64, per_width: f64) -> Positi
         path_fraction: (station.s - path.a) / (path.e - path.a),
         weight_m: station.weight,
         line_load_n_per_mm: station.load.si() * 1e-3,
+        sliding_load_n_per_mm: station.load.si() * station.sliding_factor * 1e-3,
         load_share: station.load.si() / per_width,
         radius_mm: motion.radius.si() * 1e3,
         u1_m_per_s: motion.u1.si(),

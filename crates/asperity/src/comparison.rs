@@ -4,12 +4,14 @@ use std::collections::BTreeSet;
 
 use asperity_core::OutOfRange;
 use asperity_core::provenance::Provenance;
+use asperity_core::quantity::Power;
 use asperity_efficiency::LossKind;
+use asperity_efficiency::output_torque::power_flow;
 use asperity_tribo_friction::{FilmFriction, FrictionLaw, NamedFriction};
 
 use crate::error::PositionError;
 use crate::friction;
-use crate::losses::efficiency_at;
+use crate::losses::{efficiency_at, operation};
 use crate::position::Position;
 use crate::result::{PublishedLawRow, PublishedOutcome};
 use crate::solved::{Solved, mean};
@@ -93,9 +95,10 @@ fn applied(
     }
     let sliding =
         |mesh: &asperity_efficiency::MeshEfficiency| mesh.breakdown.power(LossKind::Sliding).si();
+    let loss = mean(meshes.iter().map(|mesh| mesh.flow.loss.si()));
     Ok(PublishedOutcome::Applied {
-        loss_w: mean(meshes.iter().map(|mesh| mesh.flow.loss.si())),
+        loss_w: loss,
         sliding_w: mean(meshes.iter().map(sliding)),
-        efficiency: mean(meshes.iter().map(|mesh| mesh.flow.efficiency)),
+        efficiency: power_flow(&operation(case), Power::from_si(loss))?.efficiency,
     })
 }

@@ -7,6 +7,7 @@ use asperity_core::remedy::{Remedy, Setting, Value};
 use asperity_efficiency::EfficiencyError;
 use asperity_ehl::EhlError;
 
+use crate::balance::Unbalanced;
 use crate::case::{CaseError, Place, Source};
 use crate::load_share::LoadShareError;
 use crate::message::explain;
@@ -146,6 +147,9 @@ pub enum PositionError {
     /// A rough contact without solution, with the gap that it had to close.
     #[error(transparent)]
     Unsolved(Box<UnsolvedContact>),
+    /// Numbers of the result that cannot be, or cannot be together.
+    #[error(transparent)]
+    Unbalanced(#[from] Unbalanced),
 }
 
 /// The rough contact that was not solved, to be looked at.
@@ -352,6 +356,7 @@ impl PositionError {
             Self::SeveralTraces { .. } => "E312",
             Self::NoProfile => "E303",
             Self::Impossible { .. } => "E308",
+            Self::Unbalanced(error) => error.code(),
             Self::Marching { .. } => "E304",
             Self::FlashNotSettled { .. } => "E301",
             Self::Contact(ContactError::NotConverged { .. })

@@ -26,6 +26,7 @@
 
 mod assembly;
 mod attention;
+pub mod balance;
 pub mod band;
 mod branch;
 mod bulk;
@@ -44,6 +45,7 @@ pub mod error;
 mod fields;
 mod film_alone;
 pub mod film_constants;
+pub mod fingerprint;
 pub mod flank_form;
 pub mod flank_record;
 pub mod fluid;

@@ -9,13 +9,12 @@ use crate::case::Case;
 use crate::error::{Error, PositionError};
 use crate::losses::operation;
 use crate::result::Losses;
-use crate::solved::mean;
 
 /// What the direction of the power changes: all else is that of [`Losses`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Reversed {
-    /// Mean efficiency.
+    /// Efficiency of the mean loss.
     pub efficiency: f64,
     /// Its standard deviation over the offsets; absent with one offset.
     pub efficiency_deviation: Option<f64>,
@@ -58,7 +57,8 @@ impl Losses {
             .iter()
             .map(|row| Ok(power_flow(&reversed, Power::from_si(row.loss_w))?.efficiency))
             .collect::<Result<Vec<f64>, PositionError>>()?;
-        let efficiency = mean(efficiencies.iter().copied());
+        let loss = Power::from_si(self.summary.loss_w);
+        let efficiency = power_flow(&reversed, loss)?.efficiency;
         let factor = self.summary.loss_factor_local;
         Ok(Reversed {
             efficiency,

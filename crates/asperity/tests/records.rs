@@ -177,3 +177,52 @@ fn a_full_film_can_be_that_of_records() {
         );
     }
 }
+
+#[test]
+fn records_of_a_flank_that_changed_are_not_taken_for_those_of_the_new_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let fixtures = Path::new("../../fixtures");
+    let copy = |name: &str, to: &str| {
+        std::fs::copy(fixtures.join("profiles").join(name), folder.path().join(to)).unwrap();
+    };
+    copy("ground_pinion.csv", "pinion.csv");
+    let cache = folder.path().join("kept");
+    let keys = [
+        ("surface.pinion", "{ file = \"pinion.csv\" }"),
+        (
+            "surface.wheel",
+            "{ file = \"pinion.csv\", mirrored = true }",
+        ),
+    ];
+    let case = |cache: &str| {
+        let file = folder.path().join("case.toml");
+        std::fs::copy(fixtures.join("cases/e-drive.toml"), &file).unwrap();
+        let loaded = load_with(&file, &|input| {
+            (input.model.positions, input.model.offsets) = (Some(5), Some(1));
+            input.model.depths = Some(0);
+            for (key, value) in keys {
+                input.set(key, value).unwrap();
+            }
+        });
+        let more = [
+            ("model.load_share", "ehl"),
+            ("model.ehl.cells", "128"),
+            ("model.ehl.travel", "2"),
+            ("model.ehl.records", "2"),
+            ("model.ehl.cache", cache),
+        ];
+        let loaded = more
+            .iter()
+            .try_fold(loaded.unwrap(), |loaded, (key, value)| {
+                loaded.with_key(key, value)
+            });
+        run(&loaded.unwrap()).summary
+    };
+    let before = case("kept");
+    assert_eq!(files(&cache), 2);
+    copy("ground_fine_pinion.csv", "pinion.csv");
+    let after = case("kept");
+    assert_eq!(files(&cache), 4);
+    assert_eq!(after, case("off"));
+    assert_ne!(after, before);
+}

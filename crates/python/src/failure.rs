@@ -252,7 +252,9 @@ impl From<SweepError> for Failure {
             SweepError::Study { .. } => Self::new("E202", error.to_string()),
             SweepError::Key { .. } => Self::new("E204", error.to_string()),
             SweepError::Storage(_) | SweepError::Report(_) => Self::new("E401", error.to_string()),
-            SweepError::Missing { .. } => Self::new("E309", error.to_string()),
+            SweepError::Missing { .. } | SweepError::Changed { .. } => {
+                Self::new("E309", error.to_string())
+            }
             _ => Self::new("E402", error.to_string()),
         }
     }

@@ -48,6 +48,8 @@ impl Cases {
         threads: Option<usize>,
     ) -> PyResult<Vec<Vec<String>>> {
         let end = end.min(self.0.count());
-        in_parallel(py, threads, None, |_| Ok(self.0.rows(first.min(end)..end)))
+        in_parallel(py, threads, None, |_| {
+            self.0.rows(first.min(end)..end).map_err(Failure::from)
+        })
     }
 }

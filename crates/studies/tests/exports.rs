@@ -76,6 +76,7 @@ fn map_of(torque: &[f64], temperatures: &[f64]) -> Map {
         ratio: 68.0 / 23.0,
         finishes: vec![FinishMap {
             name: "ground".to_owned(),
+            fingerprint: String::new(),
             files: Vec::new(),
             coast_files: Vec::new(),
             resolved_from_nm: [1.0, 1.0],
@@ -424,31 +425,118 @@ fn the_fmu_describes_its_source_and_the_source_interpolates() {
     }
     let fields = Field::all(&map, 0, Some(&added)).unwrap();
     assert_eq!(c_source(&fields[0]).unwrap(), source);
-    let Some(found) = evaluated(&source) else {
+    let beyond = [
+        [300.0, 3000.0],
+        [-300.0, -3000.0],
+        [300.0, 20_000.0],
+        [50.0, 20_000.0],
+        [0.0, 3000.0],
+    ];
+    let places: Vec<[f64; 2]> = places().into_iter().chain(beyond).collect();
+    let Some(found) = driven(&source, &places) else {
         eprintln!("NOTICE: no cc here; the source of the FMU is not compiled");
         return;
     };
     let surface = fields[0].surface();
-    for ([torque, speed], found) in places().into_iter().zip(found) {
-        let expected = surface.loss_torque(torque, speed).value;
+    for ([torque, speed], [found, power, outside]) in places.into_iter().zip(found) {
+        let expected = surface.loss_torque(torque, speed);
+        let value = expected.value;
         assert!(
-            (found - expected).abs() < 1e-12,
-            "{torque} {speed} {found} {expected}"
+            (found - value).abs() < 1e-12,
+            "{torque} {speed} {found} {value}"
         );
+        assert!((power - value * speed.abs() * PI / 30.0).abs() < 1e-9 * power.abs());
+        assert_eq!(outside == 1.0, expected.is_outside, "{torque} {speed}");
     }
 }
 
-/// Loss torques at the places by the C source, driven as a unit; none without a compiler.
-fn evaluated(source: &str) -> Option<Vec<f64>> {
+#[test]
+fn beyond_the_map_loss_over_torque_is_held_and_marked() {
+    let map = map();
+    let field = field(&map);
+    let surface = field.surface();
+    let edge = made_up(160.0, 3000.0);
+    let found = surface.loss_torque(300.0, 3000.0);
+    assert!(found.is_outside && (found.value - edge * 300.0 / 160.0).abs() < 1e-12);
+    // Of a map for one direction the other one is that of its torques.
+    let one_sided = map_of(&[10.0, 20.0], &[60.0]);
+    let source = c_source(&Field::all(&one_sided, 0, None).unwrap()[0]).unwrap();
+    let nan = f64::NAN;
+    let places = [
+        [-20.0, 3000.0],
+        [-40.0, 3000.0],
+        [nan, 3000.0],
+        [10.0, nan],
+        [20.0, 3000.0],
+    ];
+    let Some(said) = driven(&source, &places) else {
+        eprintln!("NOTICE: no cc here; the source of the FMU is not compiled");
+        return;
+    };
+    let edge = made_up(20.0, 3000.0);
+    let [back, far, ..] = said[..] else { panic!() };
+    assert!((back[0] - edge).abs() < 1e-12 && (far[0] - 2.0 * edge).abs() < 1e-12);
+    let outside: Vec<f64> = said.iter().map(|[.., outside]| *outside).collect();
+    assert_eq!(outside, [1.0, 1.0, 1.0, 1.0, 0.0]);
+    assert!(said[2..4].iter().all(|[torque, ..]| torque.is_nan()));
+}
+
+#[test]
+fn tables_without_a_rule_beyond_their_nodes_state_it() {
+    let map = map();
+    for format in [Format::Vecto, Format::Modelica, Format::Advisor] {
+        let (name, text) = text_of(&map, format, With::default());
+        assert!(
+            text.contains("outside the table hold loss torque over torque"),
+            "{name}"
+        );
+    }
+    let files = export(&map, Format::Matlab, With::default()).unwrap();
+    assert!(
+        matrices(&files[0].bytes)
+            .iter()
+            .any(|matrix| matrix.0 == "beyond")
+    );
+}
+
+#[test]
+fn a_cycle_that_leaves_the_map_gives_no_single_efficiency() {
+    let text = "time_s,torque_nm,speed_rpm\n0,100,3000\n1,100,3000\n2,300,3000\n3,300,3000\n";
+    let drive = cycle(text, None).unwrap();
+    let with = With {
+        cycle: Some(&drive),
+        ..With::default()
+    };
+    let error = export(&map(), Format::Fastsim, with).unwrap_err();
+    assert!(matches!(error, ExportError::Uncovered { .. }));
+    let said = error.to_string();
+    assert!(
+        said.contains("75.0 % of the energy") && said.contains("300.0 N m"),
+        "{said}"
+    );
+}
+
+/// Loss torque, loss power and mark of the places by the C source, driven as a unit; none without a compiler.
+fn driven(source: &str, places: &[[f64; 2]]) -> Option<Vec<[f64; 3]>> {
     let folder = tempfile::tempdir().unwrap();
-    let calls: String = places()
+    let number = |value: f64| match value.is_nan() {
+        true => "0.0 / 0.0".to_owned(),
+        false => format!("{value:?}"),
+    };
+    let calls: String = places
         .iter()
-        .map(|[torque, speed]| format!("say(c, {torque:?}, {:?});\n", speed * PI / 30.0))
+        .map(|[torque, speed]| {
+            format!(
+                "say(c, {}, {});\n",
+                number(*torque),
+                number(speed * PI / 30.0)
+            )
+        })
         .collect();
     let main = format!(
         "{source}\n#include <stdio.h>\nstatic void say(Component c, double t, double w) {{\n\
-         Reference in[] = {{TAU, OMEGA}}, out[] = {{LOSS_TORQUE}}; double v[] = {{t, w}}, r[1];\n\
-         fmi2SetReal(c, in, 2, v); fmi2GetReal(c, out, 1, r); printf(\"%.17g\\n\", r[0]); }}\n\
+         Reference in[] = {{TAU, OMEGA}}, out[] = {{LOSS_TORQUE, LOSS_POWER, OUTSIDE}}; double v[] = {{t, w}}, r[3];\n\
+         fmi2SetReal(c, in, 2, v); fmi2GetReal(c, out, 3, r); printf(\"%.17g %.17g %.17g\\n\", r[0], r[1], r[2]); }}\n\
          int main(void) {{ Component c = fmi2Instantiate(\"a\", 0, GUID, \"\", 0, 0, 0); if (!c) return 1;\n{calls}return 0; }}\n"
     );
     let (code, program) = (folder.path().join("main.c"), folder.path().join("main"));
@@ -466,5 +554,9 @@ fn evaluated(source: &str) -> Option<Vec<f64>> {
     let said = Command::new(&program).output().unwrap();
     assert!(said.status.success());
     let text = String::from_utf8(said.stdout).unwrap();
-    Some(text.lines().map(|line| line.parse().unwrap()).collect())
+    let row = |line: &str| {
+        let numbers: Vec<f64> = line.split(' ').map(|word| word.parse().unwrap()).collect();
+        <[f64; 3]>::try_from(numbers).unwrap()
+    };
+    Some(text.lines().map(row).collect())
 }

@@ -1,6 +1,7 @@
-//! Sources of the files that a case names: a folder, or memory.
+//! Files that a case names: their keys, where they come from, and the sums of those that were read.
 
-use std::collections::BTreeMap;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -12,7 +13,8 @@ use asperity_profile_io::read::{conditions_of, whole_file};
 use super::error::CaseError;
 use super::input::CaseInput;
 use super::source::Source;
-use super::trace_list::{TraceList, matches};
+use super::trace_list::{TraceEntry, TraceList, is_pattern, matches};
+use crate::fingerprint::sha256;
 
 pub(super) const FILE_OF_PINION: &str = "surface.pinion.file";
 pub(super) const FILE_OF_WHEEL: &str = "surface.wheel.file";
@@ -25,6 +27,23 @@ pub(super) const TRACES_OF_COAST_WHEEL: &str = "surface.coast.wheel.traces";
 pub(super) const LOSS_TABLE: &str = "gearbox.loss_table";
 pub(super) const XU_COEFFICIENTS: &str = "model.xu_coefficients";
 
+/// Every key of a case that names a file, or several.
+pub const FILE_KEYS: [&str; 10] = [
+    FILE_OF_PINION,
+    FILE_OF_WHEEL,
+    FILE_OF_COAST_PINION,
+    FILE_OF_COAST_WHEEL,
+    TRACES_OF_PINION,
+    TRACES_OF_WHEEL,
+    TRACES_OF_COAST_PINION,
+    TRACES_OF_COAST_WHEEL,
+    LOSS_TABLE,
+    XU_COEFFICIENTS,
+];
+
+/// SHA-256 of the content of files, by the names that a case gives them.
+pub type FileSums = BTreeMap<PathBuf, String>;
+
 /// Bytes of the largest file that a case may name.
 const LARGEST: u64 = 1_000_000_000;
 
@@ -35,6 +54,79 @@ pub(super) enum Content {
     Bytes(Arc<[u8]>),
     /// A trace that is known already.
     Heights(Arc<Profile>),
+}
+
+impl Content {
+    /// SHA-256 of the bytes; of spacing and heights where the trace was no file.
+    fn sum(&self) -> String {
+        match self {
+            Self::Bytes(bytes) => sha256(bytes),
+            Self::Heights(profile) => {
+                let spacing = profile.spacing().si();
+                let numbers = std::iter::once(&spacing).chain(profile.heights());
+                sha256(
+                    &numbers
+                        .flat_map(|number| number.to_le_bytes())
+                        .collect::<Vec<u8>>(),
+                )
+            }
+        }
+    }
+}
+
+/// A file, or a pattern of files, that a case names.
+struct Named {
+    key: &'static str,
+    name: PathBuf,
+    is_pattern: bool,
+}
+
+/// Files and patterns of files that `input` names.
+fn named(input: &CaseInput) -> Vec<Named> {
+    let coast = input.surface.coast.as_ref();
+    let flanks = [
+        (
+            [FILE_OF_PINION, TRACES_OF_PINION],
+            Some(&input.surface.pinion),
+        ),
+        (
+            [FILE_OF_WHEEL, TRACES_OF_WHEEL],
+            input.surface.wheel.as_ref(),
+        ),
+        (
+            [FILE_OF_COAST_PINION, TRACES_OF_COAST_PINION],
+            coast.map(|coast| &coast.pinion),
+        ),
+        (
+            [FILE_OF_COAST_WHEEL, TRACES_OF_COAST_WHEEL],
+            coast.and_then(|coast| coast.wheel.as_ref()),
+        ),
+    ];
+    let file = |key, name: &PathBuf| Named {
+        key,
+        name: name.clone(),
+        is_pattern: false,
+    };
+    let mut named: Vec<Named> = Vec::new();
+    for ([file_key, traces], flank) in flanks {
+        let Some(flank) = flank else { continue };
+        named.extend(flank.file.iter().map(|name| file(file_key, name)));
+        let listed = flank.traces.iter().flat_map(TraceList::entries);
+        named.extend(listed.map(|entry| match entry {
+            TraceEntry::Table(table) => file(traces, &table.file),
+            TraceEntry::Pattern(text) => Named {
+                key: traces,
+                is_pattern: is_pattern(&text),
+                name: text.into(),
+            },
+        }));
+    }
+    let xu = input.model.xu_coefficients.iter();
+    named.extend(xu.map(|name| file(XU_COEFFICIENTS, name)));
+    let gearbox = input.gearbox.iter();
+    let tables = gearbox.filter_map(|gearbox| gearbox.loss_table.as_ref());
+    named.extend(tables.map(|name| file(LOSS_TABLE, name)));
+    named
 }
 
 /// The files of a case by the names that the case gives them.
@@ -60,40 +152,15 @@ impl Files {
         source: &Source,
         resolver: &dyn Fn(&str) -> io::Result<Vec<u8>>,
     ) -> Result<Self, CaseError> {
-        let coast = input.surface.coast.as_ref();
-        let flanks = [
-            (
-                [FILE_OF_PINION, TRACES_OF_PINION],
-                Some(&input.surface.pinion),
-            ),
-            (
-                [FILE_OF_WHEEL, TRACES_OF_WHEEL],
-                input.surface.wheel.as_ref(),
-            ),
-            (
-                [FILE_OF_COAST_PINION, TRACES_OF_COAST_PINION],
-                coast.map(|coast| &coast.pinion),
-            ),
-            (
-                [FILE_OF_COAST_WHEEL, TRACES_OF_COAST_WHEEL],
-                coast.and_then(|coast| coast.wheel.as_ref()),
-            ),
-        ];
-        let mut named: Vec<(&'static str, PathBuf)> = Vec::new();
-        for ([file, traces], flank) in flanks {
-            let Some(flank) = flank else { continue };
-            named.extend(flank.file.iter().map(|name| (file, name.clone())));
-            let listed = flank.traces.iter().flat_map(TraceList::files);
-            named.extend(listed.map(|name| (traces, name)));
-        }
-        let xu = input.model.xu_coefficients.iter();
-        named.extend(xu.map(|name| (XU_COEFFICIENTS, name.clone())));
-        let gearbox = input.gearbox.as_ref();
-        let table = gearbox.and_then(|gearbox| gearbox.loss_table.clone());
-        named.extend(table.map(|name| (LOSS_TABLE, name)));
         let mut files = Self::default();
-        for (key, name) in &named {
-            if files.held.contains_key(name) {
+        for Named {
+            key,
+            name,
+            is_pattern,
+        } in &named(input)
+        {
+            // Patterns are of files on disk.
+            if files.held.contains_key(name) || *is_pattern {
                 continue;
             }
             let file = name.display().to_string();
@@ -119,9 +186,17 @@ impl Files {
         self.folder.as_deref()
     }
 
-    /// Files below the folder in `parent` whose names are of `pattern`, and such traces in memory, by name.
-    pub(super) fn matching(&self, parent: &Path, pattern: &str) -> Vec<PathBuf> {
-        let is_meant = |name: &OsStr| matches(pattern, &name.to_string_lossy());
+    /// Files below the folder whose names are of `pattern`, and such traces in memory, by name; none where the folder
+    /// of the pattern is itself a pattern.
+    pub(super) fn matching(&self, pattern: &Path) -> Vec<PathBuf> {
+        let parent = pattern.parent().unwrap_or(Path::new(""));
+        let Some(wanted) = pattern.file_name().map(OsStr::to_string_lossy) else {
+            return Vec::new();
+        };
+        if is_pattern(&parent.to_string_lossy()) {
+            return Vec::new();
+        }
+        let is_meant = |name: &OsStr| matches(&wanted, &name.to_string_lossy());
         let entries = self.folder.as_ref().and_then(|folder| {
             let path = folder.join(parent);
             let is_here = path.as_os_str().is_empty();
@@ -154,45 +229,82 @@ impl Files {
         self.held.get(name)
     }
 
-    /// The measuring conditions that belong to the trace `name`, where there are any.
-    pub(super) fn conditions(&self, name: &Path) -> Option<Arc<[u8]>> {
-        let name = conditions_of(name)?;
-        if let Some(Content::Bytes(bytes)) = self.held.get(&name) {
-            return Some(Arc::clone(bytes));
+    /// Sums of the files that any of `inputs` names; those that cannot be read are left out.
+    pub(super) fn sums_of(&self, inputs: &[CaseInput]) -> FileSums {
+        let named = inputs.iter().flat_map(named);
+        let names: BTreeSet<PathBuf> = named
+            .flat_map(|named| match named.is_pattern {
+                true => self.matching(&named.name),
+                false => vec![named.name],
+            })
+            .collect();
+        let reader = Reader::of(self);
+        for name in &names {
+            // A file that cannot be read is an error of the case that needs it.
+            let _ = reader.content(name);
+            reader.conditions(name);
         }
-        let path = self.folder.as_ref()?.join(name);
-        whole_file(&path, LARGEST).ok().map(Into::into)
+        reader.into_sums()
+    }
+}
+
+/// Reads files of a case and notes the sum of each.
+#[derive(Debug)]
+pub(super) struct Reader<'a> {
+    pub files: &'a Files,
+    sums: RefCell<FileSums>,
+}
+
+impl<'a> Reader<'a> {
+    pub(super) fn of(files: &'a Files) -> Self {
+        Self {
+            files,
+            sums: RefCell::default(),
+        }
     }
 
-    /// Content behind `name`, which stands at `key` of the case.
+    /// Sums of what was read.
+    pub(super) fn into_sums(self) -> FileSums {
+        self.sums.into_inner()
+    }
+
+    /// Content behind `name`, which is at `key` of the case, and its sum.
     pub(super) fn open(
         &self,
         name: &Path,
         source: &Source,
         key: &'static str,
-    ) -> Result<Content, CaseError> {
-        if let Some(content) = self.held.get(name) {
-            return Ok(content.clone());
+    ) -> Result<(Content, String), CaseError> {
+        self.content(name).map_err(|reason| {
+            let folder = self.files.folder.as_deref().unwrap_or(Path::new(""));
+            CaseError::OpenNamed {
+                file: folder.join(name).display().to_string(),
+                place: source.place_of(key),
+                key,
+                reason,
+            }
+        })
+    }
+
+    /// The measuring conditions that belong to the trace `name`, where there are any.
+    pub(super) fn conditions(&self, name: &Path) -> Option<Arc<[u8]>> {
+        match self.content(&conditions_of(name)?).ok()?.0 {
+            Content::Bytes(bytes) => Some(bytes),
+            Content::Heights(_) => None,
         }
-        let refused = |file: &Path, reason| CaseError::OpenNamed {
-            file: file.display().to_string(),
-            place: source.place_of(key),
-            key,
-            reason,
+    }
+
+    fn content(&self, name: &Path) -> io::Result<(Content, String)> {
+        let content = match (self.files.held.get(name), &self.files.folder) {
+            (Some(content), _) => content.clone(),
+            (None, Some(folder)) => Content::Bytes(whole_file(&folder.join(name), LARGEST)?.into()),
+            (None, None) => {
+                let reason = "no file of this name came with the case";
+                return Err(io::Error::new(io::ErrorKind::NotFound, reason));
+            }
         };
-        match &self.folder {
-            Some(folder) => {
-                let path = folder.join(name);
-                let bytes = whole_file(&path, LARGEST).map_err(|reason| refused(&path, reason))?;
-                Ok(Content::Bytes(bytes.into()))
-            }
-            None => {
-                let reason = io::Error::new(
-                    io::ErrorKind::NotFound,
-                    "no file of this name came with the case",
-                );
-                Err(refused(name, reason))
-            }
-        }
+        let sum = content.sum();
+        self.sums.borrow_mut().insert(name.to_owned(), sum.clone());
+        Ok((content, sum))
     }
 }

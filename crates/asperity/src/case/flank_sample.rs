@@ -8,7 +8,7 @@ use asperity_core::quantity::Length;
 
 use super::domain::domain;
 use super::error::CaseError;
-use super::files::Files;
+use super::files::Reader;
 use super::input::FlankInput;
 use super::source::Source;
 use super::trace_list::{TraceEntry, TraceInput, TraceList, is_pattern};
@@ -53,7 +53,7 @@ impl Listed {
 pub(super) fn listed(
     flank: &FlankInput,
     list: &TraceList,
-    (key, source, files): (&'static str, &Source, &Files),
+    (key, source, files): (&'static str, &Source, &Reader<'_>),
 ) -> Result<Vec<Listed>, CaseError> {
     let conflict = |rule| CaseError::Conflict {
         place: source.place_of(key),
@@ -123,7 +123,7 @@ pub(super) fn listed(
 /// Files that `text` stands for, by name.
 fn found(
     text: &str,
-    (key, source, files): (&'static str, &Source, &Files),
+    (key, source, reader): (&'static str, &Source, &Reader<'_>),
 ) -> Result<Vec<PathBuf>, CaseError> {
     if !is_pattern(text) {
         return Ok(vec![text.into()]);
@@ -136,8 +136,7 @@ fn found(
     };
     let path = Path::new(text);
     let parent = path.parent().unwrap_or(Path::new(""));
-    let name = path.file_name().map(|name| name.to_string_lossy());
-    let Some(folder) = files.folder() else {
+    let Some(folder) = reader.files.folder() else {
         return Err(refused(None));
     };
     let shown = folder.join(parent).display().to_string();
@@ -146,10 +145,7 @@ fn found(
     } else {
         shown
     };
-    let matching = match name {
-        Some(name) if !is_pattern(&parent.to_string_lossy()) => files.matching(parent, &name),
-        _ => Vec::new(),
-    };
+    let matching = reader.files.matching(path);
     match matching.is_empty() {
         true => Err(refused(Some(shown))),
         false => Ok(matching),

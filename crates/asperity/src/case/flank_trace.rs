@@ -14,13 +14,12 @@ use asperity_profile_io::read::{
 use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::preparation::{RoughnessFilter, prepare, profiles};
 use asperity_roughness::{Parameters, Warning as RoughnessWarning};
-use sha2::{Digest, Sha256};
 
 use super::defaults::DefaultUsed;
 use super::domain::domain;
 use super::error::CaseError;
 use super::files::{
-    Content, FILE_OF_COAST_PINION, FILE_OF_COAST_WHEEL, FILE_OF_PINION, FILE_OF_WHEEL, Files,
+    Content, FILE_OF_COAST_PINION, FILE_OF_COAST_WHEEL, FILE_OF_PINION, FILE_OF_WHEEL, Reader,
     TRACES_OF_COAST_PINION, TRACES_OF_COAST_WHEEL, TRACES_OF_PINION, TRACES_OF_WHEEL,
 };
 use super::flank_form::{self, FormError};
@@ -40,7 +39,7 @@ use crate::surfaces::{FlankReport, Texture};
 pub(super) struct Given<'a> {
     pub case: &'a Case,
     pub source: &'a Source,
-    pub files: &'a Files,
+    pub files: &'a Reader<'a>,
 }
 
 /// A flank with the trace it came from, where there is one.
@@ -381,9 +380,9 @@ fn read_trace(
     given: Given<'_>,
 ) -> Result<ReadTrace, CaseError> {
     let source = given.source;
-    let bytes = match given.files.open(file, source, key)? {
-        Content::Bytes(bytes) => bytes,
-        Content::Heights(profile) => {
+    let (bytes, sum) = match given.files.open(file, source, key)? {
+        (Content::Bytes(bytes), sum) => (bytes, sum),
+        (Content::Heights(profile), _) => {
             if let Some(steepness) = implausible(&profile, LengthUnit::Metre) {
                 let file = file.display().to_string();
                 return Err(CaseError::Profile {
@@ -432,7 +431,7 @@ fn read_trace(
     }
     Ok(ReadTrace {
         profile: reading.profile.clone(),
-        sha256: Some(hex(&Sha256::digest(&bytes))),
+        sha256: Some(sum),
         reading: Some(reading),
     })
 }
@@ -454,8 +453,4 @@ fn read_options(input: &FlankInput) -> ReadOptions {
         uneven: input.uneven.unwrap_or_default(),
         ..ReadOptions::default()
     }
-}
-
-fn hex(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }

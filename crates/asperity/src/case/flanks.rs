@@ -9,7 +9,7 @@ use asperity_gear::MeasuredForm;
 use super::defaults::DefaultUsed;
 use super::domain::domain;
 use super::error::CaseError;
-use super::files::Files;
+use super::files::{FileSums, Files, Reader};
 use super::flank_pairs::{Meeting, all_placed, on_common_spacing};
 use super::flank_sample::{self, Listed};
 use super::flank_trace::{Flank, Given, Keys, flank, keys_of, traces_of};
@@ -37,19 +37,23 @@ pub(super) struct Flanks {
     pub assumed: Vec<DefaultUsed>,
     /// Equations of the preparation.
     pub provenance: Provenance,
+    /// Sums of the files read.
+    pub sums: Arc<FileSums>,
 }
 
 /// Reads and prepares the flanks that `case` names.
 pub(super) fn flanks(case: &Case, source: &Source, files: &Files) -> Result<Flanks, CaseError> {
     let provenance = Provenance::new();
-    let flanks = provenance.collect(|| both(case, source, files))?;
+    let reader = Reader::of(files);
+    let flanks = provenance.collect(|| both(case, source, &reader))?;
     Ok(Flanks {
         provenance,
+        sums: reader.into_sums().into(),
         ..flanks
     })
 }
 
-fn both(case: &Case, source: &Source, files: &Files) -> Result<Flanks, CaseError> {
+fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, CaseError> {
     let given = Given {
         case,
         source,
@@ -162,6 +166,7 @@ fn both(case: &Case, source: &Source, files: &Files) -> Result<Flanks, CaseError
         warnings,
         assumed,
         provenance: Provenance::new(),
+        sums: Arc::default(),
     })
 }
 

@@ -11,7 +11,7 @@ use asperity_efficiency::rolling_bearing::{BearingConstants, BearingForm, Rollin
 use asperity_efficiency::shaft_seal::seal_torque;
 
 use super::error::CaseError;
-use super::files::{Content, Files, LOSS_TABLE};
+use super::files::{Content, LOSS_TABLE, Reader};
 use super::gearbox_input::{BearingInput, BearingKind, GearboxInput, JetInput, Shaft};
 use super::source::Source;
 use crate::loss_table::read;
@@ -77,7 +77,7 @@ const JET: &str = "gearbox.jet";
 pub(super) fn gearbox(
     given: &GearboxInput,
     source: &Source,
-    files: &Files,
+    files: &Reader<'_>,
 ) -> Result<Gearbox, CaseError> {
     let mut parts = Vec::new();
     for (number, seal) in given.seals.iter().enumerate() {
@@ -203,15 +203,15 @@ fn rolling_bearing(given: &BearingInput) -> Result<PartKind, EfficiencyError> {
     })
 }
 
-fn table(file: &Path, source: &Source, files: &Files) -> Result<Part, CaseError> {
+fn table(file: &Path, source: &Source, files: &Reader<'_>) -> Result<Part, CaseError> {
     let key = LOSS_TABLE;
     let name = file
         .file_name()
         .unwrap_or(file.as_os_str())
         .to_string_lossy();
     let bytes = match files.open(file, source, key)? {
-        Content::Bytes(bytes) => bytes,
-        Content::Heights(_) => {
+        (Content::Bytes(bytes), _) => bytes,
+        (Content::Heights(_), _) => {
             return Err(CaseError::Value {
                 place: source.place_of(key),
                 key: Some(key.to_owned()),

@@ -11,7 +11,7 @@ use asperity_tribo_friction::XuCalibration;
 
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
-use super::files::{Content, Files, XU_COEFFICIENTS};
+use super::files::{Content, FileSums, Files, Reader, XU_COEFFICIENTS};
 use super::flank_form::shortest_form;
 use super::flanks::{Flanks, flanks};
 use super::gearbox::gearbox;
@@ -24,6 +24,7 @@ use super::plausibility::{of_files, unusual};
 use super::resolve::{Case, resolve_checked};
 use super::source::Source;
 use crate::error::Error;
+use crate::fingerprint::Fingerprint;
 use crate::message::Warning;
 use crate::surfaces::{FlankReport, Surfaces};
 use crate::trace_pairs::SampledFlanks;
@@ -53,6 +54,8 @@ pub struct LoadedCase {
     /// Name of the case, for messages about what is changed.
     name: Arc<str>,
     files: Arc<Files>,
+    /// Sums of the files that flanks, gearbox and model were read from.
+    sums: [Arc<FileSums>; 3],
 }
 
 /// Resolver of the files that a case text names: from the name as it stands in the text to the bytes.
@@ -201,6 +204,45 @@ impl LoadedCase {
             Some(sampled) => sampled.reports().collect(),
             None => self.flanks.iter().collect(),
         }
+    }
+
+    /// Every file that was read for this case, and its SHA-256.
+    #[must_use]
+    pub fn files_read(&self) -> FileSums {
+        let of_all = self.sums.iter().flat_map(|sums| sums.iter());
+        of_all
+            .map(|(name, sum)| (name.clone(), sum.clone()))
+            .collect()
+    }
+
+    /// Files that the case would read with any of `inputs` in place of its own, and their SHA-256; those that cannot be
+    /// read are left out.
+    #[must_use]
+    pub fn files_of(&self, inputs: &[CaseInput]) -> FileSums {
+        self.files.sums_of(inputs)
+    }
+
+    /// SHA-256 of all that decides the result: every key of the case, every byte of the files read for it, the version
+    /// of the program. Laws and fields that were set past the keys are not part of it.
+    ///
+    /// ```
+    /// use asperity::case;
+    /// let case = case::load("../../fixtures/cases/e-drive.toml".as_ref(), None)?;
+    /// let hotter = case.with_key("operation.temperature", "91 °C")?;
+    /// assert_ne!(case.fingerprint(), hotter.fingerprint());
+    /// assert_eq!(case.fingerprint(), hotter.with_key("operation.temperature", "90 °C")?.fingerprint());
+    /// # Ok::<(), asperity::Error>(())
+    /// ```
+    #[must_use]
+    pub fn fingerprint(&self) -> String {
+        // Debug prints every digit of a number.
+        let input = format!("{:?}", self.case.input);
+        let read = self.files_read().into_iter();
+        let sums = read.fold(
+            Fingerprint::default().with(input),
+            |sum, (name, of_file)| sum.with(name.as_os_str().as_encoded_bytes()).with(of_file),
+        );
+        sums.hex()
     }
 
     /// The same case changed by `change`, rechecked; traces are read again only where the change concerns
@@ -355,14 +397,31 @@ pub(super) fn complete(
     // The load over the teeth was checked where nothing but speed and temperature differ.
     let is_checked = before.is_some_and(|before| loads_alike(&before.case.input, &input));
     let mut case = provenance.collect(|| resolve_checked(input, source, is_checked))?;
-    if let Some(file) = &case.input.model.xu_coefficients {
-        let calibration = xu_calibration(file, source, &files)?;
-        case.model.friction_settings.xu.coefficients = calibration.coefficients;
-    }
-    case.gearbox = match (before, &case.input.gearbox) {
-        (Some(before), given) if before.case.input.gearbox == *given => before.case.gearbox.clone(),
-        (_, Some(given)) => Some(gearbox(given, source, &files)?),
-        (_, None) => None,
+    let model_sums = match (before, &case.input.model.xu_coefficients) {
+        (_, None) => Arc::default(),
+        (Some(before), file) if before.case.input.model.xu_coefficients == *file => {
+            let settings = &before.case.model.friction_settings;
+            case.model.friction_settings.xu.coefficients = settings.xu.coefficients;
+            Arc::clone(&before.sums[2])
+        }
+        (_, Some(file)) => {
+            let reader = Reader::of(&files);
+            let calibration = xu_calibration(file, source, &reader)?;
+            case.model.friction_settings.xu.coefficients = calibration.coefficients;
+            reader.into_sums().into()
+        }
+    };
+    let gearbox_sums;
+    (case.gearbox, gearbox_sums) = match (before, &case.input.gearbox) {
+        (Some(before), given) if before.case.input.gearbox == *given => {
+            (before.case.gearbox.clone(), Arc::clone(&before.sums[1]))
+        }
+        (_, Some(given)) => {
+            let reader = Reader::of(&files);
+            let found = gearbox(given, source, &reader)?;
+            (Some(found), reader.into_sums().into())
+        }
+        (_, None) => (None, Arc::default()),
     };
     if let Some(before) = before {
         case.laws = before.case.laws.clone();
@@ -376,6 +435,7 @@ pub(super) fn complete(
         warnings,
         assumed,
         provenance: of_flanks,
+        sums: flank_sums,
     } = match before {
         Some(before) if same_flanks(&before.case, &case, before.is_placed()) => Flanks {
             surfaces: before.surfaces.clone(),
@@ -386,6 +446,7 @@ pub(super) fn complete(
             warnings: of_files(&before.warnings),
             assumed: before.assumed.clone(),
             provenance: before.of_flanks.clone(),
+            sums: Arc::clone(&before.sums[0]),
         },
         _ => flanks(&case, source, &files)?,
     };
@@ -427,6 +488,7 @@ pub(super) fn complete(
         assumed,
         name: source.name().into(),
         files,
+        sums: [flank_sums, gearbox_sums, model_sums],
     })
 }
 
@@ -497,7 +559,11 @@ fn user_cache_folder() -> Option<PathBuf> {
     Some(root.join("asperity"))
 }
 
-fn xu_calibration(file: &Path, source: &Source, files: &Files) -> Result<XuCalibration, CaseError> {
+fn xu_calibration(
+    file: &Path,
+    source: &Source,
+    files: &Reader<'_>,
+) -> Result<XuCalibration, CaseError> {
     let key = XU_COEFFICIENTS;
     let refused = |message: String| CaseError::Value {
         place: source.place_of(key),
@@ -505,8 +571,10 @@ fn xu_calibration(file: &Path, source: &Source, files: &Files) -> Result<XuCalib
         message,
     };
     let bytes = match files.open(file, source, key)? {
-        Content::Bytes(bytes) => bytes,
-        Content::Heights(_) => return Err(refused("names a trace, not coefficients".to_owned())),
+        (Content::Bytes(bytes), _) => bytes,
+        (Content::Heights(_), _) => {
+            return Err(refused("names a trace, not coefficients".to_owned()));
+        }
     };
     let text = std::str::from_utf8(&bytes)
         .map_err(|error| refused(format!("is not text in UTF-8: {error}")))?;

@@ -62,6 +62,7 @@ pub use calibration::{Calibrated, CalibratedName, CalibrationInput, CorrelationI
 pub use check::{Findings, check};
 pub use defaults::DefaultUsed;
 pub use error::CaseError;
+pub use files::{FILE_KEYS, FileSums};
 pub use flank_place::{FlankPlaceInput, TraceStart};
 pub use gear_input::{EndReliefInput, GearFlankInput, ReliefInput, ReliefSource};
 pub use gearbox::{Gearbox, Part, PartKind};
@@ -80,6 +81,7 @@ pub use micropitting_input::MicropittingInput;
 pub use model::{EhlChoices, Model};
 pub use page::markdown;
 pub use place::Place;
+pub use plausibility::possible_range;
 pub use resolve::{Case, resolve};
 pub use source::{Source, Syntax};
 pub use trace::{Flank, Trace};

@@ -88,6 +88,22 @@ const LUBRICANT: &[Row] = &[
     }),
 ];
 
+/// Smallest and largest possible size of the number at `key`, one of gears, operation and lubricant, in the unit that
+/// messages name; none of another key.
+///
+/// ```
+/// use asperity::case::possible_range;
+/// assert_eq!(possible_range("operation.speed"), Some([1e-6, 1e6]));
+/// assert_eq!(possible_range("operation.bulk"), None);
+/// ```
+#[must_use]
+pub fn possible_range(key: &str) -> Option<[f64; 2]> {
+    let rows = GEARS_AND_OPERATION.iter().chain(LUBRICANT);
+    rows.into_iter()
+        .find(|row| row.key == key)
+        .map(|row| row.possible)
+}
+
 /// Rows of the material at a key, for the pinion or the wheel.
 macro_rules! body {
     ($table:literal, $of:path) => {

@@ -54,16 +54,6 @@ pub struct TraceInput {
 }
 
 impl TraceList {
-    /// The files that are named, not those of patterns.
-    pub(super) fn files(&self) -> Vec<PathBuf> {
-        let entries = self.entries().into_iter();
-        let files = entries.filter_map(|entry| match entry {
-            TraceEntry::Table(table) => Some(table.file),
-            TraceEntry::Pattern(text) => (!is_pattern(&text)).then(|| text.into()),
-        });
-        files.collect()
-    }
-
     /// The entries in order.
     pub(super) fn entries(&self) -> Vec<TraceEntry> {
         match self {

@@ -5,9 +5,9 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use serde_json::{from_slice, to_vec};
-use sha2::{Digest, Sha256};
 
 use super::path_record::PathRecord;
+use crate::fingerprint::Fingerprint;
 use crate::referee::RefereeContact;
 
 /// Raised whenever the solver gives other numbers for the same contact, so that older records are left alone.
@@ -28,14 +28,16 @@ impl RecordStore {
         Self { folder }
     }
 
-    /// File of the record of `contact`: the SHA-256 of its bodies, oil, surfaces and settings.
+    /// File of the record of `contact`, named by the fingerprint of its bodies, oil, surfaces and settings.
     pub(super) fn file(&self, contact: &RefereeContact) -> Option<PathBuf> {
         // Debug prints every digit of a number.
-        let content = format!("{REVISION} {:?} {:?}", contact.rough, contact.record);
-        let name: String = Sha256::digest(content.as_bytes())
-            .iter()
-            .map(|byte| format!("{byte:02x}"))
-            .collect();
+        let name = Fingerprint::default()
+            .with(format!("{REVISION}"))
+            .with(format!("{:?}", contact.rough))
+            .with(format!("{:?}", contact.record))
+            .with(format!("{:?}", contact.traces))
+            .with(format!("{:?}", contact.station.hertz))
+            .hex();
         Some(self.folder.as_ref()?.join(format!("record-{name}.json")))
     }
 

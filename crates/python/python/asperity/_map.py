@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import warnings
 from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any, Optional, Union
@@ -86,12 +87,17 @@ class Map(Record):
     ) -> Floats:
         """Loss torque in N m between the nodes, bilinear; torque in N m, speed in rad/s or text with a unit.
 
-        Places outside the map take the value of its edge.
+        Outside the map loss over torque is held, with a warning: the loss at the edge times the torque over that of the
+        edge. What is no number has no loss.
         """
         number = self.finishes.index(finish) if isinstance(finish, str) else finish
         given = [np.asarray(_nodes(torque, "Torque")), np.asarray(_nodes(speed, "AngularSpeed"))]
         torques, speeds = np.broadcast_arrays(*given)
-        found, _ = self._raw.loss_torque(number, temperature, torques.ravel().tolist(), speeds.ravel().tolist())
+        places = torques.ravel().tolist(), speeds.ravel().tolist()
+        found, outside = self._raw.loss_torque(number, temperature, *places)
+        if outside.any():
+            text = f"{outside.sum()} of {outside.size} places are outside the map; loss over torque is held there"
+            warnings.warn(text, stacklevel=2)
         return found.reshape(torques.shape)
 
     def export(

@@ -1,7 +1,5 @@
 //! Several finishes run on one case, and what sets them apart.
 
-use std::path::Path;
-
 use asperity::Error;
 use asperity::band::{self, DrawnLosses, PairedDifference};
 use asperity::case::LoadedCase;
@@ -48,7 +46,7 @@ pub struct Comparison {
 pub struct FinishResult {
     /// Its name.
     pub name: String,
-    /// Names of the files of its traces, and their SHA-256.
+    /// Names of the files that it read, and their SHA-256.
     pub files: Vec<[String; 2]>,
     /// Mean efficiency.
     pub efficiency: f64,
@@ -121,6 +119,17 @@ pub fn compare(finishes: &[Finish], progress: Progress<'_>) -> Result<Comparison
     })
 }
 
+/// Names of the files that `case` read, and their SHA-256. The folder of a file is nobody's business; its sum tells
+/// which file it was.
+pub(crate) fn files(case: &LoadedCase) -> Vec<[String; 2]> {
+    let read = case.files_read().into_iter();
+    let named = read.filter_map(|(path, sum)| {
+        let name = path.file_name()?.to_string_lossy().into_owned();
+        Some([name, sum])
+    });
+    named.collect()
+}
+
 fn finish_result(
     finish: &Finish,
     outcome: Outcome,
@@ -131,14 +140,9 @@ fn finish_result(
         windows::roughness(&finish.case).map_err(|error| Error::Whole(Box::new(error)))?;
     let difference = first.map(|first| band::difference(&first.drawn, &drawn));
     let result = outcome.result;
-    // The folder of a trace is nobody's business; its sum tells which file it was.
-    let named = finish.case.all_traces().into_iter().filter_map(|flank| {
-        let file = Path::new(flank.file.as_deref()?).file_name()?;
-        Some([file.to_string_lossy().into_owned(), flank.sha256.clone()?])
-    });
     Ok(FinishResult {
         name: finish.name.clone(),
-        files: named.collect(),
+        files: files(&finish.case),
         efficiency: result.summary.efficiency,
         power_in_w: result.summary.power_in_w,
         loss_w: result.summary.loss_w,

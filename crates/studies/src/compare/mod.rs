@@ -13,6 +13,7 @@ mod summary;
 mod windows;
 mod write;
 
+pub(crate) use comparison::files;
 pub use comparison::{Comparison, Correlation, Finish, FinishResult, compare};
 pub use statistics::rank_correlation;
 pub use summary::summary;

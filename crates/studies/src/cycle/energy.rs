@@ -2,10 +2,12 @@
 
 use std::f64::consts::PI;
 
+use asperity::balance::{Balance, Efficiency, Unbalanced};
 use serde::Serialize;
 
+use super::coverage::{Coverage, Uncovered, moving_time, share};
 use super::trace::{Cycle, CyclePoint};
-use crate::map::{FinishMap, Map};
+use crate::map::{FinishMap, Map, Surface};
 
 /// Energies of a cycle.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -31,7 +33,9 @@ pub struct CycleResult {
     pub drive_wh: f64,
     /// Energy at the pinion while the wheel drives \[Wh\].
     pub coast_wh: f64,
-    /// Share of the moving time outside the map, whose edge then stands for it.
+    /// Share of the energy at the pinion, driving and braking, outside the map, where loss over torque is held.
+    pub outside_energy_share: f64,
+    /// Share of the moving time outside the map.
     pub outside_share: f64,
     /// Share of the moving time at torques whose sliding loss is scaled from the smallest resolved torque.
     pub extended_share: f64,
@@ -73,9 +77,31 @@ pub struct CycleFinish {
 /// Joules of a watt-hour.
 const WATT_HOUR: f64 = 3600.0;
 
-/// Energies of `cycle` on `map` at one of its temperatures; none where a point of the map has no result.
-#[must_use]
-pub fn evaluate(map: &Map, temperature: usize, cycle: &Cycle, name: &str) -> Option<CycleResult> {
+/// Why a cycle has no energies on a map.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum EnergyError {
+    /// The map has no finish, no such temperature, or points without a result.
+    #[error("points of the map have no result")]
+    Holes,
+    /// Too much of the cycle is outside of the map.
+    #[error(transparent)]
+    Uncovered(#[from] Uncovered),
+    /// Energies that cannot be.
+    #[error(transparent)]
+    Unbalanced(#[from] Unbalanced),
+}
+
+/// Energies of `cycle` on `map` at one of its temperatures; `takes_any` accepts any share of it outside the map.
+///
+/// # Errors
+/// When a point of the map has no result, too much of the cycle is outside of the map, or the energies do not add up.
+pub fn evaluate(
+    map: &Map,
+    temperature: usize,
+    (cycle, name): (&Cycle, &str),
+    takes_any: bool,
+) -> Result<CycleResult, EnergyError> {
     let omega = |point: &CyclePoint| point.speed_rpm.abs() * PI / 30.0;
     let power = |point: &CyclePoint| point.torque_nm * omega(point);
     let energy = |is_meant: &dyn Fn(f64) -> bool| {
@@ -86,10 +112,17 @@ pub fn evaluate(map: &Map, temperature: usize, cycle: &Cycle, name: &str) -> Opt
     };
     let (drive_wh, coast_wh) = (energy(&|power| power > 0.0), energy(&|power| power < 0.0));
     let mut finishes: Vec<CycleFinish> = Vec::new();
-    let mut outside_share = 0.0;
-    for finish in &map.finishes {
-        let (mut found, outside) = of_finish(map, finish, temperature, cycle)?;
-        outside_share = outside;
+    let surfaces = map.finishes.iter();
+    let surfaces = surfaces.map(|finish| finish.surface(&map.axes, temperature));
+    let surfaces: Vec<Surface> = surfaces.collect::<Option<_>>().ok_or(EnergyError::Holes)?;
+    // The nodes are those of every finish.
+    let first = surfaces.first().ok_or(EnergyError::Holes)?;
+    let coverage = Coverage::of(first, cycle);
+    if !takes_any {
+        coverage.check()?;
+    }
+    for (finish, surface) in map.finishes.iter().zip(&surfaces) {
+        let mut found = of_finish(finish, surface, cycle);
         found.share_of_drive = (drive_wh > 0.0).then(|| found.lost_wh / drive_wh);
         found.drive_efficiency = (drive_wh > 0.0).then(|| 1.0 - found.lost_drive_wh / drive_wh);
         found.wh_per_100_km = cycle
@@ -100,10 +133,11 @@ pub fn evaluate(map: &Map, temperature: usize, cycle: &Cycle, name: &str) -> Opt
             found.difference_wh = Some(found.lost_wh - first.lost_wh);
             found.difference_deviation_wh = Some(found.deviation_wh.hypot(first.deviation_wh));
         }
+        check(&found, drive_wh)?;
         finishes.push(found);
     }
-    let first = cycle.points.first()?.time_s;
-    Some(CycleResult {
+    let time = |point: Option<&CyclePoint>| point.map_or(0.0, |point| point.time_s);
+    Ok(CycleResult {
         program: map.program.clone(),
         title: map.title.clone(),
         cycle: name.to_owned(),
@@ -112,41 +146,50 @@ pub fn evaluate(map: &Map, temperature: usize, cycle: &Cycle, name: &str) -> Opt
             .gearbox
             .as_ref()
             .map_or_else(Vec::new, |gearbox| gearbox.parts.clone()),
-        temperature_c: *map.axes.temperature_c.get(temperature)?,
-        duration_s: cycle.points.last()?.time_s - first,
+        temperature_c: map.axes.temperature_c[temperature],
+        duration_s: time(cycle.points.last()) - time(cycle.points.first()),
         distance_km: cycle.distance_km,
         drive_wh,
         coast_wh,
-        outside_share,
+        outside_energy_share: coverage.outside_energy,
+        outside_share: coverage.outside_time,
         extended_share: map.finishes.first().map_or(0.0, |finish| {
             let [drive, coast] = finish.resolved_from_nm;
-            share_of_time(cycle, &|point| (-coast..drive).contains(&point.torque_nm))
+            let is_extended = |point: &CyclePoint| (-coast..drive).contains(&point.torque_nm);
+            share(cycle, &moving_time, &is_extended)
         }),
         finishes,
         points: cycle.points.clone(),
     })
 }
 
-/// Share of the moving time of the points meant.
-fn share_of_time(cycle: &Cycle, is_meant: &dyn Fn(&CyclePoint) -> bool) -> f64 {
-    let time = |is_meant: &dyn Fn(&CyclePoint) -> bool| {
-        let moving = cycle.points.iter().filter(|point| point.speed_rpm != 0.0);
-        moving
-            .filter(|point| is_meant(point))
-            .fold(0.0, |sum, point| sum + point.weight_s)
+/// What cannot be in the energies of a finish is a fault of the program or of the map.
+fn check(finish: &CycleFinish, drive_wh: f64) -> Result<(), Unbalanced> {
+    let lost = Balance {
+        of: "energy lost over the cycle",
+        unit: "Wh",
+        total: finish.lost_wh,
+        parts: &[finish.lost_drive_wh, finish.lost_coast_wh],
     };
-    let all = time(&|_| true);
-    if all > 0.0 { time(is_meant) / all } else { 0.0 }
+    lost.check()?;
+    Balance {
+        of: "deviation of the energy lost",
+        unit: "Wh",
+        total: finish.deviation_wh,
+        parts: &[finish.deviation_wh],
+    }
+    .check()?;
+    let efficiency = finish.drive_efficiency.map(|value| Efficiency {
+        of: "efficiency while the pinion drives",
+        value,
+        loss: finish.lost_drive_wh,
+        input: drive_wh,
+    });
+    efficiency.map_or(Ok(()), Efficiency::check)
 }
 
-/// The energies of a finish, and the share of the moving time outside its map.
-fn of_finish(
-    map: &Map,
-    finish: &FinishMap,
-    temperature: usize,
-    cycle: &Cycle,
-) -> Option<(CycleFinish, f64)> {
-    let surface = finish.surface(&map.axes, temperature)?;
+/// The energies of a finish.
+fn of_finish(finish: &FinishMap, surface: &Surface, cycle: &Cycle) -> CycleFinish {
     let mut lost = [0.0; 2];
     let mut deviation = 0.0;
     let mut loss_w = Vec::with_capacity(cycle.points.len());
@@ -158,12 +201,7 @@ fn of_finish(
         deviation += found.deviation * omega * point.weight_s / WATT_HOUR;
         loss_w.push(found.value * omega);
     }
-    let outside = share_of_time(cycle, &|point| {
-        surface
-            .loss_torque(point.torque_nm, point.speed_rpm)
-            .is_outside
-    });
-    let found = CycleFinish {
+    CycleFinish {
         name: finish.name.clone(),
         lost_wh: lost[0] + lost[1],
         deviation_wh: deviation,
@@ -175,6 +213,5 @@ fn of_finish(
         difference_wh: None,
         difference_deviation_wh: None,
         loss_w,
-    };
-    Some((found, outside))
+    }
 }

@@ -8,15 +8,20 @@
 //! E = Σ L(T, ω) ω Δt
 //! ```
 //!
+//! Outside the map loss over torque is held, as [`Surface`](crate::map::Surface) has it; a cycle with more than 5 % of its
+//! energy there is refused unless that is accepted.
+//!
 //! The torque of a vehicle is that of its resistances: the losses of the drive itself are left out of it.
 
+mod coverage;
 mod energy;
 mod page;
 mod summary;
 mod trace;
 mod write;
 
-pub use energy::{CycleFinish, CycleResult, evaluate};
+pub use coverage::{Coverage, Uncovered};
+pub use energy::{CycleFinish, CycleResult, EnergyError, evaluate};
 pub use summary::summary;
 pub use trace::{Cycle, CycleError, CyclePoint, cycle};
 pub use write::{check_place, write};

@@ -31,7 +31,8 @@ fn energy(found: &CycleResult) -> Markup {
         @if let Some(note) = left_aside(found) { p { (note) "." } }
         p { "Scope: " (found.scope) " only. " (format!("{:.1}", found.drive_wh)) " Wh at the pinion while it drives, "
             (format!("{:.1}", found.coast_wh)) " Wh while the wheel drives, " (format!("{:.0}", found.duration_s)) " s, flanks at "
-            (found.temperature_c) " °C. Outside the map " (percent(found.outside_share)) " of the moving time, "
+            (found.temperature_c) " °C. Outside the map, where loss over torque is that of its edge, " (percent(found.outside_energy_share)) " of the energy and "
+            (percent(found.outside_share)) " of the moving time; "
             (percent(found.extended_share)) " at torques whose sliding loss is scaled from the smallest resolved one." }
         div.scroll { table {
             thead { tr { th { "finish" } th.number { "lost" } th.number { "driving" } th.number { "braking" }

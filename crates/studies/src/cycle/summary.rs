@@ -46,7 +46,8 @@ pub fn summary(found: &CycleResult) -> String {
         ));
     }
     text.push_str(&format!(
-        "± is the standard deviation over the offsets of the traces; {:.1} % of the moving time is outside the map, {:.1} % below the torque whose contact the traces resolve\n",
+        "± is the standard deviation over the offsets of the traces; {:.1} % of the energy ({:.1} % of the moving time) is outside the map, {:.1} % of the moving time below the torque whose contact the traces resolve\n",
+        100.0 * found.outside_energy_share,
         100.0 * found.outside_share,
         100.0 * found.extended_share
     ));

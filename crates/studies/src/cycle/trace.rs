@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use asperity::case::VehicleInput;
+use asperity::case::{VehicleInput, possible_range};
 
 /// Density of air at 20 °C \[kg/m³\].
 const AIR: f64 = 1.204;
@@ -50,20 +50,38 @@ pub enum CycleError {
         found: String,
     },
     /// A cell that is no finite number.
-    #[error("row {row}: {column} is {text:?} and no finite number")]
+    #[error("line {line}: {column} is {text:?} and no finite number")]
     Cell {
-        /// Row from 1 below the header.
-        row: usize,
+        /// Line of the file from 1.
+        line: u64,
         /// The column.
         column: &'static str,
         /// The text.
         text: String,
     },
+    /// A number beyond that of any vehicle or gear drive.
+    #[error(
+        "line {line}: {column} = {value} is beyond -{limit} to {limit}; check unit and decimal point"
+    )]
+    Beyond {
+        /// Line of the file from 1.
+        line: u64,
+        /// The column, or what follows from the speed of the vehicle.
+        column: &'static str,
+        /// The number.
+        value: f64,
+        /// Largest size of a possible one.
+        limit: f64,
+    },
     /// Time stands still or goes back.
-    #[error("row {row}: time_s does not rise")]
+    #[error("line {line}: time_s = {time_s} does not rise from {before} before it")]
     Time {
-        /// Row from 1 below the header.
-        row: usize,
+        /// Line of the file from 1.
+        line: u64,
+        /// Time \[s\].
+        time_s: f64,
+        /// Time of the row before \[s\].
+        before: f64,
     },
     /// Fewer than two points.
     #[error("a cycle needs two points at least")]
@@ -103,7 +121,11 @@ pub fn cycle(text: &str, vehicle: Option<&VehicleInput>) -> Result<Cycle, CycleE
         return Err(CycleError::Short);
     }
     if let Some(row) = (1..time.len()).find(|&k| time[k] <= time[k - 1]) {
-        return Err(CycleError::Time { row: row + 1 });
+        return Err(CycleError::Time {
+            line: table.line(row),
+            time_s: time[row],
+            before: time[row - 1],
+        });
     }
     let vehicle = vehicle.map(checked).transpose()?;
     let operating = (table.column("torque_nm")?, table.column("speed_rpm")?);
@@ -122,6 +144,8 @@ pub fn cycle(text: &str, vehicle: Option<&VehicleInput>) -> Result<Cycle, CycleE
             let grade = table.column("grade_percent")?;
             let speeds: Vec<f64> = speed.iter().map(|speed| speed / 3.6).collect();
             let (torque, rpm) = at_the_pinion(vehicle, &time, &speeds, grade.as_deref());
+            table.check("torque_nm of the vehicle", &torque)?;
+            table.check("speed_rpm of the vehicle", &rpm)?;
             (torque, rpm, Some(speeds))
         }
         _ => return Err(table.lacking()),
@@ -213,6 +237,25 @@ struct Table {
     rows: Vec<csv::StringRecord>,
 }
 
+/// Time \[s\]: some thirty years.
+const LONGEST: f64 = 1e9;
+/// Speed of a vehicle \[km/h\], above the record on land of 1228 km/h.
+const FASTEST: f64 = 1500.0;
+/// Grade \[%\]: 45 degrees.
+const STEEPEST: f64 = 100.0;
+
+/// Largest size of a possible number of a column; those of the pinion are those of a case.
+fn limit(column: &str) -> f64 {
+    let of_case = |key| possible_range(key).map_or(f64::MAX, |[_, most]| most);
+    match column {
+        "time_s" => LONGEST,
+        "speed_km_h" => FASTEST,
+        "grade_percent" => STEEPEST,
+        column if column.starts_with("torque_nm") => of_case("operation.torque"),
+        _ => of_case("operation.speed"),
+    }
+}
+
 impl Table {
     fn read(text: &str) -> Result<Self, CycleError> {
         let mut reader = csv::ReaderBuilder::new()
@@ -239,13 +282,37 @@ impl Table {
             let text = row.get(at).unwrap_or_default();
             let value = text.parse().ok().filter(|value: &f64| value.is_finite());
             value.ok_or_else(|| CycleError::Cell {
-                row: index + 1,
+                line: self.line(index),
                 column,
                 text: text.to_owned(),
             })
         };
         let numbers = self.rows.iter().enumerate().map(number);
-        numbers.collect::<Result<_, _>>().map(Some)
+        let numbers: Vec<f64> = numbers.collect::<Result<_, _>>()?;
+        self.check(column, &numbers)?;
+        Ok(Some(numbers))
+    }
+
+    /// Refuses numbers of a row that are beyond those of any cycle.
+    fn check(&self, column: &'static str, numbers: &[f64]) -> Result<(), CycleError> {
+        let limit = limit(column);
+        let beyond = numbers
+            .iter()
+            .position(|value| value.abs() > limit || value.is_nan());
+        beyond.map_or(Ok(()), |row| {
+            Err(CycleError::Beyond {
+                line: self.line(row),
+                column,
+                value: numbers[row],
+                limit,
+            })
+        })
+    }
+
+    /// Line of the file at which a row begins.
+    fn line(&self, row: usize) -> u64 {
+        let record = self.rows.get(row).and_then(csv::StringRecord::position);
+        record.map_or(0, csv::Position::line)
     }
 }
 
@@ -295,10 +362,10 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_cycle_is_told_by_its_row() {
+    fn what_is_no_cycle_is_told_by_its_line() {
         let of = |text: &str| cycle(text, None).unwrap_err().to_string();
-        assert!(of("time_s,torque_nm,speed_rpm\n0,1,1\n0,1,1\n").starts_with("row 2: time_s"));
-        assert!(of("time_s,torque_nm,speed_rpm\n0,1,x\n1,1,1\n").starts_with("row 1: speed_rpm"));
+        assert!(of("time_s,torque_nm,speed_rpm\n0,1,1\n0,1,1\n").starts_with("line 3: time_s"));
+        assert!(of("time_s,torque_nm,speed_rpm\n0,1,x\n1,1,1\n").starts_with("line 2: speed_rpm"));
         assert!(of("t,torque\n0,1\n").contains("t, torque"));
         let bad = VehicleInput {
             ratio: 0.0,
@@ -306,5 +373,40 @@ mod tests {
         };
         let error = cycle("time_s,speed_km_h\n0,1\n1,1\n", Some(&bad)).unwrap_err();
         assert!(error.to_string().contains("vehicle.ratio"));
+    }
+
+    #[test]
+    fn a_number_beyond_any_cycle_is_refused_with_column_and_line() {
+        let of = |text: &str| cycle(text, Some(&vehicle())).unwrap_err().to_string();
+        let speed = of("# made up\ntime_s,speed_km_h\n0,0\n1,5000\n2,0\n");
+        assert!(
+            speed.starts_with("line 4: speed_km_h = 5000 is beyond -1500 to 1500"),
+            "{speed}"
+        );
+        for (text, expected) in [
+            (
+                "time_s,torque_nm,speed_rpm\n0,1,1\n1,1e308,1\n",
+                "line 3: torque_nm",
+            ),
+            (
+                "time_s,torque_nm,speed_rpm\n0,1,-2e6\n1,1,1\n",
+                "line 2: speed_rpm",
+            ),
+            (
+                "time_s,torque_nm,speed_rpm\n0,1,1\n1e300,1,1\n",
+                "line 3: time_s",
+            ),
+            (
+                "time_s,speed_km_h,grade_percent\n0,1,101\n1,1,0\n",
+                "line 2: grade_percent",
+            ),
+            (
+                "time_s,speed_km_h\n0,0\n1e-9,1000\n",
+                "line 2: torque_nm of the vehicle",
+            ),
+        ] {
+            let said = of(text);
+            assert!(said.starts_with(expected), "{said}");
+        }
     }
 }

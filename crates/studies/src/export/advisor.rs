@@ -22,9 +22,10 @@ pub(super) fn text(field: &Field) -> Result<String, ExportError> {
         .filter(|speed| *speed > 0.0)
         .collect();
     let mut text = format!(
-        "% scope {}\n% {}\n% speed and torque of the output shaft; efficiency of the {}\n",
+        "% scope {}\n% {}\n% {}\n% speed and torque of the output shaft; efficiency of the {}\n",
         field.scope,
         field.head(),
+        Field::BEYOND,
         field.scope
     );
     let list = |values: &mut dyn Iterator<Item = f64>| {

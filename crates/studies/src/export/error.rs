@@ -42,6 +42,14 @@ pub enum ExportError {
         /// The format.
         format: &'static str,
     },
+    /// The cycle that weighs leaves the map.
+    #[error("{format} takes one number, weighted by a cycle: {source}")]
+    Uncovered {
+        /// The format.
+        format: &'static str,
+        /// How far it leaves the map.
+        source: crate::cycle::Uncovered,
+    },
     /// The added loss does not fit.
     #[error(transparent)]
     Added(#[from] AddedLossError),

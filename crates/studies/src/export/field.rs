@@ -119,6 +119,9 @@ impl Field {
         self.speed_rpm.iter().map(omega).collect()
     }
 
+    /// Rule for places outside the nodes, for the head of a table whose reader goes its own way there.
+    pub(super) const BEYOND: &str = "outside the table hold loss torque over torque, as Asperity does: a reader that holds the last loss torque is too low at higher torques, so have it refuse";
+
     /// What goes into the head of a file, on one line.
     pub(super) fn head(&self) -> String {
         let plain = |text: &str| text.replace(['\n', '\r'], " ");

@@ -5,7 +5,7 @@ use serde_json::json;
 
 use super::error::ExportError;
 use super::field::Field;
-use crate::cycle::Cycle;
+use crate::cycle::{Coverage, Cycle};
 
 /// Gear box of CO2MPAS: T_in = (T_out/i + gbp00 + gbp10 n)/gbp01, n the speed of the input shaft.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -148,6 +148,11 @@ pub(super) fn co2mpas(fields: &[Field]) -> Result<Vec<u8>, ExportError> {
 /// enters.
 pub(super) fn fastsim(field: &Field, cycle: &Cycle) -> Result<Vec<u8>, ExportError> {
     let surface = field.surface();
+    let coverage = Coverage::of(&surface, cycle);
+    coverage.check().map_err(|source| ExportError::Uncovered {
+        format: "fastsim",
+        source,
+    })?;
     let (mut entered, mut lost, mut outside) = (0.0, 0.0, 0);
     for point in &cycle.points {
         if point.torque_nm <= 0.0 {

@@ -17,6 +17,9 @@ typedef struct { double v[VARIABLES]; } Model;
 #define EXPORT __attribute__((visibility("default")))
 #endif
 
+/* Nearest torque of the table. */
+static double edge(double x) { return x < T[0] ? T[0] : x > T[NT - 1] ? T[NT - 1] : x; }
+
 /* Node below x; the last cell beyond the end. */
 static int cell(const double *nodes, int count, double x) {
     int i = 1;
@@ -34,15 +37,21 @@ static double between(const double *table, int i, int j, double a, double b) {
     return (1 - a) * ((1 - b) * low[0] + b * low[1]) + a * ((1 - b) * high[0] + b * high[1]);
 }
 
+/* Outside the table loss over torque is held: the loss of the edge times the torque over that of the edge. A direction of
+   the torque that the table does not have takes the losses of the other one. */
 static void evaluate(Model *m) {
-    double x = m->v[TAU], y = m->v[OMEGA] < 0 ? -m->v[OMEGA] : m->v[OMEGA];
+    double tau = m->v[TAU], y = m->v[OMEGA] < 0 ? -m->v[OMEGA] : m->v[OMEGA];
+    int is_other = (tau < 0 && T[0] >= 0) || (tau > 0 && T[NT - 1] <= 0);
+    double t = is_other ? -tau : tau, x = edge(t), factor = x == t || x == 0 ? 1 : t / x;
     int i = cell(T, NT, x), j = cell(W, NW, y);
     double a = share(T, i, x), b = share(W, j, y);
-    m->v[MESH_TORQUE] = between(MESH, i, j, a, b);
-    m->v[ADDED_TORQUE] = between(ADDED, i, j, a, b);
+    if (factor < 0) factor = -factor;
+    m->v[MESH_TORQUE] = factor * between(MESH, i, j, a, b);
+    m->v[ADDED_TORQUE] = factor * between(ADDED, i, j, a, b);
     m->v[LOSS_TORQUE] = m->v[MESH_TORQUE] + m->v[ADDED_TORQUE];
     m->v[LOSS_POWER] = m->v[LOSS_TORQUE] * y;
-    m->v[OUTSIDE] = x < T[0] || x > T[NT - 1] || y > W[NW - 1];
+    /* Written so that what is no number is outside. */
+    m->v[OUTSIDE] = !(tau >= T[0] && tau <= T[NT - 1] && y <= W[NW - 1]);
 }
 
 EXPORT const char *fmi2GetTypesPlatform(void) { return "default"; }

@@ -135,7 +135,7 @@ const OUTPUTS: [(&str, &str, &str); 5] = [
     (
         "outside",
         "1",
-        "1 outside the map, whose edge then stands for it",
+        "1 outside the map, where loss over torque is that of its edge, or without a number",
     ),
     ("mesh_loss_torque", "N.m", "part of the mesh"),
     (

@@ -94,6 +94,7 @@ pub(super) fn bytes(fields: &[Field]) -> Vec<u8> {
             "torque N m, speed 1/min, loss W, loss torque N m; lossTorque: torque N m down, speed rad/s across",
         )
         .with_text("head", &first.head())
+        .with_text("beyond", Field::BEYOND)
         .with("torque_nm", torques, &first.torque_nm)
         .with("speed_rpm", 1, &first.speed_rpm)
         .with("temperature_c", 1, &temperatures);

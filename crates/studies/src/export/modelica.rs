@@ -10,8 +10,9 @@ use super::field::Field;
 pub(super) fn text(field: &Field) -> Result<String, ExportError> {
     field.check_size("Modelica")?;
     let mut text = format!(
-        "#1\n# {}\n# scope = {}; u1 = torque of the input shaft N m, u2 = its speed rad/s, value = loss torque N m\n",
+        "#1\n# {}\n# {} (extrapolation = NoExtrapolation)\n# scope = {}; u1 = torque of the input shaft N m, u2 = its speed rad/s, value = loss torque N m\n",
         field.head(),
+        Field::BEYOND,
         field.scope
     );
     write(&mut text, "lossTorque", field, &field.total_nm());

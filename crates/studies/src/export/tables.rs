@@ -57,9 +57,10 @@ pub(super) fn vecto(field: &Field) -> Result<String, ExportError> {
     field.check_slope(FORMAT)?;
     let (total, across) = (field.total_nm(), field.speed_rpm.len());
     let mut text = format!(
-        "# scope {}\n# {}\nInput Speed [rpm],Input Torque [Nm],Torque Loss [Nm]\n",
+        "# scope {}\n# {}\n# {}\nInput Speed [rpm],Input Torque [Nm],Torque Loss [Nm]\n",
         field.scope,
-        field.head()
+        field.head(),
+        Field::BEYOND
     );
     for (j, speed) in field.speed_rpm.iter().enumerate() {
         for (i, torque) in field.torque_nm.iter().enumerate() {

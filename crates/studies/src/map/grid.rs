@@ -1,11 +1,12 @@
 //! The work of a map.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::Error;
+use asperity::balance::{Balance, Efficiency, Unbalanced};
 use asperity::case::LoadedCase;
+use asperity::fingerprint::Fingerprint;
 use asperity::pipeline::Progress;
 use asperity::result::OffsetRow;
 
@@ -15,7 +16,7 @@ use super::evaluation::{
     Evaluated, at_torque, computed_speeds, evaluate, gearbox_of, resolved_from, shown, torque_of,
 };
 use super::point::{EXTENDED, FinishMap, Map, MapWarning, Numbers, Point, ranges};
-use crate::compare::Finish;
+use crate::compare::{Finish, files};
 
 /// Version of the structure of `map.json`.
 const SCHEMA_VERSION: u32 = 1;
@@ -150,26 +151,26 @@ fn of_finish(
         asperity::losses(&case, &|_, _| {})?;
     }
     let coast = match sides.has_coast {
-        true => files(&at_torque(&finish.case, torque_of(-sides.from[1]))?),
-        false => Vec::new(),
+        true => Some(at_torque(&finish.case, torque_of(-sides.from[1]))?),
+        false => None,
     };
     let drive = at_torque(&finish.case, torque_of(sides.from[0]))?;
+    // The case names the gearbox, each side its flanks.
+    let cases = [Some(&finish.case), Some(&drive), coast.as_ref()];
+    let fingerprint = cases
+        .into_iter()
+        .flatten()
+        .fold(Fingerprint::default(), |sum, case| {
+            sum.with(case.fingerprint())
+        });
     Ok(FinishMap {
         name: finish.name.clone(),
+        fingerprint: fingerprint.hex(),
         files: files(&drive),
-        coast_files: coast,
+        coast_files: coast.as_ref().map(files).unwrap_or_default(),
         resolved_from_nm: sides.from,
         points,
     })
-}
-
-/// The folder of a trace is nobody's business; its sum tells which file it was.
-fn files(case: &LoadedCase) -> Vec<[String; 2]> {
-    let named = case.all_traces().into_iter().filter_map(|flank| {
-        let file = Path::new(flank.file.as_deref()?).file_name()?;
-        Some([file.to_string_lossy().into_owned(), flank.sha256.clone()?])
-    });
-    named.collect()
 }
 
 fn point(
@@ -201,18 +202,58 @@ fn point(
                 point.outside.push(EXTENDED.to_owned());
             }
             let computed_at = if side == 1 { -at } else { at };
-            point.numbers = Some(match is_extended {
+            let numbers = match is_extended {
                 true => extended(found, torque_nm, at),
                 false => numbers(found, (torque_nm < 0.0) != (computed_at < 0.0)),
-            });
-            if speed_rpm == 0.0 {
-                point.numbers = point.numbers.map(at_standstill);
+            };
+            match check(&numbers, found, torque_nm, torque_nm.abs() / at) {
+                Err(error) => point.code = Some(error.code().to_owned()),
+                Ok(()) if speed_rpm == 0.0 => point.numbers = Some(at_standstill(numbers)),
+                Ok(()) => point.numbers = Some(numbers),
             }
         }
         Some(Err(code)) => point.code = Some(code.clone()),
         None => point.code = Some("E501".to_owned()),
     }
     point
+}
+
+/// Whether the numbers of a point at a torque can be, and be together; `share` of the sliding loss was taken.
+fn check(
+    numbers: &Numbers,
+    found: &Evaluated,
+    torque_nm: f64,
+    share: f64,
+) -> Result<(), Unbalanced> {
+    let sum = |of, unit, total, parts: &[f64]| {
+        Balance {
+            of,
+            unit,
+            total,
+            parts,
+        }
+        .check()
+    };
+    let n = numbers;
+    let sliding = [n.film_w, n.lubricated_asperity_w, n.boundary_w];
+    sum("sliding loss", "W", n.sliding_w, &sliding)?;
+    let of_case = &found.losses.summary;
+    // Deformation is in no column of its own.
+    let rest = share.min(1.0) * (of_case.loss_w - of_case.sliding_w - of_case.rolling_w);
+    sum("loss", "W", n.loss_w, &[n.sliding_w, n.rolling_w, rest])?;
+    let torque = n.loss_torque_nm;
+    sum("loss torque", "N m", torque, &[n.loss_w / found.omega])?;
+    let pinion = torque_nm.abs() * found.omega;
+    let efficiency = n.efficiency.map(|value| Efficiency {
+        of: "efficiency",
+        value,
+        loss: n.loss_w,
+        input: match torque_nm < 0.0 {
+            true => pinion + n.loss_w,
+            false => pinion,
+        },
+    });
+    efficiency.map_or(Ok(()), Efficiency::check)
 }
 
 /// The losses as they were computed, or with the other gear driving.
@@ -259,16 +300,17 @@ fn extended(found: &Evaluated, torque_nm: f64, at: f64) -> Numbers {
     let count = losses.len() as f64;
     let loss_w = losses.iter().sum::<f64>() / count;
     let pinion_w = torque_nm.abs() * found.omega;
+    let efficiency_of = |loss: &f64| match torque_nm < 0.0 {
+        true => 1.0 - loss / (pinion_w + loss),
+        false => 1.0 - loss / pinion_w,
+    };
     let efficiencies: Vec<f64> = losses
         .iter()
-        .map(|loss| match torque_nm < 0.0 {
-            true => 1.0 - loss / (pinion_w + loss),
-            false => 1.0 - loss / pinion_w,
-        })
+        .map(efficiency_of)
         .filter(|efficiency| (0.0..1.0).contains(efficiency))
         .collect();
     let is_whole = torque_nm != 0.0 && efficiencies.len() == losses.len();
-    let efficiency = is_whole.then(|| efficiencies.iter().sum::<f64>() / count);
+    let efficiency = is_whole.then(|| efficiency_of(&loss_w));
     Numbers {
         loss_w,
         loss_torque_nm: loss_w / found.omega,

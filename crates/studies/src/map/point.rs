@@ -52,7 +52,11 @@ pub struct MapGearbox {
 pub struct FinishMap {
     /// Name of the finish.
     pub name: String,
-    /// Names of the files of its traces, and their SHA-256.
+    /// SHA-256 of its case, of every byte of the files read for it, and of the version of the program; empty in older
+    /// maps.
+    #[serde(default)]
+    pub fingerprint: String,
+    /// Names of the files that it read, and their SHA-256.
     pub files: Vec<[String; 2]>,
     /// The same of the coast flanks, where there are any.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

@@ -1,6 +1,9 @@
 //! Loss torque between the nodes of a map.
 
-/// Loss torque over torque and speed, bilinear between the nodes, held at the edges.
+/// Loss torque over torque and speed, bilinear between the nodes.
+///
+/// Outside the nodes loss over torque is held and the place is marked: the loss of the nearest edge times the torque over
+/// that of the edge. A direction of the torque that no node has takes the losses of the other one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
     /// Torques \[N m\], rising.
@@ -20,16 +23,17 @@ pub struct Interpolated {
     pub value: f64,
     /// Its standard deviation over the offsets \[N m\].
     pub deviation: f64,
-    /// Whether the place is outside the nodes, so that the edge stands for it.
+    /// Whether the place is outside the nodes, or no number.
     pub is_outside: bool,
 }
 
 impl Surface {
-    /// (1−a)((1−b) L_ij + b L_i,j+1) + a((1−b) L_i+1,j + b L_i+1,j+1): the loss torque at a torque \[N m\] and a
-    /// speed \[1/min\]; a speed counts without its sign.
+    /// L(T, n) = f·((1−a)((1−b) L_ij + b L_i,j+1) + a((1−b) L_i+1,j + b L_i+1,j+1)): the loss torque at a torque
+    /// T \[N m\] and a speed n \[1/min\], which counts without its sign; f = 1 within the nodes, |T/T_edge| beyond.
     #[must_use]
     pub fn loss_torque(&self, torque_nm: f64, speed_rpm: f64) -> Interpolated {
-        let (i, a) = cell(&self.torque_nm, torque_nm);
+        let (at, factor) = held(&self.torque_nm, torque_nm);
+        let (i, a) = cell(&self.torque_nm, at);
         let (j, b) = cell(&self.speed_rpm, speed_rpm.abs());
         let across = self.speed_rpm.len();
         let of = |values: &[f64]| {
@@ -40,8 +44,9 @@ impl Surface {
                 );
                 values[i * across + j]
             };
-            (1.0 - a) * ((1.0 - b) * at(i, j) + b * at(i, j + 1))
-                + a * ((1.0 - b) * at(i + 1, j) + b * at(i + 1, j + 1))
+            let low = (1.0 - b) * at(i, j) + b * at(i, j + 1);
+            let high = (1.0 - b) * at(i + 1, j) + b * at(i + 1, j + 1);
+            factor * ((1.0 - a) * low + a * high)
         };
         Interpolated {
             value: of(&self.loss_torque_nm),
@@ -49,6 +54,28 @@ impl Surface {
             is_outside: !reaches(&self.torque_nm, torque_nm)
                 || !reaches(&self.speed_rpm, speed_rpm.abs()),
         }
+    }
+}
+
+/// The torque at which the nodes are read for `torque`, and the factor on the loss there.
+fn held(nodes: &[f64], torque: f64) -> (f64, f64) {
+    let (Some(&low), Some(&high)) = (nodes.first(), nodes.last()) else {
+        return (torque, 1.0);
+    };
+    let edge_of = |torque: f64| match torque {
+        torque if torque < low => low,
+        torque if torque > high => high,
+        torque => torque,
+    };
+    let is_other_direction = (torque < 0.0 && low >= 0.0) || (torque > 0.0 && high <= 0.0);
+    let torque = match is_other_direction {
+        true => -torque,
+        false => torque,
+    };
+    let edge = edge_of(torque);
+    match edge == torque || edge == 0.0 {
+        true => (edge, 1.0),
+        false => (edge, (torque / edge).abs()),
     }
 }
 
@@ -73,18 +100,53 @@ fn reaches(nodes: &[f64], value: f64) -> bool {
 mod tests {
     use super::*;
 
-    #[test]
-    fn nodes_are_met_and_edges_are_held() {
-        let surface = Surface {
+    fn surface() -> Surface {
+        Surface {
             torque_nm: vec![-10.0, 0.0, 20.0],
             speed_rpm: vec![0.0, 100.0],
             loss_torque_nm: vec![3.0, 4.0, 1.0, 2.0, 5.0, 7.0],
-            deviation_nm: vec![0.0; 6],
-        };
+            deviation_nm: vec![0.3, 0.4, 0.1, 0.2, 0.5, 0.7],
+        }
+    }
+
+    #[test]
+    fn nodes_are_met_and_beyond_them_loss_over_torque_is_held() {
+        let surface = surface();
         assert_eq!(surface.loss_torque(0.0, 100.0).value, 2.0);
         assert_eq!(surface.loss_torque(20.0, -100.0).value, 7.0);
         assert_eq!(surface.loss_torque(10.0, 50.0).value, 0.5 * (1.5 + 6.0));
-        let beyond = surface.loss_torque(30.0, 200.0);
-        assert!(beyond.is_outside && beyond.value == 7.0);
+        assert!(!surface.loss_torque(10.0, 50.0).is_outside);
+        let beyond = surface.loss_torque(30.0, 100.0);
+        assert!(beyond.is_outside && (beyond.value - 7.0 * 1.5).abs() < 1e-14);
+        assert!((beyond.deviation - 0.7 * 1.5).abs() < 1e-14);
+        let beyond = surface.loss_torque(-40.0, 200.0);
+        assert!(beyond.is_outside && beyond.value == 4.0 * 4.0);
+        let faster = surface.loss_torque(20.0, 200.0);
+        assert!(faster.is_outside && faster.value == 7.0);
+    }
+
+    #[test]
+    fn a_direction_without_nodes_takes_the_losses_of_the_other() {
+        let one_sided = Surface {
+            torque_nm: vec![0.0, 20.0],
+            loss_torque_nm: vec![1.0, 2.0, 5.0, 7.0],
+            deviation_nm: vec![0.0; 4],
+            ..surface()
+        };
+        let back = one_sided.loss_torque(-20.0, 100.0);
+        assert!(back.is_outside && back.value == 7.0);
+        assert_eq!(one_sided.loss_torque(-40.0, 100.0).value, 14.0);
+        assert_eq!(one_sided.loss_torque(0.0, 100.0).value, 2.0);
+        assert!(!one_sided.loss_torque(0.0, 100.0).is_outside);
+    }
+
+    #[test]
+    fn what_is_no_number_has_no_loss_and_is_outside() {
+        for (torque, speed) in [(f64::NAN, 50.0), (10.0, f64::NAN)] {
+            let found = surface().loss_torque(torque, speed);
+            assert!(found.value.is_nan() && found.is_outside);
+        }
+        let endless = surface().loss_torque(f64::INFINITY, 50.0);
+        assert!(endless.value.is_infinite() && endless.is_outside);
     }
 }

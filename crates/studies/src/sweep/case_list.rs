@@ -1,26 +1,19 @@
 //! The cases of a study by their numbers.
 
-use asperity::case::{CaseInput, DefaultUsed, LoadedCase};
+use asperity::case::LoadedCase;
 use asperity_core::numerics::standard_normal_quantile;
-use sha2::{Digest, Sha256};
 use toml::Value;
 
-use super::amount::{Amount, text_of, written};
+use super::amount::{Amount, text_of};
+use super::axes::Axes;
 use super::draws::{DIMENSIONS, Draws, LONGEST};
 use super::error::SweepError;
-use super::study::{AxisInput, Distribution, Method, SampleInput, Spacing, Study, identity, short};
+use super::settings::{Settings, set};
+use super::study::Study;
+use super::study_input::{Distribution, Method, SampleInput};
 
-/// Keys and the values that they are set to.
-pub(super) type Settings = Vec<(String, String)>;
-
-/// A crossed axis.
-#[derive(Debug, Clone)]
-struct Axis {
-    /// Column of the table.
-    name: String,
-    /// Text of the column and what is set, node by node.
-    nodes: Vec<(String, Settings)>,
-}
+/// Digits of the fingerprint of a case in its row.
+const ID: usize = 16;
 
 /// An input that is sampled.
 #[derive(Debug, Clone)]
@@ -79,7 +72,7 @@ enum Sample {
 /// Every case of a study.
 #[derive(Debug, Clone)]
 pub(super) struct CaseList {
-    axes: Vec<Axis>,
+    axes: Axes,
     sample: Sample,
 }
 
@@ -93,18 +86,15 @@ pub(super) struct Place {
 
 impl CaseList {
     pub(super) fn of(study: &Study) -> Result<Self, SweepError> {
-        let axes = study
-            .input
-            .axis
-            .iter()
-            .map(axis)
-            .collect::<Result<_, _>>()?;
         let sample = match &study.input.sample {
             None => Sample::One,
-            Some(given) if given.method == Method::List => list(study, given)?,
+            Some(given) if given.method == Method::List => list(study)?,
             Some(given) => drawn(given)?,
         };
-        Ok(Self { axes, sample })
+        Ok(Self {
+            axes: study.axes.clone(),
+            sample,
+        })
     }
 
     pub(super) fn count(&self) -> usize {
@@ -113,7 +103,7 @@ impl CaseList {
 
     /// Points of the crossed axes.
     pub(super) fn per_sample(&self) -> usize {
-        self.axes.iter().map(|axis| axis.nodes.len()).product()
+        self.axes.count()
     }
 
     /// Points of the sample.
@@ -144,7 +134,7 @@ impl CaseList {
 
     /// Columns of the inputs: axes, then what is sampled.
     pub(super) fn columns(&self) -> Vec<String> {
-        let axes = self.axes.iter().map(|axis| axis.name.clone());
+        let axes = self.axes.names().map(str::to_owned);
         axes.chain(self.sampled()).collect()
     }
 
@@ -183,18 +173,11 @@ impl CaseList {
 
     /// What is set in a case, by its number: row-major in the axes, then the sample.
     pub(super) fn place(&self, number: usize) -> Place {
-        let mut rest = number / self.samples();
-        let mut chosen = vec![0; self.axes.len()];
-        for (index, axis) in self.axes.iter().enumerate().rev() {
-            chosen[index] = rest % axis.nodes.len();
-            rest /= axis.nodes.len();
-        }
         let mut place = Place {
             columns: Vec::new(),
             settings: Vec::new(),
         };
-        for (axis, node) in self.axes.iter().zip(chosen) {
-            let (text, settings) = &axis.nodes[node];
+        for (text, settings) in self.axes.at(number / self.samples()) {
             place.columns.push(text.clone());
             place.settings.extend(settings.iter().cloned());
         }
@@ -212,61 +195,6 @@ impl CaseList {
             place.settings.push((key, text));
         }
         place
-    }
-}
-
-fn axis(input: &AxisInput) -> Result<Axis, SweepError> {
-    let name = input.name.clone().or_else(|| input.key.clone());
-    let name =
-        name.ok_or_else(|| SweepError::key("axis", "needs a key, or a name with choices"))?;
-    if let Some(choices) = &input.choice {
-        let node = |(name, keys): (&String, &std::collections::BTreeMap<String, Value>)| {
-            let settings = keys
-                .iter()
-                .map(|(key, value)| (key.clone(), written(value)));
-            (name.clone(), settings.collect())
-        };
-        let nodes: Vec<_> = choices.iter().map(node).collect();
-        return some(name, nodes);
-    }
-    let key = input.key.clone();
-    let key = key.ok_or_else(|| SweepError::key(&name, "needs a key, or choices"))?;
-    let node = |text: String| (text.clone(), vec![(key.clone(), text)]);
-    if let Some(values) = &input.values {
-        return some(name, values.iter().map(written).map(node).collect());
-    }
-    let (Some(from), Some(to), Some(count)) = (&input.from, &input.to, input.count) else {
-        return Err(SweepError::key(
-            &name,
-            "needs values, or from, to and count",
-        ));
-    };
-    let (ends, unit) = Amount::list(&name, &[from.clone(), to.clone()])?;
-    let [from, to] = [ends[0], ends[1]];
-    let spacing = input.spacing.unwrap_or_default();
-    if count < 2 || (spacing == Spacing::Log && !(from > 0.0 && to > 0.0)) {
-        let rule = "needs a count of at least 2, and positive ends for log";
-        return Err(SweepError::key(&name, rule));
-    }
-    let value = |k: usize| {
-        let share = k as f64 / (count - 1) as f64;
-        match spacing {
-            _ if k == 0 => from,
-            _ if k + 1 == count => to,
-            Spacing::Linear => from + (to - from) * share,
-            Spacing::Log => from * (to / from).powf(share),
-        }
-    };
-    some(
-        name,
-        (0..count).map(|k| node(text_of(value(k), &unit))).collect(),
-    )
-}
-
-fn some(name: String, nodes: Vec<(String, Settings)>) -> Result<Axis, SweepError> {
-    match nodes.is_empty() {
-        true => Err(SweepError::key(&name, "has no values")),
-        false => Ok(Axis { name, nodes }),
     }
 }
 
@@ -325,16 +253,14 @@ fn varied(key: &str, distribution: &Distribution) -> Result<Varied, SweepError> 
 }
 
 /// The rows of a table whose header has a key each, with its unit in brackets: `operation.torque [N m]`.
-fn list(study: &Study, given: &SampleInput) -> Result<Sample, SweepError> {
-    let file = given.file.as_ref();
-    let file = file.ok_or_else(|| SweepError::key("sample.file", "a list needs its table"))?;
-    let path = study.folder.join(file);
+fn list(study: &Study) -> Result<Sample, SweepError> {
+    let table = study.table.as_deref();
+    let table = table.ok_or_else(|| SweepError::key("sample.file", "a list needs its table"))?;
     let refused = |error: csv::Error| SweepError::key("sample.file", error.to_string());
     let mut reader = csv::ReaderBuilder::new()
         .comment(Some(b'#'))
         .trim(csv::Trim::All)
-        .from_path(&path)
-        .map_err(refused)?;
+        .from_reader(table);
     let header = reader.headers().map_err(refused)?;
     let keys: Vec<(String, String)> = header
         .iter()
@@ -363,59 +289,21 @@ fn list(study: &Study, given: &SampleInput) -> Result<Sample, SweepError> {
 }
 
 /// The case of a study at a place of it, with its id.
-pub(super) fn resolved(
-    base: &LoadedCase,
-    place: &Place,
-) -> Result<(LoadedCase, String), SweepError> {
+pub(super) fn resolved(study: &Study, place: &Place) -> Result<(LoadedCase, String), SweepError> {
+    let base = &study.case;
     let mut input = base.case.input.clone();
     for (key, value) in &place.settings {
         set(&mut input, &base.case.defaults, key, value)?;
     }
     let case = base.with(|now| *now = input)?;
-    let mut sum = Sha256::new();
-    sum.update(identity(&case)?.as_bytes());
-    let id = short(sum);
+    // The rows of a study are of one content of every file.
+    for (name, sum) in case.files_read() {
+        if study.sums.get(&name) != Some(&sum) {
+            return Err(SweepError::Changed { file: name });
+        }
+    }
+    let id = case.fingerprint()[..ID].to_owned();
     Ok((case, id))
-}
-
-/// Sets a key of the case; a number at its end is the place in a list, `gears.profile_shift.0`, which the case gives
-/// or has by default.
-fn set(
-    input: &mut CaseInput,
-    defaults: &[DefaultUsed],
-    key: &str,
-    value: &str,
-) -> Result<(), SweepError> {
-    let of_list = key
-        .rsplit_once('.')
-        .and_then(|(list, index)| Some((list, index.parse::<usize>().ok()?)));
-    let Some((list, index)) = of_list else {
-        return Ok(input.set(key, value)?);
-    };
-    let as_text = |error: &dyn std::fmt::Display| SweepError::key(key, error.to_string());
-    let root = Value::try_from(&*input).map_err(|error| as_text(&error))?;
-    let found = list
-        .split('.')
-        .try_fold(&root, |table, part| table.get(part));
-    let by_default = || {
-        let default = defaults.iter().find(|default| default.key == list)?;
-        let values: Vec<f64> = serde_json::from_str(&default.value).ok()?;
-        Some(values.into_iter().map(Value::Float).collect())
-    };
-    let given = match found {
-        Some(Value::Array(values)) => Some(values.clone()),
-        _ => by_default(),
-    };
-    let none = || SweepError::key(key, "is no list of the case");
-    let mut values = given.ok_or_else(none)?;
-    let Some(entry) = values.get_mut(index) else {
-        return Err(SweepError::key(key, "is beyond the end of the list"));
-    };
-    *entry = match (entry.is_str(), value.parse::<f64>()) {
-        (false, Ok(number)) => Value::Float(number),
-        _ => Value::String(value.to_owned()),
-    };
-    Ok(input.set(list, &Value::Array(values).to_string())?)
 }
 
 /// The key of a case without what its contact tables do not depend on, so that cases can share them.

@@ -22,7 +22,7 @@ use super::study::Study;
 /// let text = r#"{ "axis": [{ "key": "operation.speed", "values": ["3000 1/min", "9000 1/min"] }], "columns": ["loss_w"] }"#;
 /// let cases = Cases::of(Study::of_case(case, text, ".".as_ref())?)?;
 /// assert_eq!(cases.header(), ["case", "id", "operation.speed", "loss_w", "code"]);
-/// let rows = cases.rows(0..cases.count());
+/// let rows = cases.rows(0..cases.count())?;
 /// assert_eq!(rows[1][2], "9000 1/min");
 /// assert!(rows[1][3].parse::<f64>()? > 0.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -59,8 +59,10 @@ impl Cases {
     }
 
     /// The rows of the cases with these numbers. A case without a result is a row with its code.
-    #[must_use]
-    pub fn rows(&self, numbers: Range<usize>) -> Vec<Vec<String>> {
+    ///
+    /// # Errors
+    /// When a file that a case reads changed since the study was loaded.
+    pub fn rows(&self, numbers: Range<usize>) -> Result<Vec<Vec<String>>, SweepError> {
         let row = |number| row_of(&self.study, &self.list, number, Some(&self.kept));
         numbers.into_par_iter().map(row).collect()
     }

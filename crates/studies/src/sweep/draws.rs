@@ -3,7 +3,7 @@
 use rand_chacha::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 
-use super::study::Method;
+use super::study_input::Method;
 
 /// Most points of Sobol's sequence.
 pub(super) const LONGEST: usize = 1 << 16;

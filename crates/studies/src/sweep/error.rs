@@ -2,6 +2,20 @@
 
 use std::path::PathBuf;
 
+fn with_other_inputs(others: &[PathBuf]) -> String {
+    let others: Vec<_> = others
+        .iter()
+        .map(|path| path.display().to_string())
+        .collect();
+    match others.is_empty() {
+        true => String::new(),
+        false => format!(
+            "; parts of the study with other inputs (its case, a file that it reads, or another version of the program) are in {}",
+            others.join(", ")
+        ),
+    }
+}
+
 /// Why a study cannot be run, or its parts not put together.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -39,6 +53,12 @@ pub enum SweepError {
     /// A table or page cannot be written.
     #[error(transparent)]
     Report(#[from] asperity_report::ReportError),
+    /// A file that a case reads has another content than when the study was loaded.
+    #[error("{file}: changed while the study was run; run it again")]
+    Changed {
+        /// The file, by the name that the case gives it.
+        file: PathBuf,
+    },
     /// A part that is damaged, or of another study.
     #[error("{path}: not a part of this study: {reason}")]
     Part {
@@ -48,7 +68,10 @@ pub enum SweepError {
         reason: String,
     },
     /// Cases that no part holds.
-    #[error("{missing} of {count} cases are in no part: {numbers}")]
+    #[error(
+        "{missing} of {count} cases are in no part: {numbers}{}",
+        with_other_inputs(.others)
+    )]
     Missing {
         /// Cases of the study.
         count: usize,
@@ -56,6 +79,8 @@ pub enum SweepError {
         missing: usize,
         /// Their numbers, as `1-4,9`.
         numbers: String,
+        /// Folders of parts of the same study that were computed from other inputs.
+        others: Vec<PathBuf>,
     },
     /// Two parts that say different things of one case.
     #[error("{path}: case {number} is not what another part says of it")]

@@ -2,17 +2,17 @@
 
 use std::path::Path;
 
+use asperity::fingerprint::sha256;
 use asperity_report::{ReportError, tables, write_bytes, write_json, write_text};
 use asperity_storage::{check_folder, replace_folder};
 use serde::Serialize;
-use sha2::{Digest, Sha256};
 
 use super::case_list::CaseList;
 use super::effects::{Indices, effects, sobol_indices};
 use super::error::SweepError;
 use super::merged::{EffectRow, Merged};
 use super::page;
-use super::parts::{Rows, header, outputs, read, text_of};
+use super::parts::{Rows, header, other_inputs, outputs, read, text_of};
 use super::study::Study;
 use crate::map::ranges;
 
@@ -33,13 +33,10 @@ pub fn merge(study: &Study, folder: &Path) -> Result<Merged, SweepError> {
             count,
             missing: missing.len(),
             numbers: ranges(&missing),
+            others: other_inputs(study, folder),
         });
     }
     let table = text_of(&header(study, &list), rows.values().cloned(), folder)?;
-    let sum: String = Sha256::digest(&table)
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect();
     let has_code = |row: &&Vec<String>| row.last().is_some_and(|code| !code.is_empty());
     Ok(Merged {
         name: study.name.clone(),
@@ -47,7 +44,7 @@ pub fn merge(study: &Study, folder: &Path) -> Result<Merged, SweepError> {
         title: study.case.case.title.clone(),
         cases: count,
         failed: rows.values().filter(has_code).count(),
-        sha256: sum,
+        sha256: sha256(&table),
         effects: effects_of(study, &list, &rows),
         table,
     })

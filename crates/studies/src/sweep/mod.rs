@@ -5,6 +5,7 @@
 //! shards and threads.
 
 mod amount;
+mod axes;
 mod case_list;
 mod cases;
 mod draws;
@@ -17,7 +18,9 @@ mod parts;
 mod plan;
 mod refused;
 mod run;
+mod settings;
 mod study;
+mod study_input;
 
 pub use asperity_core::numerics::standard_normal_quantile;
 pub use cases::Cases;
@@ -30,4 +33,5 @@ pub use parts::{Status, status};
 pub use plan::{Plan, plan};
 pub use refused::Refused;
 pub use run::{Event, Shard, run};
-pub use study::{Method, Study};
+pub use study::Study;
+pub use study_input::Method;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use asperity::fingerprint::sha256;
 use asperity_storage::{StorageError, save};
 use serde::Serialize;
 
@@ -126,8 +127,10 @@ pub(super) fn close(
     let name = format!("part-{shard:04}-of-{shards:04}-{first:08}.csv");
     let path = place_of(study, folder).join(name);
     let rows = std::mem::take(rows);
-    let text = text_of(&header(study, list), rows.into_values(), &path)?;
-    save(&path, &text)?;
+    let table = text_of(&header(study, list), rows.into_values(), &path)?;
+    let mut part = head(&study.name, &study.hash, &table).into_bytes();
+    part.extend(table);
+    save(&path, &part)?;
     Ok(())
 }
 
@@ -142,15 +145,20 @@ pub(super) fn make_place(study: &Study, folder: &Path) -> Result<(), SweepError>
     })
 }
 
-/// The rows of every closed part, and the number of parts.
-pub(super) fn read(
-    study: &Study,
-    list: &CaseList,
-    folder: &Path,
-) -> Result<(Rows, usize), SweepError> {
-    let place = place_of(study, folder);
-    let expected = header(study, list);
-    let mut files: Vec<PathBuf> = match fs::read_dir(&place) {
+/// First words of the lines above the table of a part.
+const STUDY: &str = "# study ";
+const INPUTS: &str = "# inputs ";
+const SUM: &str = "# sha256 ";
+
+/// The lines above the table of a part: name of the study, fingerprint of its inputs, sum of the table.
+fn head(name: &str, hash: &str, table: &[u8]) -> String {
+    let name: String = name.chars().filter(|c| !c.is_control()).collect();
+    format!("{STUDY}{name}\n{INPUTS}{hash}\n{SUM}{}\n", sha256(table))
+}
+
+/// The files of the closed parts in `place`, by name.
+fn files_in(place: &Path) -> Vec<PathBuf> {
+    let mut files: Vec<PathBuf> = match fs::read_dir(place) {
         Ok(entries) => entries.flatten().map(|entry| entry.path()).collect(),
         Err(_) => Vec::new(),
     };
@@ -159,17 +167,46 @@ pub(super) fn read(
         name.starts_with("part-") && name.ends_with(".csv")
     });
     files.sort();
+    files
+}
+
+/// Folders beside that of `study` whose parts are of the same study with other inputs.
+pub(super) fn other_inputs(study: &Study, folder: &Path) -> Vec<PathBuf> {
+    let own = place_of(study, folder);
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut others: Vec<PathBuf> = entries
+        .map(|entry| entry.path())
+        .filter(|path| *path != own)
+        .filter(|path| {
+            let begin = head(&study.name, "", &[]);
+            let first = files_in(path).into_iter().next();
+            let text = first.and_then(|file| fs::read_to_string(file).ok());
+            text.is_some_and(|text| text.lines().next() == begin.lines().next())
+        })
+        .collect();
+    others.sort();
+    others
+}
+
+/// The rows of every closed part, and the number of parts.
+pub(super) fn read(
+    study: &Study,
+    list: &CaseList,
+    folder: &Path,
+) -> Result<(Rows, usize), SweepError> {
+    let files = files_in(&place_of(study, folder));
+    let expected = (header(study, list), list.count());
     let mut rows = Rows::new();
     for path in &files {
-        read_part(path, &expected, list.count(), &mut rows)?;
+        read_part(path, study, &expected, &mut rows)?;
     }
     Ok((rows, files.len()))
 }
 
 fn read_part(
     path: &Path,
-    expected: &[String],
-    count: usize,
+    study: &Study,
+    (expected, count): &(Vec<String>, usize),
     rows: &mut Rows,
 ) -> Result<(), SweepError> {
     let refused = |reason: String| SweepError::Part {
@@ -177,7 +214,29 @@ fn read_part(
         reason,
     };
     let damaged = |source: csv::Error| refused(source.to_string());
-    let mut reader = csv::Reader::from_path(path).map_err(damaged)?;
+    let bytes = fs::read(path).map_err(|error| refused(error.to_string()))?;
+    let mut lines = bytes.splitn(4, |byte| *byte == b'\n');
+    let mut after = |word: &str| {
+        let line = lines.next().and_then(|line| std::str::from_utf8(line).ok());
+        let found = line.and_then(|line| line.strip_prefix(word));
+        found
+            .map(str::to_owned)
+            .ok_or_else(|| refused(format!("no line {word:?} above its table")))
+    };
+    let (_, inputs, sum) = (after(STUDY)?, after(INPUTS)?, after(SUM)?);
+    if inputs != study.hash {
+        let now = &study.hash;
+        return Err(refused(format!(
+            "it was computed from inputs {inputs}, now they are {now}"
+        )));
+    }
+    let table = lines.next().unwrap_or_default();
+    if sha256(table) != sum {
+        return Err(refused(
+            "it is damaged: its table has another SHA-256 than it states".to_owned(),
+        ));
+    }
+    let mut reader = csv::Reader::from_reader(table);
     let header = reader.headers().map_err(damaged)?;
     if !header.iter().eq(expected.iter().map(String::as_str)) {
         return Err(refused("its columns are others".to_owned()));
@@ -185,7 +244,7 @@ fn read_part(
     for record in reader.records() {
         let record = record.map_err(damaged)?;
         let cells: Vec<String> = record.iter().map(str::to_owned).collect();
-        let number = cells[0].parse().ok().filter(|number| *number < count);
+        let number = cells[0].parse().ok().filter(|number| number < count);
         let number = number.ok_or_else(|| refused(format!("there is no case {}", cells[0])))?;
         match rows.get(&number) {
             Some(other) if *other != cells => {

@@ -39,12 +39,12 @@ pub fn plan(study: &Study) -> Result<Plan, SweepError> {
     const SAMPLED: usize = 3;
     let list = CaseList::of(study)?;
     let count = list.count();
-    let refused = refusals(study, &list, &Vec::from_iter(0..count));
+    let refused = refusals(study, &list, &Vec::from_iter(0..count))?;
     let begin = Instant::now();
     let few = SAMPLED.min(count);
     let mut bytes = 0;
     for k in 0..few {
-        let row = row_of(study, &list, k * count / few, None);
+        let row = row_of(study, &list, k * count / few, None)?;
         bytes += row.iter().map(|cell| cell.len() + 1).sum::<usize>();
     }
     let each = |total: f64| total / few.max(1) as f64 * count as f64;

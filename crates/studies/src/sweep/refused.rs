@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::case_list::{CaseList, resolved};
+use super::error::SweepError;
 use super::study::Study;
 
 /// Cases that cannot be resolved.
@@ -20,18 +21,22 @@ pub struct Refused {
 }
 
 /// The cases of these numbers that cannot be resolved, by code.
+///
+/// # Errors
+/// When a file changed since the study was loaded.
 pub(super) fn refusals(
     study: &Study,
     list: &CaseList,
     numbers: &[usize],
-) -> BTreeMap<String, Refused> {
-    let refusals: Vec<(usize, String, String)> = numbers
+) -> Result<BTreeMap<String, Refused>, SweepError> {
+    let refusals = numbers
         .par_iter()
-        .filter_map(|number| {
-            let refused = resolved(&study.case, &list.place(*number)).err()?;
-            Some((*number, refused.code_of_case(), refused.to_string()))
+        .filter_map(|number| match resolved(study, &list.place(*number)) {
+            Ok(_) => None,
+            Err(error @ SweepError::Changed { .. }) => Some(Err(error)),
+            Err(refused) => Some(Ok((*number, refused.code_of_case(), refused.to_string()))),
         })
-        .collect();
+        .collect::<Result<Vec<(usize, String, String)>, SweepError>>()?;
     let mut refused: BTreeMap<String, Refused> = BTreeMap::new();
     for (first, code, message) in refusals {
         let entry = refused.entry(code).or_insert(Refused {
@@ -41,5 +46,5 @@ pub(super) fn refusals(
         });
         entry.count += 1;
     }
-    refused
+    Ok(refused)
 }

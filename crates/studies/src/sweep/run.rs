@@ -15,7 +15,8 @@ use super::case_list::{CaseList, key_of_tables, resolved};
 use super::error::SweepError;
 use super::parts::{Rows, close, make_place, outputs, read};
 use super::refused::{Refused, refusals};
-use super::study::{Detail, Study};
+use super::study::Study;
+use super::study_input::Detail;
 
 /// One of several shards of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -91,16 +92,16 @@ pub fn run(
         .filter(|number| !done.contains_key(number))
         .collect();
     let of = wanted.len();
-    let refused = &refusals(study, &list, &wanted);
+    let refused = &refusals(study, &list, &wanted)?;
     watch(Event::Checked { refused, of });
     let kept = Kept::default();
     let (mut rows, mut opened) = (Rows::new(), Instant::now());
     let mut finished = 0;
     for numbers in wanted.chunks(AT_ONCE) {
-        let found: Vec<(usize, Vec<String>)> = numbers
+        let found = numbers
             .par_iter()
-            .map(|number| (*number, row_of(study, &list, *number, Some(&kept))))
-            .collect();
+            .map(|number| Ok((*number, row_of(study, &list, *number, Some(&kept))?)))
+            .collect::<Result<Vec<(usize, Vec<String>)>, SweepError>>()?;
         finished += found.len();
         rows.extend(found);
         watch(Event::Done {
@@ -117,15 +118,19 @@ pub fn run(
 }
 
 /// The row of a case: number, id, inputs, results, code.
+///
+/// # Errors
+/// When a file changed since the study was loaded; any other error of the case is the code of its row.
 pub(super) fn row_of(
     study: &Study,
     list: &CaseList,
     number: usize,
     kept: Option<&Kept>,
-) -> Vec<String> {
+) -> Result<Vec<String>, SweepError> {
     let place = list.place(number);
     let names = outputs(study);
-    let (id, found) = match resolved(&study.case, &place) {
+    let (id, found) = match resolved(study, &place) {
+        Err(error @ SweepError::Changed { .. }) => return Err(error),
         Err(error) => (String::new(), Err(error.code_of_case())),
         Ok((case, id)) => {
             let summary = summary(study, &case, kept);
@@ -144,7 +149,7 @@ pub(super) fn row_of(
             row.push(code);
         }
     }
-    row
+    Ok(row)
 }
 
 fn summary(study: &Study, case: &LoadedCase, kept: Option<&Kept>) -> Result<Summary, Error> {

@@ -1,112 +1,16 @@
-//! The study file.
+//! A study: its file, its case, and the fingerprint of both with all files that they name.
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use asperity::case::{self, LoadedCase};
-use serde::Deserialize;
-use sha2::{Digest, Sha256};
-use toml::Value;
+use asperity::case::{self, FileSums, LoadedCase};
+use asperity::fingerprint::Fingerprint;
 
+use super::axes::Axes;
 use super::error::SweepError;
+use super::study_input::StudyInput;
 
 /// Name of a study that was not read from a file.
 const IN_MEMORY: &str = "study";
-
-/// A study as its file has it.
-#[derive(Debug, Clone, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct StudyInput {
-    /// Case file, relative to the study; in memory the case is at hand.
-    #[serde(default)]
-    pub case: Option<PathBuf>,
-    pub detail: Option<Detail>,
-    pub columns: Option<Vec<String>>,
-    #[serde(default)]
-    pub axis: Vec<AxisInput>,
-    pub sample: Option<SampleInput>,
-}
-
-/// What is computed of a case.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(super) enum Detail {
-    /// What the losses need.
-    #[default]
-    Losses,
-    /// The rough contact at every offset besides.
-    Contacts,
-}
-
-/// An axis: values of a key, or named choices of several keys.
-#[derive(Debug, Clone, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct AxisInput {
-    pub key: Option<String>,
-    pub name: Option<String>,
-    pub values: Option<Vec<Value>>,
-    pub from: Option<Value>,
-    pub to: Option<Value>,
-    pub count: Option<usize>,
-    pub spacing: Option<Spacing>,
-    pub choice: Option<BTreeMap<String, BTreeMap<String, Value>>>,
-}
-
-/// Steps of an axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(super) enum Spacing {
-    /// Equal steps.
-    #[default]
-    Linear,
-    /// Equal ratios.
-    Log,
-}
-
-/// How the inputs are sampled.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Method {
-    /// Sobol's sequence, scrambled by the seed.
-    Sobol,
-    /// Each input evenly in layers, the layers of the inputs shuffled.
-    LatinHypercube,
-    /// Independent.
-    Random,
-    /// Rows of a table.
-    List,
-}
-
-/// The sample.
-#[derive(Debug, Clone, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct SampleInput {
-    pub method: Method,
-    pub count: Option<usize>,
-    #[serde(default)]
-    pub seed: u64,
-    /// Whether the sample is one of Saltelli for Sobol's indices: count times the number of inputs plus two.
-    #[serde(default)]
-    pub indices: bool,
-    #[serde(default)]
-    pub vary: BTreeMap<String, Distribution>,
-    /// Table of a list.
-    pub file: Option<PathBuf>,
-}
-
-/// Distribution of an input.
-#[derive(Debug, Clone, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(super) enum Distribution {
-    /// Even from the first to the second.
-    Uniform([Value; 2]),
-    /// Even in the logarithm.
-    LogUniform([Value; 2]),
-    /// Mean and standard deviation.
-    Normal([Value; 2]),
-    /// Smallest, most likely, largest.
-    Triangular([Value; 3]),
-}
 
 /// A study with its case.
 #[derive(Debug, Clone)]
@@ -116,10 +20,16 @@ pub struct Study {
     pub case: LoadedCase,
     /// Name of the study, without folder and ending.
     pub name: String,
-    /// First sixteen hexadecimal digits of the SHA-256 of study, case, traces and version of the program.
+    /// First sixteen hexadecimal digits of the fingerprint of all that decides a case of the study: the study, its
+    /// table, the case, the files that any case of it reads, and the version of the program.
     pub hash: String,
     /// Folder of the study.
     pub folder: PathBuf,
+    pub(super) axes: Axes,
+    /// Table of the sample, where it is a list.
+    pub(super) table: Option<Vec<u8>>,
+    /// Sums of the files that any case of the study reads.
+    pub(super) sums: FileSums,
 }
 
 impl Study {
@@ -168,49 +78,41 @@ impl Study {
         case: LoadedCase,
         (name, folder): (String, PathBuf),
     ) -> Result<Self, SweepError> {
-        let mut sum = Sha256::new();
-        sum.update(text.as_bytes());
-        if let Some(list) = input
+        let table = match input
             .sample
             .as_ref()
             .and_then(|sample| sample.file.as_ref())
         {
-            let path = folder.join(list);
-            let bytes = std::fs::read(&path).map_err(|source| SweepError::Open { path, source })?;
-            sum.update(bytes);
+            None => None,
+            Some(list) => {
+                let path = folder.join(list);
+                let bytes = std::fs::read(&path);
+                Some(bytes.map_err(|source| SweepError::Open { path, source })?)
+            }
+        };
+        let axes = Axes::of(&input)?;
+        let sums = axes.files(&case);
+        let mut hash = Fingerprint::default()
+            .with(text)
+            .with(table.as_deref().unwrap_or_default())
+            .with(case.fingerprint());
+        for (name, sum) in &sums {
+            hash = hash.with(name.as_os_str().as_encoded_bytes()).with(sum);
         }
-        sum.update(identity(&case)?.as_bytes());
         Ok(Self {
             input,
             case,
             name,
-            hash: short(sum),
+            hash: short(hash),
             folder,
+            axes,
+            table,
+            sums,
         })
     }
 }
 
-/// All that decides a result: the case as canonical JSON, the sums of its traces, the version of the program.
-pub(super) fn identity(case: &LoadedCase) -> Result<String, SweepError> {
-    let refused = |error: serde_json::Error| SweepError::key("case", error.to_string());
-    // Keys of a value are sorted.
-    let value = serde_json::to_value(&case.case.input).map_err(refused)?;
-    let mut text = serde_json::to_string(&value).map_err(refused)?;
-    for flank in case.all_traces() {
-        text.push('\n');
-        text.push_str(flank.sha256.as_deref().unwrap_or_default());
-    }
-    text.push('\n');
-    text.push_str(env!("CARGO_PKG_VERSION"));
-    Ok(text)
-}
-
-/// The first sixteen hexadecimal digits of a sum.
-pub(super) fn short(sum: Sha256) -> String {
-    let hex: String = sum
-        .finalize()
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect();
-    hex[..16].to_owned()
+/// The first sixteen digits of a fingerprint.
+pub(super) fn short(fingerprint: Fingerprint) -> String {
+    fingerprint.hex()[..16].to_owned()
 }

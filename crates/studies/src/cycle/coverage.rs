@@ -1,0 +1,94 @@
+//! How much of a cycle is outside of a map.
+
+use std::f64::consts::PI;
+
+use super::trace::{Cycle, CyclePoint};
+use crate::map::Surface;
+
+/// Share of the energy at the pinion that may be outside of a map, where losses are extrapolated: an own choice.
+const MOST_OUTSIDE: f64 = 0.05;
+
+/// Shares of a cycle outside of a map.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Coverage {
+    /// Share of the energy at the pinion, driving and braking, outside the map.
+    pub outside_energy: f64,
+    /// Share of the moving time outside the map.
+    pub outside_time: f64,
+    torque_nm: [f64; 2],
+    speed_rpm: f64,
+    of_map: [f64; 3],
+}
+
+/// A cycle of which too much is outside of a map.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[error(
+    "{:.1} % of the energy of the cycle is outside of the map, at most {:.0} % may be: torque {:.1} to {:.1} N m and speed up to {:.0} 1/min on a map of {:.1} to {:.1} N m up to {:.0} 1/min",
+    100.0 * .0.outside_energy, 100.0 * MOST_OUTSIDE, .0.torque_nm[0], .0.torque_nm[1], .0.speed_rpm,
+    .0.of_map[0], .0.of_map[1], .0.of_map[2]
+)]
+pub struct Uncovered(Coverage);
+
+impl Coverage {
+    /// The shares of `cycle` outside of `surface`.
+    #[must_use]
+    pub fn of(surface: &Surface, cycle: &Cycle) -> Self {
+        let energy = |point: &CyclePoint| {
+            let omega = point.speed_rpm.abs() * PI / 30.0;
+            (point.torque_nm * omega).abs() * point.weight_s
+        };
+        let is_outside = |point: &CyclePoint| {
+            let at = surface.loss_torque(point.torque_nm, point.speed_rpm);
+            at.is_outside
+        };
+        let outside = |of: &dyn Fn(&CyclePoint) -> f64| share(cycle, of, &is_outside);
+        let torques = || cycle.points.iter().map(|point| point.torque_nm);
+        let speeds = cycle.points.iter().map(|point| point.speed_rpm.abs());
+        let end = |nodes: &[f64]| nodes.last().copied().unwrap_or_default();
+        Self {
+            outside_energy: outside(&energy),
+            outside_time: outside(&moving_time),
+            torque_nm: [torques().fold(0.0, f64::min), torques().fold(0.0, f64::max)],
+            speed_rpm: speeds.fold(0.0, f64::max),
+            of_map: [
+                surface.torque_nm.first().copied().unwrap_or_default(),
+                end(&surface.torque_nm),
+                end(&surface.speed_rpm),
+            ],
+        }
+    }
+
+    /// Refuses a cycle with more than 5 % of its energy outside of the map.
+    ///
+    /// # Errors
+    /// When there is more.
+    pub fn check(self) -> Result<(), Uncovered> {
+        match self.outside_energy > MOST_OUTSIDE {
+            true => Err(Uncovered(self)),
+            false => Ok(()),
+        }
+    }
+}
+
+/// Time of a point at which the mesh turns \[s\].
+pub(super) fn moving_time(point: &CyclePoint) -> f64 {
+    match point.speed_rpm == 0.0 {
+        true => 0.0,
+        false => point.weight_s,
+    }
+}
+
+/// Share of the sum of `of` over the points meant; 0 where there is none.
+pub(super) fn share(
+    cycle: &Cycle,
+    of: &dyn Fn(&CyclePoint) -> f64,
+    is_meant: &dyn Fn(&CyclePoint) -> bool,
+) -> f64 {
+    let all: f64 = cycle.points.iter().map(of).sum();
+    let meant = cycle.points.iter().filter(|point| is_meant(point));
+    if all > 0.0 {
+        meant.map(of).sum::<f64>() / all
+    } else {
+        0.0
+    }
+}

@@ -1,0 +1,140 @@
+//! The crossed axes of a study.
+
+use asperity::case::{FILE_KEYS, FileSums, LoadedCase};
+use toml::Value;
+
+use super::amount::{Amount, text_of, written};
+use super::error::SweepError;
+use super::settings::{Settings, set};
+use super::study_input::{AxisInput, Spacing, StudyInput};
+
+/// A crossed axis.
+#[derive(Debug, Clone)]
+struct Axis {
+    /// Column of the table.
+    name: String,
+    /// Text of the column and what is set, node by node.
+    nodes: Vec<(String, Settings)>,
+}
+
+/// The crossed axes of a study.
+#[derive(Debug, Clone)]
+pub(super) struct Axes(Vec<Axis>);
+
+impl Axes {
+    pub(super) fn of(study: &StudyInput) -> Result<Self, SweepError> {
+        Ok(Self(study.axis.iter().map(axis).collect::<Result<_, _>>()?))
+    }
+
+    /// Points of the axes.
+    pub(super) fn count(&self) -> usize {
+        self.0.iter().map(|axis| axis.nodes.len()).product()
+    }
+
+    /// Columns of the axes.
+    pub(super) fn names(&self) -> impl Iterator<Item = &str> {
+        self.0.iter().map(|axis| axis.name.as_str())
+    }
+
+    /// Text and settings of each axis at a point, by its number: row-major.
+    pub(super) fn at(&self, number: usize) -> impl Iterator<Item = &(String, Settings)> {
+        let mut rest = number;
+        let mut chosen = vec![0; self.0.len()];
+        for (index, axis) in self.0.iter().enumerate().rev() {
+            chosen[index] = rest % axis.nodes.len();
+            rest /= axis.nodes.len();
+        }
+        let places = self.0.iter().zip(chosen);
+        places.map(|(axis, node)| &axis.nodes[node])
+    }
+
+    /// Sums of the files that `case` reads at any point of the axes.
+    pub(super) fn files(&self, case: &LoadedCase) -> FileSums {
+        let mut inputs = vec![case.case.input.clone()];
+        for axis in self.0.iter().filter(|axis| axis.names_files()) {
+            let crossed = inputs.iter().flat_map(|input| {
+                axis.nodes.iter().map(|(_, settings)| {
+                    let mut input = input.clone();
+                    for (key, value) in settings {
+                        // A key that cannot be set is an error of its cases, which then read nothing.
+                        let _ = set(&mut input, &case.case.defaults, key, value);
+                    }
+                    input
+                })
+            });
+            inputs = crossed.collect();
+        }
+        case.files_of(&inputs)
+    }
+}
+
+impl Axis {
+    /// Whether the axis sets a key that names files, a part of one, or a table with one.
+    fn names_files(&self) -> bool {
+        let is_within = |part: &str, whole: &str| {
+            part.strip_prefix(whole)
+                .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+        };
+        let names_files = |key: &str| {
+            let mut keys = FILE_KEYS.iter();
+            keys.any(|file| is_within(file, key) || is_within(key, file))
+        };
+        let settings = self.nodes.iter().flat_map(|(_, settings)| settings);
+        settings.map(|(key, _)| key.as_str()).any(names_files)
+    }
+}
+
+fn axis(input: &AxisInput) -> Result<Axis, SweepError> {
+    let name = input.name.clone().or_else(|| input.key.clone());
+    let name =
+        name.ok_or_else(|| SweepError::key("axis", "needs a key, or a name with choices"))?;
+    if let Some(choices) = &input.choice {
+        let node = |(name, keys): (&String, &std::collections::BTreeMap<String, Value>)| {
+            let settings = keys
+                .iter()
+                .map(|(key, value)| (key.clone(), written(value)));
+            (name.clone(), settings.collect())
+        };
+        let nodes: Vec<_> = choices.iter().map(node).collect();
+        return some(name, nodes);
+    }
+    let key = input.key.clone();
+    let key = key.ok_or_else(|| SweepError::key(&name, "needs a key, or choices"))?;
+    let node = |text: String| (text.clone(), vec![(key.clone(), text)]);
+    if let Some(values) = &input.values {
+        return some(name, values.iter().map(written).map(node).collect());
+    }
+    let (Some(from), Some(to), Some(count)) = (&input.from, &input.to, input.count) else {
+        return Err(SweepError::key(
+            &name,
+            "needs values, or from, to and count",
+        ));
+    };
+    let (ends, unit) = Amount::list(&name, &[from.clone(), to.clone()])?;
+    let [from, to] = [ends[0], ends[1]];
+    let spacing = input.spacing.unwrap_or_default();
+    if count < 2 || (spacing == Spacing::Log && !(from > 0.0 && to > 0.0)) {
+        let rule = "needs a count of at least 2, and positive ends for log";
+        return Err(SweepError::key(&name, rule));
+    }
+    let value = |k: usize| {
+        let share = k as f64 / (count - 1) as f64;
+        match spacing {
+            _ if k == 0 => from,
+            _ if k + 1 == count => to,
+            Spacing::Linear => from + (to - from) * share,
+            Spacing::Log => from * (to / from).powf(share),
+        }
+    };
+    some(
+        name,
+        (0..count).map(|k| node(text_of(value(k), &unit))).collect(),
+    )
+}
+
+fn some(name: String, nodes: Vec<(String, Settings)>) -> Result<Axis, SweepError> {
+    match nodes.is_empty() {
+        true => Err(SweepError::key(&name, "has no values")),
+        false => Ok(Axis { name, nodes }),
+    }
+}

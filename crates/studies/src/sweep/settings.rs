@@ -1,0 +1,49 @@
+//! Keys of a case that a study sets.
+
+use asperity::case::{CaseInput, DefaultUsed};
+use toml::Value;
+
+use super::error::SweepError;
+
+/// Keys and the values that they are set to.
+pub(super) type Settings = Vec<(String, String)>;
+
+/// Sets a key of the case; a number at its end is the place in a list, `gears.profile_shift.0`, which the case gives
+/// or has by default.
+pub(super) fn set(
+    input: &mut CaseInput,
+    defaults: &[DefaultUsed],
+    key: &str,
+    value: &str,
+) -> Result<(), SweepError> {
+    let of_list = key
+        .rsplit_once('.')
+        .and_then(|(list, index)| Some((list, index.parse::<usize>().ok()?)));
+    let Some((list, index)) = of_list else {
+        return Ok(input.set(key, value)?);
+    };
+    let as_text = |error: &dyn std::fmt::Display| SweepError::key(key, error.to_string());
+    let root = Value::try_from(&*input).map_err(|error| as_text(&error))?;
+    let found = list
+        .split('.')
+        .try_fold(&root, |table, part| table.get(part));
+    let by_default = || {
+        let default = defaults.iter().find(|default| default.key == list)?;
+        let values: Vec<f64> = serde_json::from_str(&default.value).ok()?;
+        Some(values.into_iter().map(Value::Float).collect())
+    };
+    let given = match found {
+        Some(Value::Array(values)) => Some(values.clone()),
+        _ => by_default(),
+    };
+    let none = || SweepError::key(key, "is no list of the case");
+    let mut values = given.ok_or_else(none)?;
+    let Some(entry) = values.get_mut(index) else {
+        return Err(SweepError::key(key, "is beyond the end of the list"));
+    };
+    *entry = match (entry.is_str(), value.parse::<f64>()) {
+        (false, Ok(number)) => Value::Float(number),
+        _ => Value::String(value.to_owned()),
+    };
+    Ok(input.set(list, &Value::Array(values).to_string())?)
+}
