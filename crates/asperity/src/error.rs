@@ -249,6 +249,12 @@ impl From<EfficiencyError> for Error {
     }
 }
 
+impl From<Cancelled> for Error {
+    fn from(cancelled: Cancelled) -> Self {
+        Self::Whole(Box::new(cancelled.into()))
+    }
+}
+
 impl From<CaseError> for Error {
     fn from(error: CaseError) -> Self {
         Self::Case(Box::new(error))

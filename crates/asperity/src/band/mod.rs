@@ -31,6 +31,7 @@ mod set;
 
 use std::collections::BTreeSet;
 
+use asperity_core::cancel::checkpoint;
 use asperity_core::provenance::Provenance;
 
 use crate::case::{Formulation, FullFilmName, LoadShareName, LoadedCase};
@@ -194,6 +195,8 @@ fn band(
         path_sliding_w_per_m: along_path(rows, &draws.losses, None),
         path_with_sampling_w_per_m: along_path(rows, &draws.losses, Some(&drawn)),
     };
+    // A cancelled alternative is not one without solution.
+    checkpoint()?;
     Ok((band, drawn))
 }
 

@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use asperity::Error;
 use asperity::balance::{Balance, Efficiency, Unbalanced};
 use asperity::case::LoadedCase;
+use asperity::core::cancel::checkpoint;
 use asperity::fingerprint::Fingerprint;
 use asperity::pipeline::Progress;
 use asperity::result::OffsetRow;
@@ -134,6 +135,7 @@ fn of_finish(
         let is_banded = |speed: f64| banded[side].has(torque, speed);
         let torque_there = torque_of(sign * torque);
         let found = evaluate(&finish.case, torque_there, places, &is_banded, told);
+        checkpoint()?;
         computed.insert((side, torque.to_bits()), found);
     }
     let mut points = Vec::with_capacity(axes.points());

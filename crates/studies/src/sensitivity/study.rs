@@ -2,6 +2,7 @@
 
 use asperity::band::DrawnLosses;
 use asperity::case::LoadedCase;
+use asperity::core::cancel::checkpoint;
 use asperity::pipeline::{Progress, contact_tables, losses, losses_with};
 use asperity::result::{Losses, Summary};
 use asperity::{ContactTables, Error};
@@ -93,6 +94,7 @@ pub fn sensitivity(case: &LoadedCase, progress: Progress<'_>) -> Result<Sensitiv
     let mut rows = Vec::new();
     for change in changes {
         rows.push(row(change, (&base, &sampled), tables.as_ref()));
+        checkpoint()?;
         progress(1 + rows.len(), runs);
     }
     Ok(Sensitivity {

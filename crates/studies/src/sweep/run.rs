@@ -6,6 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use asperity::case::LoadedCase;
+use asperity::core::cancel::checkpoint;
 use asperity::pipeline::{contact_tables, contacts, losses, losses_with};
 use asperity::result::Summary;
 use asperity::{ContactTables, Error};
@@ -102,6 +103,8 @@ pub fn run(
             .par_iter()
             .map(|number| Ok((*number, row_of(study, &list, *number, Some(&kept))?)))
             .collect::<Result<Vec<(usize, Vec<String>)>, SweepError>>()?;
+        // Rows of cancelled cases are no rows of the study.
+        checkpoint().map_err(Error::from).map_err(Box::new)?;
         finished += found.len();
         rows.extend(found);
         watch(Event::Done {
