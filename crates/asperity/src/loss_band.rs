@@ -190,15 +190,112 @@ impl Trust {
 /// ```
 #[must_use]
 pub fn rounded(value: f64, half_width: f64) -> String {
+    let digits = Digits::of_uncertainty(half_width);
+    digits.text(digits.steps(value))
+}
+
+/// The last decimal place of printed numbers. Numbers are whole steps of it, so that they can be added up as printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Digits {
+    decimals: i32,
+}
+
+impl Digits {
     /// Decimals where nothing limits them.
     const MOST: i32 = 4;
-    if !(half_width.is_finite() && half_width > 0.0) {
-        return format!("{value:.4}");
+
+    /// Digits with so many decimals; -1 are tens.
+    #[must_use]
+    pub const fn of_decimals(decimals: i32) -> Self {
+        Self { decimals }
     }
-    let decimals = (1 - half_width.log10().floor() as i32).min(MOST);
-    if decimals >= 0 {
-        return format!("{value:.*}", decimals as usize);
+
+    /// Two digits of an uncertainty, and four decimals at most.
+    #[must_use]
+    pub fn of_uncertainty(half_width: f64) -> Self {
+        let decimals = match half_width.is_finite() && half_width > 0.0 {
+            true => (1 - half_width.log10().floor() as i32).min(Self::MOST),
+            false => Self::MOST,
+        };
+        Self { decimals }
     }
-    let step = 10f64.powi(-decimals);
-    format!("{:.0}", (value / step).round() * step)
+
+    /// Whole steps nearest to `value`.
+    #[must_use]
+    pub fn steps(self, value: f64) -> f64 {
+        (value / self.step()).round()
+    }
+
+    /// Steps of the parts of a total of `total` steps, which add up to it: each part is rounded down, and the steps that
+    /// are then missing go to the parts with the largest remainders. Parts of another total are rounded one by one.
+    ///
+    /// ```
+    /// use asperity::loss_band::Digits;
+    /// let tens = Digits::of_decimals(-1);
+    /// // 565.6 + 8.1 = 573.7 is printed as 570 = 560 + 10.
+    /// assert_eq!(tens.parts(tens.steps(573.7), &[565.6, 8.1]), [56.0, 1.0]);
+    /// ```
+    #[must_use]
+    pub fn parts(self, total: f64, parts: &[f64]) -> Vec<f64> {
+        let whole: Vec<f64> = parts
+            .iter()
+            .map(|part| (part / self.step()).floor())
+            .collect();
+        let missing = total - whole.iter().sum::<f64>();
+        if !(0.0..=parts.len() as f64).contains(&missing) {
+            return parts.iter().map(|part| self.steps(*part)).collect();
+        }
+        let remainder = |k: usize| parts[k] / self.step() - whole[k];
+        let mut order: Vec<usize> = (0..parts.len()).collect();
+        order.sort_by(|a, b| remainder(*b).total_cmp(&remainder(*a)));
+        let mut steps = whole.clone();
+        for &k in order.iter().take(missing as usize) {
+            steps[k] += 1.0;
+        }
+        steps
+    }
+
+    /// A number of steps as text.
+    #[must_use]
+    pub fn text(self, steps: f64) -> String {
+        format!("{:.*}", self.decimals.max(0) as usize, steps * self.step())
+    }
+
+    /// The last place, as text.
+    #[must_use]
+    pub fn last_place(self) -> String {
+        self.text(1.0)
+    }
+
+    fn step(self) -> f64 {
+        10f64.powi(-self.decimals)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_add_up_to_their_total_as_printed() {
+        for decimals in [-2, 0, 3] {
+            let digits = Digits::of_decimals(decimals);
+            for k in 0..500 {
+                let value = |j: u32| 1000.0 * (0.618_034 * f64::from(7 * k + j)).fract();
+                let parts = [value(1), value(2), 0.01 * value(3), 0.0];
+                let total = digits.steps(parts.iter().sum());
+                let steps = digits.parts(total, &parts);
+                assert_eq!(steps.iter().sum::<f64>(), total, "{parts:?}");
+                let size = 10f64.powi(-decimals);
+                let is_near = |(steps, part): (&f64, &f64)| (steps - part / size).abs() < 1.0;
+                assert!(steps.iter().zip(&parts).all(is_near), "{steps:?} {parts:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn parts_of_another_total_are_rounded_one_by_one() {
+        let ones = Digits::of_decimals(0);
+        assert_eq!(ones.parts(100.0, &[1.4, 2.6]), [1.0, 3.0]);
+    }
 }

@@ -41,6 +41,9 @@ def test_a_point_of_a_map_is_a_run(drive, tmp_path):
     assert found.loss_w[0, 0, at[0], at[1]] == run.loss_w
     assert found.loss_torque(50, "3000 1/min") == found.loss_torque_nm[0, 0, at[0], at[1]]
     assert found.loss_torque([50, 145], "5000 1/min").shape == (2,)
+    with pytest.warns(UserWarning, match="1 of 2 places are outside"):
+        edge, beyond = found.loss_torque([145, 290], "9000 1/min")
+    assert beyond == pytest.approx(2 * edge)
     found.write(tmp_path / "map")
     again = asperity.read_result(tmp_path / "map")
     assert isinstance(again, asperity.Map) and np.array_equal(again.loss_w, found.loss_w)

@@ -17,6 +17,7 @@ mod folder;
 pub mod html;
 mod page_tables;
 mod planetary;
+mod printed;
 mod summary;
 pub mod tables;
 pub mod units;
@@ -29,5 +30,6 @@ pub use folder::{
 };
 pub use page_tables::PageTables;
 pub use planetary::{check_planetary_place, write_planetary};
-pub use summary::{brief, published_laws, stated, summary};
+pub use printed::{stated, stated_parts};
+pub use summary::{brief, published_laws, summary};
 pub use wrap::{COLUMNS, wrapped};

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use crate::printed::{PrintedLoss, included, stated, stated_parts, watts};
 use crate::tables::BODIES;
 use crate::wrap::{COLUMNS, wrapped};
 use asperity::loss_band::{LossBand, SamplingPart, Trust, rounded};
@@ -141,8 +142,9 @@ pub(crate) fn two_digits(power: f64) -> String {
 
 /// The gearbox around the mesh: its efficiency, and what its user states, part by part.
 fn gearbox_text(gearbox: &GearboxReport, band: Option<&LossBand>) -> String {
-    let parts = gearbox.parts.iter();
-    let parts = parts.map(|part| format!("{} {}", part.name, stated(part.loss_w)));
+    let losses: Vec<f64> = gearbox.parts.iter().map(|part| part.loss_w).collect();
+    let parts = gearbox.parts.iter().zip(stated_parts(&losses));
+    let parts = parts.map(|(part, loss)| format!("{} {loss}", part.name));
     let parts: Vec<String> = parts.collect();
     let beside = wrapped(
         &format!(
@@ -210,6 +212,7 @@ fn bulk_text(bulk: &BulkReport) -> String {
 
 fn write_losses(text: &mut String, result: &RunResult) -> std::fmt::Result {
     let s = &result.summary;
+    let printed = PrintedLoss::of(s, &result.running_in, result.band.as_ref());
     writeln!(text, "{}", result.title)?;
     match &result.band {
         Some(band) => writeln!(text, "{}", headline(s, band))?,
@@ -217,21 +220,20 @@ fn write_losses(text: &mut String, result: &RunResult) -> std::fmt::Result {
             text,
             "efficiency (mesh only)  {:.4} %   loss {}   power in {}",
             100.0 * s.efficiency,
-            watts(s.loss_w),
+            printed.loss,
             watts(s.power_in_w),
         )?,
     }
-    let part = |power: f64| match &result.band {
-        Some(band) => part(power, band),
-        None => watts(power),
-    };
     let mut parts = vec![
-        format!("sliding {}", part(s.sliding_w)),
-        format!("rolling {}", part(s.rolling_w)),
+        format!("sliding {}", printed.sliding),
+        format!("rolling {}", printed.rolling),
     ];
-    let [pinion, wheel] = s.deformation_w;
-    if pinion != 0.0 || wheel != 0.0 {
-        parts.push(format!("deformation {} + {}", watts(pinion), watts(wheel)));
+    if s.deformation_w != [0.0, 0.0] {
+        let [pinion, wheel] = &printed.deformation;
+        parts.push(format!("deformation {pinion} + {wheel}"));
+    }
+    if included(&result.running_in) > 0.0 {
+        parts.push(format!("running-in {}", printed.running_in));
     }
     let losses = format!("  [{}]", parts.join(" | "));
     let factors = format!(
@@ -244,26 +246,8 @@ fn write_losses(text: &mut String, result: &RunResult) -> std::fmt::Result {
     writeln!(
         text,
         "  sliding in film {}, lubricated asperities {}, boundary layer {}",
-        part(s.film_w),
-        part(s.lubricated_asperity_w),
-        part(s.boundary_w),
+        printed.film, printed.lubricated, printed.boundary,
     )
-}
-
-/// A part of the loss, with the digits that the band of the whole leaves.
-fn part(power: f64, band: &LossBand) -> String {
-    let text = rounded(power, band.half_width_w());
-    let is_lost = text.chars().all(|c| "0.".contains(c)) && power > 0.0;
-    match is_lost {
-        true => format!("below {} W", rounded_step(band.half_width_w())),
-        false => format!("{text} W"),
-    }
-}
-
-/// The last place that [`rounded`] leaves.
-fn rounded_step(half_width: f64) -> String {
-    let decimals = (1 - half_width.log10().floor() as i32).min(4);
-    format!("{:.*}", decimals.max(0) as usize, 10f64.powi(-decimals))
 }
 
 fn write_regime(text: &mut String, result: &RunResult) -> std::fmt::Result {
@@ -342,6 +326,7 @@ fn write_run_in(text: &mut String, result: &RunResult) -> std::fmt::Result {
         return Ok(());
     };
     let (before, after) = (&result.summary, &run_in.summary);
+    let printed = PrintedLoss::of(after, &run_in.running_in, None);
     let heights = |rq: [f64; 2]| format!("Rq {:.3} and {:.3} um", rq[0], rq[1]);
     for (name, s, rq) in [
         ("as measured", before, run_in.measured.rq_um),
@@ -359,10 +344,7 @@ fn write_run_in(text: &mut String, result: &RunResult) -> std::fmt::Result {
     writeln!(
         text,
         "  sliding run in {}: film {}, lubricated asperities {}, boundary layer {}",
-        watts(after.sliding_w),
-        watts(after.film_w),
-        watts(after.lubricated_asperity_w),
-        watts(after.boundary_w),
+        printed.sliding, printed.film, printed.lubricated, printed.boundary,
     )
 }
 
@@ -484,28 +466,4 @@ pub fn published_laws(result: &RunResult) -> String {
         );
     }
     text
-}
-
-/// A power as a user states it, with three digits.
-pub fn stated(power: f64) -> String {
-    let decimals = match power.abs() {
-        0.0 => 0,
-        size => (2 - size.log10().floor() as i32).clamp(0, 6) as usize,
-    };
-    format!("{power:.decimals$} W")
-}
-
-/// A power with three or four digits that mean something.
-fn watts(power: f64) -> String {
-    if power >= 10_000.0 {
-        format!("{:.2} kW", power / 1000.0)
-    } else if power >= 100.0 {
-        format!("{power:.0} W")
-    } else if power >= 0.1 {
-        format!("{power:.2} W")
-    } else if power == 0.0 {
-        "0 W".to_owned()
-    } else {
-        format!("{power:.1e} W")
-    }
 }

@@ -4,7 +4,7 @@ use asperity::gearbox::GearboxReport;
 use asperity::loss_band::{LossBand, rounded};
 use maud::{Markup, html};
 
-use crate::summary::stated;
+use crate::printed::{stated, stated_parts};
 
 /// Name of a number, its value as text, its key in `result.json`.
 type Tile = (&'static str, String, &'static str);
@@ -40,6 +40,8 @@ pub(super) fn tiles(found: &GearboxReport, band: Option<&LossBand>) -> Vec<Tile>
 
 /// The parts beside the mesh.
 pub(super) fn section(found: &GearboxReport, has_band: bool) -> Markup {
+    let losses: Vec<f64> = found.parts.iter().map(|part| part.loss_w).collect();
+    let losses = stated_parts(&losses);
     html! {
         h3 { "Beside the mesh, stated by the user" }
         p {
@@ -51,10 +53,10 @@ pub(super) fn section(found: &GearboxReport, has_band: bool) -> Markup {
         div.scroll { table {
             thead { tr { th { "part" } th { "kind" } th { "law" } th.number { "torque [N m]" } th.number { "loss" } } }
             tbody {
-                @for part in &found.parts {
+                @for (part, loss) in found.parts.iter().zip(&losses) {
                     tr {
                         th scope="row" { (part.name) } td { (part.kind) } td { (part.law) }
-                        td.number { (format!("{:.3}", part.torque_nm)) } td.number { (stated(part.loss_w)) }
+                        td.number { (format!("{:.3}", part.torque_nm)) } td.number { (loss) }
                     }
                 }
                 tr { th scope="row" { "together" } td {} td {} td {} td.number { (stated(found.parts_w)) } }

@@ -1,11 +1,12 @@
 //! Summary: the numbers that matter, the warnings, the losses, the friction laws, the regime.
 
-use asperity::loss_band::{LossBand, rounded};
+use asperity::loss_band::{Digits, rounded};
 use asperity::result::{FlankHeights, PublishedOutcome, RunInFlanks, RunResult, Scope, Summary};
 use maud::{Markup, html};
 
 use super::page::figure;
 use crate::chart::{Axis, Bar, BarChart, Drawing};
+use crate::printed::{PrintedLoss, included};
 
 pub(super) fn section(result: &RunResult) -> Markup {
     let mut first = headline(result);
@@ -119,7 +120,7 @@ fn headline(result: &RunResult) -> Vec<Tile> {
                 format!("{:.4} %", 100.0 * s.efficiency),
                 "summary.efficiency",
             ),
-            ("loss", format!("{:.1} W", s.loss_w), "summary.loss_w"),
+            ("loss", printed(result).loss, "summary.loss_w"),
             mixed,
         ];
     };
@@ -147,22 +148,18 @@ fn headline(result: &RunResult) -> Vec<Tile> {
     ]
 }
 
-/// A part of the loss, with the digits that the band of the whole leaves; a small one keeps some.
-fn part(result: &RunResult, power: f64) -> String {
-    let by_band = |band: &LossBand| rounded(power, band.half_width_w());
-    match result.band.as_ref().map(by_band) {
-        Some(text) if power == 0.0 || text != "0" => format!("{text} W"),
-        None if power == 0.0 || power.abs() >= 0.05 => format!("{power:.1} W"),
-        _ => format!("{} W", significant(power)),
-    }
+/// The loss and its parts as text.
+fn printed(result: &RunResult) -> PrintedLoss {
+    PrintedLoss::of(&result.summary, &result.running_in, result.band.as_ref())
 }
 
 /// Parts of the loss, and what goes in and out.
 fn parts(result: &RunResult) -> Vec<Tile> {
     let s = &result.summary;
+    let printed = printed(result);
     vec![
-        ("sliding", part(result, s.sliding_w), "summary.sliding_w"),
-        ("rolling", part(result, s.rolling_w), "summary.rolling_w"),
+        ("sliding", printed.sliding, "summary.sliding_w"),
+        ("rolling", printed.rolling, "summary.rolling_w"),
         (
             "equivalent friction μ_eq",
             format!("{:.4}", s.mu_equivalent),
@@ -232,48 +229,78 @@ fn evidence(result: &RunResult) -> Vec<Tile> {
 /// Parts of the loss as bars.
 fn losses(result: &RunResult) -> Drawing {
     let s = &result.summary;
-    let running_in = match result.running_in.included {
-        true => result.running_in.first_pass_w,
-        false => 0.0,
-    };
+    let printed = printed(result);
+    let [pinion, wheel] = printed.deformation;
+    let hysteresis = s.hysteresis_w;
+    let running_in = included(&result.running_in);
     let parts = [
-        ("film", s.film_w, true),
-        ("lubricated asperities", s.lubricated_asperity_w, true),
-        ("boundary", s.boundary_w, true),
-        ("rolling", s.rolling_w - s.hysteresis_w, true),
-        ("deformation, pinion", s.deformation_w[0], false),
-        ("deformation, wheel", s.deformation_w[1], false),
-        ("hysteresis", s.hysteresis_w, false),
-        ("running-in", running_in, false),
+        ("film", s.film_w, printed.film, true),
+        (
+            "lubricated asperities",
+            s.lubricated_asperity_w,
+            printed.lubricated,
+            true,
+        ),
+        ("boundary", s.boundary_w, printed.boundary, true),
+        (
+            "rolling",
+            s.rolling_w - hysteresis,
+            printed.rolling_friction,
+            true,
+        ),
+        ("deformation, pinion", s.deformation_w[0], pinion, false),
+        ("deformation, wheel", s.deformation_w[1], wheel, false),
+        ("hysteresis", hysteresis, printed.hysteresis, false),
+        ("running-in", running_in, printed.running_in, false),
     ];
-    let share = |watts: f64| {
-        if s.loss_w > 0.0 {
-            watts / s.loss_w
-        } else {
-            0.0
-        }
-    };
-    let bars = parts
-        .iter()
-        .filter(|(_, watts, always)| *always || *watts != 0.0)
-        .map(|(name, watts, _)| Bar {
-            name: (*name).to_owned(),
-            value: Some(*watts),
+    let shares = shares_of_loss(&parts.each_ref().map(|(_, watts, ..)| *watts), result);
+    let bars = parts.into_iter().zip(shares);
+    let bars = bars
+        .filter(|((_, watts, _, always), _)| *always || *watts != 0.0)
+        .map(|((name, watts, text, _), share)| Bar {
+            name: name.to_owned(),
+            value: Some(watts),
             spread: None,
-            text: format!("{}, {}", part(result, *watts), percent(share(*watts))),
+            text: format!("{text}, {share}"),
         })
         .collect();
+    let of_power = s.loss_w / s.power_in_w;
+    let of_power = match &result.band {
+        Some(band) => format!(
+            "{} %",
+            rounded(100.0 * of_power, 100.0 * band.half_width_w() / s.power_in_w)
+        ),
+        None => percent(of_power),
+    };
     Drawing::Bars(BarChart {
         id: "losses".to_owned(),
         title: format!(
-            "Losses of the mesh: {}, {} of the power in",
-            part(result, s.loss_w),
-            percent(s.loss_w / s.power_in_w)
+            "Losses of the mesh: {}, {of_power} of the power in",
+            printed.loss
         ),
         source: "losses.csv".to_owned(),
         axis: Axis::new("loss", "W"),
         bars,
     })
+}
+
+/// Shares of the parts in the loss with the digits that its band leaves, which add up to 100 %.
+fn shares_of_loss(parts: &[f64], result: &RunResult) -> Vec<String> {
+    let loss = result.summary.loss_w;
+    if loss <= 0.0 {
+        return parts.iter().map(|_| percent(0.0)).collect();
+    }
+    let digits = match &result.band {
+        Some(band) => Digits::of_uncertainty(100.0 * band.half_width_w() / loss),
+        None => Digits::of_decimals(2),
+    };
+    let shares: Vec<f64> = parts.iter().map(|watts| 100.0 * watts / loss).collect();
+    let steps = digits.parts(digits.steps(100.0), &shares);
+    let text = |(share, steps): (&f64, f64)| match steps == 0.0 && *share > 0.0 {
+        true => format!("below {} %", digits.last_place()),
+        false => format!("{} %", digits.text(steps)),
+    };
+    shares.iter().zip(steps).map(text).collect()
 }
 
 fn laws(result: &RunResult) -> Drawing {

@@ -3,6 +3,8 @@
 use asperity::result::{PublishedOutcome, RunResult};
 use serde::Serialize;
 
+use crate::printed::included;
+
 /// Row of `losses.csv`: a part of the loss.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LossRow {
@@ -20,10 +22,7 @@ pub struct LossRow {
 /// sliding and rolling consist of.
 pub fn losses(result: &RunResult) -> Vec<LossRow> {
     let s = &result.summary;
-    let running_in = match result.running_in.included {
-        true => result.running_in.first_pass_w,
-        false => 0.0,
-    };
+    let running_in = included(&result.running_in);
     let parts = [
         ("sliding", s.sliding_w),
         ("rolling", s.rolling_w),

@@ -1,6 +1,6 @@
 //! The comparison for the terminal.
 
-use asperity_report::{stated, wrapped};
+use asperity_report::{stated, stated_parts, wrapped};
 
 use asperity::loss_band::rounded;
 
@@ -112,8 +112,9 @@ pub(super) fn scope(comparison: &Comparison) -> String {
         Some(format!("{} {efficiency} %", finish.name))
     };
     let efficiencies: Vec<String> = comparison.finishes.iter().filter_map(with).collect();
-    let parts = first.parts.iter();
-    let parts = parts.map(|part| format!("{} {}", part.name, stated(part.loss_w)));
+    let losses: Vec<f64> = first.parts.iter().map(|part| part.loss_w).collect();
+    let parts = first.parts.iter().zip(stated_parts(&losses));
+    let parts = parts.map(|(part, loss)| format!("{} {loss}", part.name));
     format!(
         "scope gearbox: all above is of the mesh; with {} beside it, stated by the user and without a band ({}), the efficiency of the gearbox is {}",
         stated(first.parts_w),

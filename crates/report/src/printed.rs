@@ -1,0 +1,149 @@
+//! The loss of a mesh and its parts as printed: the parts add up to the loss.
+
+use asperity::loss_band::{Digits, LossBand};
+use asperity::result::{RunningIn, Summary};
+
+/// The loss and its parts as text, each with its unit.
+pub(crate) struct PrintedLoss {
+    pub loss: String,
+    pub sliding: String,
+    pub rolling: String,
+    /// Of pinion and wheel.
+    pub deformation: [String; 2],
+    /// Plastic work of the first pass, where the loss includes it.
+    pub running_in: String,
+    /// Parts of the sliding loss.
+    pub film: String,
+    pub lubricated: String,
+    pub boundary: String,
+    /// Parts of the rolling loss.
+    pub rolling_friction: String,
+    pub hysteresis: String,
+}
+
+impl PrintedLoss {
+    /// With the digits that `band` leaves; three or four of the loss without one.
+    pub(crate) fn of(s: &Summary, running_in: &RunningIn, band: Option<&LossBand>) -> Self {
+        let powers = Powers {
+            digits: match band {
+                Some(band) => Digits::of_uncertainty(band.half_width_w()),
+                None => digits_of(s.loss_w),
+            },
+            is_banded: band.is_some(),
+            is_in_kilowatts: band.is_none() && s.loss_w >= KILOWATTS_FROM,
+        };
+        let loss = powers.digits.steps(s.loss_w);
+        let first_pass = included(running_in);
+        let [pinion, wheel] = s.deformation_w;
+        let all = [s.sliding_w, s.rolling_w, pinion, wheel, first_pass];
+        let steps = powers.digits.parts(loss, &all);
+        let sliding = [s.film_w, s.lubricated_asperity_w, s.boundary_w];
+        let rolling = [s.rolling_w - s.hysteresis_w, s.hysteresis_w];
+        let [film, lubricated, boundary] = powers.parts(steps[0], sliding);
+        let [rolling_friction, hysteresis] = powers.parts(steps[1], rolling);
+        let text = |k: usize| powers.text(all[k], steps[k]);
+        Self {
+            loss: powers.text(s.loss_w, loss),
+            sliding: text(0),
+            rolling: text(1),
+            deformation: [text(2), text(3)],
+            running_in: text(4),
+            film,
+            lubricated,
+            boundary,
+            rolling_friction,
+            hysteresis,
+        }
+    }
+}
+
+/// Plastic work of the first pass \[W\] that the loss includes.
+pub(crate) fn included(running_in: &RunningIn) -> f64 {
+    match running_in.included {
+        true => running_in.first_pass_w,
+        false => 0.0,
+    }
+}
+
+/// Power from which a loss is printed in kW \[W\].
+const KILOWATTS_FROM: f64 = 10_000.0;
+
+/// Three or four digits of a power: 12.35 kW, 571 W, 8.12 W; two of one below 0.1 W.
+fn digits_of(power: f64) -> Digits {
+    Digits::of_decimals(match power {
+        power if power >= KILOWATTS_FROM => -1,
+        power if power >= 100.0 => 0,
+        power if power >= 0.1 => 2,
+        power if power > 0.0 => 1 - power.log10().floor() as i32,
+        _ => 0,
+    })
+}
+
+/// A power with three or four digits that mean something.
+pub(crate) fn watts(power: f64) -> String {
+    if power > 0.0 && power < 0.1 {
+        return format!("{power:.1e} W");
+    }
+    let powers = Powers {
+        digits: digits_of(power),
+        is_banded: false,
+        is_in_kilowatts: power >= KILOWATTS_FROM,
+    };
+    powers.text(power, powers.digits.steps(power))
+}
+
+/// Powers that are printed with the same last place.
+struct Powers {
+    digits: Digits,
+    /// Whether the digits are those of a band.
+    is_banded: bool,
+    is_in_kilowatts: bool,
+}
+
+impl Powers {
+    fn parts<const N: usize>(&self, total: f64, parts: [f64; N]) -> [String; N] {
+        let steps = self.digits.parts(total, &parts);
+        std::array::from_fn(|k| self.text(parts[k], steps[k]))
+    }
+
+    fn text(&self, power: f64, steps: f64) -> String {
+        match (steps == 0.0, power > 0.0) {
+            (true, true) if self.is_banded => format!("below {} W", self.digits.last_place()),
+            (true, true) => format!("{power:.1e} W"),
+            (true, false) => "0 W".to_owned(),
+            _ if self.is_in_kilowatts => {
+                // Steps of 10 W.
+                format!("{} kW", Digits::of_decimals(2).text(steps))
+            }
+            _ => format!("{} W", self.digits.text(steps)),
+        }
+    }
+}
+
+/// A power as a user states it, with three digits.
+pub fn stated(power: f64) -> String {
+    let digits = stated_digits(power);
+    format!("{} W", digits.text(digits.steps(power)))
+}
+
+/// Powers as a user states them, with the last place of their sum, to which they add up as printed.
+///
+/// ```
+/// use asperity_report::stated_parts;
+/// assert_eq!(stated_parts(&[36.912, 6.2149]), ["36.9 W", "6.2 W"]);
+/// assert_eq!(stated_parts(&[10.05, 10.05, 0.05]), ["10.1 W", "10.0 W", "0.1 W"]);
+/// ```
+pub fn stated_parts(powers: &[f64]) -> Vec<String> {
+    let total: f64 = powers.iter().sum();
+    let digits = stated_digits(total);
+    let steps = digits.parts(digits.steps(total), powers);
+    let texts = steps.into_iter().map(|steps| digits.text(steps));
+    texts.map(|text| format!("{text} W")).collect()
+}
+
+fn stated_digits(power: f64) -> Digits {
+    Digits::of_decimals(match power.abs() {
+        0.0 => 0,
+        size => (2 - size.log10().floor() as i32).clamp(0, 6),
+    })
+}
