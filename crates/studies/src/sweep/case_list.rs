@@ -10,6 +10,12 @@ use super::draws::{DIMENSIONS, Draws, LONGEST};
 use super::error::SweepError;
 use super::study::{AxisInput, Distribution, Method, SampleInput, Spacing, Study, identity, short};
 
+/// Most points of an axis or of a sample, which are held in memory.
+const MOST_POINTS: usize = 1_000_000;
+
+/// Most cases of a study: at 10 ms each they take four months.
+const MOST_CASES: f64 = 1e9;
+
 /// Keys and the values that they are set to.
 pub(super) type Settings = Vec<(String, String)>;
 
@@ -104,7 +110,16 @@ impl CaseList {
             Some(given) if given.method == Method::List => list(study, given)?,
             Some(given) => drawn(given)?,
         };
-        Ok(Self { axes, sample })
+        let list = Self { axes, sample };
+        let lengths = list.axes.iter().map(|axis| axis.nodes.len() as f64);
+        let cases = lengths.product::<f64>() * list.samples() as f64;
+        match cases <= MOST_CASES {
+            true => Ok(list),
+            false => Err(SweepError::key(
+                "axis",
+                format!("{cases:.0} cases are more than {MOST_CASES:.0}: use fewer values"),
+            )),
+        }
     }
 
     pub(super) fn count(&self) -> usize {
@@ -244,8 +259,9 @@ fn axis(input: &AxisInput) -> Result<Axis, SweepError> {
     let (ends, unit) = Amount::list(&name, &[from.clone(), to.clone()])?;
     let [from, to] = [ends[0], ends[1]];
     let spacing = input.spacing.unwrap_or_default();
-    if count < 2 || (spacing == Spacing::Log && !(from > 0.0 && to > 0.0)) {
-        let rule = "needs a count of at least 2, and positive ends for log";
+    if !(2..=MOST_POINTS).contains(&count) || (spacing == Spacing::Log && !(from > 0.0 && to > 0.0))
+    {
+        let rule = "needs a count from 2 to 1000000, and positive ends for log";
         return Err(SweepError::key(&name, rule));
     }
     let value = |k: usize| {
@@ -272,8 +288,8 @@ fn some(name: String, nodes: Vec<(String, Settings)>) -> Result<Axis, SweepError
 
 fn drawn(given: &SampleInput) -> Result<Sample, SweepError> {
     let count = given.count.unwrap_or_default();
-    if count == 0 || given.vary.is_empty() {
-        let rule = "needs a count and at least one key to vary";
+    if !(1..=MOST_POINTS).contains(&count) || given.vary.is_empty() {
+        let rule = "needs a count from 1 to 1000000 and at least one key to vary";
         return Err(SweepError::key("sample", rule));
     }
     let inputs = given
