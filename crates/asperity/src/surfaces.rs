@@ -7,6 +7,7 @@ use asperity_core::{DomainError, Profile};
 use asperity_ehl_regime::TraceSpectrum;
 use asperity_profile_io::read::Reading;
 use asperity_roughness::Parameters;
+use asperity_roughness::outliers::OutlierRecord;
 use asperity_roughness::preparation::PreparationRecord;
 use asperity_roughness::section_heights::section_heights;
 use serde::Serialize;
@@ -464,6 +465,9 @@ pub struct FlankReport {
     pub trace: Option<Profile>,
     /// Whether the trace was read from its other end.
     pub mirrored: bool,
+    /// Spikes that were replaced, where the case has them replaced.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outliers: Option<OutlierRecord>,
     /// Record of the preparation of the trace.
     pub preparation: Option<PreparationRecord>,
     /// Parameters of the prepared trace.
