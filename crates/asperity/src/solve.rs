@@ -18,6 +18,7 @@ use crate::full_film::FullFilm;
 use crate::full_film_solution::full_film_at;
 use crate::load_share::LoadShareSolution;
 use crate::local_roughness::Roughness;
+use crate::physical_sense::check_station;
 use crate::position::{ContactNumbers, Offset, Position, PrintedDeformation};
 use crate::records::{PathRecords, RecordedShare};
 use crate::rough_film::RoughFilm;
@@ -48,13 +49,18 @@ impl Run<'_> {
         self.detail >= Detail::Contacts || self.strategy().losses_need_contacts(self.case)
     }
 
-    /// Solves `station` at every offset, in order.
-    pub(crate) fn solve(&self, station: Station) -> Result<Position, PositionError> {
-        let count = match station.resolution {
+    /// Number of offsets at which `station` is solved, all pairs of teeth together.
+    fn offsets(&self, station: &Station) -> usize {
+        match station.resolution {
             // Every offset of a pair would give the same.
             Resolution::WholeTraces => self.surfaces.pairs(),
             _ => self.surfaces.offsets(self.case.model.offsets),
-        };
+        }
+    }
+
+    /// Solves `station` at every offset, in order.
+    pub(crate) fn solve(&self, station: Station) -> Result<Position, PositionError> {
+        let count = self.offsets(&station);
         let mut position = Position {
             offsets: Vec::with_capacity(count),
             fields: None,
@@ -91,6 +97,28 @@ impl Run<'_> {
         Ok(position)
     }
 
+    /// Checks what [`Run::solve`] checks before it solves a contact, at the first offset of each pair of teeth.
+    ///
+    /// # Errors
+    /// When the smooth contact is beyond physical sense, or the traces do not have its windows.
+    pub(crate) fn check(&self, station: &Station) -> Result<(), PositionError> {
+        check_station(station)?;
+        let count = self.offsets(station);
+        for k in (0..count).filter(|k| self.surfaces.begins_a_pair(*k, count)) {
+            let (met, _) = meeting(self.surfaces, station, self.case.model.window, k, count)?;
+            self.check_traces(met.as_ref())?;
+        }
+        Ok(())
+    }
+
+    /// Refuses flanks without traces where the formulation needs them.
+    fn check_traces(&self, met: Option<&Encounter>) -> Result<(), PositionError> {
+        match met.is_none() && self.strategy().needs_traces() {
+            true => Err(PositionError::NoProfile),
+            false => Ok(()),
+        }
+    }
+
     fn offset(
         &self,
         position: &mut Position,
@@ -106,9 +134,7 @@ impl Run<'_> {
             Some(kept) => (None, kept.roughness),
             None => meeting(self.surfaces, station, window, k, count)?,
         };
-        if encounter.is_none() && self.strategy().needs_traces() {
-            return Err(PositionError::NoProfile);
-        }
+        self.check_traces(encounter.as_ref())?;
         let mut found = None;
         let solved = match (&mut workspace.film, kept, &encounter) {
             (Some(film), Some(kept), _) => {
