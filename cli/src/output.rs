@@ -2,6 +2,7 @@
 
 use std::io::{IsTerminal, Write};
 use std::path::Path;
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -80,20 +81,97 @@ fn write_bytes(bytes: &[u8]) -> Result<(), Failure> {
     }
 }
 
-/// A progress bar on standard error, only on a terminal and only after a second.
-pub fn progress(quiet: bool) -> ProgressBar {
-    let bar = ProgressBar::new(0);
-    if quiet || !std::io::stderr().is_terminal() {
-        bar.set_draw_target(ProgressDrawTarget::hidden());
-    }
-    if let Ok(style) =
-        ProgressStyle::with_template("{msg} {bar:30} {pos}/{len}  {per_sec}  {eta} left")
-    {
-        bar.set_style(style);
-    }
-    bar.set_message("mesh positions");
-    bar
+/// Work shorter than this shows no progress.
+const PATIENCE: Duration = Duration::from_secs(1);
+/// Time between two drawings of work that counts nothing.
+const TICK: Duration = Duration::from_millis(200);
+
+/// Progress of a command on standard error, from a second after its start on and only on a terminal: the kind of work with
+/// its count and the time left, or with the time spent where nothing is counted.
+pub struct Progress {
+    bar: ProgressBar,
+    /// Closed at the end: no bar is drawn from then on.
+    _end: Sender<()>,
 }
 
-/// Work shorter than this shows no progress.
-pub const PATIENCE: Duration = Duration::from_secs(1);
+impl Progress {
+    /// Progress of a command that begins with `work`.
+    pub fn of(quiet: bool, work: &'static str) -> Self {
+        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
+        let (end, ended) = channel();
+        if !quiet && std::io::stderr().is_terminal() {
+            let bar = bar.clone();
+            std::thread::spawn(move || {
+                if ended.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
+                    bar.set_draw_target(ProgressDrawTarget::stderr());
+                    bar.enable_steady_tick(TICK);
+                }
+            });
+        }
+        let progress = Self { bar, _end: end };
+        progress.begin(work);
+        progress
+    }
+
+    /// Goes on to other work, of which nothing is counted yet.
+    pub fn begin(&self, work: &'static str) {
+        self.bar.unset_length();
+        self.bar.set_position(0);
+        self.style("{spinner} {msg}  {elapsed}");
+        self.bar.set_message(work);
+    }
+
+    /// Counts `done` of an unknown number.
+    pub fn count(&self, done: usize) {
+        if done == 1 {
+            self.style("{spinner} {msg} {pos}  {elapsed}");
+        }
+        self.bar.set_position(done as u64);
+    }
+
+    /// Counts `done` of `total`.
+    pub fn at(&self, done: usize, total: usize) {
+        if self.bar.length() != Some(total as u64) {
+            self.style("{msg} {bar:30} {pos}/{len}  {per_sec}  {eta} left");
+            self.bar.set_length(total as u64);
+        }
+        self.bar.set_position(done as u64);
+    }
+
+    /// Prints a remark above the progress.
+    pub fn note(&self, text: &str) {
+        self.bar.suspend(|| note(text));
+    }
+
+    fn style(&self, template: &str) {
+        if let Ok(style) = ProgressStyle::with_template(template) {
+            self.bar.set_style(style);
+        }
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bar_has_no_length_before_something_is_counted() {
+        let progress = Progress::of(false, "reading");
+        assert_eq!(progress.bar.length(), None);
+        progress.at(0, 12);
+        assert_eq!(
+            (progress.bar.position(), progress.bar.length()),
+            (0, Some(12))
+        );
+        progress.at(3, 12);
+        assert_eq!(progress.bar.position(), 3);
+        progress.begin("writing");
+        assert_eq!((progress.bar.position(), progress.bar.length()), (0, None));
+    }
+}

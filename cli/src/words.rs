@@ -21,6 +21,7 @@ fn option(setting: Setting) -> &'static str {
         Setting::Abscissa => "--abscissa",
         Setting::BaseRadius => "--base-radius",
         Setting::Uneven => "--uneven",
+        Setting::Outliers => "--outliers",
         Setting::Form => "--form",
         Setting::Cutoff => "--lambda-c",
         Setting::NoiseCutoff => "--lambda-s",

@@ -110,6 +110,37 @@ fn check_tells_every_error_at_once_and_runs_nothing() {
 }
 
 #[test]
+fn check_refuses_what_a_run_refuses_before_it_solves_a_contact() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    for key in ["model.window=40", "operation.torque=0.01 N m"] {
+        let run = bench.run(&["run", "case.toml", "--no-output", "--set", key]);
+        let check = bench.run(&["check", "case.toml", "--set", key]);
+        assert_eq!(run.status, check.status, "{key}: {run:?} {check:?}");
+        let message = |said: &str| said.lines().next().map(str::to_owned);
+        assert_eq!(message(&run.err), message(&check.err), "{key}");
+    }
+}
+
+#[test]
+fn check_computes_no_records_of_mixed_lubrication() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    let keys = [
+        "--set",
+        "model.load_share=ehl",
+        "--set",
+        "model.ehl.cache=records",
+    ];
+    bench
+        .run(&[&["check", "case.toml"][..], &keys].concat())
+        .well();
+    assert!(!bench.path("records").exists());
+}
+
+#[test]
 fn check_of_a_good_case_lists_defaults_and_work() {
     let bench = bench();
     let said = bench.run(&["check", "case.toml"]).well().out;

@@ -274,3 +274,75 @@ fn a_picture_without_a_name_replaces_no_other_file() {
     assert_eq!(std::fs::read(bench.path("flank.svg")).unwrap(), picture);
     assert_eq!(bench.listing(), ["flank.csv", "flank.svg"]);
 }
+
+/// A flank on which dust or lost light left 25 spikes of up to two points.
+fn with_spikes() -> String {
+    let table = rows(8000, |i, z| {
+        let height = match i % 300 {
+            40 => 9.0,
+            41 if i % 900 == 41 => 8.0,
+            _ => 0.0,
+        };
+        let height = if (300..7800).contains(&i) {
+            height
+        } else {
+            0.0
+        };
+        format!("{:.1},{:.5}", 0.5 * i as f64, z + height)
+    });
+    format!("x_um,z_um\n{table}")
+}
+
+#[test]
+fn spikes_are_named_as_spikes_and_replaced_on_request() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("spikes.csv", with_spikes());
+    let info = ["profile", "info", "spikes.csv", "--lambda-c", "0.25mm"];
+    let said = bench.run(&info).well().unwrapped();
+    assert!(
+        said.contains("25 spikes of up to 2 points") && said.contains("Pass --outliers 6"),
+        "{said}"
+    );
+    let cleaned = [&info[..], &["--outliers", "6"]].concat();
+    assert_eq!(codes(&bench, &cleaned), ["W130"]);
+    let flank = |more: &str| {
+        let case = with_line("pinion =", "pinion = { file = \"spikes.csv\" }");
+        case.replace("[surface]\n", &format!("[surface]\n{more}"))
+    };
+    bench.write("case.toml", flank(""));
+    let says = ["25 spikes", "outliers = 6 in surface"];
+    bench
+        .run(&["run", "case.toml", "--no-output"])
+        .refused(2, "E131", &says);
+    bench.write("case.toml", flank("outliers = 6\n"));
+    let found = bench.run(&["check", "case.toml", "--json"]).well().json();
+    assert!(
+        found["warnings"]
+            .to_string()
+            .contains("33 points were replaced"),
+        "{found:#}"
+    );
+    bench.run(&["regime", "case.toml", "-q"]).well();
+    bench.write("case.toml", flank("outliers = -6\n"));
+    bench.run(&["run", "case.toml", "--no-output"]).refused(
+        2,
+        "E209",
+        &["outliers", "must be positive"],
+    );
+}
+
+#[test]
+fn fewer_heights_than_the_header_states_are_warned_of_and_more_are_refused() {
+    let bench = Bench::new();
+    let table = rows(2000, |i, z| format!("{:.1},{z:.5}", 0.5 * i as f64));
+    let info = ["profile", "info", "flank.csv", "--level"];
+    for (stated, code) in [(2000, None), (2400, Some("W131"))] {
+        bench.write("flank.csv", format!("Points: {stated}\nx_um,z_um\n{table}"));
+        assert_eq!(codes(&bench, &info), Vec::from_iter(code));
+    }
+    bench.write("flank.csv", format!("Points: 1999\nx_um,z_um\n{table}"));
+    bench
+        .run(&info)
+        .refused(2, "E117", &["line 1", "1999", "2000 read"]);
+}

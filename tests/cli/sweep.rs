@@ -266,6 +266,20 @@ fn what_makes_no_study_is_refused() {
     bench
         .run(&["sweep", "run", "none.toml"])
         .refused(2, "E103", &["none.toml"]);
+    let axis = "[[axis]]\nkey = \"operation.torque\"\nfrom = \"1 N m\"\nto = \"9 N m\"\n";
+    for (text, says) in [
+        (format!("{axis}count = 4294967296\n"), "2 to 1000000"),
+        (format!("{axis}count = 1000000\n").repeat(2), "are more than"),
+        (
+            "[sample]\nmethod = \"latin-hypercube\"\ncount = 4294967296\n[sample.vary]\n\"operation.torque\" = { uniform = [\"1 N m\", \"9 N m\"] }\n".to_owned(),
+            "1 to 1000000",
+        ),
+    ] {
+        bench.write("study.toml", format!("case = \"case.toml\"\n{text}"));
+        bench
+            .run(&["sweep", "run", "study.toml", "--plan"])
+            .refused(2, "E204", &[says]);
+    }
     bench.write("study.toml", "case = \"case.toml\"\n");
     bench
         .run(&["sweep", "run", "study.toml", "--shard", "3/2"])

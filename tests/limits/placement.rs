@@ -272,7 +272,7 @@ fn the_form_of_a_trace_is_the_relief_that_was_ground() {
     // The Gaussian filter rounds the beginning of a relief; 6e-4 was seen.
     assert_close("H_V", factors[0], factors[1], 2e-3);
     assert!(factors[2] > 1.05 * factors[1]);
-    for report in &measured.flanks {
+    for report in measured.flanks.iter() {
         // Waves of 12 to 250 um leave some of their height in a mean line that ends here, and the filter rounds the relief.
         let form = report.form.as_ref().unwrap();
         assert_close("at the tip", form.at_tip.si(), amount, 0.2);

@@ -6,3 +6,4 @@ mod balance;
 mod cases;
 mod geometry;
 mod monotone;
+mod traces;

@@ -274,6 +274,9 @@ pub struct PreparingArgs {
     /// Use the robust Gaussian filter for lambda_c, for damaged flanks
     #[arg(long)]
     pub robust: bool,
+    /// Replace spikes of up to six points farther than K robust deviations from the running median
+    #[arg(long, value_name = "K", allow_hyphen_values = true)]
+    pub outliers: Option<f64>,
     /// Number of sections [default: whole cut-offs in the evaluation length; five without a filter]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub sections: Option<u16>,

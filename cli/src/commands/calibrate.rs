@@ -14,7 +14,7 @@ use asperity_studies::map::axis;
 use super::{load_case, stem};
 use crate::args::{CalibrateArgs, Common};
 use crate::failure::Failure;
-use crate::output::{PATIENCE, print_json, print_text, progress};
+use crate::output::{Progress, print_json, print_text};
 
 /// `asperity calibrate`
 pub fn calibrate(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
@@ -40,8 +40,7 @@ fn fit(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     let folder = folder(args, stem(file), "calibration");
     place_is_free(&folder)?;
     let rig = RigFiles::read(file, case, |path| load_case(path, &args.set, None))?;
-    let bar = progress(common.quiet);
-    bar.set_message("evaluations");
+    let shown = Progress::of(common.quiet, "evaluations");
     let tell = |found: &Identifiability| {
         if !common.json {
             // A reader that has gone away is told by the end of the command.
@@ -49,16 +48,11 @@ fn fit(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
         }
     };
     let watch = Watch {
-        progress: &|done, total| {
-            if begin.elapsed() >= PATIENCE {
-                bar.set_length(total as u64);
-                bar.set_position(done as u64);
-            }
-        },
+        progress: &|done, total| shown.at(done, total),
         before_the_fit: &tell,
     };
     let found = rig.calibrate(&held(args), &watch);
-    bar.finish_and_clear();
+    drop(shown);
     let found = found?;
     write(&found, &folder).map_err(|error| Failure::new("E401", error.to_string()))?;
     if common.json {
@@ -78,14 +72,9 @@ fn design(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     place_is_free(&folder)?;
     let case = load_case(file, &args.set, None)?;
     let limits = limits(args, &case)?;
-    let bar = progress(common.quiet);
-    bar.set_message("evaluations");
-    let found = plan(&case, &limits, &held(args), &|done| {
-        if begin.elapsed() >= PATIENCE {
-            bar.set_position(done as u64);
-        }
-    });
-    bar.finish_and_clear();
+    let shown = Progress::of(common.quiet, "evaluations");
+    let found = plan(&case, &limits, &held(args), &|done| shown.count(done));
+    drop(shown);
     let found = found?;
     let simulated = args
         .simulate

@@ -5,6 +5,7 @@ use asperity::case::planetary::{self, LoadedPlanetary};
 use asperity::case::{self, DefaultUsed, LoadedCase};
 use asperity::kept_fields::KeptFields;
 use asperity::message::Warning;
+use asperity::pipeline;
 use asperity_studies::estimate::{Estimate, estimate, estimate_of_set, measured, measured_of_set};
 use serde_json::{Value, json};
 
@@ -17,7 +18,7 @@ use crate::output::{print_json, print_text};
 pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
     let (source, folder) = source(&args.case)?;
     let name = source.name().to_owned();
-    let (failures, sound) = match planetary::is_planetary(&source) {
+    let (mut failures, sound) = match planetary::is_planetary(&source) {
         true => {
             let findings = planetary::check(source, folder, &keys(&args.set));
             (failures(&findings.errors), findings.case.map(of_set))
@@ -27,9 +28,14 @@ pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
             (failures(&findings.errors), findings.case.map(of_pair))
         }
     };
-    let sound = sound
-        .transpose()
-        .map_err(|error| Failure::about(&args.case, &error))?;
+    // What a run refuses after the case was read.
+    let sound = match sound.transpose() {
+        Ok(sound) => sound,
+        Err(error) => {
+            failures.push(Failure::about(&args.case, &error));
+            None
+        }
+    };
     if common.json {
         print_json(&report(&failures, sound.as_ref()))?;
     }
@@ -93,6 +99,7 @@ fn failures(errors: &[Error]) -> Vec<Failure> {
 }
 
 fn of_pair(loaded: LoadedCase) -> Result<Sound, Error> {
+    pipeline::check(&loaded)?;
     Ok(Sound {
         work: measured(&loaded, &KeptFields::Highest)
             .or_else(|_| estimate(&loaded, &KeptFields::Highest))?,
@@ -103,6 +110,7 @@ fn of_pair(loaded: LoadedCase) -> Result<Sound, Error> {
 }
 
 fn of_set(set: LoadedPlanetary) -> Result<Sound, Error> {
+    set.meshes.iter().try_for_each(pipeline::check)?;
     let kept = KeptFields::Highest;
     let work = measured_of_set(&set, &kept).or_else(|_| estimate_of_set(&set, &kept))?;
     let mut sound = Sound {

@@ -1,7 +1,6 @@
 //! `asperity compare`: several finishes on one case.
 
 use std::path::Path;
-use std::time::Instant;
 
 use asperity::case::{self, CaseInput, LoadedCase, Source};
 use asperity::kept_fields::KeptFields;
@@ -12,7 +11,7 @@ use super::work::check_work;
 use super::{keys, pair_only, source, stem};
 use crate::args::{Common, CompareArgs, FinishArg};
 use crate::failure::Failure;
-use crate::output::{PATIENCE, print_json, print_text, progress};
+use crate::output::{Progress, print_json, print_text};
 
 /// `asperity compare`
 pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
@@ -53,16 +52,9 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
     });
     // Told before the work, not after it.
     compare::check_place(&folder).map_err(|error| Failure::new("E401", error.to_string()))?;
-    let begin = Instant::now();
-    let bar = progress(common.quiet);
-    bar.set_message("finishes");
-    let found = compare::compare(&finishes, &|done, total| {
-        if begin.elapsed() >= PATIENCE {
-            bar.set_length(total as u64);
-            bar.set_position(done as u64);
-        }
-    });
-    bar.finish_and_clear();
+    let shown = Progress::of(common.quiet, "finishes");
+    let found = compare::compare(&finishes, &|done, total| shown.at(done, total));
+    drop(shown);
     let found = found.map_err(|error| Failure::about(&args.case, &error))?;
     compare::write(&found, &folder).map_err(|error| Failure::new("E401", error.to_string()))?;
     if common.json {

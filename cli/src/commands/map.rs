@@ -16,7 +16,7 @@ use super::work::check_work;
 use super::{keys, pair_only, source, stem};
 use crate::args::{Common, ExportArg, MapArgs};
 use crate::failure::Failure;
-use crate::output::{PATIENCE, print_json, print_text, progress};
+use crate::output::{Progress, print_json, print_text};
 
 /// `asperity map`
 pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
@@ -109,16 +109,11 @@ fn watched(
     args: &MapArgs,
     common: &Common,
 ) -> Result<Map, asperity::Error> {
-    let begin = Instant::now();
-    let bar = progress(common.quiet);
-    bar.set_message("points");
+    let shown = Progress::of(common.quiet, "points");
     let found = map::map(finishes, axes, args.band.points(), &|done, total| {
-        if begin.elapsed() >= PATIENCE {
-            bar.set_length(total as u64);
-            bar.set_position(done as u64);
-        }
+        shown.at(done, total)
     });
-    bar.finish_and_clear();
+    drop(shown);
     found
 }
 

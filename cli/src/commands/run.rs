@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::case::planetary::LoadedPlanetary;
-use asperity::pipeline::Progress;
 use asperity::planetary::{PlanetaryResult, run_planetary_keeping};
 use asperity::result::RunResult;
 use asperity::{Error, band, pipeline};
@@ -15,15 +14,21 @@ use super::work::{check_work, check_work_of_set};
 use super::{AnyCase, load_any, stem};
 use crate::args::{Common, RunArgs};
 use crate::failure::Failure;
-use crate::output::{PATIENCE, print_json, print_text, progress};
+use crate::output::{Progress, print_json, print_text};
+
+/// Work of a run that is counted.
+const POSITIONS: &str = "mesh positions";
+/// Work of a run after its result.
+const WRITING: &str = "writing the result";
 
 /// `asperity run`
 pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
     let fields = fields(args)?;
+    let shown = Progress::of(common.quiet, "reading the traces");
     let loaded = match load_any(&args.case, &args.set, args.formulation)? {
         AnyCase::Pair(loaded) => loaded,
-        AnyCase::Set(set) => return run_set(&set, args, common, &fields, begin),
+        AnyCase::Set(set) => return run_set(&set, args, common, &fields, (begin, shown)),
     };
     check_work(&args.work, &loaded, &fields.kept(), 1)?;
     let folder = (!args.no_output).then(|| result_folder(args));
@@ -31,17 +36,21 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
         // Told before the work, not after it.
         report::check_place(folder).map_err(|error| not_written(&error))?;
     }
-    let outcome = watched(common, begin, |shown| match args.no_band {
-        true => pipeline::run_keeping(&loaded, &fields.kept(), shown),
-        false => band::run_with_band(&loaded, &fields.kept(), shown),
-    });
+    shown.begin(POSITIONS);
+    let at = |done, total| shown.at(done, total);
+    let outcome = match args.no_band {
+        true => pipeline::run_keeping(&loaded, &fields.kept(), &at),
+        false => band::run_with_band(&loaded, &fields.kept(), &at),
+    };
     let outcome = outcome.map_err(|error| failed(&error, args, folder.as_deref()))?;
     if let Some(folder) = &folder {
+        shown.begin(WRITING);
         report::write_folder(&outcome, folder, &fields).map_err(|error| not_written(&error))?;
         if args.load_map {
             report::write_load_points(&outcome, folder).map_err(|error| not_written(&error))?;
         }
     }
+    drop(shown);
     if common.json {
         return print_json(&outcome.result);
     }
@@ -54,39 +63,27 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     )
 }
 
-/// The work with its progress on the terminal, once it takes a while.
-fn watched<T>(common: &Common, begin: Instant, work: impl FnOnce(Progress<'_>) -> T) -> T {
-    let bar = progress(common.quiet);
-    let outcome = work(&|done, total| {
-        if begin.elapsed() >= PATIENCE {
-            bar.set_length(total as u64);
-            bar.set_position(done as u64);
-        }
-    });
-    bar.finish_and_clear();
-    outcome
-}
-
 /// Both kinds of meshes of a planetary set.
 fn run_set(
     set: &LoadedPlanetary,
     args: &RunArgs,
     common: &Common,
     fields: &Fields,
-    begin: Instant,
+    (begin, shown): (Instant, Progress),
 ) -> Result<(), Failure> {
     check_work_of_set(&args.work, set, &fields.kept())?;
     let folder = (!args.no_output).then(|| result_folder(args));
     if let Some(folder) = &folder {
         report::check_planetary_place(folder).map_err(|error| not_written(&error))?;
     }
-    let outcome = watched(common, begin, |shown| {
-        run_planetary_keeping(set, &fields.kept(), shown)
-    });
+    shown.begin(POSITIONS);
+    let outcome = run_planetary_keeping(set, &fields.kept(), &|done, total| shown.at(done, total));
     let outcome = outcome.map_err(|error| failed(&error, args, folder.as_deref()))?;
     if let Some(folder) = &folder {
+        shown.begin(WRITING);
         report::write_planetary(&outcome, folder, fields).map_err(|error| not_written(&error))?;
     }
+    drop(shown);
     if common.json {
         return print_json(&outcome.result);
     }

@@ -1,7 +1,6 @@
 //! `asperity sensitivity`: what the loss does when one thing changes.
 
 use std::path::Path;
-use std::time::Instant;
 
 use asperity::kept_fields::KeptFields;
 use asperity_studies::sensitivity::{self, CHANGES};
@@ -10,7 +9,7 @@ use super::work::check_work;
 use super::{load_case, stem};
 use crate::args::{Common, SensitivityArgs};
 use crate::failure::Failure;
-use crate::output::{PATIENCE, print_json, print_text, progress};
+use crate::output::{Progress, print_json, print_text};
 
 /// `asperity sensitivity`
 pub fn sensitivity(args: &SensitivityArgs, common: &Common) -> Result<(), Failure> {
@@ -22,16 +21,9 @@ pub fn sensitivity(args: &SensitivityArgs, common: &Common) -> Result<(), Failur
     });
     // Told before the work, not after it.
     sensitivity::check_place(&folder).map_err(|error| Failure::new("E401", error.to_string()))?;
-    let begin = Instant::now();
-    let bar = progress(common.quiet);
-    bar.set_message("changes");
-    let found = sensitivity::sensitivity(&loaded, &|done, total| {
-        if begin.elapsed() >= PATIENCE {
-            bar.set_length(total as u64);
-            bar.set_position(done as u64);
-        }
-    });
-    bar.finish_and_clear();
+    let shown = Progress::of(common.quiet, "changes");
+    let found = sensitivity::sensitivity(&loaded, &|done, total| shown.at(done, total));
+    drop(shown);
     let found = found.map_err(|error| Failure::about(&args.case, &error))?;
     sensitivity::write(&found, &folder).map_err(|error| Failure::new("E401", error.to_string()))?;
     if common.json {

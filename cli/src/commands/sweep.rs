@@ -8,7 +8,7 @@ use asperity_studies::sweep::{self, Event, Plan, Refused, Shard, Status, Study, 
 
 use crate::args::{Common, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs};
 use crate::failure::Failure;
-use crate::output::{PATIENCE, note, print_json, print_text, progress};
+use crate::output::{Progress, print_json, print_text};
 
 /// `asperity sweep`
 pub fn sweep(command: &SweepCommand, common: &Common) -> Result<(), Failure> {
@@ -88,8 +88,7 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
     })?;
     let study = load(&args.sweep)?;
     let folder = parts(&args.sweep, &study);
-    let bar = progress(common.quiet);
-    bar.set_message("cases");
+    let shown = Progress::of(common.quiet, "cases");
     let done = sweep::run(&study, shard, &folder, &|event| match event {
         Event::Checked { refused, of } => {
             let count: usize = refused.values().map(|refused| refused.count).sum();
@@ -97,16 +96,12 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
                 let lines: String = refused.iter().map(line_of).collect();
                 let rows = "cases cannot be run and will be rows with their code";
                 let warning = Warning::new("W430", format!("{count} of {of} {rows}"));
-                bar.suspend(|| note(&format!("{warning}\n{}", lines.trim_end())));
+                shown.note(&format!("{warning}\n{}", lines.trim_end()));
             }
         }
-        Event::Done { cases, of } if begin.elapsed() >= PATIENCE => {
-            bar.set_length(of as u64);
-            bar.set_position(cases as u64);
-        }
-        Event::Done { .. } => {}
+        Event::Done { cases, of } => shown.at(cases, of),
     });
-    bar.finish_and_clear();
+    drop(shown);
     let done = done.map_err(|error| refused(&args.sweep, &error))?;
     let status = sweep::status(&study, &folder).map_err(|error| refused(&args.sweep, &error))?;
     if common.json {

@@ -52,6 +52,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             cycle.contact_fraction,
         );
     };
-    RunningIn::evenly(points, 6).run_watched(&flanks, &SolverSettings::default(), report)?;
+    RunningIn::evenly(points, 6)?.run_watched(&flanks, &SolverSettings::default(), report)?;
     Ok(())
 }

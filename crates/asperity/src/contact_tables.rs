@@ -13,7 +13,7 @@ use crate::error::PositionError;
 use crate::load_share::ContactTable;
 use crate::local_roughness::Roughness;
 use crate::station::Station;
-use crate::surfaces::{Surfaces, Texture};
+use crate::surfaces::Surfaces;
 
 /// Contact tables of every position and offset of a case, made by
 /// [`pipeline::contact_tables`](crate::pipeline::contact_tables).
@@ -24,6 +24,7 @@ use crate::surfaces::{Surfaces, Texture};
 #[derive(Debug, Clone)]
 pub struct ContactTables {
     fingerprint: Vec<u64>,
+    surfaces: Surfaces,
     load: KeptLoad,
     rows: BTreeMap<[u64; 4], Vec<KeptContact>>,
 }
@@ -126,6 +127,7 @@ impl ContactTables {
     ) -> Self {
         Self {
             fingerprint: fingerprint(case, surfaces),
+            surfaces: surfaces.clone(),
             load: KeptLoad::new(case, map),
             rows: rows
                 .map(|(station, tables)| (key(&station), tables))
@@ -135,7 +137,12 @@ impl ContactTables {
 
     /// Whether the tables are those of `case`.
     pub(crate) fn check(&self, case: &Case, surfaces: &Surfaces) -> Result<(), PositionError> {
-        if self.fingerprint == fingerprint(case, surfaces) {
+        let ours: Vec<&Surfaces> = self.surfaces.each().collect();
+        let theirs: Vec<&Surfaces> = surfaces.each().collect();
+        let mut pairs = ours.iter().zip(&theirs);
+        let has_textures =
+            ours.len() == theirs.len() && pairs.all(|(one, other)| one.has_textures_of(other));
+        if has_textures && self.fingerprint == fingerprint(case, surfaces) {
             Ok(())
         } else {
             let differs = "flank, steel, window or number of offsets";
@@ -187,7 +194,7 @@ fn key(station: &Station) -> [u64; 4] {
     [load, radius, place, station.zone as u64]
 }
 
-/// Bits of everything else that the contacts depend on.
+/// Bits of everything else that the contacts depend on, but for the traces.
 fn fingerprint(case: &Case, surfaces: &Surfaces) -> Vec<u64> {
     let [pinion, wheel] = case.flow_pressure;
     let mut bits: Vec<u64> = [
@@ -210,12 +217,6 @@ fn fingerprint(case: &Case, surfaces: &Surfaces) -> Vec<u64> {
                 [placed.first_arc, placed.direction, placed.base_radius].map(f64::to_bits)
             }));
             bits.push(placement.misplaced.to_bits());
-        }
-    }
-    for texture in surfaces.each_texture() {
-        if let Texture::Trace(profile) = texture {
-            bits.push(profile.spacing().si().to_bits());
-            bits.extend(profile.heights().iter().map(|z| z.to_bits()));
         }
     }
     bits

@@ -6,6 +6,7 @@ use asperity_profile_io::read::{
     Encoding, FilterState, Format, LengthUnit, Metadata, Reading, SpacingSource, TableLayout,
 };
 use asperity_roughness::Parameters;
+use asperity_roughness::outliers::OutlierRecord;
 use asperity_roughness::preparation::PreparationRecord;
 use serde::{Deserialize, Serialize};
 
@@ -23,6 +24,9 @@ pub struct FlankRecord {
     pub reading: Option<ReadingRecord>,
     /// Whether the trace was read from its other end.
     pub mirrored: bool,
+    /// Spikes that were replaced before.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub outliers: Option<OutlierRecord>,
     /// Form removal and filters applied to the trace.
     pub preparation: Option<PreparationRecord>,
     /// Parameters of the prepared trace.
@@ -128,6 +132,7 @@ impl From<&FlankReport> for FlankRecord {
             sha256: flank.sha256.clone(),
             reading: flank.reading.as_ref().map(ReadingRecord::from),
             mirrored: flank.mirrored,
+            outliers: flank.outliers.clone(),
             preparation: flank.preparation.clone(),
             parameters: flank.parameters.clone(),
             roll_lengths_mm: flank

@@ -40,7 +40,9 @@ impl Error {
 pub fn table(setting: Setting, flank: &str) -> Option<&str> {
     match setting {
         Setting::Key(_) => None,
-        Setting::Form | Setting::Cutoff | Setting::NoiseCutoff => Some("surface"),
+        Setting::Outliers | Setting::Form | Setting::Cutoff | Setting::NoiseCutoff => {
+            Some("surface")
+        }
         _ => Some(flank),
     }
 }
@@ -100,7 +102,7 @@ fn written(settings: &[Setting], value: &str) -> String {
             Some((x, z)) => format!("{{ x = {x}, z = {z} }}"),
             None => format!("{{ z = {value} }}"),
         },
-        [Setting::Row] => value.to_owned(),
+        [Setting::Row | Setting::Outliers] => value.to_owned(),
         _ => format!("\"{value}\""),
     }
 }

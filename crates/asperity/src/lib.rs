@@ -89,6 +89,7 @@ mod stations;
 pub mod surfaces;
 pub mod survey;
 pub mod trace_pairs;
+mod trace_spectra;
 
 pub use case::{Case, CaseInput, LoadedCase};
 pub use contact_tables::ContactTables;

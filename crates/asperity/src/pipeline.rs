@@ -19,7 +19,7 @@ use asperity_gear::LoadMap;
 use rayon::prelude::*;
 
 use crate::bulk;
-use crate::case::LoadedCase;
+use crate::case::{Case, LoadedCase};
 use crate::chosen_laws::ChosenLaws;
 use crate::contact_tables::{ContactTables, KeptContact};
 use crate::detail::Detail;
@@ -46,6 +46,58 @@ pub use crate::stations::{station_at, stations};
 
 /// Told after each position: how many are done, of how many.
 pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
+
+/// Checks all that a run checks before it solves a contact: the table of the gearbox, the mesh positions, the place of the
+/// traces, and at the first offset of each pair of teeth the windows that meet. Records of mixed lubrication are not
+/// computed, and a bulk temperature that follows from the loss is not sought.
+///
+/// # Errors
+/// The error with which [`run`] ends.
+///
+/// ```
+/// use asperity::{case, pipeline};
+/// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+/// pipeline::check(&case::load(file, None)?)?;
+/// // A window that is longer than the traces.
+/// let long = case::load_with(file, &|input| input.model.window = Some(40.0))?;
+/// assert_eq!(pipeline::check(&long).unwrap_err().code(), "E122");
+/// # Ok::<(), asperity::Error>(())
+/// ```
+pub fn check(loaded: &LoadedCase) -> Result<(), Error> {
+    let laws = ChosenLaws::of(&loaded.case);
+    let (map, stations) = placed_stations(loaded, &laws, None).map_err(Box::new)?;
+    let mesh = Mesh {
+        map,
+        stations,
+        records: None,
+        record_count: 0,
+    };
+    let run = mesh.run(loaded, &laws, (Detail::Losses, None));
+    let checked = mesh.stations.par_iter().map(|station| run.check(station));
+    numbered(checked.collect())?;
+    if loaded.case.model.run_in {
+        run_in::places(&loaded.case, &loaded.surfaces, &mesh.stations).map_err(Box::new)?;
+    }
+    Ok(())
+}
+
+/// The load over the flanks and the mesh positions, on traces that cover them.
+fn placed_stations(
+    loaded: &LoadedCase,
+    laws: &ChosenLaws,
+    kept: Option<&LoadMap>,
+) -> Result<(LoadMap, Vec<Station>), PositionError> {
+    // A table that does not reach the operating point is told before the work.
+    gearbox::check(&loaded.case)?;
+    let (map, stations) = match kept {
+        Some(map) => (map.clone(), stations_under(&loaded.case, laws, map)?),
+        None => stations_with(&loaded.case, laws)?,
+    };
+    if let Some(coverage) = loaded.surfaces.coverage(stations.iter()) {
+        check_coverage(coverage)?;
+    }
+    Ok((map, stations))
+}
 
 /// Runs a case whole. The same input gives the same result to the last digit on any number of threads of one type of
 /// processor; transforms round differently with and without AVX2, which moves losses by some 1e-8 of their value.
@@ -227,13 +279,15 @@ fn losses_of(
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
     let kept = tables.and_then(|tables| tables.load_map(&loaded.case));
-    let mesh = Mesh::of(loaded, &laws, kept, progress, &used)?;
+    let later = RunInSteps::of(&loaded.case);
+    let shown = |done, total| progress(done, total + later.after(total));
+    let mesh = Mesh::of(loaded, &laws, kept, &shown, &used)?;
     let run = mesh.run(loaded, &laws, (Detail::Losses, tables));
     let keeper = Keeper::new(&KeptFields::All);
-    let positions = mesh.positions(&run, &keeper, progress, &used)?;
+    let positions = mesh.positions(&run, &keeper, &shown, &used)?;
     let sums = || mesh.sums(loaded, positions)?.losses();
     let mut losses = used.collect(sums).map_err(Box::new)?;
-    losses.run_in = run_in_flanks(loaded, &laws, &mesh, &used)?;
+    losses.run_in = run_in_flanks(loaded, &laws, &mesh, &used, progress)?;
     (losses.equations, _) = provenance::used(&tags(loaded, &used));
     Ok(losses)
 }
@@ -248,13 +302,15 @@ fn outcome(
     let loaded = found.as_ref();
     let used = Provenance::new();
     let laws = ChosenLaws::of(&loaded.case);
-    let mesh = Mesh::of(loaded, &laws, None, progress, &used)?;
+    let later = RunInSteps::of(&loaded.case);
+    let shown = |done, total| progress(done, total + later.after(total));
+    let mesh = Mesh::of(loaded, &laws, None, &shown, &used)?;
     let run = Run {
         keeps,
         ..mesh.run(loaded, &laws, (detail, None))
     };
     let keeper = Keeper::new(kept);
-    let mut positions = mesh.positions(&run, &keeper, progress, &used)?;
+    let mut positions = mesh.positions(&run, &keeper, &shown, &used)?;
     keeper.give_back(&mut positions);
     let tables = keeps.then(|| {
         let rows = positions.iter_mut();
@@ -267,7 +323,7 @@ fn outcome(
     };
     let mut outcome = used.collect(sums).map_err(Box::new)?;
     let result = &mut outcome.result;
-    result.run_in = run_in_flanks(loaded, &laws, &mesh, &used)?;
+    result.run_in = run_in_flanks(loaded, &laws, &mesh, &used, progress)?;
     (result.equations, result.references) = provenance::used(&tags(loaded, &used));
     Ok((outcome, tables))
 }
@@ -279,23 +335,45 @@ fn tags(loaded: &LoadedCase, used: &Provenance) -> BTreeSet<&'static str> {
     tags
 }
 
+/// Steps that running-in adds to the progress of a run.
+struct RunInSteps(bool);
+
+impl RunInSteps {
+    fn of(case: &Case) -> Self {
+        Self(case.model.run_in)
+    }
+
+    /// Steps after `measured`, those of the flanks as measured: the cycles, and the flanks run in.
+    fn after(&self, measured: usize) -> usize {
+        match self.0 {
+            true => run_in::MAX_CYCLES + measured,
+            false => 0,
+        }
+    }
+}
+
 /// The flanks of a case run in and what the mesh then loses, where the case asks for it.
 fn run_in_flanks(
     loaded: &LoadedCase,
     laws: &ChosenLaws,
     mesh: &Mesh,
     used: &Provenance,
+    progress: Progress<'_>,
 ) -> Result<Option<RunInFlanks>, Error> {
     let case = &loaded.case;
     if !case.model.run_in {
         return Ok(None);
     }
-    let run_in = || run_in::run_in(case, &loaded.surfaces, &mesh.stations);
+    let measured = mesh.record_count + mesh.stations.len();
+    let total = measured + RunInSteps::of(case).after(measured);
+    let cycle = |number| progress(measured + number, total);
+    let run_in = || run_in::run_in(case, &loaded.surfaces, &mesh.stations, &cycle);
     let ran_in = used.collect(run_in).map_err(Box::new)?;
     let mut loaded = loaded.clone();
     loaded.surfaces = ran_in.surfaces.clone();
     let loaded = &loaded;
-    let recorded = || records::of_case(loaded, laws, &mesh.stations, &|_, _| {});
+    let shown = |done, _| progress(measured + run_in::MAX_CYCLES + done, total);
+    let recorded = || records::of_case(loaded, laws, &mesh.stations, &shown);
     let (records, record_count) = used.collect(recorded).map_err(Box::new)?;
     let mesh = Mesh {
         records,
@@ -304,7 +382,7 @@ fn run_in_flanks(
     };
     let run = mesh.run(loaded, laws, (Detail::Losses, None));
     let keeper = Keeper::new(&KeptFields::All);
-    let positions = mesh.positions(&run, &keeper, &|_, _| {}, used)?;
+    let positions = mesh.positions(&run, &keeper, &shown, used)?;
     let sums = || mesh.sums(loaded, positions)?.run_in_flanks(ran_in);
     Ok(Some(used.collect(sums).map_err(Box::new)?))
 }
@@ -328,6 +406,19 @@ fn solve_each(
     stations.par_iter().map(solve).collect()
 }
 
+/// What every mesh position has, in order; an error names the position.
+fn numbered<T>(found: Vec<Result<T, PositionError>>) -> Result<Vec<T>, Error> {
+    let count = found.len();
+    let of_position = |(index, found): (usize, Result<T, PositionError>)| {
+        found.map_err(|source| Error::Position {
+            number: index + 1,
+            count,
+            source: Box::new(source),
+        })
+    };
+    found.into_iter().enumerate().map(of_position).collect()
+}
+
 /// The load over the flanks, the mesh positions, and the records between which load shares are read.
 #[derive(Clone)]
 struct Mesh {
@@ -347,15 +438,7 @@ impl Mesh {
         used: &Provenance,
     ) -> Result<Self, Error> {
         let found = || -> Result<Self, PositionError> {
-            // A table that does not reach the operating point is told before the work.
-            gearbox::check(&loaded.case)?;
-            let (map, stations) = match kept {
-                Some(map) => (map.clone(), stations_under(&loaded.case, laws, map)?),
-                None => stations_with(&loaded.case, laws)?,
-            };
-            if let Some(coverage) = loaded.surfaces.coverage(stations.iter()) {
-                check_coverage(coverage)?;
-            }
+            let (map, stations) = placed_stations(loaded, laws, kept)?;
             let (records, record_count) = records::of_case(loaded, laws, &stations, progress)?;
             Ok(Self {
                 map,
@@ -398,15 +481,7 @@ impl Mesh {
             let before = done.fetch_add(1, Ordering::Relaxed);
             progress(1 + before, self.record_count + count);
         };
-        let of_position = |(index, solved): (usize, Result<Position, PositionError>)| {
-            solved.map_err(|source| Error::Position {
-                number: index + 1,
-                count,
-                source: Box::new(source),
-            })
-        };
-        let solved = solve_each(run, &self.stations, used, after).into_iter();
-        solved.enumerate().map(of_position).collect()
+        numbered(solve_each(run, &self.stations, used, after))
     }
 
     /// The points A to E of the path, solved as the positions are, without fields. A point at which the traces do

@@ -3,7 +3,6 @@
 use asperity_contact::SolverSettings;
 use asperity_core::Checked;
 use asperity_core::quantity::{Length, Pressure};
-use asperity_ehl_regime::TraceSpectrum;
 use asperity_ehl_regime::inlet_flow::Lay;
 
 use crate::case::{Case, Formulation};
@@ -26,7 +25,9 @@ pub(crate) struct RoughFilm<'a> {
     case: &'a Case,
     contact: LineContact,
     film: PositionFilm<'a>,
-    traces: AttenuatedTraces,
+    surfaces: Surfaces,
+    /// Both whole traces, once a window was cut from them.
+    traces: Option<AttenuatedTraces>,
 }
 
 impl<'a> RoughFilm<'a> {
@@ -45,7 +46,7 @@ impl<'a> RoughFilm<'a> {
         else {
             return Ok(None);
         };
-        let (Some(rheology), Some([first, second])) = (&case.rheology, surfaces.spectra()) else {
+        let Some(rheology) = &case.rheology else {
             return Ok(None);
         };
         let model = &case.model;
@@ -68,13 +69,20 @@ impl<'a> RoughFilm<'a> {
         };
         let film =
             PositionFilm::with_film(rheology, &contact, case.temperature, &settings, smooth)?;
-        let traces = AttenuatedTraces::new([first, second], film.nabla_per_length())?;
         Ok(Some(Self {
             case,
             contact,
             film,
-            traces,
+            surfaces: surfaces.clone(),
+            traces: None,
         }))
+    }
+
+    /// Standard deviation of the attenuated windows that begin at `starts`.
+    fn window_rms(&mut self, starts: [isize; 2], points: usize) -> Result<Length, PositionError> {
+        let nabla = self.film.nabla_per_length();
+        let whole = &mut self.traces;
+        self.surfaces.window_rms((starts, points), nabla, whole)
     }
 
     /// Load share and friction of a contact kept before; of a window that stayed apart then and touches now,
@@ -84,7 +92,7 @@ impl<'a> RoughFilm<'a> {
         kept: &KeptContact,
         meet: impl FnOnce() -> Result<Encounter, PositionError>,
     ) -> Result<Checked<LoadShareSolution>, PositionError> {
-        let rms = self.traces.reflected_rms(kept.starts, kept.points)?;
+        let rms = self.window_rms(kept.starts, kept.points)?;
         if let Some(table) = kept.table() {
             return Ok(self.film.share(table, rms)?);
         }
@@ -108,9 +116,7 @@ impl<'a> RoughFilm<'a> {
         &mut self,
         encounter: &Encounter,
     ) -> Result<(Checked<LoadShareSolution>, FoundContact), PositionError> {
-        let rms = self
-            .traces
-            .reflected_rms(encounter.starts, encounter.x.len())?;
+        let rms = self.window_rms(encounter.starts, encounter.x.len())?;
         let (composite, spacing) = (encounter.composite(), encounter.spacing);
         let mut contact = rough_contact(self.case, &self.contact, &composite, spacing)?;
         let first_touch = contact.first_touch_gap();
@@ -191,12 +197,6 @@ fn rough_contact(
 }
 
 impl Surfaces {
-    /// Spectra of both traces, where both flanks were measured.
-    fn spectra(&self) -> Option<[&TraceSpectrum; 2]> {
-        let [first, second] = self.spectra_of_traces()?;
-        Some([first, second])
-    }
-
     /// Lay of both flanks together.
     fn lay(&self, lays: [Lay; 2]) -> Result<Lay, PositionError> {
         let rq = |texture: &Texture| match texture {

@@ -35,7 +35,7 @@ use crate::surfaces::{Surfaces, Texture};
 /// Times that a place of the pinion's trace passes under a contact in a cycle.
 const COVERAGE: f64 = 4.0;
 /// Most cycles.
-const MAX_CYCLES: usize = 12;
+pub(crate) const MAX_CYCLES: usize = 12;
 /// Plastic work of a cycle over that of the first below which the flanks have run in.
 const SHAKEDOWN: f64 = 0.05;
 /// Steps of mesh position, pinion and wheel from pass to pass as parts of the whole: powers of the inverse of the
@@ -78,7 +78,7 @@ pub(crate) struct RanIn {
     pub heights: [FlankHeights; 2],
 }
 
-/// Runs the flanks of a case in, over its mesh positions.
+/// Runs the flanks of a case in, over its mesh positions; `done` is called after each cycle with its number.
 ///
 /// # Errors
 /// When a flank has no trace or a contact no solution.
@@ -86,27 +86,15 @@ pub(crate) fn run_in(
     case: &Case,
     measured: &Surfaces,
     stations: &[Station],
+    done: &dyn Fn(usize),
 ) -> Result<RanIn, PositionError> {
-    let [Texture::Trace(pinion), Texture::Trace(wheel)] = measured.textures() else {
-        return Err(PositionError::NoProfile);
-    };
-    let spacing = pinion.spacing();
-    let fine = |station: &&Station| {
-        station.hertz.half_width / spacing >= LEAST_POINTS_PER_HALF_WIDTH
-            && window_points(case, station, spacing) <= pinion.len().min(wheel.len())
-    };
-    let stations: Vec<&Station> = stations.iter().filter(fine).collect();
-    if stations.is_empty() {
-        return Err(PositionError::NoProfile);
-    }
-    let widths: f64 = stations.iter().map(|s| 2.0 * s.hertz.half_width.si()).sum();
-    let passes = (COVERAGE * pinion.length().si() * stations.len() as f64 / widths).ceil() as usize;
+    let stations = places(case, measured, stations)?;
     let mut running = Running {
         case,
+        passes: passes(measured, &stations)?,
         stations,
         shares: flow_shares(case)?,
         surfaces: measured.clone(),
-        passes: passes.max(1),
         passed: 0,
     };
     let before = heights_of(measured)?;
@@ -114,6 +102,7 @@ pub(crate) fn run_in(
     while cycles.len() < MAX_CYCLES {
         let cycle = running.cycle(cycles.len() + 1)?;
         cycles.push(cycle);
+        done(cycles.len());
         let first = cycles[0].plastic_work_j_per_m;
         if cycle.plastic_work_j_per_m <= SHAKEDOWN * first {
             break;
@@ -125,6 +114,36 @@ pub(crate) fn run_in(
         cycles,
         heights: [before, after],
     })
+}
+
+/// The mesh positions whose contacts the traces resolve and cover.
+///
+/// # Errors
+/// When a flank has no trace, or there is no such position.
+pub(crate) fn places<'a>(
+    case: &Case,
+    measured: &Surfaces,
+    stations: &'a [Station],
+) -> Result<Vec<&'a Station>, PositionError> {
+    let [pinion, wheel] = traces(measured)?;
+    let spacing = pinion.spacing();
+    let fine = |station: &&Station| {
+        station.hertz.half_width / spacing >= LEAST_POINTS_PER_HALF_WIDTH
+            && window_points(case, station, spacing) <= pinion.len().min(wheel.len())
+    };
+    let places: Vec<&Station> = stations.iter().filter(fine).collect();
+    match places.is_empty() {
+        true => Err(PositionError::NoProfile),
+        false => Ok(places),
+    }
+}
+
+/// Passes of a cycle at `places`.
+fn passes(measured: &Surfaces, places: &[&Station]) -> Result<usize, PositionError> {
+    let length = traces(measured)?[0].length().si();
+    let widths: f64 = places.iter().map(|s| 2.0 * s.hertz.half_width.si()).sum();
+    let passes = COVERAGE * length * places.len() as f64 / widths;
+    Ok((passes.ceil() as usize).max(1))
 }
 
 /// State of a running-in.

@@ -18,6 +18,7 @@ use crate::full_film::FullFilm;
 use crate::full_film_solution::full_film_at;
 use crate::load_share::LoadShareSolution;
 use crate::local_roughness::Roughness;
+use crate::physical_sense::check_station;
 use crate::position::{ContactNumbers, Offset, Position, PrintedDeformation};
 use crate::records::{PathRecords, RecordedShare};
 use crate::rough_film::RoughFilm;
@@ -87,6 +88,28 @@ impl Run<'_> {
         Ok(position)
     }
 
+    /// Checks what [`Run::solve`] checks before it solves a contact, at the first offset of each pair of teeth.
+    ///
+    /// # Errors
+    /// When the smooth contact is beyond physical sense, or the traces do not have its windows.
+    pub(crate) fn check(&self, station: &Station) -> Result<(), PositionError> {
+        check_station(station)?;
+        let count = self.surfaces.offsets(self.case.model.offsets);
+        for k in (0..count).filter(|k| self.surfaces.begins_a_pair(*k, count)) {
+            let (met, _) = meeting(self.surfaces, station, self.case.model.window, k, count)?;
+            self.check_traces(met.as_ref())?;
+        }
+        Ok(())
+    }
+
+    /// Refuses flanks without traces where the formulation needs them.
+    fn check_traces(&self, met: Option<&Encounter>) -> Result<(), PositionError> {
+        match met.is_none() && self.strategy().needs_traces() {
+            true => Err(PositionError::NoProfile),
+            false => Ok(()),
+        }
+    }
+
     fn offset(
         &self,
         position: &mut Position,
@@ -102,9 +125,7 @@ impl Run<'_> {
             Some(kept) => (None, kept.roughness),
             None => meeting(self.surfaces, station, window, k, count)?,
         };
-        if encounter.is_none() && self.strategy().needs_traces() {
-            return Err(PositionError::NoProfile);
-        }
+        self.check_traces(encounter.as_ref())?;
         let mut found = None;
         let solved = match (&mut workspace.film, kept, &encounter) {
             (Some(film), Some(kept), _) => {

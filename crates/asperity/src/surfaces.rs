@@ -4,18 +4,20 @@ use std::sync::{Arc, OnceLock};
 
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
-use asperity_ehl_regime::TraceSpectrum;
 use asperity_profile_io::read::Reading;
 use asperity_roughness::Parameters;
+use asperity_roughness::outliers::OutlierRecord;
 use asperity_roughness::preparation::PreparationRecord;
 use asperity_roughness::section_heights::section_heights;
 use serde::Serialize;
 
 use crate::error::PositionError;
 use crate::flank_form::FlankForm;
+use crate::load_share::AttenuatedTraces;
 use crate::local_roughness::{Roughness, peaks};
 use crate::placement::Placement;
 use crate::station::Station;
+use crate::trace_spectra::TraceSpectra;
 
 /// λs at which summits are measured when no noise filter was asked for: the usual stylus filter.
 const SUMMIT_WINDOW: Length = Length::from_si(2.5e-6);
@@ -67,7 +69,9 @@ pub struct PairsOfTeeth {
 pub struct Surfaces {
     textures: Arc<[Texture; 2]>,
     /// Spectra of both traces, made at first need.
-    spectra: Arc<OnceLock<Option<[TraceSpectrum; 2]>>>,
+    spectra: Arc<TraceSpectra>,
+    /// Roughness of the whole traces, made at first need.
+    whole: Arc<OnceLock<Result<Roughness, PositionError>>>,
     noise_cutoff: Option<Length>,
     /// Rz of the traces as roughness parameters; where it is not known, windows have the range of their heights.
     rz: [Option<Length>; 2],
@@ -85,7 +89,8 @@ impl Surfaces {
     pub fn new(textures: [Texture; 2], noise_cutoff: Option<Length>, same_trace: bool) -> Self {
         Self {
             textures: Arc::new(textures),
-            spectra: Arc::new(OnceLock::new()),
+            spectra: Arc::default(),
+            whole: Arc::default(),
             noise_cutoff,
             rz: [None; 2],
             placement: None,
@@ -98,7 +103,11 @@ impl Surfaces {
     /// mean that, and no range of a window.
     #[must_use]
     pub fn with_rz(self, rz: [Option<Length>; 2]) -> Self {
-        Self { rz, ..self }
+        Self {
+            rz,
+            whole: Arc::default(),
+            ..self
+        }
     }
 
     /// The same with the traces at their places on the flanks.
@@ -155,20 +164,6 @@ impl Surfaces {
             .flat_map(|sample| sample.met.iter().flatten());
         let one = self.sample.is_none().then_some(self);
         sampled.chain(one)
-    }
-
-    /// Every texture once in each zone of the face: those of the pinion from its pairs with the first tooth of the wheel,
-    /// and the other way round.
-    pub(crate) fn each_texture(&self) -> impl Iterator<Item = &Texture> {
-        let columns = self.teeth().map_or(1, |teeth| teeth[1]);
-        let zones = self.sample.as_ref().map_or(1, |sample| sample.met[0].len());
-        self.each().enumerate().flat_map(move |(k, met)| {
-            let pair = k / zones;
-            let [first, second] = met.textures();
-            let of_pinion = pair.is_multiple_of(columns).then_some(first);
-            let of_wheel = (pair < columns).then_some(second);
-            of_pinion.into_iter().chain(of_wheel)
-        })
     }
 
     /// The pair of traces in a zone of the face at offset `k` of `count` of all pairs, and its own offset of how many.
@@ -334,18 +329,25 @@ impl Surfaces {
         &self.textures
     }
 
-    /// Spectra of both traces; none where a flank was not measured.
-    pub(crate) fn spectra_of_traces(&self) -> Option<&[TraceSpectrum; 2]> {
-        let spectrum = |texture: &Texture| match texture {
-            Texture::Trace(profile) => {
-                TraceSpectrum::new(profile.heights(), profile.spacing()).ok()
-            }
-            Texture::Values { .. } => None,
+    /// Standard deviation of the sum of two windows, each its first point and their number of points, as a contact with
+    /// this wavelength scale leaves them; `whole` holds the attenuated traces once they were needed.
+    pub(crate) fn window_rms(
+        &self,
+        window: ([isize; 2], usize),
+        nabla_per_length: f64,
+        whole: &mut Option<AttenuatedTraces>,
+    ) -> Result<Length, PositionError> {
+        let [Texture::Trace(first), Texture::Trace(second)] = self.textures() else {
+            return Err(PositionError::NoProfile);
         };
-        let [first, second] = self.textures();
-        self.spectra
-            .get_or_init(|| Some([spectrum(first)?, spectrum(second)?]))
-            .as_ref()
+        let traces = [first, second];
+        let found = (self.spectra).window_rms(traces, window, nabla_per_length, whole);
+        Ok(found?)
+    }
+
+    /// Whether both flanks have the textures of `other`.
+    pub(crate) fn has_textures_of(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.textures, &other.textures) || self.textures == other.textures
     }
 
     /// Whether both flanks were measured.
@@ -398,6 +400,11 @@ impl Surfaces {
 
     /// Roughness of the flanks as a whole: of both traces, or from values.
     pub(crate) fn roughness_as_a_whole(&self) -> Result<Roughness, PositionError> {
+        let made = self.whole.get_or_init(|| self.roughness_of_whole());
+        made.clone()
+    }
+
+    fn roughness_of_whole(&self) -> Result<Roughness, PositionError> {
         let [Texture::Trace(first), Texture::Trace(second)] = self.textures() else {
             return self.roughness_of_values();
         };
@@ -464,6 +471,9 @@ pub struct FlankReport {
     pub trace: Option<Profile>,
     /// Whether the trace was read from its other end.
     pub mirrored: bool,
+    /// Spikes that were replaced, where the case has them replaced.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outliers: Option<OutlierRecord>,
     /// Record of the preparation of the trace.
     pub preparation: Option<PreparationRecord>,
     /// Parameters of the prepared trace.

@@ -28,7 +28,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         modulus: "115.4 GPa".parse()?,
         pressure_limit: Some("2.5 GPa".parse()?),
     };
-    let ran_in = RunningIn::evenly(points, 6).run(&flanks, &SolverSettings::default())?;
+    let ran_in = RunningIn::evenly(points, 6)?.run(&flanks, &SolverSettings::default())?;
     println!("cycle  energy J/m   largest flow nm  contact  Rq1 nm  Rq2 nm");
     for (number, cycle) in ran_in.cycles.iter().enumerate() {
         println!(

@@ -23,7 +23,7 @@ use crate::boundary::{Boundary, PeriodicKernel};
 use crate::error::ContactError;
 use crate::half_plane::cell_compliance;
 use crate::problem::{ContactProblem, Control};
-use crate::strip_kernel::{periodic_column, spectral_symbol, strip, strip_column};
+use crate::strip_kernel::{column_of_period, spectral_symbol, strip, strip_column};
 
 /// Most points: a matrix of 18 MB.
 pub const MAX_POINTS: usize = 1500;
@@ -116,7 +116,7 @@ impl Dense {
         let datum = datum_term(problem);
         let column: Vec<f64> = match problem.boundary {
             Boundary::FreeEnds => strip_column(points),
-            Boundary::Periodic(PeriodicKernel::Strip) => periodic_column(points),
+            Boundary::Periodic(PeriodicKernel::Strip) => column_of_period(points),
             Boundary::Periodic(PeriodicKernel::Spectral) => spectral_column(points),
         }
         .iter()

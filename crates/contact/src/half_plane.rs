@@ -25,7 +25,7 @@ use crate::boundary::{Boundary, PeriodicKernel};
 use crate::convolution::{Buffers, EvenFilter, fast_length};
 use crate::error::ContactError;
 use crate::problem::LEAST_POINTS;
-use crate::strip_kernel::{periodic_column, spectral_symbol, strip_column};
+use crate::strip_kernel::{column_of_period, spectral_symbol, strip_column};
 
 /// The displacement operator of a grid, with its plan and buffers.
 ///
@@ -174,7 +174,7 @@ pub(crate) fn displacement_filter(
             EvenFilter::from_column(planner, &column[..points], buffers)
         }
         Boundary::Periodic(PeriodicKernel::Strip) => {
-            EvenFilter::from_period(planner, &periodic_column(points), buffers).without_mean()
+            EvenFilter::from_period(planner, &column_of_period(points), buffers).without_mean()
         }
         Boundary::Periodic(PeriodicKernel::Spectral) => {
             let symbol = |wave| spectral_symbol(wave, points);

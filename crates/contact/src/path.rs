@@ -185,7 +185,7 @@ pub fn press_paths(
             return Ok(vec![]);
         };
         let mut path = Path::new(first.first.len(), Boundary::FreeEnds, *settings)?;
-        let step = |pair: &TwoFlanks| path.step(&pair.problem(&pair.gap()?));
+        let step = |pair: &TwoFlanks| path.step(&pair.problem(&pair.gap()?)?);
         flanks.iter().map(step).collect()
     };
     paths.par_iter().map(press).collect()

@@ -65,16 +65,22 @@ pub struct RanIn {
 }
 
 impl RunningIn {
-    /// `passes` shifts spread evenly over a profile of so many points, displacement shared evenly,
-    /// until a cycle dissipates a millionth of the first.
-    pub fn evenly(points: usize, passes: usize) -> Self {
+    /// `passes` shifts spread evenly over a profile of `points` points, displacement shared evenly, until a cycle
+    /// dissipates a millionth of the first.
+    ///
+    /// # Errors
+    /// When there is no pass, or there are more passes than points.
+    pub fn evenly(points: usize, passes: usize) -> Result<Self, DomainError> {
+        let rule = "must be at least 1 and at most the number of points";
+        let is_possible = (1..=points).contains(&passes);
+        DomainError::require(is_possible, "number of passes", passes as f64, "-", rule)?;
         let shift = |k| (k as f64 * points as f64 / passes as f64).round() as usize;
-        Self {
+        Ok(Self {
             shifts: (0..passes).map(shift).collect(),
             shares: [0.5, 0.5],
             shakedown: 1e-6,
             max_cycles: 100,
-        }
+        })
     }
 
     /// Runs the flanks in, under their load and with their pressure limit.
@@ -92,7 +98,7 @@ impl RunningIn {
     ///     first: &rough, second: &smooth, radius: "3 mm".parse()?, load: "100 N/mm".parse()?,
     ///     modulus: "115.4 GPa".parse()?, pressure_limit: Some("2 GPa".parse()?),
     /// };
-    /// let ran_in = RunningIn::evenly(400, 4).run(&flanks, &SolverSettings::default())?;
+    /// let ran_in = RunningIn::evenly(400, 4)?.run(&flanks, &SolverSettings::default())?;
     /// assert!(ran_in.cycles[1].dissipated < ran_in.cycles[0].dissipated);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -121,7 +127,7 @@ impl RunningIn {
     /// };
     /// let mean = |heights: &[f64]| heights.iter().sum::<f64>() / heights.len() as f64;
     /// let mut levels = vec![mean(rough.heights())];
-    /// RunningIn::evenly(400, 4).run_watched(&flanks, &SolverSettings::default(), |_, [first, _]| {
+    /// RunningIn::evenly(400, 4)?.run_watched(&flanks, &SolverSettings::default(), |_, [first, _]| {
     ///     levels.push(mean(first.heights()));
     /// })?;
     /// assert!(levels.windows(2).all(|cycle| cycle[1] <= cycle[0]));
@@ -222,7 +228,7 @@ fn pass(
     let gap = pair.gap()?;
     path.step(&ContactProblem {
         start,
-        ..pair.problem(&gap)
+        ..pair.problem(&gap)?
     })
 }
 

@@ -123,6 +123,8 @@ const GAUSS_5: &[(f64, f64)] = &[
 /// most 2, below 1e-18.
 const EXACT_PERIOD: usize = 16;
 const FINE_PERIOD: usize = 1 << 14;
+/// Most points of a column: their values fill 800 MB.
+const MOST_POINTS: usize = 100_000_000;
 
 /// C(x) = (L/π)·[Cl₂(2π(x+a)/L) − Cl₂(2π(x−a)/L)] at x = k·2a, in units of a       [Periodic-1]
 ///
@@ -134,11 +136,24 @@ const FINE_PERIOD: usize = 1 << 14;
 ///
 /// ```
 /// use asperity_contact::strip_kernel::periodic_column;
-/// let column = periodic_column(16);
+/// let column = periodic_column(16)?;
 /// assert!(column.iter().sum::<f64>().abs() < 1e-12);
 /// assert_eq!(column[1], column[15]);
+/// assert!(periodic_column(0).is_err());
+/// # Ok::<(), asperity_contact::ContactError>(())
 /// ```
-pub fn periodic_column(points: usize) -> Vec<f64> {
+///
+/// # Errors
+/// When there is no point, or there are more than 10⁸.
+pub fn periodic_column(points: usize) -> Result<Vec<f64>, ContactError> {
+    let rule = "must be 1 to 100000000";
+    let is_column = (1..=MOST_POINTS).contains(&points);
+    DomainError::require(is_column, "points", points as f64, "-", rule)?;
+    Ok(column_of_period(points))
+}
+
+/// The column of [`periodic_column`] for a number of points that is known to be possible.
+pub(crate) fn column_of_period(points: usize) -> Vec<f64> {
     cite!("Periodic-1");
     let mut column = strips(points / 2 + 1);
     for (k, value) in column.iter_mut().enumerate() {
@@ -279,7 +294,7 @@ mod tests {
         ];
         for (points, k, value) in expected {
             // Differences of terms of the size of 4·ln n.
-            let column = periodic_column(points);
+            let column = column_of_period(points);
             assert_eq!(column[k], column[(points - k) % points]);
             let error = column[k] - value;
             assert!(
@@ -295,15 +310,15 @@ mod tests {
         let two = 8.0 / PI * 0.915_965_594_177_219;
         let three = 12.0 / PI * 1.014_941_606_409_653_6;
         for (found, expected) in [
-            (periodic_column(2), vec![two, -two]),
-            (periodic_column(3), vec![three, -0.5 * three, -0.5 * three]),
+            (column_of_period(2), vec![two, -two]),
+            (column_of_period(3), vec![three, -0.5 * three, -0.5 * three]),
         ] {
             for (value, exact) in found.iter().zip(&expected) {
                 assert!((value - exact).abs() < 4e-15, "{found:?} {expected:?}");
             }
         }
         for points in 4..40 {
-            let column = periodic_column(points);
+            let column = column_of_period(points);
             // The sum over a period is that of the mean, which is zero.
             assert!(column.iter().sum::<f64>().abs() < 1e-13, "{points}");
         }
@@ -312,7 +327,7 @@ mod tests {
     #[test]
     fn long_waves_are_as_soft_on_strips_as_on_the_continuum() {
         let points = 512_usize;
-        let column = periodic_column(points);
+        let column = column_of_period(points);
         for (wave, allowed) in [(1, 1e-4), (8, 1e-3), (128, 0.05), (256, 0.17)] {
             let angle = std::f64::consts::TAU * wave as f64 / points as f64;
             let symbol: f64 = (0..points)
@@ -324,5 +339,14 @@ mod tests {
         }
         let mean: f64 = column.iter().sum();
         assert!(mean.abs() < 1e-10);
+    }
+
+    #[test]
+    fn a_column_of_no_point_or_of_more_than_memory_holds_is_refused() {
+        for points in [0, MOST_POINTS + 1, usize::MAX] {
+            let error = periodic_column(points).unwrap_err().to_string();
+            assert!(error.contains("must be 1 to 100000000"), "{error}");
+        }
+        assert_eq!(periodic_column(1).unwrap().len(), 1);
     }
 }

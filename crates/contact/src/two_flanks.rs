@@ -7,6 +7,7 @@
 //! | R | relative radius of curvature | m |
 //! | h | undeformed gap | m |
 
+use asperity_core::profile::common_spacing;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 use asperity_core::{DomainError, Profile, cite};
 
@@ -61,14 +62,7 @@ impl TwoFlanks<'_> {
                 got: second.len(),
             });
         }
-        let dx = first.spacing().si();
-        DomainError::require(
-            dx == second.spacing().si(),
-            "spacing of the second flank",
-            second.spacing().si(),
-            "m",
-            "must be that of the first: resample one of the profiles",
-        )?;
+        let dx = self.spacing()?.si();
         let r = DomainError::positive("radius of curvature", self.radius)?;
         let middle = 0.5 * (first.len() - 1) as f64;
         let heights = first.heights().iter().zip(second.heights());
@@ -86,21 +80,36 @@ impl TwoFlanks<'_> {
     /// # Errors
     /// When an input is not valid or the contact is not solved to the tolerance.
     pub fn press(&self, settings: &SolverSettings) -> Result<ContactSolution, ContactError> {
-        solve(&self.problem(&self.gap()?), settings)
+        solve(&self.problem(&self.gap()?)?, settings)
+    }
+
+    /// Spacing of the gap: the finer spacing of the flanks.
+    ///
+    /// # Errors
+    /// When the spacings differ by more than [`common_spacing`] allows.
+    pub fn spacing(&self) -> Result<Length, ContactError> {
+        let [first, second] = [self.first, self.second].map(Profile::spacing);
+        let common = common_spacing(first, second).ok_or(DomainError {
+            name: "spacing of the second flank",
+            value: second.si(),
+            unit: "m",
+            rule: "must equal the spacing of the first flank within 1e-5: resample one of the profiles",
+        })?;
+        Ok(common)
     }
 
     /// The contact problem over this gap.
-    pub(crate) fn problem<'a>(&self, gap: &'a [f64]) -> ContactProblem<'a> {
-        ContactProblem {
+    pub(crate) fn problem<'a>(&self, gap: &'a [f64]) -> Result<ContactProblem<'a>, ContactError> {
+        Ok(ContactProblem {
             gap,
-            spacing: self.first.spacing(),
+            spacing: self.spacing()?,
             modulus: self.modulus,
             boundary: Boundary::FreeEnds,
             control: Control::Load(self.load),
             prescribed_pressure: None,
             pressure_limit: self.pressure_limit,
             start: None,
-        }
+        })
     }
 
     /// The flanks after unloading: each has taken its share of the plastic displacement

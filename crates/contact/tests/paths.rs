@@ -139,6 +139,7 @@ fn flanks_run_in_as_an_independent_program_has_it() {
         ..SolverSettings::default()
     };
     let ran_in = RunningIn::evenly(2_000, 8)
+        .unwrap()
         .run(&pair(&flanks), &settings)
         .unwrap();
     // Energy, largest flow, contact and Rq of three cycles from an active set in another language.
@@ -192,6 +193,7 @@ fn whoever_watches_running_in_sees_every_cycle_and_its_flanks() {
     let mut seen = vec![];
     let watch = |cycle: &Cycle, flanks: &[Profile; 2]| seen.push((cycle.clone(), flanks.clone()));
     let ran_in = RunningIn::evenly(1_000, 4)
+        .unwrap()
         .run_watched(&pair(&flanks), &SolverSettings::default(), watch)
         .unwrap();
     let cycles: Vec<_> = seen.iter().map(|(cycle, _)| cycle.clone()).collect();
@@ -215,6 +217,7 @@ fn the_energy_of_running_in_decays_until_shakedown() {
         ..SolverSettings::default()
     };
     let ran_in = RunningIn::evenly(1_000, 4)
+        .unwrap()
         .run(&pair(&flanks), &settings)
         .unwrap();
     let energies: Vec<f64> = ran_in
@@ -235,7 +238,10 @@ fn the_energy_of_running_in_decays_until_shakedown() {
 #[test]
 fn running_in_is_refused_where_nothing_can_flow() {
     let flanks = rough_flanks(300);
-    let good = RunningIn::evenly(300, 2);
+    let good = RunningIn::evenly(300, 2).unwrap();
+    for passes in [0, 301, usize::MAX] {
+        assert!(RunningIn::evenly(300, passes).is_err());
+    }
     let settings = SolverSettings::default();
     let elastic = TwoFlanks {
         pressure_limit: None,

@@ -354,7 +354,7 @@ proptest! {
             modulus: CYLINDER.modulus,
             pressure_limit: limit(2.5),
         };
-        let running_in = RunningIn { shakedown: 1e-5, ..RunningIn::evenly(points, passes) };
+        let running_in = RunningIn { shakedown: 1e-5, ..RunningIn::evenly(points, passes).unwrap() };
         let ran_in = running_in.run(&flanks, &tight()).unwrap();
         let energies: Vec<f64> = ran_in.cycles.iter().map(|cycle| cycle.dissipated.si()).collect();
         prop_assert!(energies[energies.len() - 1] <= 1e-5 * energies[0]);

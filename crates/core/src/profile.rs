@@ -21,6 +21,31 @@ pub struct Profile {
     heights: Vec<f64>,
 }
 
+/// Points of the widest spike that dust or lost light makes; a pit or scratch is wider.
+pub const WIDEST_SPIKE: usize = 6;
+
+/// The finer of two spacings that count as equal, or `None` if they differ by more than 1e-5.
+///
+/// Positions in a file are rounded, so that the spacings of two traces of one instrument differ in their last digits.
+/// A difference of 1e-5 shifts the ends of a window of 10⁴ points by a tenth of a point.
+///
+/// ```
+/// use asperity_core::profile::common_spacing;
+/// let (first, second) = ("356.0493 nm".parse()?, "356.0509 nm".parse()?);
+/// assert_eq!(common_spacing(second, first), Some(first));
+/// assert_eq!(common_spacing(first, "356.06 nm".parse()?), None);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn common_spacing(first: Length, second: Length) -> Option<Length> {
+    const SAME: f64 = 1e-5;
+    let (finer, coarser) = if first < second {
+        (first, second)
+    } else {
+        (second, first)
+    };
+    (coarser / finer - 1.0 <= SAME).then_some(finer)
+}
+
 #[derive(Deserialize)]
 struct RawProfile {
     spacing: Length,

@@ -39,6 +39,8 @@ pub enum Setting {
     BaseRadius,
     /// Treatment of uneven positions.
     Uneven,
+    /// Replacement of spikes.
+    Outliers,
     /// Form removed from a trace.
     Form,
     /// Cut-off λc.
@@ -66,6 +68,7 @@ impl Setting {
             Self::Abscissa => "abscissa",
             Self::BaseRadius => "base_radius",
             Self::Uneven => "uneven",
+            Self::Outliers => "outliers",
             Self::Form => "form",
             Self::Cutoff => "cutoff",
             Self::NoiseCutoff => "noise_cutoff",

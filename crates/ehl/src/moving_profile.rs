@@ -67,7 +67,7 @@ impl MovingProfile {
         let steps = DomainError::positive("overlap", overlap)? / profile.spacing().si();
         let faded = steps.round() as usize;
         DomainError::require(
-            faded >= 1 && 2 * faded <= profile.len(),
+            (1..=profile.len() / 2).contains(&faded),
             "overlap",
             overlap.si(),
             "m",
@@ -197,6 +197,13 @@ mod tests {
             .map(|i| 1e-7 * (0.37 * f64::from(i)).sin())
             .collect();
         Profile::new(Length::from_si(1e-6), heights).unwrap()
+    }
+
+    #[test]
+    fn an_overlap_beyond_half_of_the_profile_is_refused() {
+        for overlap in [1e308, 1.0, f64::MIN_POSITIVE] {
+            assert!(MovingProfile::blended(&trace(), Length::from_si(overlap)).is_err());
+        }
     }
 
     #[test]

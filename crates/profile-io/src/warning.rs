@@ -82,6 +82,16 @@ pub enum Warning {
         /// Evaluation length.
         traced: Length,
     },
+    /// Fewer heights than the header states.
+    #[error(
+        "the header states {stated} points and {heights} were read: the trace was aborted, or the file cut off"
+    )]
+    FewerHeights {
+        /// As stated in the header.
+        stated: usize,
+        /// Heights read.
+        heights: usize,
+    },
     /// The spacing comes from a number that looks like one.
     #[error("line 1 reads {value} and is taken as the spacing in um, as in NPL text profiles")]
     SpacingFromFirstLine {
@@ -210,6 +220,7 @@ impl Warning {
             Self::AlreadyFiltered => "W118",
             Self::ChecksumDiffers { .. } => "W120",
             Self::TraceAborted { .. } => "W121",
+            Self::FewerHeights { .. } => "W131",
             Self::SpacingFromFirstLine { .. } => "W122",
             Self::LengthRounded { .. } => "W123",
             Self::ImplausibleHeights { .. } => "W124",

@@ -399,3 +399,49 @@ fn a_device_is_refused_before_it_is_read() {
     assert_eq!(refused.code(), "E103");
     assert!(refused.to_string().contains("pass -"), "{refused}");
 }
+
+/// A stylus's export of one trace of a scan: the number of the trace stands in front of its heights.
+fn stylus_scan(points: usize, number: &str) -> String {
+    let heights: String = (0..POINTS)
+        .map(|i| format!("{:.4}\n", 5.0 + flank(DX_UM * i as f64)))
+        .collect();
+    format!("Recipe\tflank\nTraces\t1\nPoints per trace\t{points}\nTrace\n{number}{heights}")
+}
+
+#[test]
+fn the_number_of_a_trace_is_not_read_as_its_first_height() {
+    let options = ReadOptions {
+        dx: Some(Length::from_si(DX_UM * 1e-6)),
+        z_unit: Some(LengthUnit::Micrometre),
+        ..ReadOptions::default()
+    };
+    let scan = |points, number| opened(&stylus_scan(points, number), &options);
+    assert_eq!(codes(&scan(POINTS, "").unwrap()), [""; 0]);
+    let refused = scan(POINTS, "21.0000\n").unwrap_err();
+    assert_eq!(refused.code(), "E117");
+    let says = "line 3: Points per trace2000, 2001 read";
+    assert!(refused.to_string().contains(says), "{refused}");
+    let aborted = scan(POINTS + 500, "").unwrap();
+    assert_eq!(codes(&aborted), ["W131"]);
+    assert_eq!(aborted.points, POINTS);
+}
+
+#[test]
+fn the_number_of_a_trace_is_not_the_first_height_of_its_row_either() {
+    let row = |number: usize| {
+        let heights = (0..POINTS).map(|i| format!("\t{:.4}", flank(DX_UM * i as f64)));
+        format!("{number}{}\n", heights.collect::<String>())
+    };
+    let text = format!(
+        "Recipe\tflank\nPoints per trace\t{POINTS}\n{}{}",
+        row(1),
+        row(2)
+    );
+    let options = ReadOptions {
+        dx: Some(Length::from_si(DX_UM * 1e-6)),
+        z_unit: Some(LengthUnit::Micrometre),
+        row: Some(2),
+        ..ReadOptions::default()
+    };
+    assert_eq!(opened(&text, &options).unwrap_err().code(), "E117");
+}

@@ -113,7 +113,7 @@ pub fn press_flanks<'py>(
         .map(serde_json::from_str)
         .transpose()
         .map_err(|error| Failure::new("E204", error.to_string()))?;
-    let (solution, gap, more) = alone(py, || {
+    let (solution, gap, spacing, more) = alone(py, || {
         let load = asked
             .load
             .ok_or_else(|| Failure::new("E205", "two flanks need a load"))?;
@@ -128,7 +128,7 @@ pub fn press_flanks<'py>(
         let ran_in = match &run_in {
             Some(plan) => {
                 let shares = [plan.first_share, 1.0 - plan.first_share];
-                let plan = RunningIn::evenly(first.profile.len(), plan.passes);
+                let plan = RunningIn::evenly(first.profile.len(), plan.passes)?;
                 Some(RunningIn { shares, ..plan }.run(&flanks, &asked.settings)?)
             }
             None => None,
@@ -162,10 +162,11 @@ pub fn press_flanks<'py>(
         Ok((
             worn.press(&asked.settings)?,
             worn.gap()?,
+            worn.spacing()?,
             json!({ "running_in": cycles }),
         ))
     })?;
-    found(py, solution, gap, first.profile.spacing().si(), more)
+    found(py, solution, gap, spacing.si(), more)
 }
 
 /// The numbers as JSON, as the command has them, and the arrays.

@@ -8,6 +8,7 @@
 //! | S | composite root mean square height | m |
 
 use asperity_core::cite;
+use asperity_core::profile::common_spacing;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use schemars::JsonSchema;
@@ -45,7 +46,7 @@ pub struct Composite {
 /// Both from their first points; the composite ends where the shorter profile does.
 ///
 /// # Errors
-/// When the spacings differ by more than 10⁻⁶ and resampling was not asked for.
+/// When the spacings differ by more than [`common_spacing`] allows and resampling was not asked for.
 ///
 /// ```
 /// use asperity_core::{Profile, quantity::Length};
@@ -62,29 +63,24 @@ pub fn compose(
     pairing: Pairing,
 ) -> Result<Composite, RoughnessError> {
     cite!("Composite-1");
-    // Over 10^5 points a relative difference of 10^-6 shifts the ends by a tenth of a point.
-    const SAME: f64 = 1e-6;
     let (dx1, dx2) = (first.spacing(), second.spacing());
     let second = if pairing.mirror_second {
         second.mirrored()
     } else {
         second.clone()
     };
-    let mut resampled_from = None;
-    let (first, second) = if (dx1 / dx2 - 1.0).abs() <= SAME {
-        (first.clone(), second)
-    } else if !pairing.resample {
-        return Err(RoughnessError::SpacingDiffers {
-            first: dx1,
-            second: dx2,
-        });
-    } else if dx1 > dx2 {
-        resampled_from = Some(dx1);
-        (resampled(first, dx2)?, second)
-    } else {
-        resampled_from = Some(dx2);
-        (first.clone(), resampled(&second, dx1)?)
+    let (finer, coarser) = if dx1 < dx2 { (dx1, dx2) } else { (dx2, dx1) };
+    let resampled_from = match common_spacing(dx1, dx2) {
+        Some(_) => None,
+        None if pairing.resample => Some(coarser),
+        None => {
+            return Err(RoughnessError::SpacingDiffers {
+                first: dx1,
+                second: dx2,
+            });
+        }
     };
+    let (first, second) = (spaced(first, finer)?, spaced(&second, finer)?);
     let sum = first
         .heights()
         .iter()
@@ -92,11 +88,32 @@ pub fn compose(
         .map(|(a, b)| a + b)
         .collect();
     Ok(Composite {
-        profile: Profile::new(first.spacing(), sum)?,
+        profile: Profile::new(finer, sum)?,
         mirrored: pairing.mirror_second,
         resampled_from,
         points_unused: first.len().abs_diff(second.len()),
     })
+}
+
+/// The profile on a grid of `spacing`: its own points if its spacing counts as equal ([`common_spacing`]), otherwise
+/// linear between them.
+///
+/// # Errors
+/// As [`resampled`].
+///
+/// ```
+/// use asperity_core::Profile;
+/// use asperity_roughness::composite::spaced;
+/// let profile = Profile::new("0.5 um".parse()?, vec![0.0, 1e-7, 3e-7])?;
+/// assert_eq!(spaced(&profile, "0.500001 um".parse()?)?.heights(), profile.heights());
+/// assert_eq!(spaced(&profile, "1 um".parse()?)?.heights(), &[0.0, 3e-7]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn spaced(profile: &Profile, spacing: Length) -> Result<Profile, DomainError> {
+    match common_spacing(profile.spacing(), spacing) {
+        Some(_) => Profile::new(spacing, profile.heights().to_vec()),
+        None => resampled(profile, spacing),
+    }
 }
 
 /// The profile on a grid of `spacing`, linear between its points.

@@ -12,12 +12,14 @@
 //! none and stay.
 
 use asperity_core::cite;
+use asperity_core::profile::WIDEST_SPIKE;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::RoughnessError;
+use crate::warning::Warning;
 
 /// Median deviation of normal heights over their standard deviation, inverted.
 const NORMAL: f64 = 1.4826;
@@ -34,6 +36,16 @@ pub struct Outliers {
     pub half_window: usize,
 }
 
+impl Outliers {
+    /// Points farther than `deviations` in windows that find spikes of up to [`WIDEST_SPIKE`] points.
+    pub fn beyond(deviations: f64) -> Self {
+        Self {
+            deviations,
+            half_window: WIDEST_SPIKE,
+        }
+    }
+}
+
 /// Replaced points.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
@@ -48,6 +60,17 @@ pub struct OutlierRecord {
     pub farthest: Length,
     /// Least distance at which a point was replaced.
     pub threshold: Length,
+}
+
+impl OutlierRecord {
+    /// The warning that points were replaced, if any were.
+    pub fn warning(&self) -> Option<Warning> {
+        (self.replaced > 0).then_some(Warning::OutliersReplaced {
+            points: self.replaced,
+            longest: self.longest,
+            farthest: self.farthest,
+        })
+    }
 }
 
 /// zᵢ ← linear between its neighbours, where |zᵢ − z̃ᵢ| > k d                     `[Outlier-1]`

@@ -53,6 +53,18 @@ pub enum Warning {
         /// Evaluation length.
         length: Length,
     },
+    /// Outliers were replaced.
+    #[error(
+        "{points} points were replaced as outliers by straight lines, at most {longest} in a row, up to {farthest:.4} from the running median"
+    )]
+    OutliersReplaced {
+        /// Points replaced.
+        points: usize,
+        /// Longest run of them.
+        longest: usize,
+        /// Largest distance from the running median.
+        farthest: Length,
+    },
     /// The involute that came off is not that of the trace.
     #[error(
         "a parabola or cubic of {form:.3} root mean square is left after the involute, over {roughness:.3} of roughness: the flank is crowned, or its base radius or roll length is another. With this base radius a roll length of {fitted:.4} fits best, not {given:.4}"
@@ -93,6 +105,7 @@ impl Warning {
             Self::CoarseForLambdaS { .. } => "W113",
             Self::FewSections { .. } => "W114",
             Self::InvoluteLeft { .. } => "W128",
+            Self::OutliersReplaced { .. } => "W130",
         }
     }
 }

@@ -1,13 +1,15 @@
 //! Estimate of the work of a run, before it is done.
 //!
-//! A quick one follows from the points of all contacts and times per point, as measured on the four shipped cases
-//! (docs/PERFORMANCE.md). How long a contact takes depends on the flanks, too: from a third to three times as long. A
-//! measured one therefore solves a few contacts of the case and scales their time; it was 0.5 to 1 times that of the run.
+//! The work is counted: points of the contacts, of the stress below them, of running-in, of the transforms of the traces,
+//! cells and steps of elastohydrodynamic records. Times per unit, measured on the shipped cases (docs/PERFORMANCE.md),
+//! make a time of it. How long a contact takes depends on the flanks, too: from a third to three times as long. A measured
+//! estimate therefore solves a few contacts of the case and scales the time of the contacts by theirs.
 
 use std::time::Instant;
 
+use asperity::band::{DRAWS, has_band};
 use asperity::case::planetary::LoadedPlanetary;
-use asperity::case::{Formulation, LoadedCase};
+use asperity::case::{Formulation, FullFilmName, LoadShareName, LoadedCase};
 use asperity::kept_fields::KeptFields;
 use asperity::pipeline::{contacts, stations};
 use asperity::surfaces::Texture;
@@ -23,7 +25,7 @@ pub struct Estimate {
     pub points: f64,
     /// Time on the threads that are used \[s\].
     pub seconds: f64,
-    /// Memory of the fields that are held \[bytes\].
+    /// Memory of the fields that are held and of the traces \[bytes\].
     pub bytes: f64,
 }
 
@@ -42,16 +44,36 @@ impl Estimate {
 
 /// Time of a point \[s\] where each contact is tabulated over its share of the load (`solved`): 0.8 to 8e-6 seen.
 const SECONDS_TABULATED: f64 = 3e-6;
-/// The same where each contact is solved once: 0.2 to 0.7e-6 seen.
+/// Time of a point \[s\] where each contact is solved once: 0.2 to 0.7e-6 seen.
 const SECONDS_ONCE: f64 = 5e-7;
-/// The same where the surfaces are lowered step by step (the paper's reading), per step.
+/// Time of a point and step \[s\] where the surfaces are lowered step by step (the paper's formulation).
 const SECONDS_OF_A_STEP: f64 = 1.5e-7;
 /// Distance by which the surfaces are lowered altogether \[m\].
 const LOWERED: f64 = 6.4e-6;
 /// Time of the stress at a point of one depth below the surface \[s\]: 6.3 to 7.4e-8 seen.
 const SECONDS_OF_STRESS: f64 = 7e-8;
-/// Time of reading and preparing the traces, of the load map and of writing the result \[s\].
-const SECONDS_AROUND: f64 = 0.02;
+/// Time of a point of a contact of running-in \[s\].
+const SECONDS_OF_WEAR: f64 = 1e-6;
+/// Contacts over each place of a trace in the cycles of running-in: 4 in each of up to 12 cycles.
+const PASSES_OF_A_PLACE: f64 = 40.0;
+/// Time of the film and its friction at one position and offset \[s\].
+const SECONDS_OF_FILM: f64 = 3e-5;
+/// Time of one point of a transform and its logarithm \[s\].
+const SECONDS_OF_TRANSFORM: f64 = 3e-9;
+/// Points of a piece that is transformed around a window of a long trace, over those of the window.
+const PIECE: f64 = 5.0;
+/// Windows from whose pieces on a trace is transformed as a whole.
+const PIECES: f64 = 16.0;
+/// Evaluations of the film that find a bulk temperature, and those of alternative laws beside the draws of a band.
+const EVALUATIONS: [f64; 2] = [8.0, 5.0];
+/// Time of a cell and step of an elastohydrodynamic record \[s\]: 3 to 13e-6 seen.
+const SECONDS_OF_A_CELL: f64 = 6.6e-6;
+/// Cells of a record that a half-width spans, over all of its cells, and half-widths before it begins.
+const RECORD: [f64; 2] = [0.25, 3.0];
+/// Time of reading, preparing and evaluating a point of a trace, and of drawing it \[s\].
+const SECONDS_OF_A_TRACE_POINT: f64 = 1e-6;
+/// Time of the load map and of writing the result \[s\].
+const SECONDS_AROUND: f64 = 0.05;
 /// Positions of which a measured estimate solves the contact at one offset.
 const SAMPLED: usize = 6;
 /// Further offsets that are solved to separate the time of a contact from that of the rest.
@@ -60,6 +82,10 @@ const MORE_OFFSETS: usize = 2;
 const NAMED: usize = 5;
 /// Numbers held for a point of the surface, and for a point at a depth.
 const NUMBERS: [f64; 2] = [12.0, 4.0];
+/// Numbers held for a point of a trace while it is read, prepared and evaluated.
+const NUMBERS_OF_TRACE: f64 = 20.0;
+/// Memory of the program without traces and fields \[bytes\].
+const BYTES_AROUND: f64 = 20e6;
 /// Bytes of a number.
 const BYTES: f64 = 8.0;
 
@@ -68,7 +94,7 @@ const BYTES: f64 = 8.0;
 /// # Errors
 /// When a position of the mesh has no smooth contact.
 pub fn estimate(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, Error> {
-    of_case(loaded, kept).map_err(|error| Error::Whole(Box::new(error)))
+    Ok(Work::of(loaded)?.estimate(loaded, kept, 1.0))
 }
 
 /// Estimates the run of both meshes of a planetary set.
@@ -80,51 +106,41 @@ pub fn estimate_of_set(loaded: &LoadedPlanetary, kept: &KeptFields) -> Result<Es
     Ok(estimate(first, kept)?.and(estimate(second, kept)?))
 }
 
-/// Estimates the run of `loaded` from the time that a few of its contacts take now, on one thread.
+/// Estimates the run of `loaded` with the time that a few of its contacts take now, on one thread. Records of mixed
+/// lubrication, running-in and bulk temperatures are not computed for it.
 ///
 /// # Errors
 /// As [`estimate`], and when one of these contacts has no solution.
 pub fn measured(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, Error> {
-    let quick = estimate(loaded, kept)?;
-    if quick.contacts == 0 {
-        return Ok(quick);
+    let work = Work::of(loaded)?;
+    let Ok(alone) = rayon::ThreadPoolBuilder::new().num_threads(1).build() else {
+        return Ok(work.estimate(loaded, kept, 1.0));
+    };
+    if work.contacts == 0 || has_records(loaded) {
+        return Ok(work.estimate(loaded, kept, 1.0));
     }
     let model = &loaded.case.model;
-    let Ok(alone) = rayon::ThreadPoolBuilder::new().num_threads(1).build() else {
-        return Ok(quick);
-    };
-    let mut solved = 0;
-    let mut time = |offsets: usize| -> Result<f64, Error> {
+    let of_offsets = |offsets: usize| -> Result<[f64; 2], Error> {
         let few = loaded.with(|input| {
             input.model.positions = Some(model.positions.min(SAMPLED));
             input.model.offsets = Some(offsets);
+            input.model.run_in = None;
+            input.operation.bulk = None;
         })?;
         let begin = Instant::now();
-        let outcome = alone.install(|| contacts(&few, &|_, _| {}))?;
-        solved = outcome.result.path.len();
-        Ok(begin.elapsed().as_secs_f64())
+        alone.install(|| contacts(&few, &|_, _| {}))?;
+        let modelled = Work::of(&few)?.of_contacts;
+        Ok([begin.elapsed().as_secs_f64(), modelled])
     };
-    // Further offsets tell the time of their contacts; the rest is spent once at a position.
-    let one = time(1)?;
-    let more = time(1 + MORE_OFFSETS)?;
-    let of_an_offset = ((more - one) / MORE_OFFSETS as f64).max(0.0);
-    let once = (one - of_an_offset).max(0.0);
-    // The points A to E cost a contact each where the load share needs one.
-    let is_corrected = loaded.case.formulation == Formulation::Corrected;
-    let named = match is_corrected && model.load_share.supply().is_some() {
-        true => NAMED,
-        false => 0,
+    // What is spent once at a position does not count: it is that of the offsets which differs.
+    let (one, more) = (of_offsets(1)?, of_offsets(1 + MORE_OFFSETS)?);
+    let [seconds, modelled] = [0, 1].map(|k: usize| more[k] - one[k]);
+    let scale = if modelled > 0.0 {
+        (seconds / modelled).max(0.0)
+    } else {
+        1.0
     };
-    let all = loaded.surfaces.offsets(model.offsets).max(1);
-    let positions = quick.contacts / all;
-    let scale = (positions + named) as f64 / (solved + named).max(1) as f64;
-    let work = scale * (once + of_an_offset * model.offsets as f64);
-    let stress = SECONDS_OF_STRESS * quick.points / all as f64 * model.depths as f64;
-    let threads = rayon::current_num_threads().min(positions.max(1)) as f64;
-    Ok(Estimate {
-        seconds: SECONDS_AROUND + (work + stress) / threads,
-        ..quick
-    })
+    Ok(work.estimate(loaded, kept, scale))
 }
 
 /// Estimates the run of both meshes of a planetary set as [`measured`] does.
@@ -136,41 +152,149 @@ pub fn measured_of_set(loaded: &LoadedPlanetary, kept: &KeptFields) -> Result<Es
     Ok(measured(first, kept)?.and(measured(second, kept)?))
 }
 
-fn of_case(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, PositionError> {
+fn has_records(loaded: &LoadedCase) -> bool {
     let model = &loaded.case.model;
-    let mut traces = loaded.surfaces.textures().iter();
-    let spacing = traces.find_map(|texture| match texture {
-        Texture::Trace(profile) => Some(profile.spacing()),
-        _ => None,
-    });
-    let stations = stations(&loaded.case)?;
-    let Some(spacing) = spacing.filter(|_| loaded.surfaces.are_measured()) else {
-        return Ok(Estimate {
-            seconds: SECONDS_AROUND,
-            ..Estimate::default()
+    model.load_share == LoadShareName::Ehl || model.full_film == FullFilmName::EhlTransient
+}
+
+/// Counted work of a run and its time by part \[s\].
+struct Work {
+    positions: usize,
+    contacts: usize,
+    /// Points of the windows of all positions.
+    window_points: f64,
+    /// Points of all contacts.
+    points: f64,
+    /// Points of all traces.
+    traced: f64,
+    of_contacts: f64,
+    /// Other work that positions do at the same time.
+    beside: f64,
+    /// Work on one thread.
+    serial: f64,
+    /// Records, solved at the same time, and the time of each.
+    records: (usize, f64),
+}
+
+impl Work {
+    fn of(loaded: &LoadedCase) -> Result<Self, Error> {
+        Self::counted(loaded).map_err(|error| Error::Whole(Box::new(error)))
+    }
+
+    fn counted(loaded: &LoadedCase) -> Result<Self, PositionError> {
+        let model = &loaded.case.model;
+        let stations = stations(&loaded.case)?;
+        let positions = stations.len();
+        let traces = loaded.all_traces().into_iter();
+        let traced: usize = traces
+            .filter_map(|flank| Some(flank.trace.as_ref()?.len()))
+            .sum();
+        let textures = loaded.surfaces.textures();
+        let prepared = textures.iter().filter_map(|texture| match texture {
+            Texture::Trace(profile) => Some(profile),
+            _ => None,
         });
+        let longest = prepared.max_by_key(|profile| profile.len());
+        let Some(trace) = longest.filter(|_| loaded.surfaces.are_measured()) else {
+            return Ok(Self {
+                positions,
+                contacts: 0,
+                window_points: 0.0,
+                points: 0.0,
+                traced: traced as f64,
+                of_contacts: 0.0,
+                beside: SECONDS_OF_FILM * positions as f64 * evaluations(loaded),
+                serial: 0.0,
+                records: (0, 0.0),
+            });
+        };
+        let windows = stations
+            .iter()
+            .map(|station| 2.0 * model.window * (station.hertz.half_width / trace.spacing()));
+        let window_points: f64 = windows.sum();
+        let offsets = loaded.surfaces.offsets(model.offsets) as f64;
+        let is_corrected = loaded.case.formulation == Formulation::Corrected;
+        let tables = is_corrected && model.load_share.supply().is_some();
+        let of_a_point = match loaded.case.formulation {
+            Formulation::Paper => SECONDS_OF_A_STEP * (LOWERED / model.delta_step.si()),
+            Formulation::Corrected if tables => SECONDS_TABULATED,
+            Formulation::Corrected => SECONDS_ONCE,
+        };
+        // A bulk temperature is found with contacts of its own; running-in solves them anew.
+        let anew = [loaded.case.bulk.is_some(), model.run_in];
+        let solves = 1.0 + anew.into_iter().filter(|is_asked| *is_asked).count() as f64;
+        let named = match tables {
+            true => 1.0 + NAMED as f64 / positions as f64,
+            false => 1.0,
+        };
+        let points = window_points * offsets;
+        let window = window_points / positions as f64;
+        let transformed = match tables {
+            // The two traces are transformed together, there and back.
+            true => 2.0 * (trace.len() as f64).min(PIECES * PIECE * window),
+            false => 0.0,
+        };
+        let of_film = SECONDS_OF_FILM * offsets
+            + SECONDS_OF_TRANSFORM * transformed * transformed.max(2.0).log2();
+        let worn = match model.run_in {
+            true => PASSES_OF_A_PLACE * model.window * trace.len() as f64,
+            false => 0.0,
+        };
+        let cells = model.ehl.cells as f64;
+        let steps = RECORD[0] * cells * (RECORD[1] + model.ehl.travel);
+        let records = match has_records(loaded) {
+            true => model.ehl.records.min(positions),
+            false => 0,
+        };
+        Ok(Self {
+            positions,
+            contacts: positions * offsets as usize,
+            window_points,
+            points,
+            traced: traced as f64,
+            of_contacts: of_a_point * points * solves * named,
+            beside: SECONDS_OF_STRESS * window_points * model.depths as f64
+                + of_film * positions as f64 * evaluations(loaded) * solves,
+            serial: SECONDS_OF_WEAR * worn,
+            records: (records, SECONDS_OF_A_CELL * cells * steps),
+        })
+    }
+
+    /// The estimate, where the contacts take `scale` times as long as usual.
+    fn estimate(&self, loaded: &LoadedCase, kept: &KeptFields, scale: f64) -> Estimate {
+        let threads = rayon::current_num_threads();
+        let together = threads.min(self.positions.max(1)) as f64;
+        let (records, of_a_record) = self.records;
+        let rounds = records.div_ceil(threads) as f64;
+        // Every thread holds the fields of the position it is at.
+        let held = self.positions.min(kept.of(self.positions) + threads) as f64;
+        let depths = loaded.case.model.depths as f64;
+        let of_fields = BYTES * (NUMBERS[0] + NUMBERS[1] * depths) * self.window_points;
+        Estimate {
+            contacts: self.contacts,
+            points: self.points,
+            seconds: SECONDS_AROUND
+                + SECONDS_OF_A_TRACE_POINT * self.traced
+                + (scale * self.of_contacts + self.beside) / together
+                + scale * self.serial
+                + rounds * of_a_record,
+            bytes: BYTES_AROUND
+                + held / self.positions.max(1) as f64 * of_fields
+                + BYTES * NUMBERS_OF_TRACE * self.traced,
+        }
+    }
+}
+
+/// Times that the film of every position is evaluated: for the loss, for each draw and alternative of its band, and to
+/// find a bulk temperature.
+fn evaluations(loaded: &LoadedCase) -> f64 {
+    let of_band = match has_band(loaded) {
+        true => DRAWS as f64 + EVALUATIONS[1],
+        false => 0.0,
     };
-    let windows = stations
-        .iter()
-        .map(|station| 2.0 * model.window * (station.hertz.half_width / spacing));
-    let once: f64 = windows.sum();
-    let offsets = loaded.surfaces.offsets(model.offsets);
-    let points = once * offsets as f64;
-    let depths = model.depths as f64;
-    let of_a_point = match loaded.case.formulation {
-        Formulation::Paper => SECONDS_OF_A_STEP * (LOWERED / model.delta_step.si()),
-        Formulation::Corrected if model.load_share.supply().is_some() => SECONDS_TABULATED,
-        Formulation::Corrected => SECONDS_ONCE,
+    let of_bulk = match loaded.case.bulk {
+        Some(_) => EVALUATIONS[0],
+        None => 0.0,
     };
-    let work = of_a_point * points + SECONDS_OF_STRESS * once * depths;
-    let threads = rayon::current_num_threads();
-    // Every thread holds the fields of the position it is at.
-    let held = stations.len().min(kept.of(stations.len()) + threads) as f64;
-    let of_fields = BYTES * (NUMBERS[0] + NUMBERS[1] * depths);
-    Ok(Estimate {
-        contacts: stations.len() * offsets,
-        points,
-        seconds: SECONDS_AROUND + work / threads.min(stations.len()) as f64,
-        bytes: held / stations.len() as f64 * once * of_fields,
-    })
+    1.0 + of_band + of_bulk
 }

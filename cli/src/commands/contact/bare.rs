@@ -7,14 +7,12 @@ use asperity_contact::two_flanks::TwoFlanks;
 use asperity_contact::{
     Boundary, ContactError, ContactProblem, Control, PeriodicKernel, SolverSettings, solve,
 };
+use asperity_core::profile::common_spacing;
 
 use super::column_file::{self, Columns};
 use super::found::Found;
 use crate::args::{ContactArgs, KernelArg};
 use crate::failure::Failure;
-
-/// Cells may differ in length by this share: rounding in the files.
-const UNEVEN: f64 = 1e-6;
 
 /// The contact over a gap file.
 pub fn of_gap(path: &Path, args: &ContactArgs) -> Result<Found, Failure> {
@@ -75,7 +73,7 @@ pub fn of_flanks(paths: &[std::path::PathBuf], args: &ContactArgs) -> Result<Fou
         Some(passes) => {
             let plan = RunningIn {
                 shares: [args.first_share, 1.0 - args.first_share],
-                ..RunningIn::evenly(first.len(), passes)
+                ..RunningIn::evenly(first.len(), passes).map_err(|error| about(error.into()))?
             };
             let ran_in = plan.run(&flanks, &settings(args)).map_err(about)?;
             (ran_in.cycles, Some(ran_in.flanks))
@@ -90,13 +88,14 @@ pub fn of_flanks(paths: &[std::path::PathBuf], args: &ContactArgs) -> Result<Fou
         },
         None => flanks,
     };
+    let spacing = last.spacing().map_err(about)?;
     let undeformed = last.gap().map_err(about)?;
     let solution = last.press(&settings(args)).map_err(about)?;
     let middle = 0.5 * (undeformed.len() - 1) as f64;
-    let x = (0..undeformed.len()).map(|i| (i as f64 - middle) * first.spacing().si());
+    let x = (0..undeformed.len()).map(|i| (i as f64 - middle) * spacing.si());
     Ok(Found {
         title: format!("{} on {}", first_path.display(), second_path.display()),
-        spacing: first.spacing(),
+        spacing,
         x: x.collect(),
         undeformed,
         solution,
@@ -107,8 +106,7 @@ pub fn of_flanks(paths: &[std::path::PathBuf], args: &ContactArgs) -> Result<Fou
 
 fn prescribed(path: &Path, gap: &Columns) -> Result<Vec<f64>, Failure> {
     let file = column_file::read(path, column_file::PRESSURE)?;
-    let apart = (file.spacing / gap.spacing - 1.0).abs();
-    if apart > UNEVEN {
+    if common_spacing(file.spacing, gap.spacing).is_none() {
         return Err(Failure::new(
             "E209",
             format!(

@@ -1,7 +1,6 @@
 //! The record of two rough surfaces: its words, its JSON and its points.
 
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::Instant;
 
 use asperity::ehl::several_records::{mean_of, record_several};
 use asperity::ehl::{Estimate, NodeState, Record, RecordSettings, RoughContact, Solved, Window};
@@ -13,7 +12,7 @@ use serde_json::{Value, json};
 use super::failed::of_contact;
 use crate::args::{Common, EhlArgs};
 use crate::failure::Failure;
-use crate::output::{PATIENCE, progress};
+use crate::output::Progress;
 
 /// A record with what it is of.
 pub struct Recorded {
@@ -36,22 +35,17 @@ pub fn solve(
     args: &EhlArgs,
     common: &Common,
 ) -> Result<Recorded, Failure> {
-    let begin = Instant::now();
-    let bar = progress(common.quiet);
-    bar.set_message("half-widths travelled");
+    let shown = Progress::of(common.quiet, "half-widths travelled");
     let count = usize::from(args.records);
     // Thousandths of a half-width, of all records together.
     let travelled: Vec<AtomicU64> = (0..count).map(|_| AtomicU64::new(0)).collect();
     let found = record_several(contact, count, settings, &|number, now| {
         travelled[number].store((1e3 * now.time) as u64, Ordering::Relaxed);
-        if begin.elapsed() >= PATIENCE {
-            let all: u64 = travelled.iter().map(|t| t.load(Ordering::Relaxed)).sum();
-            bar.set_length((now.end.ceil() as u64) * count as u64);
-            bar.set_position(all / 1000);
-        }
+        let all: u64 = travelled.iter().map(|t| t.load(Ordering::Relaxed)).sum();
+        shown.at((all / 1000) as usize, now.end.ceil() as usize * count);
         true
     });
-    bar.finish_and_clear();
+    drop(shown);
     let records = found.map_err(|error| of_contact(&title, &error))?;
     let none = || Failure::new("E501", format!("{title}: no record"));
     let solved = mean_of(&records).ok_or_else(none)?;

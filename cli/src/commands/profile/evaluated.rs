@@ -9,6 +9,7 @@ use asperity_profile_io::read::{Metadata, ReadError, ReadOptions, Reading, Trace
 use asperity_profile_io::write::{WriteError, WrittenFormat, write, write_trace};
 use asperity_roughness::ambiguity::Sections;
 use asperity_roughness::height_parameters::{HeightParameters, Mode, in_sections};
+use asperity_roughness::outliers::{OutlierRecord, Outliers, replace};
 use asperity_roughness::preparation::{Profiles, profiles};
 use asperity_roughness::{Parameters, RoughnessError, Warning};
 
@@ -22,6 +23,8 @@ use crate::words;
 pub(super) struct Evaluated {
     pub(super) reading: Reading,
     pub(super) plan: Plan,
+    /// The warning that outliers were replaced.
+    pub(super) outliers_replaced: Option<Warning>,
     /// Profile that the recipe of the plan started from, where that is not the one read.
     pub(super) without_involute: Option<Profile>,
     /// That the involute was another, where it seems so.
@@ -42,6 +45,7 @@ impl Evaluated {
         reading: &ReadingArgs,
     ) -> Result<Self, Failure> {
         let reading = opened(file, reading, preparing.base_radius)?;
+        let (reading, outliers) = without_outliers(reading, preparing.outliers)?;
         let plan = Plan::for_reading(preparing, &reading)?;
         let refused = |error| refusal(&reading, &plan, &error);
         let without_involute = plan.without_involute(&reading.profile).map_err(refused)?;
@@ -62,6 +66,7 @@ impl Evaluated {
             waviness: parts.waviness.as_ref().map(whole).transpose()?,
             section: iso4287.lambda_c,
             reading,
+            outliers_replaced: outliers.as_ref().and_then(OutlierRecord::warning),
             plan,
             without_involute,
             involute_left,
@@ -85,6 +90,7 @@ impl Evaluated {
         let read = self.reading.warnings.iter().filter(|w| !is_idle(w));
         let evaluated = [&self.parts.roughness.warnings, &self.iso4287.warnings];
         let evaluated = evaluated.into_iter().flatten().chain(&self.involute_left);
+        let evaluated = self.outliers_replaced.iter().chain(evaluated);
         let mut all = Vec::new();
         for note in read.map(Note::Read).chain(evaluated.map(Note::Evaluated)) {
             if !all.contains(&note) {
@@ -132,6 +138,19 @@ pub(super) fn opened(
     let trace = opened_trace(file, args, base_radius)?;
     let uneven = args.uneven.unwrap_or_default();
     trace.reading(uneven).map_err(|error| refused(&error))
+}
+
+/// The reading with points farther than `deviations` from the running median replaced, and the record of it.
+pub(super) fn without_outliers(
+    reading: Reading,
+    deviations: Option<f64>,
+) -> Result<(Reading, Option<OutlierRecord>), Failure> {
+    let Some(deviations) = deviations else {
+        return Ok((reading, None));
+    };
+    let (cleaned, record) = replace(&reading.profile, Outliers::beyond(deviations))
+        .map_err(|error| Failure::new("E209", format!("--outliers {deviations}: {error}")))?;
+    Ok((reading.corrected(cleaned), Some(record)))
 }
 
 /// Reads a file as the options say, with points that may be uneven.

@@ -5,11 +5,12 @@ use asperity_profile_io::read::{Metadata, Positions, Trace, whole_file};
 use asperity_report::wrapped;
 use asperity_roughness::composite::resampled;
 use asperity_roughness::generate::{Recipe, SelfAffine, Surface};
-use asperity_roughness::outliers::{Outliers, replace};
 use asperity_roughness::preparation::profiles;
 use serde_json::json;
 
-use super::evaluated::{Note, opened, opened_trace, refusal, refused, save, save_trace, um};
+use super::evaluated::{
+    Note, opened, opened_trace, refusal, refused, save, save_trace, um, without_outliers,
+};
 use super::plan::Plan;
 use crate::args::{
     Common, ProfileConvertArgs, ProfileFilterArgs, ProfileGenerateArgs, ProfilePart,
@@ -19,9 +20,6 @@ use crate::output::{beside, print_json, print_text};
 
 /// Bytes of the largest recipe of a surface.
 const LARGEST_RECIPE: u64 = 10_000_000;
-
-/// Points on either side in the running median of `--outliers`.
-const HALF_WINDOW: usize = 6;
 
 /// `asperity profile convert`
 pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure> {
@@ -37,18 +35,8 @@ pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure
     }
     let uneven = args.reading.uneven.unwrap_or_default();
     let reading = trace.reading(uneven).map_err(|error| refused(&error))?;
+    let (reading, outliers) = without_outliers(reading, args.outliers)?;
     let mut profile = reading.profile.clone();
-    let mut outliers = None;
-    if let Some(deviations) = args.outliers {
-        let rule = Outliers {
-            deviations,
-            half_window: HALF_WINDOW,
-        };
-        let (cleaned, record) = replace(&profile, rule)
-            .map_err(|error| Failure::new("E209", format!("--outliers {deviations}: {error}")))?;
-        profile = cleaned;
-        outliers = Some(record);
-    }
     if let Some(dx) = args.resample {
         profile = resampled(&profile, dx)
             .map_err(|error| Failure::new("E209", format!("--resample {dx}: {error}")))?;
@@ -130,6 +118,7 @@ fn notes(warnings: &[Warning]) -> String {
 pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> {
     let common = &beside(&args.output, common)?;
     let reading = opened(&args.file, &args.reading, args.preparing.base_radius)?;
+    let (reading, outliers) = without_outliers(reading, args.preparing.outliers)?;
     let plan = Plan::for_reading(&args.preparing, &reading)?;
     let unfit = |error| refusal(&reading, &plan, &error);
     let without_involute = plan.without_involute(&reading.profile).map_err(unfit)?;
@@ -151,7 +140,8 @@ pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> 
     let output = args.output.display().to_string();
     if common.json {
         return print_json(&json!({
-            "reading": reading, "preparation": plan.recorded(record), "output": output, "n": profile.len(),
+            "reading": reading, "outliers": outliers, "preparation": plan.recorded(record), "output": output,
+            "n": profile.len(),
         }));
     }
     let robust = record.robust.map_or(String::new(), |robust| {

@@ -1,5 +1,7 @@
 //! The loss of a case at every draw of its parameters.
 
+use std::borrow::Cow;
+
 use crate::case::LoadedCase;
 use crate::contact_tables::ContactTables;
 use crate::error::Error;
@@ -19,24 +21,30 @@ pub(crate) struct Draws {
     pub losses: Vec<Losses>,
 }
 
-/// Losses of `loaded` by its kept contacts, or without where there are none.
+/// Losses of the flanks of `loaded` as measured, by its kept contacts if there are any.
 pub(crate) fn evaluated(
     loaded: &LoadedCase,
     tables: Option<&ContactTables>,
 ) -> Result<Losses, Error> {
+    let mut loaded = Cow::Borrowed(loaded);
+    if loaded.case.model.run_in {
+        // No band looks at the flanks run in.
+        loaded.to_mut().case.model.run_in = false;
+    }
     match tables {
-        Some(tables) => losses_with(tables, loaded, &|_, _| {}),
-        None => losses(loaded, &|_, _| {}),
+        Some(tables) => losses_with(tables, &loaded, &|_, _| {}),
+        None => losses(&loaded, &|_, _| {}),
     }
 }
 
 impl Draws {
-    /// Evaluates `count` draws of `parameters`; none where there are no parameters.
+    /// Evaluates `count` draws of `parameters`, none without parameters; `done` is called after each with their number.
     pub(crate) fn of(
         loaded: &LoadedCase,
         tables: Option<&ContactTables>,
         parameters: &[OnAxis],
         count: usize,
+        done: &dyn Fn(usize),
     ) -> Result<Self, Error> {
         let count = if parameters.is_empty() { 0 } else { count };
         let places: Vec<Vec<f64>> = latin_hypercube(count, AXES.len())
@@ -54,6 +62,7 @@ impl Draws {
                     .map_err(|error| Error::Whole(Box::new(error)))?;
             }
             found.push(evaluated(&drawn, tables)?);
+            done(found.len());
         }
         Ok(Self {
             places,

@@ -30,6 +30,7 @@ pub(crate) mod sampling;
 mod set;
 
 use std::collections::BTreeSet;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity_core::cancel::checkpoint;
 use asperity_core::provenance::Provenance;
@@ -54,6 +55,7 @@ pub(crate) use parameters::keep_parameters;
 pub use sampling::{CONFIDENCE, effective_windows, window_sampling};
 pub(crate) use set::quantiles_of_set;
 
+use alternatives::Alternative;
 use draws::{Draws, evaluated};
 use parameters::parameters;
 
@@ -95,14 +97,27 @@ pub fn run_and_draw(
 ) -> Result<(Outcome, DrawnLosses), Error> {
     let found = settled(loaded, None)?;
     let loaded = found.as_ref();
-    let (mut outcome, tables) = run_keeping_contacts(loaded, kept, progress)?;
+    // Each draw and each alternative counts like a position.
+    let others = match has_band(loaded) {
+        true => alternatives::alternatives(loaded),
+        false => Vec::new(),
+    };
+    let more = if has_band(loaded) { DRAWS } else { 0 } + others.len();
+    let before = AtomicUsize::new(0);
+    let shown = |done, total| {
+        before.store(total, Ordering::Relaxed);
+        progress(done, total + more);
+    };
+    let (mut outcome, tables) = run_keeping_contacts(loaded, kept, &shown)?;
     if !has_band(loaded) {
         let rows = &outcome.result.path;
         let drawn = DrawnLosses::new(loaded, &outcome.offsets, rows, &[]);
         return Ok((outcome, drawn));
     }
     let used = Provenance::new();
-    let found = used.collect(|| band(loaded, &outcome, tables.as_ref()));
+    let before = before.into_inner();
+    let done = |evaluated| progress(before + evaluated, before + more);
+    let found = used.collect(|| band(loaded, &outcome, tables.as_ref(), others, &done));
     let (band, drawn) = found?;
     outcome.result.band = Some(band);
     note(&mut outcome.result, &used.tags());
@@ -125,7 +140,7 @@ pub fn quantiles(
     let found = settled(loaded, tables)?;
     let loaded = found.as_ref();
     let (ranged, _) = parameters(loaded).map_err(|error| Error::Whole(Box::new(error)))?;
-    let draws = Draws::of(loaded, tables, &ranged, DRAWS)?;
+    let draws = Draws::of(loaded, tables, &ranged, DRAWS, &|_| {})?;
     let mut drawn = DrawnLosses::new(loaded, &nominal.offsets, &nominal.path, &draws.losses);
     drawn.misplaced = misplaced(loaded, nominal.summary.loss_w)?;
     Ok(Some(drawn.quantiles()))
@@ -146,17 +161,21 @@ fn band(
     loaded: &LoadedCase,
     outcome: &Outcome,
     tables: Option<&ContactTables>,
+    alternatives: Vec<Alternative>,
+    done: &dyn Fn(usize),
 ) -> Result<(LossBand, DrawnLosses), Error> {
     let (ranged, held) = parameters(loaded).map_err(|error| Error::Whole(Box::new(error)))?;
-    let draws = Draws::of(loaded, tables, &ranged, DRAWS)?;
+    let draws = Draws::of(loaded, tables, &ranged, DRAWS, done)?;
     let effects = draws.effects(&ranged);
-    let alternatives = alternatives::alternatives(loaded).into_iter();
-    let alternatives = alternatives.map(|(name, other)| AlternativeRow {
-        name: name.to_owned(),
+    let alternatives = alternatives.into_iter().zip(1..);
+    let alternatives = alternatives.map(|((name, other), number)| {
         // An alternative without solution here is no error of the case.
-        loss_w: evaluated(&other, tables)
-            .ok()
-            .map(|found| found.summary.loss_w),
+        let found = evaluated(&other, tables).ok();
+        done(DRAWS + number);
+        AlternativeRow {
+            name: name.to_owned(),
+            loss_w: found.map(|found| found.summary.loss_w),
+        }
     });
     let rows = &outcome.result.path;
     let mut drawn = DrawnLosses::new(loaded, &outcome.offsets, rows, &draws.losses);

@@ -90,6 +90,7 @@ impl SurfaceInput {
             cutoff: None,
             noise_cutoff: None,
             ends: None,
+            outliers: None,
             coast: None,
         }
     }

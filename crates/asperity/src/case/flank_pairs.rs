@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use asperity_core::profile::common_spacing;
 use asperity_core::quantity::Length;
-use asperity_roughness::composite::resampled;
+use asperity_roughness::composite::spaced;
 
 use super::error::CaseError;
 use super::flank_sample::{self, Listed};
@@ -111,13 +112,11 @@ pub(super) fn all_placed(flanks: &[Vec<Flank>; 2], warnings: &mut Vec<Warning>) 
     false
 }
 
-/// Brings all traces to the finest spacing of any.
+/// Brings all traces to the finest spacing: as they are if their spacings count as equal, otherwise resampled.
 pub(super) fn on_common_spacing(
     flanks: &mut [Vec<Flank>; 2],
     warnings: &mut Vec<Warning>,
 ) -> Result<(), CaseError> {
-    /// Spacings that differ by less shift a window of 10⁴ points by less than a point.
-    const SAME: f64 = 1e-5;
     let spacing = |flank: &Flank| match &flank.texture {
         Texture::Trace(profile) => Some(profile.spacing()),
         Texture::Values { .. } => None,
@@ -128,25 +127,27 @@ pub(super) fn on_common_spacing(
     };
     let all = flanks.iter().flatten().filter_map(spacing);
     let finest = all.fold(a, |finest, next| if next < finest { next } else { finest });
-    let differs = |own: Length| (own / finest - 1.0).abs() > SAME;
-    if !flanks.iter().flatten().filter_map(spacing).any(differs) {
-        return Ok(());
-    }
+    let mut is_resampled = false;
     for flank in flanks.iter_mut().flatten() {
         if let Texture::Trace(profile) = &flank.texture {
-            let finer = resampled(profile, finest).map_err(|source| CaseError::Preparation {
-                file: "surface".to_owned(),
+            is_resampled |= common_spacing(profile.spacing(), finest).is_none();
+            let finer = spaced(profile, finest).map_err(|source| CaseError::Preparation {
+                file: flank.report.file.clone().unwrap_or_default(),
                 source: source.into(),
             })?;
             flank.texture = Texture::Trace(finer);
         }
     }
-    let text = match [flanks[0].len(), flanks[1].len()] {
-        [1, 1] => format!(
-            "the flanks are spaced {a} and {b}; the coarser was resampled linearly to {finest}"
-        ),
-        _ => format!("the traces are spaced differently; all were resampled linearly to {finest}"),
-    };
-    warnings.push(Warning::new("W119", text));
+    if is_resampled {
+        let text = match [flanks[0].len(), flanks[1].len()] {
+            [1, 1] => format!(
+                "the flanks are spaced {a} and {b}; the coarser was resampled linearly to {finest}"
+            ),
+            _ => format!(
+                "the traces have different spacings; the coarser ones were resampled linearly to {finest}"
+            ),
+        };
+        warnings.push(Warning::new("W119", text));
+    }
     Ok(())
 }

@@ -12,6 +12,7 @@ use asperity_profile_io::read::{
     LengthUnit, ReadError, ReadOptions, Reading, read_with_conditions,
 };
 use asperity_roughness::height_parameters::Mode;
+use asperity_roughness::outliers::{OutlierRecord, Outliers, replace};
 use asperity_roughness::preparation::{RoughnessFilter, prepare, profiles};
 use asperity_roughness::{Parameters, Warning as RoughnessWarning};
 
@@ -287,7 +288,9 @@ fn trace(
             warn(warning.code(), warning, warning.remedy());
         }
     }
-    for warning in prepared.warnings.iter().chain(&parameters.warnings) {
+    let replaced = read.outliers.as_ref().and_then(OutlierRecord::warning);
+    let prepared_warnings = prepared.warnings.iter().chain(&parameters.warnings);
+    for warning in replaced.iter().chain(prepared_warnings) {
         warn(warning.code(), warning, warning.remedy());
     }
     warnings.extend(filters.overridden.into_iter().chain(filters.parted));
@@ -311,6 +314,7 @@ fn trace(
         file: Some(name),
         sha256: read.sha256,
         mirrored,
+        outliers: read.outliers,
         preparation: Some(prepared.record),
         parameters: Some(parameters),
         reading: read.reading,
@@ -370,6 +374,8 @@ struct ReadTrace {
     profile: Profile,
     reading: Option<Reading>,
     sha256: Option<String>,
+    /// Spikes replaced.
+    outliers: Option<OutlierRecord>,
 }
 
 /// The trace in `file` as its keys say.
@@ -380,9 +386,24 @@ fn read_trace(
     given: Given<'_>,
 ) -> Result<ReadTrace, CaseError> {
     let source = given.source;
+    let cleaned = |profile: &Profile| -> Result<Option<_>, CaseError> {
+        let Some(deviations) = given.case.input.surface.outliers else {
+            return Ok(None);
+        };
+        let found = replace(profile, Outliers::beyond(deviations));
+        let found = found.map_err(|source| CaseError::Preparation {
+            file: file.display().to_string(),
+            source,
+        })?;
+        Ok(Some(found))
+    };
     let (bytes, sum) = match given.files.open(file, source, key)? {
         (Content::Bytes(bytes), sum) => (bytes, sum),
         (Content::Heights(profile), _) => {
+            let (profile, outliers) = match cleaned(&profile)? {
+                Some((cleaned, record)) => (cleaned, Some(record)),
+                None => (profile.as_ref().clone(), None),
+            };
             if let Some(steepness) = implausible(&profile, LengthUnit::Metre) {
                 let file = file.display().to_string();
                 return Err(CaseError::Profile {
@@ -391,9 +412,10 @@ fn read_trace(
                 });
             }
             return Ok(ReadTrace {
-                profile: profile.as_ref().clone(),
+                profile,
                 reading: None,
                 sha256: None,
+                outliers,
             });
         }
     };
@@ -408,11 +430,16 @@ fn read_trace(
     let conditions = given.files.conditions(file);
     let name = file.display().to_string();
     let read = read_with_conditions(&name, &bytes, conditions.as_deref(), &options);
-    let plausible = read.and_then(|reading| reading.check_heights().map(|()| reading));
-    let reading = plausible.map_err(|error| CaseError::Profile {
+    let refused = |error| CaseError::Profile {
         place: source.place_of(key),
         source: Box::new(error),
-    })?;
+    };
+    let reading = read.map_err(refused)?;
+    let (reading, outliers) = match cleaned(&reading.profile)? {
+        Some((cleaned, record)) => (reading.corrected(cleaned), Some(record)),
+        None => (reading, None),
+    };
+    reading.check_heights().map_err(refused)?;
     if !reading.format.may_hold_several() {
         let rule = match input.line {
             Some(_) => Some("this file holds a single profile; leave line out"),
@@ -433,6 +460,7 @@ fn read_trace(
         profile: reading.profile.clone(),
         sha256: Some(sum),
         reading: Some(reading),
+        outliers,
     })
 }
 

@@ -25,7 +25,7 @@ use crate::trace_pairs::{SampledFlanks, SampledTrace};
 pub(super) struct Flanks {
     pub surfaces: Surfaces,
     /// That of each first trace.
-    pub reports: [FlankReport; 2],
+    pub reports: Arc<[FlankReport; 2]>,
     /// All traces, where a flank has several.
     pub sampled: Option<Arc<SampledFlanks>>,
     /// Form of each gear, the mean of its traces, where its relief is taken from them.
@@ -159,7 +159,7 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
     });
     Ok(Flanks {
         surfaces,
-        reports,
+        reports: Arc::new(reports),
         sampled,
         forms,
         zones,

@@ -302,6 +302,10 @@ pub struct SurfaceInput {
     pub noise_cutoff: Option<Length>,
     /// Treatment of the ends of a trace in filtering; default `cut`.
     pub ends: Option<Ends>,
+    /// Spikes of up to six points farther than this number of robust standard deviations from the running median are
+    /// replaced by straight lines before form removal; usual 6, default none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outliers: Option<f64>,
     /// The coast flanks, where they are not as the others: they take the place of both at a negative torque.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub coast: Option<CoastInput>,

@@ -40,7 +40,7 @@ pub struct LoadedCase {
     /// Reading and preparation of each flank.
     ///
     /// Each by its first trace, where it has several.
-    pub flanks: [FlankReport; 2],
+    pub flanks: Arc<[FlankReport; 2]>,
     /// All traces, where a flank has several; none where each has one.
     pub sampled: Option<Arc<SampledFlanks>>,
     /// Warnings about the files.

@@ -124,6 +124,9 @@ pub struct PlanetarySurfaceInput {
     pub noise_cutoff: Option<Length>,
     /// Treatment of the ends of a trace in filtering; default `cut`.
     pub ends: Option<Ends>,
+    /// Robust standard deviations from the running median beyond which spikes are replaced; default none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outliers: Option<f64>,
 }
 
 /// A planetary case, ready to run.
@@ -533,6 +536,7 @@ fn mesh_case(input: &PlanetaryCaseInput, mesh: &Mesh) -> CaseInput {
             cutoff: surface.cutoff,
             noise_cutoff: surface.noise_cutoff,
             ends: surface.ends,
+            outliers: surface.outliers,
             coast: None,
         },
         model: input.model.clone(),

@@ -265,6 +265,11 @@ fn preparation(
     DomainError::non_negative("cut-off", cutoff).map_err(domain(source, "surface.cutoff"))?;
     DomainError::non_negative("noise cut-off", noise)
         .map_err(domain(source, "surface.noise_cutoff"))?;
+    if let Some(deviations) = given.outliers {
+        let is_positive = deviations > 0.0 && deviations.is_finite();
+        DomainError::require(is_positive, "outliers", deviations, "-", "must be positive")
+            .map_err(domain(source, "surface.outliers"))?;
+    }
     let kept = |length: Length| (length.si() > 0.0).then_some(length);
     Ok(Preparation {
         form: defaults.take("surface.form", given.form, Form::Level),

@@ -65,7 +65,7 @@ impl AttenuatedTraces {
 }
 
 /// Standard deviation of the sum of two windows.
-fn deviation(first: &[f64], second: &[f64]) -> Length {
+pub(crate) fn deviation(first: &[f64], second: &[f64]) -> Length {
     let (mut sum, mut squares) = (0.0, 0.0);
     for (a, b) in first.iter().zip(second) {
         let z = a + b;

@@ -36,6 +36,7 @@ mod solution;
 mod spots;
 
 pub use attenuated_traces::AttenuatedTraces;
+pub(crate) use attenuated_traces::deviation;
 pub use contact_table::{ContactTable, TABLE_SHARES, TableRow};
 pub use error::LoadShareError;
 pub use position_film::{

@@ -86,7 +86,7 @@ impl RefereeContact {
         if !case.model.run_in {
             return Self::at(loaded, station, settings);
         }
-        let ran_in = run_in(case, &loaded.surfaces, &stations(case)?)?;
+        let ran_in = run_in(case, &loaded.surfaces, &stations(case)?, &|_| {})?;
         let mut worn = loaded.clone();
         worn.surfaces = ran_in.surfaces;
         Self::at(&worn, station, settings)

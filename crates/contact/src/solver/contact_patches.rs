@@ -121,7 +121,7 @@ mod tests {
 
     #[test]
     fn the_periodic_kernel_differs_from_that_of_the_grid_by_a_constant() {
-        let column = crate::strip_kernel::periodic_column(256);
+        let column = crate::strip_kernel::column_of_period(256);
         let kernel = PatchKernel { period: Some(256) };
         for lag in [0, 1, 7, 100, 128] {
             let difference = column[lag] - column[0] - kernel.at(lag as f64);

@@ -21,6 +21,8 @@ use crate::ContactError;
 
 /// Depth of the field in half widths of the contact: below, von Mises is under a third of p₀.
 const REACH: f64 = 3.0;
+/// Most depths of a grid.
+const MOST_DEPTHS: usize = 1_000_000;
 
 /// Stresses under a surface on a grid of depths and positions, tension positive.
 ///
@@ -166,7 +168,14 @@ pub fn graded_depths(
         "m",
         "must lie above three half widths",
     )?;
-    DomainError::require(count > 1, "count", count as f64, "-", "must be at least 2")?;
+    let rule = "must be 2 to 1000000";
+    DomainError::require(
+        (2..=MOST_DEPTHS).contains(&count),
+        "count",
+        count as f64,
+        "-",
+        rule,
+    )?;
     let step = (last / first).ln() / (count - 1) as f64;
     Ok((0..count)
         .map(|i| first * (step * i as f64).exp())

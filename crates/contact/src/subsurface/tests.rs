@@ -263,5 +263,7 @@ fn a_wrong_load_is_named() {
         }
     ));
     assert!(graded_depths(Length::from_si(4.0), Length::from_si(1.0), 5).is_err());
-    assert!(graded_depths(Length::from_si(0.1), Length::from_si(1.0), 1).is_err());
+    for count in [0, 1, 1_000_001, usize::MAX] {
+        assert!(graded_depths(Length::from_si(0.1), Length::from_si(1.0), count).is_err());
+    }
 }

@@ -1,6 +1,7 @@
 //! Delimited text in any dialect: from lines to a [`Trace`].
 
 use asperity_core::numerics::extremes;
+use asperity_core::profile::common_spacing;
 use asperity_core::quantity::Length;
 
 use super::areal::trace::Areal;
@@ -19,7 +20,7 @@ use super::table::Chosen;
 use super::text::{Head, Line, Text};
 use super::trace::{Positions, Trace};
 use super::units::Extent;
-use super::{found, grid, header, matrix, roll_length, single_column, table, units};
+use super::{found, grid, header, matrix, roll_length, single_column, stated_count, table, units};
 use crate::warning::Warning;
 
 /// Reads the profile of a table.
@@ -40,12 +41,15 @@ pub(super) fn read(
     }
     let labels = header::labels(header, sniffed.dialect, sniffed.columns);
     if matrix::is_matrix(&labels, options) {
+        let fewer = stated_count::check(name, Format::TextMatrix, header, sniffed.columns)?;
         let first = table.first().map_or(1, |line| line.number);
         let found = match options.line {
             TraceLine::Row => matrix::read(text, first, &lines, &sniffed, options)?,
             _ => matrix::surface(text, first, &lines, &sniffed)?.trace(name, options)?,
         };
-        return found.finish(name, options);
+        let mut trace = found.finish(name, options)?;
+        trace.warnings.extend(fewer);
+        return Ok(trace);
     }
     let chosen = table::choose(name, sniffed.columns, &labels, options)?;
     let first = table.first().map_or(1, |line| line.number);
@@ -144,6 +148,12 @@ impl Parsed<'_> {
             Some(_) => Special::delimited(),
         };
         let header_numbers = count - z.len();
+        warnings.extend(stated_count::check(
+            name,
+            special.format,
+            self.header,
+            z.len(),
+        )?);
         let mut place = |row: usize| rows::place(text, self.first, row + header_numbers);
         grid::enough(name, z.len())?;
         let mut column = None;
@@ -345,9 +355,9 @@ impl Parsed<'_> {
             }
         }
         // x carries rounding; the header of a written file carries the spacing itself.
-        const SAME: f64 = 1e-6;
         let from_column = x_unit.metres(column.mean);
-        let agrees = |dx: &f64| (dx / from_column - 1.0).abs() < SAME;
+        let agrees =
+            |dx: &f64| common_spacing(Length::from_si(*dx), Length::from_si(from_column)).is_some();
         let (spacing, source) = match self.header_spacing().filter(agrees) {
             Some(dx) => (dx, SpacingSource::Header),
             None => (from_column, SpacingSource::XColumn),

@@ -9,7 +9,6 @@ use super::archive::{Archive, damaged};
 use super::error::ReadError;
 use super::format::Format;
 use super::found::Found;
-use super::grid::SpacingSource;
 use super::header::FilterState;
 use super::metadata::{self, Metadata, PrintedParameter, short};
 use super::options::LengthUnit;
@@ -42,7 +41,7 @@ pub(super) fn read(file: &str, stream: &mut dyn Stream, size: u64) -> Result<Fou
     let mut metadata = Metadata::default();
     let mut state = FilterState::Unknown;
     let mut known = false;
-    let mut best: Option<(Vec<f64>, Vec<f64>)> = None;
+    let mut best: Option<Pair> = None;
     for number in 1.. {
         let name = format!("xl/worksheets/sheet{number}.xml");
         if !archive.holds(&name) {
@@ -50,23 +49,20 @@ pub(super) fn read(file: &str, stream: &mut dyn Stream, size: u64) -> Result<Fou
         }
         let sheet = sheet(file, &mut archive, &name, &texts)?;
         known |= describe(&sheet.labels, &mut metadata, &mut state);
-        let longer = |found: &(Vec<f64>, Vec<f64>)| {
-            best.as_ref()
-                .is_none_or(|kept| found.0.len() > kept.0.len())
-        };
+        let longer = |found: &Pair| (best.as_ref()).is_none_or(|kept| found.x.len() > kept.x.len());
         if let Some(found) = pair(&sheet).filter(longer) {
             best = Some(found);
         }
     }
-    let (x, heights) = best.filter(|_| known).ok_or_else(unknown)?;
-    let dx = (x[x.len() - 1] - x[0]) / (x.len() - 1) as f64;
+    let found = best.filter(|_| known).ok_or_else(unknown)?;
     Ok(Found {
         z_unit: LengthUnit::Micrometre,
         x_unit: LengthUnit::Millimetre,
-        spacing: Some((dx, SpacingSource::XColumn)),
+        x: Some(found.x),
         filter_state: state,
         metadata,
-        ..Found::new(FORMAT, heights)
+        first_line: found.first_row,
+        ..Found::new(FORMAT, found.heights)
     })
 }
 
@@ -160,8 +156,16 @@ fn cell(reference: &str) -> Option<(usize, usize)> {
     Some((column.checked_sub(1)?, digits.parse().ok()?))
 }
 
+/// Positions and heights from two columns.
+struct Pair {
+    x: Vec<f64>,
+    heights: Vec<f64>,
+    /// Row of the first point, from 1.
+    first_row: usize,
+}
+
 /// The longest pair of columns beside each other with numbers in the same rows, the first rising.
-fn pair(sheet: &Sheet) -> Option<(Vec<f64>, Vec<f64>)> {
+fn pair(sheet: &Sheet) -> Option<Pair> {
     let beside = sheet.columns.windows(2).filter(|pair| {
         let (x, z) = (&pair[0], &pair[1]);
         x.len() > 1
@@ -171,7 +175,11 @@ fn pair(sheet: &Sheet) -> Option<(Vec<f64>, Vec<f64>)> {
     });
     let longest = beside.max_by_key(|pair| pair[0].len())?;
     let values = |column: &[(usize, f64)]| column.iter().map(|(_, value)| *value).collect();
-    Some((values(&longest[0]), values(&longest[1])))
+    Some(Pair {
+        x: values(&longest[0]),
+        heights: values(&longest[1]),
+        first_row: longest[0][0].0,
+    })
 }
 
 /// Takes conditions and printed results; whether the sheet is of a Mitutoyo export.

@@ -46,6 +46,7 @@ mod sdf;
 mod sigmasurf;
 mod single_column;
 mod smd;
+mod stated_count;
 pub mod steepness;
 mod surface;
 mod surfcom;

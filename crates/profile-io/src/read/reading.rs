@@ -49,6 +49,9 @@ pub struct Reading {
     pub metadata: Metadata,
     /// Warnings.
     pub warnings: Vec<Warning>,
+    /// Whether the header of the file scaled the heights.
+    #[serde(skip)]
+    pub(super) is_scaled: bool,
 }
 
 impl Reading {
@@ -86,10 +89,23 @@ impl Reading {
         })
     }
 
-    /// The reading with the warning that no flank has its heights, where none has; `scaled` by the header of the file.
-    pub(super) fn checked(mut self, scaled: bool) -> Self {
+    /// The reading with `profile` in place of its own, as after the replacement of spikes, checked anew.
+    #[must_use]
+    pub fn corrected(self, profile: Profile) -> Self {
+        let is_of_heights = |w: &Warning| matches!(w, Warning::ImplausibleHeights { .. });
+        let warnings = self.warnings.into_iter();
+        Self {
+            profile,
+            warnings: warnings.filter(|w| !is_of_heights(w)).collect(),
+            ..self
+        }
+        .checked()
+    }
+
+    /// The reading with the warning that no flank has its heights, where none has.
+    pub(super) fn checked(mut self) -> Self {
         if let Some(mut steepness) = implausible(&self.profile, self.z_unit) {
-            if scaled {
+            if self.is_scaled {
                 steepness.suspicion = steepness.suspicion.of_scaled();
             }
             self.warnings

@@ -3,6 +3,10 @@
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | Rdq | root mean square of the slopes between neighbours | - |
+//! | s | root mean square of the flattest 90 % of the slopes | - |
+//!
+//! A wrong unit makes all slopes implausible, spikes only a few: where s is that of a flank and Rdq is not, the points
+//! that stand out of their surroundings are spikes.
 //!
 //! Ground and superfinished flanks have Rdq of 0.02 to 0.3. Stylus tips have flanks of 45 or 30 degrees to
 //! the vertical, so a stylus follows no slope above 2; a single step may be steeper, at a burr or a chip.
@@ -11,6 +15,8 @@
 use std::fmt;
 
 use asperity_core::Profile;
+use asperity_core::profile::WIDEST_SPIKE;
+use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
 use serde::{Deserialize, Serialize};
 
@@ -24,6 +30,11 @@ const SMALLEST_RDQ: f64 = 1e-6;
 const STEEPEST_STEP: f64 = 5.0;
 /// Rdq that flanks have in the right unit, from mirror finish to coarse turning.
 const USUAL_RDQ: std::ops::RangeInclusive<f64> = 1e-4..=1.0;
+
+/// Robust deviations that are proposed for the replacement of spikes.
+const USUAL_OUTLIERS: &str = "6";
+/// Share of the slopes, the flattest, that show the surface between spikes: a spike makes two steep slopes.
+const BULK: f64 = 0.9;
 
 /// Distance of a mark from the heights, over their range.
 const FAR: f64 = 20.0;
@@ -70,6 +81,15 @@ pub enum Suspicion {
         /// Points that have it.
         points: usize,
     },
+    /// A few points stand out of a profile that is plausible without them, as dust and lost light make them.
+    Spikes {
+        /// Number of spikes.
+        spikes: usize,
+        /// Points of the widest one.
+        widest: usize,
+        /// Largest distance from the running median.
+        height: Length,
+    },
     /// No single reason is found.
     Unknown,
 }
@@ -93,6 +113,10 @@ impl Suspicion {
             }
             Self::Scale { .. } => Remedy::act("export the heights anew, as text with their unit"),
             Self::Sentinel { .. } => Remedy::act("write NaN for the missing points"),
+            Self::Spikes { .. } => {
+                Remedy::set(Setting::Outliers, Value::This(USUAL_OUTLIERS.into()))
+                    .because("to replace them by straight lines")
+            }
             Self::Unknown => Remedy::act("look for single spikes")
                 .or_set(Setting::ZUnit, Value::Any)
                 .or_set(Setting::Spacing, Value::Any),
@@ -131,9 +155,23 @@ impl fmt::Display for Steepness {
                 f,
                 "; {points} of them read {value:e} {unit}, which seems to mark missing points"
             ),
+            Suspicion::Spikes {
+                spikes,
+                widest,
+                height,
+            } => write!(
+                f,
+                "; {spikes} spike{} of up to {widest} point{} and {height:.4} stand out of heights that are plausible otherwise",
+                plural(spikes),
+                plural(widest)
+            ),
             Suspicion::Unknown => Ok(()),
         }
     }
+}
+
+fn plural(count: usize) -> &'static str {
+    if count == 1 { "" } else { "s" }
 }
 
 /// Slopes of `profile` where no flank has them; its heights were read in `unit`.
@@ -155,7 +193,8 @@ pub fn implausible(profile: &Profile, unit: LengthUnit) -> Option<Steepness> {
         return None;
     }
     let suspicion = sentinel(profile, unit)
-        .or_else(|| other_unit(slopes.rdq, unit))
+        .or_else(|| spikes(profile, slopes.bulk))
+        .or_else(|| other_unit(slopes.bulk, unit))
         .unwrap_or(Suspicion::Unknown);
     Some(Steepness {
         rdq: slopes.rdq,
@@ -165,9 +204,11 @@ pub fn implausible(profile: &Profile, unit: LengthUnit) -> Option<Steepness> {
     })
 }
 
-/// Root mean square and steepest slope.
+/// Root mean squares and steepest slope.
 struct Slopes {
     rdq: f64,
+    /// Rdq of the flattest slopes; Rdq itself if these are all zero.
+    bulk: f64,
     steepest: f64,
     at: usize,
 }
@@ -175,20 +216,31 @@ struct Slopes {
 impl Slopes {
     fn of(heights: impl Iterator<Item = f64>, dx: f64) -> Self {
         let mut before = None;
-        let (mut square, mut steps) = (0.0, 0_usize);
+        let mut squares = Vec::new();
         let (mut steepest, mut at) = (0.0_f64, 0);
         for (i, z) in heights.enumerate() {
             if let Some(before) = before.replace(z) {
                 let slope = (z - before) / dx;
-                square += slope * slope;
-                steps += 1;
+                squares.push(slope * slope);
                 if slope.abs() > steepest {
                     (steepest, at) = (slope.abs(), i - 1);
                 }
             }
         }
+        let root_mean =
+            |squares: &[f64]| (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt();
+        let rdq = root_mean(&squares);
+        let flattest = (BULK * squares.len() as f64) as usize;
+        if flattest < squares.len() {
+            squares.select_nth_unstable_by(flattest, f64::total_cmp);
+        }
+        let bulk = match root_mean(&squares[..flattest]) {
+            0.0 => rdq,
+            bulk => bulk,
+        };
         Self {
-            rdq: (square / steps.max(1) as f64).sqrt(),
+            rdq,
+            bulk,
             steepest,
             at,
         }
@@ -225,6 +277,43 @@ fn sentinel(profile: &Profile, unit: LengthUnit) -> Option<Suspicion> {
     })
 }
 
+/// The points that stand out of their surroundings by more than the steepest step, where the profile is plausible
+/// without them.
+fn spikes(profile: &Profile, bulk: f64) -> Option<Suspicion> {
+    if !(SMALLEST_RDQ..=LARGEST_RDQ).contains(&bulk) {
+        return None;
+    }
+    let (z, dx) = (profile.heights(), profile.spacing().si());
+    let distances = running_distances(z);
+    let is_spike = |i: usize| distances[i] > STEEPEST_STEP * dx;
+    let (mut spikes, mut widest, mut run) = (0, 0, 0);
+    for i in 0..z.len() {
+        run = if is_spike(i) { run + 1 } else { 0 };
+        spikes += usize::from(run == 1);
+        widest = widest.max(run);
+    }
+    let others = (0..z.len()).filter(|i| !is_spike(*i)).map(|i| z[i]);
+    let is_plausible = spikes > 0 && Slopes::of(others, dx).are_plausible();
+    is_plausible.then(|| Suspicion::Spikes {
+        spikes,
+        widest,
+        height: Length::from_si(distances.iter().copied().fold(0.0, f64::max)),
+    })
+}
+
+/// Distance of every point from the median of the points around it; the window narrows towards the ends.
+fn running_distances(z: &[f64]) -> Vec<f64> {
+    let mut window = Vec::with_capacity(2 * WIDEST_SPIKE + 1);
+    let distance = |i: usize| {
+        let reach = WIDEST_SPIKE.min(i).min(z.len() - 1 - i);
+        window.clear();
+        window.extend_from_slice(&z[i - reach..=i + reach]);
+        let (_, middle, _) = window.select_nth_unstable_by(reach, f64::total_cmp);
+        (z[i] - *middle).abs()
+    };
+    (0..z.len()).map(distance).collect()
+}
+
 /// The coarsest finer unit, or the finest coarser one, in which the slopes are those of flanks.
 fn other_unit(rdq: f64, read: LengthUnit) -> Option<Suspicion> {
     use LengthUnit::{Metre, Micrometre, Millimetre, Nanometre};
@@ -246,8 +335,6 @@ fn other_unit(rdq: f64, read: LengthUnit) -> Option<Suspicion> {
 
 #[cfg(test)]
 mod tests {
-    use asperity_core::quantity::Length;
-
     use super::*;
 
     fn rough(scale: f64) -> Profile {
@@ -290,6 +377,46 @@ mod tests {
             };
             assert!((value / mark - 1.0).abs() < 1e-12 && points == 3);
         }
+    }
+
+    #[test]
+    fn spikes_are_named_with_count_and_size_whatever_the_root_mean_square_slope() {
+        for (count, height) in [(1, 4e-6), (25, 9e-6), (25, 300e-6), (60, 20e-6)] {
+            let mut heights = rough(0.2e-6).into_heights();
+            for k in 0..count {
+                let at = 40 + 31 * k;
+                heights[at] += height * if k % 3 == 0 { -1.0 } else { 1.0 };
+            }
+            // The first is two points wide.
+            heights[41] = heights[40];
+            let profile = Profile::new(Length::from_si(0.5e-6), heights).unwrap();
+            let found = implausible(&profile, LengthUnit::Micrometre).unwrap();
+            let Suspicion::Spikes {
+                spikes,
+                widest,
+                height: largest,
+            } = found.suspicion
+            else {
+                panic!("{count} of {height}: {found:?}");
+            };
+            assert_eq!((spikes, widest), (count, 2));
+            assert!((largest.si() / height - 1.0).abs() < 0.1, "{largest}");
+            let remedy = found.suspicion.remedy().to_string();
+            assert_eq!(
+                remedy,
+                "Set outliers to 6 to replace them by straight lines"
+            );
+        }
+    }
+
+    #[test]
+    fn a_wrong_unit_is_named_even_with_spikes() {
+        let mut heights = rough(0.2e-3).into_heights();
+        heights[500] += 5e-3;
+        let profile = Profile::new(Length::from_si(0.5e-6), heights).unwrap();
+        let found = implausible(&profile, LengthUnit::Millimetre).unwrap();
+        let (read, likely) = (LengthUnit::Millimetre, LengthUnit::Micrometre);
+        assert_eq!(found.suspicion, Suspicion::Unit { read, likely });
     }
 
     #[test]

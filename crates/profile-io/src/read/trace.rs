@@ -290,8 +290,9 @@ impl Trace {
             gaps_filled: self.gaps_filled,
             metadata: self.metadata,
             warnings: self.warnings,
+            is_scaled: self.scaled,
             profile,
         }
-        .checked(self.scaled)
+        .checked()
     }
 }

@@ -173,11 +173,13 @@ fn a_mitutoyo_workbook_gives_profile_conditions_and_printed_values() {
     let cells: String = (0..6)
         .map(|i| format!("<c r=\"B{}\" t=\"s\"><v>{i}</v></c>", i + 1))
         .collect();
-    let points: String = (0..POINTS).map(|i| {
-        let (row, x) = (i + 1, 0.0005 * (i + 1) as f64);
+    let points = |off: f64| {
+        (0..POINTS).map(|i| {
+        let (row, x) = (i + 1, 0.0005 * ((i + 1) as f64 + off * (i % 2) as f64));
         format!("<row r=\"{row}\"><c r=\"E{row}\"><v>{x:.4}</v></c><c r=\"F{row}\"><v>{:.9}</v></c></row>", height(i))
-    }).collect();
-    let book = |shared: &str| {
+    }).collect::<String>()
+    };
+    let book_with = |shared: &str, points: &str| {
         zip(&[
         ("xl/workbook.xml", b"<workbook/>".as_slice()),
         ("xl/sharedStrings.xml", format!("<sst>{shared}</sst>").as_bytes()),
@@ -185,6 +187,7 @@ fn a_mitutoyo_workbook_gives_profile_conditions_and_printed_values() {
         ("xl/worksheets/sheet2.xml", format!("<worksheet><sheetData><row><c r=\"A1\" t=\"s\"><v>6</v></c></row>{points}</sheetData></worksheet>").as_bytes()),
     ])
     };
+    let book = |shared: &str| book_with(shared, &points(0.0));
     let reading = read_as("a.xlsx", &book(&shared));
     check(&reading, Format::MitutoyoXlsx, 9);
     assert_eq!(
@@ -202,6 +205,13 @@ fn a_mitutoyo_workbook_gives_profile_conditions_and_printed_values() {
         .replace("SurfTest", "one");
     let refused = read_bytes("a.xlsx", &book(&other), &ReadOptions::default()).unwrap_err();
     assert_eq!(refused.code(), "E108");
+    // The grid is checked as that of a text file is.
+    let uneven = read_bytes(
+        "a.xlsx",
+        &book_with(&shared, &points(0.6)),
+        &ReadOptions::default(),
+    );
+    assert_eq!(uneven.unwrap_err().code(), "E109");
 }
 
 #[test]

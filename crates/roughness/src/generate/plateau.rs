@@ -1,6 +1,7 @@
 //! Plateaus: peaks taken off a profile, as running-in and superfinishing do.
 
 use asperity_core::cite;
+use asperity_core::profile::common_spacing;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use schemars::JsonSchema;
@@ -71,12 +72,11 @@ impl PlateauHoned {
 /// ```
 pub fn lower_envelope(first: &Profile, second: &Profile) -> Result<Profile, RoughnessError> {
     cite!("Plateau-1");
-    if first.spacing() != second.spacing() {
-        return Err(RoughnessError::SpacingDiffers {
-            first: first.spacing(),
-            second: second.spacing(),
-        });
-    }
+    let (dx1, dx2) = (first.spacing(), second.spacing());
+    let spacing = common_spacing(dx1, dx2).ok_or(RoughnessError::SpacingDiffers {
+        first: dx1,
+        second: dx2,
+    })?;
     if first.len() != second.len() {
         return Err(RoughnessError::TooFewPoints {
             points: first.len().min(second.len()),
@@ -90,7 +90,7 @@ pub fn lower_envelope(first: &Profile, second: &Profile) -> Result<Profile, Roug
         .zip(second.heights())
         .map(|(a, b)| a.min(*b))
         .collect();
-    Ok(Profile::new(first.spacing(), least)?)
+    Ok(Profile::new(spacing, least)?)
 }
 
 /// z(x) = min(z(x), s(Mr)), and the height taken off the highest peak               [Plateau-2]

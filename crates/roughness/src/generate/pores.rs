@@ -79,6 +79,9 @@ impl Pores {
             "-",
             "must lie from 0 to 1",
         )?;
+        if porosity == 0.0 {
+            return Ok(profile.clone());
+        }
         let rate = -(-porosity).ln_1p() / (MEAN_CHORD * mean);
         // Pores with their middle beyond an end reach into the trace.
         let reach = 0.5 * SPREAD[1] * mean;
@@ -97,8 +100,7 @@ impl Pores {
         let mut middle = -reach;
         loop {
             middle += -(-random.uniform()).ln_1p() / rate;
-            // Without pores the way to the next one is endless, or nought over nought.
-            if middle.is_nan() || middle > end {
+            if middle > end {
                 break;
             }
             // A line crosses a disc in proportion to its diameter.
@@ -163,6 +165,7 @@ mod tests {
         assert_eq!(open(0.1, 7), open(0.1, 7));
         assert_ne!(open(0.1, 7), open(0.1, 8));
         assert_eq!(open(0.0, 1), 0.0);
+        assert_eq!(open(-0.0, 1), 0.0);
     }
 
     #[test]

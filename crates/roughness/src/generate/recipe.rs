@@ -1,5 +1,7 @@
 //! All recipes under one name, so that a file can hold any of them.
 
+use asperity_core::DomainError;
+use asperity_core::numerics::extremes;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -98,6 +100,12 @@ impl Recipe {
         if self.mirrored {
             profile = profile.mirrored();
         }
+        // Squares and fourth powers of larger heights overflow.
+        const HIGHEST: f64 = 1.0;
+        let (low, high) = extremes(profile.heights());
+        let largest = high.max(-low);
+        let rule = "must not exceed 1 m: a depth of the recipe is too large";
+        DomainError::require(largest <= HIGHEST, "height", largest, "m", rule)?;
         let achieved = Achieved {
             spectrum_error: made.achieved.spectrum_error,
             iterations: made.achieved.iterations,

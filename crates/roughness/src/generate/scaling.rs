@@ -6,6 +6,9 @@ use asperity_core::{DomainError, Profile};
 /// Most points of a generated profile: 10⁸ heights fill a gigabyte.
 const MOST_POINTS: usize = 100_000_000;
 
+/// Root mean square heights from those of an atomically flat surface to far beyond those of any worked one \[m\].
+const RQ: std::ops::RangeInclusive<f64> = 1e-12..=1e-3;
+
 /// `points` where a profile may have so many.
 pub(super) fn check_points(points: usize) -> Result<usize, DomainError> {
     const RULE: &str = "must lie between 4 and 100000000";
@@ -28,7 +31,9 @@ pub(super) fn scaled(
     let n = heights.len() as f64;
     let mean = heights.iter().sum::<f64>() / n;
     let square = heights.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / n;
-    let factor = DomainError::non_negative("rq", rq)? / square.sqrt();
+    let rule = "must lie from 1e-12 to 1e-3 m";
+    let rq = DomainError::require(RQ.contains(&rq.si()), "rq", rq.si(), "m", rule)?;
+    let factor = rq / square.sqrt();
     DomainError::require(
         factor.is_finite(),
         "mean square height",

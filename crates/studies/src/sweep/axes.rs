@@ -8,6 +8,9 @@ use super::error::SweepError;
 use super::settings::{Settings, set};
 use super::study_input::{AxisInput, Spacing, StudyInput};
 
+/// Most points of an axis or of a sample, which are held in memory.
+pub(super) const MOST_POINTS: usize = 1_000_000;
+
 /// A crossed axis.
 #[derive(Debug, Clone)]
 struct Axis {
@@ -28,7 +31,12 @@ impl Axes {
 
     /// Points of the axes.
     pub(super) fn count(&self) -> usize {
-        self.0.iter().map(|axis| axis.nodes.len()).product()
+        self.lengths().product()
+    }
+
+    /// Points of each axis.
+    pub(super) fn lengths(&self) -> impl Iterator<Item = usize> {
+        self.0.iter().map(|axis| axis.nodes.len())
     }
 
     /// Columns of the axes.
@@ -113,8 +121,9 @@ fn axis(input: &AxisInput) -> Result<Axis, SweepError> {
     let (ends, unit) = Amount::list(&name, &[from.clone(), to.clone()])?;
     let [from, to] = [ends[0], ends[1]];
     let spacing = input.spacing.unwrap_or_default();
-    if count < 2 || (spacing == Spacing::Log && !(from > 0.0 && to > 0.0)) {
-        let rule = "needs a count of at least 2, and positive ends for log";
+    if !(2..=MOST_POINTS).contains(&count) || (spacing == Spacing::Log && !(from > 0.0 && to > 0.0))
+    {
+        let rule = "needs a count from 2 to 1000000, and positive ends for log";
         return Err(SweepError::key(&name, rule));
     }
     let value = |k: usize| {

@@ -5,7 +5,7 @@ use asperity_core::numerics::standard_normal_quantile;
 use toml::Value;
 
 use super::amount::{Amount, text_of};
-use super::axes::Axes;
+use super::axes::{Axes, MOST_POINTS};
 use super::draws::{DIMENSIONS, Draws, LONGEST};
 use super::error::SweepError;
 use super::settings::{Settings, set};
@@ -14,6 +14,8 @@ use super::study_input::{Distribution, Method, SampleInput};
 
 /// Digits of the fingerprint of a case in its row.
 const ID: usize = 16;
+/// Most cases of a study: at 10 ms each they take four months.
+const MOST_CASES: f64 = 1e9;
 
 /// An input that is sampled.
 #[derive(Debug, Clone)]
@@ -91,10 +93,23 @@ impl CaseList {
             Some(given) if given.method == Method::List => list(study)?,
             Some(given) => drawn(given)?,
         };
-        Ok(Self {
+        let list = Self {
             axes: study.axes.clone(),
             sample,
-        })
+        };
+        let cases = list
+            .axes
+            .lengths()
+            .map(|length| length as f64)
+            .product::<f64>();
+        let cases = cases * list.samples() as f64;
+        match cases <= MOST_CASES {
+            true => Ok(list),
+            false => Err(SweepError::key(
+                "axis",
+                format!("{cases:.0} cases are more than {MOST_CASES:.0}: use fewer values"),
+            )),
+        }
     }
 
     pub(super) fn count(&self) -> usize {
@@ -200,8 +215,8 @@ impl CaseList {
 
 fn drawn(given: &SampleInput) -> Result<Sample, SweepError> {
     let count = given.count.unwrap_or_default();
-    if count == 0 || given.vary.is_empty() {
-        let rule = "needs a count and at least one key to vary";
+    if !(1..=MOST_POINTS).contains(&count) || given.vary.is_empty() {
+        let rule = "needs a count from 1 to 1000000 and at least one key to vary";
         return Err(SweepError::key("sample", rule));
     }
     let inputs = given

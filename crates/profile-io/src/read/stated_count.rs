@@ -1,0 +1,104 @@
+//! Number of points that the header of a text file states, against the number of heights that were read.
+//!
+//! More heights than stated means that a number is taken as a height that is none, as the number of a trace in front
+//! of its heights. Fewer mean that the trace was aborted or the file cut off.
+
+use super::error::ReadError;
+use super::format::Format;
+use super::metadata::short;
+use super::text::Line;
+use crate::warning::Warning;
+
+/// Labels of the number of points of one trace, in lower case without punctuation.
+const LABELS: [&str; 20] = [
+    "points",
+    "number of points",
+    "no of points",
+    "num points",
+    "numpoints",
+    "data points",
+    "number of data points",
+    "num data points",
+    "points per trace",
+    "number of points per trace",
+    "points per line",
+    "points per profile",
+    "points per scan",
+    "samples",
+    "number of samples",
+    "samples per trace",
+    "punkte",
+    "anzahl punkte",
+    "messpunkte",
+    "anzahl messpunkte",
+];
+
+/// Compares `heights`, the number of heights that were read of one trace, with the number in `header`.
+///
+/// # Errors
+/// When more were read.
+pub(super) fn check(
+    file: &str,
+    format: Format,
+    header: &[Line<'_>],
+    heights: usize,
+) -> Result<Option<Warning>, ReadError> {
+    let Some((line, stated)) = header.iter().find_map(stated) else {
+        return Ok(None);
+    };
+    if heights > stated {
+        return Err(ReadError::Damaged {
+            file: file.to_owned(),
+            format,
+            what: "more heights than its header states, so that a number is none of them",
+            seen: format!(
+                "line {}: {}, {heights} read",
+                line.number,
+                short(line.text).unwrap_or_default()
+            ),
+        });
+    }
+    Ok((heights < stated).then_some(Warning::FewerHeights { stated, heights }))
+}
+
+/// The line and its number, if it states the number of points.
+fn stated<'a, 'l>(line: &'a Line<'l>) -> Option<(&'a Line<'l>, usize)> {
+    let text = line.text.trim_end_matches([' ', '\t', ';', ',']);
+    let before = text.trim_end_matches(|c: char| c.is_ascii_digit());
+    let number = &text[before.len()..];
+    let words = before.split(|c: char| !c.is_alphabetic());
+    let label: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+    if before.contains(|c: char| c.is_ascii_digit()) {
+        return None;
+    }
+    let is_known = LABELS.contains(&label.join(" ").to_lowercase().as_str());
+    Some((line, number.parse().ok().filter(|_| is_known)?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::text::Head;
+    use super::*;
+
+    #[test]
+    fn a_number_of_points_is_found_behind_its_label_only() {
+        for (text, expected) in [
+            ("Points per trace\t4000", Some(4000)),
+            ("# Number of points: 12", Some(12)),
+            ("No. of points = 7;", Some(7)),
+            ("POINTS,8000,", Some(8000)),
+            ("Points 4000 of trace 3", None),
+            ("Trace 12", None),
+            ("Points per trace 1.5", None),
+            ("Points", None),
+            ("µ", None),
+            ("µ12", None),
+            ("12", None),
+            ("", None),
+        ] {
+            let head = Head::of(text);
+            let found = head.lines().find_map(|line| Some(stated(&line)?.1));
+            assert_eq!(found, expected, "{text}");
+        }
+    }
+}

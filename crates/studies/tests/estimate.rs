@@ -1,0 +1,157 @@
+//! The estimate of a run against the time that it takes.
+//!
+//! Times are processor times of one thread, so that other work of the machine does not count, and compared with those of a
+//! reference case in the same process: the ratio depends neither on the machine nor on the profile of the build.
+
+#![allow(clippy::unwrap_used, reason = "tests may panic")]
+
+use std::path::Path;
+use std::time::Instant;
+
+use asperity::band::run_with_band;
+use asperity::case::{CaseInput, LoadedCase, load_with};
+use asperity::core::Profile;
+use asperity::core::quantity::Length;
+use asperity::kept_fields::KeptFields;
+use asperity_studies::estimate::{Estimate, estimate, measured};
+
+/// The e-drive with few offsets, changed.
+fn e_drive(change: &dyn Fn(&mut CaseInput)) -> LoadedCase {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases/e-drive.toml");
+    load_with(&file, &|input| {
+        input.model.offsets = Some(4);
+        input.model.positions = Some(12);
+        change(input);
+    })
+    .unwrap()
+}
+
+/// Set by a key of the case.
+fn with(keys: &[(&str, &str)]) -> LoadedCase {
+    e_drive(&|input| {
+        for (key, value) in keys {
+            input.set(key, value).unwrap();
+        }
+    })
+}
+
+/// Processor time of this thread, or the time of day where the system does not tell it.
+fn seconds(begin: Instant) -> f64 {
+    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanoseconds = told.and_then(|text| text.split(' ').next()?.parse::<f64>().ok());
+    nanoseconds.map_or_else(|| begin.elapsed().as_secs_f64(), |found| found / 1e9)
+}
+
+/// Time of the case over its estimate, both on one thread.
+fn taken_over_estimated(make: &(dyn Fn() -> LoadedCase + Sync)) -> (f64, Estimate) {
+    let alone = rayon::ThreadPoolBuilder::new().num_threads(1);
+    alone.build().unwrap().install(|| {
+        let clock = Instant::now();
+        let begin = seconds(clock);
+        let case = make();
+        run_with_band(&case, &KeptFields::Highest, &|_, _| {}).unwrap();
+        let taken = seconds(clock) - begin;
+        let estimated = estimate(&case, &KeptFields::Highest).unwrap();
+        println!("  {taken:.2} s for {:.2} s", estimated.seconds);
+        (taken / estimated.seconds, estimated)
+    })
+}
+
+/// A rough trace of `points` points, half a micrometre apart.
+fn long_trace(points: usize, seed: f64) -> Profile {
+    let height = |i: usize| {
+        let waves = (0..12).map(|k| {
+            let length = 8e-6 * 1.4_f64.powi(k);
+            let size = 0.12e-6 * (length / 100e-6).powf(0.5);
+            let phase = seed * f64::from(k * k + 1);
+            size * (std::f64::consts::TAU * 0.5e-6 * i as f64 / length + phase).sin()
+        });
+        waves.sum()
+    };
+    let heights = (0..points).map(height).collect();
+    Profile::new(Length::from_si(0.5e-6), heights).unwrap()
+}
+
+/// The e-drive on traces of `points` points.
+fn on_long_traces(points: usize) -> LoadedCase {
+    let traces =
+        [("a", 0.37), ("b", 0.71)].map(|(name, seed)| (name.into(), long_trace(points, seed)));
+    let held = with(&[]).holding(&traces);
+    held.with(|input| {
+        input.surface.pinion.file = Some("a".into());
+        input.surface.wheel.as_mut().unwrap().file = Some("b".into());
+    })
+    .unwrap()
+}
+
+#[test]
+fn the_estimate_is_within_a_factor_of_three_of_the_time_taken() {
+    println!("reference");
+    let (reference, _) = taken_over_estimated(&|| with(&[]));
+    type Make<'a> = &'a (dyn Fn() -> LoadedCase + Sync);
+    let cases: [(&str, Make<'_>); 8] = [
+        ("16 offsets", &|| with(&[("model.offsets", "16")])),
+        ("running-in", &|| with(&[("model.run_in", "true")])),
+        ("share by Lambda*", &|| {
+            with(&[("model.load_share", "lambda-star")])
+        }),
+        ("bulk temperature", &|| {
+            with(&[("operation.bulk", r#"{ law = "iso", lubrication = "jet" }"#)])
+        }),
+        ("200 depths", &|| with(&[("model.depths", "200")])),
+        ("half a million points", &|| on_long_traces(500_000)),
+        ("records", &|| {
+            with(&[
+                ("model.load_share", "ehl"),
+                (
+                    "model.ehl",
+                    r#"{ records = 2, cells = 192, travel = 4.0, cache = "off" }"#,
+                ),
+            ])
+        }),
+        ("paper", &|| {
+            with(&[("formulation", "paper"), ("model.delta_step", "50 nm")])
+        }),
+    ];
+    let mut off = Vec::new();
+    for (name, make) in cases {
+        println!("{name}");
+        let (ratio, _) = taken_over_estimated(make);
+        let found = ratio / reference;
+        println!("  {found:.2} times the reference");
+        if !(1.0 / 3.0..=3.0).contains(&found) {
+            off.push(format!("{name}: {found:.2}"));
+        }
+    }
+    assert!(off.is_empty(), "{off:?}");
+}
+
+#[test]
+fn a_trace_of_a_million_points_costs_its_windows_and_its_reading() {
+    let work = |points: usize| {
+        let case = on_long_traces(points);
+        let alone = rayon::ThreadPoolBuilder::new().num_threads(1);
+        alone.build().unwrap().install(|| {
+            let clock = Instant::now();
+            let begin = seconds(clock);
+            run_with_band(&case, &KeptFields::Highest, &|_, _| {}).unwrap();
+            seconds(clock) - begin
+        })
+    };
+    let (short, long) = (work(16_000), work(1_000_000));
+    // The windows are the same number of points; the points A to E look at the whole traces once.
+    assert!(long < 3.0 * short + 1.0, "{short} s and {long} s");
+}
+
+#[test]
+fn a_measured_estimate_computes_no_records() {
+    let case = with(&[
+        ("model.load_share", "ehl"),
+        ("model.ehl", r#"{ cache = "off" }"#),
+    ]);
+    let kept = KeptFields::Highest;
+    let found = measured(&case, &kept).unwrap();
+    // Solving a contact or a record would have changed the time.
+    assert_eq!(found, estimate(&case, &kept).unwrap());
+    assert!(found.seconds > 1.0, "{found:?}");
+}
