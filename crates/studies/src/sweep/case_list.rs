@@ -2,13 +2,16 @@
 
 use asperity::case::{CaseInput, DefaultUsed, LoadedCase};
 use asperity_core::numerics::standard_normal_quantile;
+use asperity_storage::whole_file;
 use sha2::{Digest, Sha256};
 use toml::Value;
 
 use super::amount::{Amount, text_of, written};
 use super::draws::{DIMENSIONS, Draws, LONGEST};
 use super::error::SweepError;
-use super::study::{AxisInput, Distribution, Method, SampleInput, Spacing, Study, identity, short};
+use super::study::{
+    AxisInput, Distribution, LARGEST_TABLE, Method, SampleInput, Spacing, Study, identity, short,
+};
 
 /// Keys and the values that they are set to.
 pub(super) type Settings = Vec<(String, String)>;
@@ -76,6 +79,13 @@ enum Sample {
     },
 }
 
+/// Most cases of a study.
+const MOST_CASES: usize = 10_000_000;
+
+fn too_many() -> String {
+    format!("a study has at most {MOST_CASES} cases; leave out axes or points")
+}
+
 /// Every case of a study.
 #[derive(Debug, Clone)]
 pub(super) struct CaseList {
@@ -104,7 +114,21 @@ impl CaseList {
             Some(given) if given.method == Method::List => list(study, given)?,
             Some(given) => drawn(given)?,
         };
-        Ok(Self { axes, sample })
+        let list = Self { axes, sample };
+        match list.count_within(MOST_CASES) {
+            true => Ok(list),
+            false => Err(SweepError::key("axis", too_many())),
+        }
+    }
+
+    /// Whether there are at most so many cases: the numbers of axes and sample are not multiplied before.
+    fn count_within(&self, most: usize) -> bool {
+        let points = self
+            .axes
+            .iter()
+            .try_fold(1_usize, |points, axis| points.checked_mul(axis.nodes.len()));
+        let cases = points.and_then(|points| points.checked_mul(self.samples()));
+        cases.is_some_and(|cases| cases <= most)
     }
 
     pub(super) fn count(&self) -> usize {
@@ -248,6 +272,9 @@ fn axis(input: &AxisInput) -> Result<Axis, SweepError> {
         let rule = "needs a count of at least 2, and positive ends for log";
         return Err(SweepError::key(&name, rule));
     }
+    if count > MOST_CASES {
+        return Err(SweepError::key(&name, too_many()));
+    }
     let value = |k: usize| {
         let share = k as f64 / (count - 1) as f64;
         match spacing {
@@ -275,6 +302,9 @@ fn drawn(given: &SampleInput) -> Result<Sample, SweepError> {
     if count == 0 || given.vary.is_empty() {
         let rule = "needs a count and at least one key to vary";
         return Err(SweepError::key("sample", rule));
+    }
+    if count > MOST_CASES {
+        return Err(SweepError::key("sample.count", too_many()));
     }
     let inputs = given
         .vary
@@ -330,11 +360,11 @@ fn list(study: &Study, given: &SampleInput) -> Result<Sample, SweepError> {
     let file = file.ok_or_else(|| SweepError::key("sample.file", "a list needs its table"))?;
     let path = study.folder.join(file);
     let refused = |error: csv::Error| SweepError::key("sample.file", error.to_string());
+    let table = whole_file(&path, LARGEST_TABLE).map_err(|error| refused(error.into()))?;
     let mut reader = csv::ReaderBuilder::new()
         .comment(Some(b'#'))
         .trim(csv::Trim::All)
-        .from_path(&path)
-        .map_err(refused)?;
+        .from_reader(table.as_slice());
     let header = reader.headers().map_err(refused)?;
     let keys: Vec<(String, String)> = header
         .iter()

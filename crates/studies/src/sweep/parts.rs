@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use asperity_storage::{StorageError, save};
+use asperity_storage::{StorageError, save, whole_file};
 use serde::Serialize;
 
 use super::case_list::CaseList;
 use super::error::SweepError;
-use super::study::Study;
+use super::study::{LARGEST_TABLE, Study};
 use crate::map::ranges;
 
 /// Rows by the numbers of their cases: the cells of a row as text.
@@ -177,7 +177,8 @@ fn read_part(
         reason,
     };
     let damaged = |source: csv::Error| refused(source.to_string());
-    let mut reader = csv::Reader::from_path(path).map_err(damaged)?;
+    let table = whole_file(path, LARGEST_TABLE).map_err(|error| damaged(error.into()))?;
+    let mut reader = csv::Reader::from_reader(table.as_slice());
     let header = reader.headers().map_err(damaged)?;
     if !header.iter().eq(expected.iter().map(String::as_str)) {
         return Err(refused("its columns are others".to_owned()));

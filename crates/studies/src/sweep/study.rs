@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use asperity::case::{self, LoadedCase};
+use asperity_storage::{whole_file, whole_text};
 use serde::Deserialize;
 use sha2::{Digest, Sha256};
 use toml::Value;
@@ -12,6 +13,9 @@ use super::error::SweepError;
 
 /// Name of a study that was not read from a file.
 const IN_MEMORY: &str = "study";
+/// Bytes of the largest study that is read, and of the largest table of one.
+const LARGEST_STUDY: u64 = 10_000_000;
+pub(super) const LARGEST_TABLE: u64 = 1_000_000_000;
 
 /// A study as its file has it.
 #[derive(Debug, Clone, Deserialize)]
@@ -128,7 +132,7 @@ impl Study {
     /// # Errors
     /// When either cannot be read.
     pub fn load(file: &Path) -> Result<Self, SweepError> {
-        let text = std::fs::read_to_string(file).map_err(|source| SweepError::Open {
+        let text = whole_text(file, LARGEST_STUDY).map_err(|source| SweepError::Open {
             path: file.to_owned(),
             source,
         })?;
@@ -176,7 +180,8 @@ impl Study {
             .and_then(|sample| sample.file.as_ref())
         {
             let path = folder.join(list);
-            let bytes = std::fs::read(&path).map_err(|source| SweepError::Open { path, source })?;
+            let bytes = whole_file(&path, LARGEST_TABLE)
+                .map_err(|source| SweepError::Open { path, source })?;
             sum.update(bytes);
         }
         sum.update(identity(&case)?.as_bytes());
