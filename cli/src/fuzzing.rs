@@ -1,9 +1,9 @@
 //! Parsers of the command, for fuzz targets and their deterministic twins in the tests: whatever they are given, they
-//! return. No part of the interface.
+//! return. Also the list of all paths on the command line. Not part of the interface.
 
 use asperity_calibration::{RigRow, RigTable};
 use asperity_rexs::{Flanks, Model, RexsError, case_text, stages};
-use clap::Parser;
+use clap::{Command, CommandFactory, Parser, ValueHint};
 
 use crate::args::Cli;
 use crate::commands::contact::column_file;
@@ -29,6 +29,24 @@ pub fn gap(bytes: &[u8]) -> bool {
 pub fn arguments(text: &str) -> bool {
     let arguments = std::iter::once("asperity").chain(text.lines());
     Cli::try_parse_from(arguments).is_ok()
+}
+
+/// Every argument that is a path or, as its name of a value shows, holds one: the names of its command and of itself.
+pub fn paths() -> Vec<(String, String)> {
+    fn collect(command: &Command, name: &str, found: &mut Vec<(String, String)>) {
+        let paths = command.get_arguments().filter(|argument| {
+            let names = argument.get_value_names().unwrap_or_default();
+            argument.get_value_hint() == ValueHint::AnyPath
+                || names.iter().any(|name| name.contains(".csv"))
+        });
+        found.extend(paths.map(|argument| (name.to_owned(), argument.get_id().to_string())));
+        for inner in command.get_subcommands() {
+            collect(inner, format!("{name} {}", inner.get_name()).trim(), found);
+        }
+    }
+    let mut found = Vec::new();
+    collect(&Cli::command(), "", &mut found);
+    found
 }
 
 /// Reads a gearbox file: lists its stages, and writes a case for each; every case is text or refused.

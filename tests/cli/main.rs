@@ -26,6 +26,8 @@ mod kills;
 mod map;
 mod micropitting;
 mod mutated;
+#[cfg(unix)]
+mod odd_files;
 mod outside;
 mod presets;
 mod profile_reports;

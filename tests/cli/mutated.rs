@@ -199,3 +199,127 @@ fn damaged_results_are_drawn_or_refused() {
     let seed = std::fs::read_to_string(bench.path("out/result.json")).unwrap();
     hold(&[&seed], 250, parsers::result);
 }
+
+#[test]
+fn damaged_tables_of_a_page_are_drawn_or_refused() {
+    hold(&[&parsers::page_seed()], 400, parsers::page);
+}
+
+#[test]
+fn tables_of_a_page_that_are_no_field_are_refused() {
+    let seed: serde_json::Value = serde_json::from_str(&parsers::page_seed()).unwrap();
+    let changed = |change: &dyn Fn(&mut serde_json::Value)| {
+        let mut page = seed.clone();
+        change(&mut page);
+        page.to_string()
+    };
+    let rows = |page: &mut serde_json::Value, table: &str| -> Vec<serde_json::Value> {
+        page.pointer_mut(table)
+            .unwrap()
+            .as_array_mut()
+            .unwrap()
+            .drain(1..2)
+            .collect()
+    };
+    assert!(parsers::page(changed(&|_| ()).as_bytes()));
+    for table in ["/load_map", "/contact/subsurface"] {
+        assert!(
+            !parsers::page(changed(&|page| drop(rows(page, table))).as_bytes()),
+            "{table}"
+        );
+    }
+    let without_a_point = changed(&|page| drop(rows(page, "/views/0/x_um")));
+    assert!(!parsers::page(without_a_point.as_bytes()));
+    let not_a_number = changed(&|page| page["contact"]["subsurface"][0]["depth_um"] = "nan".into());
+    assert!(!parsers::page(not_a_number.as_bytes()));
+}
+
+#[test]
+fn damaged_maps_are_read_or_refused() {
+    hold(&[&parsers::map_seed()], 150, parsers::map_json);
+}
+
+#[test]
+fn damaged_studies_are_read_or_refused() {
+    let seeds = [
+        "columns = [\"loss_w\"]\n[[axis]]\nkey = \"operation.speed\"\nfrom = \"500 1/min\"\nto = \"16000 1/min\"\n\
+         count = 8\nspacing = \"log\"\n[[axis]]\nname = \"oil\"\nchoice.thin = { \"lubricant.oil\" = \"m100\" }\n",
+        "[sample]\nmethod = \"sobol\"\ncount = 64\nseed = 3\nindices = true\n\
+         vary.\"operation.torque\" = { uniform = [\"100 N m\", \"200 N m\"] }\n\
+         vary.\"operation.speed\" = { log-uniform = [\"100 1/min\", \"9000 1/min\"] }\n",
+        "[sample]\nmethod = \"list\"\nfile = \"list.csv\"\n",
+    ];
+    hold(&seeds, 600, text(parsers::study));
+}
+
+#[test]
+fn a_study_of_more_cases_than_any_machine_runs_is_refused() {
+    let axis = |key: &str, count: &str| {
+        format!("[[axis]]\nkey = \"{key}\"\nfrom = 1.0\nto = 2.0\ncount = {count}\n")
+    };
+    assert!(parsers::study(&axis("operation.torque", "1000")));
+    assert!(!parsers::study(&axis("operation.torque", "1000000000000")));
+    let crossed: String = (0..8).map(|k| axis(&format!("key{k}"), "1000")).collect();
+    assert!(!parsers::study(&crossed));
+    let sampled = "[sample]\nmethod = \"latin-hypercube\"\ncount = 9000000000000000000\n\
+                   vary.\"operation.torque\" = { uniform = [1.0, 2.0] }\n";
+    assert!(!parsers::study(sampled));
+}
+
+#[test]
+fn damaged_recipes_are_generated_or_refused() {
+    let seeds = [
+        r#"{"surface": {"self-affine": {"points": 600, "spacing": "0.5 um", "rq": "0.3 um", "hurst": 0.8,
+            "roll-off": "100 um", "short-cut": "5 um", "seed": 1}},
+            "pores": {"porosity": 0.08, "diameter": "20 um", "depth-ratio": 0.25, "seed": 2}, "mirrored": true}"#,
+    ];
+    hold(&seeds, 1500, parsers::recipe);
+}
+
+/// SHA-256 of `mine`, which every file around the folder of a manifest holds.
+const SUM_OF_MINE: &str = "3fd30542fe3f61b14bd4a4b2dc0b6fb30fa6f63ebce52dd1778aaa8c4dc02cff";
+
+#[test]
+fn damaged_manifests_change_nothing_outside_of_their_folder() {
+    let of = |names: &[&str]| {
+        let sums: Vec<String> = names
+            .iter()
+            .map(|name| format!("{name:?}: [{SUM_OF_MINE:?}]"))
+            .collect();
+        let sums = sums.join(", ");
+        format!("{{\"written_by\": \"asperity 0.1.0\", \"sha256\": {{{sums}}}}}")
+    };
+    let seed = of(&["a.txt"]);
+    hold(&[&seed], 400, parsers::manifest);
+    for name in [
+        "../victim.txt",
+        "../../victim.txt",
+        "link/a.txt",
+        "../precious/a.txt",
+        "sub/../../victim.txt",
+    ] {
+        parsers::manifest(of(&["a.txt", name]).as_bytes());
+        let mut random = Random(7);
+        for _ in 0..40 {
+            parsers::manifest(&damaged(&of(&["a.txt", name]), &mut random));
+        }
+    }
+}
+
+#[test]
+fn damaged_journals_change_nothing_outside_of_their_draft() {
+    let seeds = ["result", "moved"];
+    hold(&seeds, 400, parsers::journal);
+    for journal in [
+        "../victim.txt",
+        "../moved",
+        "/",
+        "..",
+        ".",
+        "",
+        "sub",
+        "precious/moved",
+    ] {
+        assert!(!parsers::journal(journal.as_bytes()), "{journal:?}");
+    }
+}

@@ -45,6 +45,31 @@ fn files_of_the_user_in_a_result_survive() {
     );
 }
 
+#[test]
+fn a_manifest_that_names_a_file_outside_its_folder_removes_nothing() {
+    let bench = bench();
+    std::fs::create_dir(bench.path("box")).unwrap();
+    let run = ["run", "case.toml", "-o", "box/out", "-q"];
+    bench.run(&run).well();
+    bench.write("victim.txt", "mine");
+    bench.write("box/victim.txt", "mine");
+    let manifest = fs::read_to_string(bench.path("box/out/manifest.json")).unwrap();
+    /// SHA-256 of `mine`.
+    const SUM: &str = "3fd30542fe3f61b14bd4a4b2dc0b6fb30fa6f63ebce52dd1778aaa8c4dc02cff";
+    for name in ["../victim.txt", "../../victim.txt", "../../../victim.txt"] {
+        let planted = format!("\"sha256\": {{\n{name:?}: [{SUM:?}],");
+        let planted = manifest.replacen("\"sha256\": {", &planted, 1);
+        bench.write("box/out/manifest.json", planted);
+        let says = ["exists and is not a result folder"];
+        bench.run(&run).refused(2, "E401", &says);
+        for file in ["victim.txt", "box/victim.txt"] {
+            assert_eq!(fs::read(bench.path(file)).unwrap(), b"mine", "{name}");
+        }
+    }
+    bench.write("box/out/manifest.json", manifest);
+    bench.run(&run).well();
+}
+
 #[cfg(unix)]
 #[test]
 fn a_link_is_not_followed_onto_the_file_behind_it() {

@@ -1,8 +1,9 @@
 //! `asperity cycle`: energy lost over a cycle, from a map.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use asperity::case::VehicleInput;
+use asperity_storage::whole_text;
 use asperity_studies::cycle::{self, Cycle, EnergyError};
 use asperity_studies::map::{self, Map, MapError};
 
@@ -10,6 +11,9 @@ use super::keys;
 use crate::args::{Common, CycleArgs};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
+
+/// Bytes of the largest cycle, and of the largest table of losses.
+pub const LARGEST_TABLE: u64 = 100_000_000;
 
 /// `asperity cycle`
 pub fn cycle(args: &CycleArgs, common: &Common) -> Result<(), Failure> {
@@ -69,9 +73,9 @@ pub fn read_map(folder: &Path) -> Result<Map, Failure> {
 }
 
 /// The cycle in a file.
-pub fn read_cycle(file: &PathBuf, vehicle: Option<&VehicleInput>) -> Result<Cycle, Failure> {
+pub fn read_cycle(file: &Path, vehicle: Option<&VehicleInput>) -> Result<Cycle, Failure> {
     let name = file.display();
-    let text = std::fs::read_to_string(file)
+    let text = whole_text(file, LARGEST_TABLE)
         .map_err(|error| Failure::new("E103", format!("{name}: {error}")))?;
     cycle::cycle(&text, vehicle).map_err(|error| {
         Failure::new("E101", format!("{name}: {error}")).advising(

@@ -7,11 +7,15 @@ use asperity_rexs::{
     CaseText, Flanks, Model, OperatingPoint, RexsError, Stage, StageKind, case_text,
     operating_points, stages,
 };
+use asperity_storage::whole_file;
 use serde_json::{Value, json};
 
 use crate::args::{Common, FromRexsArgs};
 use crate::failure::Failure;
 use crate::output::{beside, note, print_json, print_text, save};
+
+/// Bytes of the largest gearbox file that is read.
+const LARGEST: u64 = 100_000_000;
 
 /// `asperity case from-rexs`
 pub fn from_rexs(args: &FromRexsArgs, common: &Common) -> Result<(), Failure> {
@@ -19,7 +23,7 @@ pub fn from_rexs(args: &FromRexsArgs, common: &Common) -> Result<(), Failure> {
     let refused = |error: &dyn std::fmt::Display, code: &'static str| {
         Failure::new(code, format!("{}: {error}", path.display()))
     };
-    let bytes = std::fs::read(path).map_err(|error| refused(&error, "E101"))?;
+    let bytes = whole_file(path, LARGEST).map_err(|error| refused(&error, "E101"))?;
     let wrong = |error: RexsError| refused(&error, code_of(&error));
     let model = Model::read(&bytes).map_err(wrong)?;
     if args.stage.is_none() && args.output.is_none() {

@@ -5,12 +5,13 @@ use std::time::Instant;
 
 use asperity::case::{self, CaseInput, LoadedCase};
 use asperity::kept_fields::KeptFields;
+use asperity_storage::whole_text;
 use asperity_studies::compare::Finish;
 use asperity_studies::cycle::Cycle;
 use asperity_studies::export::{self, AddedLoss, With};
 use asperity_studies::map::{self, Axes, AxisError, Map};
 
-use super::cycle::read_cycle;
+use super::cycle::{LARGEST_TABLE, read_cycle};
 use super::finish::{Traces, check_names};
 use super::work::check_work;
 use super::{keys, pair_only, source, stem};
@@ -86,7 +87,7 @@ fn exports(
 
 fn added_loss(file: &Path) -> Result<AddedLoss, Failure> {
     let name = file.display();
-    let text = std::fs::read_to_string(file)
+    let text = whole_text(file, LARGEST_TABLE)
         .map_err(|error| Failure::new("E103", format!("{name}: {error}")))?;
     let short = file.file_name().unwrap_or_default().to_string_lossy();
     AddedLoss::read(&short, &text).map_err(|error| {

@@ -8,6 +8,8 @@
 //! `srr`, `p0`, `r`, `e`, `eta0`, `alpha`, `tau0`, `limit` (limiting shear over pressure), `mub`, `flow`, `um`
 //! (speeds, separated by commas), `windows`.
 
+#![allow(clippy::disallowed_methods, reason = "an example reads its own files")]
+
 use std::collections::HashMap;
 use std::f64::consts::PI;
 

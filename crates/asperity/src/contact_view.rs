@@ -27,6 +27,18 @@ impl ContactView {
     /// Half-widths of the contact that a view reaches to either side.
     pub const REACH: f64 = 1.5;
 
+    /// Whether the columns are of one length; those of a damaged file may not be.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        let columns = [
+            &self.pinion_um,
+            &self.wheel_um,
+            &self.pressure_solid_mpa,
+            &self.pressure_fluid_mpa,
+        ];
+        columns.iter().all(|column| column.len() == self.x_um.len())
+    }
+
     /// A view from its columns, of equal length.
     #[must_use]
     pub fn new(position: usize, x_um: Vec<f64>, columns: [Vec<f64>; 4]) -> Self {

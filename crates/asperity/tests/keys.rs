@@ -1,5 +1,6 @@
 //! What single keys of a case must be, and what the case says of them afterwards.
 
+#![allow(clippy::disallowed_methods, reason = "tests read their own files")]
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
 use std::path::Path;

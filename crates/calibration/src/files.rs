@@ -1,11 +1,10 @@
 //! A rig's table with its cases, from files.
 
-use std::io::{Error, ErrorKind};
 use std::path::Path;
 
 use asperity::LoadedCase;
 use asperity::case::CalibratedName;
-use asperity::profile_io::read::whole_file;
+use asperity_storage::whole_text;
 
 use crate::calibrate::{Watch, calibrate};
 use crate::error::CalibrationError;
@@ -81,13 +80,9 @@ impl RigFiles {
 /// The text of the table in `file`.
 ///
 /// # Errors
-/// When it cannot be read, is larger than 10 MB or is no text.
+/// When it cannot be read, is larger than 10 MB or is not text.
 pub fn table_text(file: &Path) -> Result<String, CalibrationError> {
-    let read = || {
-        let bytes = whole_file(file, LARGEST_TABLE)?;
-        String::from_utf8(bytes).map_err(|_| Error::new(ErrorKind::InvalidData, "it is no text"))
-    };
-    read().map_err(|reason| CalibrationError::Open {
+    whole_text(file, LARGEST_TABLE).map_err(|reason| CalibrationError::Open {
         file: file.display().to_string(),
         reason,
     })

@@ -1,5 +1,6 @@
 //! Simulated rigs: what was put in comes out again, within the bands.
 
+#![allow(clippy::disallowed_methods, reason = "tests read their own files")]
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic")]
 
 use std::sync::OnceLock;

@@ -4,6 +4,7 @@
 //! ```text
 //! cargo run --release -p asperity-contact --example measure -- d 10000
 //! ```
+#![allow(clippy::disallowed_methods, reason = "an example reads its own files")]
 #![allow(
     clippy::unwrap_used,
     reason = "a problem that cannot be solved has no time"

@@ -7,6 +7,8 @@
 //! Without a file, a profile is made up. The second argument is the spacing in micrometres; the
 //! fields are written to the file that the third one names.
 
+#![allow(clippy::disallowed_methods, reason = "an example reads its own files")]
+
 use std::fs::File;
 use std::io::BufWriter;
 

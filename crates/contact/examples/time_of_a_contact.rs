@@ -3,6 +3,8 @@
 //! `cargo run --release -p asperity-contact --example time_of_a_contact -- gap.f64 1e-7 115e9 2e5 11` prints the
 //! shortest and the median time in s of eleven solutions, and the largest pressure in Pa.
 
+#![allow(clippy::disallowed_methods, reason = "an example reads its own files")]
+
 use std::time::Instant;
 
 use asperity_contact::{ContactProblem, SolverSettings, solve};

@@ -10,6 +10,8 @@
 //! ceiling), `limit`, `mub`, `tauf` (friction law), `hb` (contact film), `offset1`,
 //! `offset2` (in half-widths).
 
+#![allow(clippy::disallowed_methods, reason = "an example reads its own files")]
+
 use std::collections::HashMap;
 use std::time::Instant;
 

@@ -1,5 +1,6 @@
 //! Memory of reading: the columns that are read and a buffer, not the file.
 
+#![allow(clippy::disallowed_methods, reason = "tests read their own files")]
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use std::io::{Read, Result, Seek, SeekFrom};

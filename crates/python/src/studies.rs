@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use asperity_storage::whole_text;
 use asperity_studies::compare::{self as comparing, Finish};
 use asperity_studies::cycle;
 use asperity_studies::export::{AddedLoss, Format, With, export};
@@ -309,8 +310,11 @@ impl Map {
     }
 }
 
+/// Bytes of the largest table that is read.
+const LARGEST_TABLE: u64 = 100_000_000;
+
 fn text(file: &PathBuf) -> Result<String, Failure> {
     let name = file.display().to_string();
-    std::fs::read_to_string(file)
+    whole_text(file, LARGEST_TABLE)
         .map_err(|error| Failure::new("E103", error.to_string()).about(&name))
 }

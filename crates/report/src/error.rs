@@ -102,8 +102,8 @@ pub enum TableFault {
         /// Name of the column.
         column: &'static str,
     },
-    /// Rows that do not form a rectangular field.
-    #[error("its rows are no field of equal rows over depth")]
+    /// Rows that do not form a rectangular field, or columns of different lengths.
+    #[error("its rows do not form a field of equally long rows")]
     NotAField,
 }
 

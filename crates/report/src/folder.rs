@@ -5,9 +5,8 @@ use std::path::{Path, PathBuf};
 
 use asperity::UnsolvedContact;
 use asperity::kept_fields::KeptFields;
-use asperity::profile_io::read::whole_file;
 use asperity::result::{Outcome, RunResult};
-use asperity_storage::{check_finite, check_folder, replace_folder, save, write_among};
+use asperity_storage::{check_finite, check_folder, replace_folder, save, whole_file, write_among};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 

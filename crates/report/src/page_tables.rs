@@ -4,14 +4,16 @@ use asperity::contact_view::ContactView;
 use asperity::result::{Outcome, PositionRow, RunResult};
 use serde::{Deserialize, Serialize};
 
-use crate::error::ReportError;
-use crate::tables::{ContactTables, FlankTables, LoadMapRow, load_map, thinned_views};
+use crate::error::{ReportError, TableFault};
+use crate::tables::{ContactTables, FlankTables, LoadMapRow, check_field, load_map, thinned_views};
 
 /// Rows of a table that a page keeps.
 const ROWS: usize = 400;
 
-/// Tables of both flanks, of the load over them and of one mesh position.
+/// Tables of both flanks, of the load over them and of one mesh position. Those that are read back can be drawn: the
+/// fields are rectangles of finite numbers, the columns of a view of one length.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Stored")]
 pub struct PageTables {
     /// Pinion and wheel; none for a flank without a trace.
     pub flanks: [Option<FlankTables>; 2],
@@ -24,6 +26,38 @@ pub struct PageTables {
     pub views: Vec<ContactView>,
     /// File that holds the tables, where they have no files of their own.
     pub file: Option<String>,
+}
+
+/// Page tables as they are in a file, which may be damaged.
+#[derive(Deserialize)]
+struct Stored {
+    flanks: [Option<FlankTables>; 2],
+    load_map: Vec<LoadMapRow>,
+    contact: Option<ContactTables>,
+    #[serde(default)]
+    views: Vec<ContactView>,
+    file: Option<String>,
+}
+
+impl TryFrom<Stored> for PageTables {
+    type Error = TableFault;
+
+    fn try_from(stored: Stored) -> Result<Self, TableFault> {
+        check_field(&stored.load_map, |row| [row.s_mm, row.y_mm])?;
+        if let Some(contact) = &stored.contact {
+            contact.check_subsurface()?;
+        }
+        match stored.views.iter().all(ContactView::is_whole) {
+            true => Ok(Self {
+                flanks: stored.flanks,
+                load_map: stored.load_map,
+                contact: stored.contact,
+                views: stored.views,
+                file: stored.file,
+            }),
+            false => Err(TableFault::NotAField),
+        }
+    }
 }
 
 impl PageTables {

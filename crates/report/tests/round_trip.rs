@@ -1,5 +1,6 @@
 //! A result is equal after it was written and read, whichever case it is of.
 
+#![allow(clippy::disallowed_methods, reason = "tests read their own files")]
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
 use std::fs;

@@ -1,5 +1,7 @@
 //! Lists the stages of a REXS file with their operating points.
 
+#![allow(clippy::disallowed_methods, reason = "an example reads its own files")]
+
 use asperity_rexs::{Model, operating_points, stages};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -1,5 +1,7 @@
 //! Writes the case of a stage of a REXS file.
 
+#![allow(clippy::disallowed_methods, reason = "an example reads its own files")]
+
 use asperity_rexs::{Flanks, Model, case_text};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -2,6 +2,8 @@
 //!
 //! `cargo run -p asperity-storage --example save_folder`
 
+#![allow(clippy::disallowed_methods, reason = "an example reads its own files")]
+
 use std::path::Path;
 
 use asperity_storage::{StorageError, replace_folder};

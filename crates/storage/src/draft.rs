@@ -1,25 +1,29 @@
 //! Hidden folders in which files and folders are made before they get their names.
 //!
-//! A draft holds a lock on a file of its own for as long as its process lives. The system takes the lock
-//! away from a process that was killed, so the next one knows which drafts are left over.
+//! A draft holds a lock on a file of its own for as long as its process lives. The system releases the lock when the
+//! process ends, so the next process knows which drafts are left over. A hidden folder without such a file, with the
+//! text of this program in it, is not a draft and is left alone.
 
 use std::ffi::OsString;
 use std::fs::{self, File, TryLockError};
-use std::io;
+use std::io::{self, Write as _};
 use std::mem;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-use crate::recovery;
+use crate::read::{regular_file, whole_text};
+use crate::recovery::{self, LOCK, MAKING};
 use crate::system::{look, parent_of};
 
 /// Start of the names of drafts; six letters or digits follow.
 const PREFIX: &str = ".asperity-";
 const LETTERS: usize = 6;
-/// The locked file in a draft.
-const LOCK: &str = "lock";
+/// Text of the lock; the number of the process and a line feed follow.
+const TEXT: &str = "asperity draft of process ";
+/// Bytes of the longest lock.
+const LONGEST: u64 = 64;
 /// A draft without its lock is being made, or was killed before it was.
 const WITHOUT_LOCK: Duration = Duration::from_secs(5);
 /// Times that a process which is about to end tries to remove a draft, and the time between two.
@@ -88,9 +92,10 @@ impl Drop for Draft {
 
 /// Makes the lock of a draft under another name first, so that nobody finds it before it is held.
 fn locked(folder: &Path) -> io::Result<File> {
-    let making = folder.join("making");
-    let file = File::create_new(&making)?;
+    let making = folder.join(MAKING);
+    let mut file = File::create_new(&making)?;
     file.lock()?;
+    writeln!(file, "{TEXT}{}", std::process::id())?;
     fs::rename(&making, folder.join(LOCK))?;
     Ok(file)
 }
@@ -104,7 +109,9 @@ pub(crate) fn drafts() -> MutexGuard<'static, Vec<PathBuf>> {
 pub fn abandon() {
     let drafts = drafts();
     for folder in drafts.iter() {
-        recovery::restore(folder);
+        if !recovery::restore(folder) {
+            continue;
+        }
         // A thread that still writes there can put a file back in the middle of it.
         for _ in 0..REMOVALS {
             recovery::remove(folder);
@@ -123,11 +130,31 @@ pub fn abandon() {
 pub(crate) fn clear(parent: &Path) {
     for entry in fs::read_dir(parent).into_iter().flatten().flatten() {
         let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
-        if is_folder && is_draft(&entry.file_name()) && is_dead(&entry) {
-            recovery::restore(&entry.path());
-            recovery::remove(&entry.path());
+        if !is_folder || !is_draft(&entry.file_name()) {
+            continue;
+        }
+        let draft = entry.path();
+        match look(&draft.join(LOCK)) {
+            Ok(Some(lock)) if lock.is_file() && is_dead(&draft.join(LOCK)) => {
+                recovery::recover(&draft);
+            }
+            Ok(None) if is_old(&entry) => remove_unlocked(&draft),
+            _ => {}
         }
     }
+}
+
+/// Removes a draft whose process was killed before it had its lock: an empty folder, or one with the beginning of a
+/// lock only.
+fn remove_unlocked(draft: &Path) {
+    let making = draft.join(MAKING);
+    let is_ours = look(&making).is_ok_and(|found| found.is_some_and(|found| found.is_file()))
+        && whole_text(&making, LONGEST).is_ok_and(|text| text.is_empty() || is_lock(&text));
+    let is_alone = fs::read_dir(draft).is_ok_and(|entries| entries.count() == 1);
+    if is_ours && is_alone {
+        let _ = fs::remove_file(making);
+    }
+    let _ = fs::remove_dir(draft);
 }
 
 fn is_draft(name: &OsString) -> bool {
@@ -137,16 +164,21 @@ fn is_draft(name: &OsString) -> bool {
     })
 }
 
-fn is_dead(entry: &fs::DirEntry) -> bool {
-    match File::open(entry.path().join(LOCK)) {
-        // Taken for a moment: whoever holds it lives.
-        Ok(lock) => match lock.try_lock() {
-            Ok(()) => true,
-            Err(TryLockError::WouldBlock | TryLockError::Error(_)) => false,
-        },
-        Err(error) if error.kind() == io::ErrorKind::NotFound => is_old(entry),
-        Err(_) => false,
-    }
+fn is_lock(text: &str) -> bool {
+    let number = text
+        .strip_prefix(TEXT)
+        .and_then(|rest| rest.strip_suffix('\n'));
+    number.is_some_and(|number| number.parse::<u32>().is_ok())
+}
+
+/// Whether `lock` is one of ours that no process holds.
+fn is_dead(lock: &Path) -> bool {
+    // Taken for a moment: whoever holds it lives.
+    let is_free = regular_file(lock).is_ok_and(|lock| match lock.try_lock() {
+        Ok(()) => true,
+        Err(TryLockError::WouldBlock | TryLockError::Error(_)) => false,
+    });
+    is_free && whole_text(lock, LONGEST).is_ok_and(|text| is_lock(&text))
 }
 
 fn is_old(entry: &fs::DirEntry) -> bool {

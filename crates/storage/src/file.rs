@@ -6,6 +6,7 @@ use std::path::Path;
 
 use crate::draft::{Draft, drafts};
 use crate::error::StorageError;
+use crate::read::whole_file;
 use crate::system::{look, parent_of, sync_folder};
 
 /// Writes `bytes` as `file`, in place of an older file of that name.
@@ -77,7 +78,7 @@ pub fn save_new(file: &Path, bytes: &[u8]) -> Result<(), StorageError> {
     };
     let is_same = found.is_file()
         && found.len() == bytes.len() as u64
-        && fs::read(file).is_ok_and(|there| there == bytes);
+        && whole_file(file, found.len()).is_ok_and(|there| there == bytes);
     if is_same {
         Ok(())
     } else {

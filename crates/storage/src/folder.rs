@@ -12,7 +12,7 @@ use crate::system::{exchanged, look, parent_of, sync_folder, sync_tree};
 
 /// Whether a folder of this `kind` ("result") may be written as `target`: nothing is there, or an empty
 /// folder, or an older one with the files of its manifest as they were written and nothing else. What
-/// killed processes left beside it is restored and removed first.
+/// killed processes left beside it, or in it while they replaced single files, is restored and removed first.
 ///
 /// # Errors
 /// When something else is there, a file was changed since, or `target` is a link.
@@ -21,6 +21,9 @@ pub fn check_folder(target: &Path, kind: &'static str) -> Result<(), StorageErro
         return Err(StorageError::Dash);
     }
     clear(parent_of(target));
+    if look(target).is_ok_and(|found| found.is_some_and(|found| found.is_dir())) {
+        clear(target);
+    }
     check(target, kind)
 }
 
@@ -40,10 +43,7 @@ fn check(target: &Path, kind: &'static str) -> Result<(), StorageError> {
         Some(found) if !found.is_dir() => return Err(foreign),
         Some(_) => {}
     }
-    match Manifest::read(target) {
-        Some(manifest) => manifest.check(target, kind),
-        None => Manifest::new().check(target, kind),
-    }
+    Manifest::check(target, kind)
 }
 
 /// Fills a folder beside `target` and gives it that name, in place of an older one of ours.
@@ -172,6 +172,7 @@ fn name_in_two_steps(draft: &Draft, target: &Path, kind: &'static str) -> Result
 }
 
 #[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests read their own files")]
 mod tests {
     use super::*;
 

@@ -1,17 +1,20 @@
 //! Manifest of the files in a folder that this program wrote, each with its SHA-256.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs::{self, File};
+use std::fs::{self, Metadata};
 use std::io::{self, Read};
-use std::path::Path;
+use std::path::{Component, Path};
 
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use crate::error::StorageError;
+use crate::read::{regular_file, whole_text};
 
 /// Name of the manifest in its folder.
 pub const MANIFEST: &str = "manifest.json";
+/// Bytes of the largest manifest that is read: some 100 000 files.
+const LARGEST: u64 = 20_000_000;
 
 /// Files of a folder by their paths in it, with the sums they may have. While a file is replaced it has
 /// two: the old and the new one.
@@ -42,16 +45,16 @@ impl Manifest {
         Ok(manifest)
     }
 
-    /// The manifest in `folder`; none when there is none of ours.
+    /// The manifest in `folder`; `None` if there is none of ours. One with a name that leads out of the folder
+    /// is not.
     pub fn read(folder: &Path) -> Option<Self> {
         let file = folder.join(MANIFEST);
         let is_file = fs::symlink_metadata(&file).is_ok_and(|found| found.is_file());
-        let text = fs::read_to_string(file).ok().filter(|_| is_file)?;
+        let text = is_file.then(|| whole_text(&file, LARGEST).ok()).flatten()?;
         let manifest: Self = serde_json::from_str(&text).ok()?;
-        manifest
-            .written_by
-            .starts_with("asperity ")
-            .then_some(manifest)
+        let is_ours = manifest.written_by.starts_with("asperity ")
+            && manifest.sha256.keys().all(|name| is_inside(name));
+        is_ours.then_some(manifest)
     }
 
     /// Bytes of the manifest.
@@ -62,20 +65,24 @@ impl Manifest {
         bytes
     }
 
-    /// Whether every entry of `folder` is a file of this manifest as it was written.
-    pub fn check(&self, folder: &Path, kind: &'static str) -> Result<(), StorageError> {
+    /// Whether every entry of `folder` is a file of its manifest as it was written. A folder without a manifest of
+    /// ours has to be empty.
+    pub fn check(folder: &Path, kind: &'static str) -> Result<(), StorageError> {
+        let manifest = Self::read(folder);
         for name in entries(folder).map_err(StorageError::io(folder))? {
-            if name == MANIFEST {
-                continue;
+            match &manifest {
+                Some(_) if name == MANIFEST => {}
+                Some(manifest) if manifest.sha256.contains_key(&name) => {
+                    manifest.check_file(folder, &name)?;
+                }
+                _ => {
+                    return Err(StorageError::NotOurs {
+                        path: folder.to_owned(),
+                        kind,
+                        entry: Some(name),
+                    });
+                }
             }
-            if !self.sha256.contains_key(&name) {
-                return Err(StorageError::NotOurs {
-                    path: folder.to_owned(),
-                    kind,
-                    entry: Some(name),
-                });
-            }
-            self.check_file(folder, &name)?;
         }
         Ok(())
     }
@@ -83,10 +90,7 @@ impl Manifest {
     /// Whether `name` in `folder`, which is there, is a file of this manifest as it was written.
     pub fn check_file(&self, folder: &Path, name: &str) -> Result<(), StorageError> {
         let path = folder.join(name);
-        let found = fs::symlink_metadata(&path).map_err(StorageError::io(&path))?;
-        if found.is_symlink() {
-            return Err(StorageError::Link { path });
-        }
+        let found = without_links(folder, name)?;
         let sums = self.sha256.get(name);
         let is_same = found.is_file()
             && sums.is_some_and(|sums| sum_of_file(&path).is_ok_and(|sum| sums.contains(&sum)));
@@ -104,12 +108,13 @@ impl Manifest {
             if self.check_file(folder, name).is_ok() {
                 let _ = fs::remove_file(folder.join(name));
             }
-            if let Some((parent, _)) = name.rsplit_once('/') {
-                folders.insert(parent.to_owned());
-            }
+            folders.extend(name.match_indices('/').map(|(end, _)| &name[..end]));
         }
-        for parent in folders.iter().rev() {
-            let _ = fs::remove_dir(folder.join(parent));
+        // The inner ones first; one that is not empty stays.
+        for inner in folders.iter().rev() {
+            if without_links(folder, inner).is_ok() {
+                let _ = fs::remove_dir(folder.join(inner));
+            }
         }
         let is_last = entries(folder).is_ok_and(|names| names == [MANIFEST]);
         if is_last {
@@ -117,6 +122,33 @@ impl Manifest {
         }
         let _ = fs::remove_dir(folder);
     }
+}
+
+/// Facts about `name` in `folder`, where neither it nor a folder on the way to it is a link, which would lead out of
+/// `folder`.
+fn without_links(folder: &Path, name: &str) -> Result<Metadata, StorageError> {
+    let mut place = folder.to_owned();
+    let mut parts = Path::new(name).iter().peekable();
+    loop {
+        place.extend(parts.next());
+        let found = fs::symlink_metadata(&place).map_err(StorageError::io(&place))?;
+        if found.is_symlink() {
+            return Err(StorageError::Link { path: place });
+        }
+        if parts.peek().is_none() {
+            return Ok(found);
+        }
+    }
+}
+
+/// Whether `name` is a path below its folder as [`entries`] writes it: plain names with `/` between them.
+fn is_inside(name: &str) -> bool {
+    let parts = Path::new(name).components().map(|part| match part {
+        Component::Normal(part) => part.to_str(),
+        _ => None,
+    });
+    let parts: Option<Vec<&str>> = parts.collect();
+    parts.is_some_and(|parts| !parts.is_empty() && parts.join("/") == name)
 }
 
 /// Paths of all entries in `folder` but folders that hold some, with `/` between names; links are not
@@ -147,7 +179,7 @@ pub fn sum_of(bytes: &[u8]) -> String {
 
 fn sum_of_file(file: &Path) -> io::Result<String> {
     const CHUNK: usize = 1 << 16;
-    let mut reader = File::open(file)?;
+    let mut reader = regular_file(file)?;
     let mut sum = Sha256::new();
     let mut buffer = vec![0; CHUNK];
     loop {

@@ -1,11 +1,15 @@
 //! Recovery: the next process restores or removes what a killed one left behind; foreign files stay.
 
+#![allow(clippy::disallowed_methods, reason = "tests read their own files")]
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
 use std::fs;
 use std::path::Path;
 
 use asperity_storage::{Draft, StorageError, check_folder, replace_folder, save};
+
+/// Text of the lock of a draft whose process ended.
+const LOCK: &str = "asperity draft of process 1\n";
 
 fn names(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).unwrap();
@@ -31,7 +35,7 @@ fn a_folder_that_was_moved_aside_gets_its_name_back() {
     write(&at("result"), "old");
     // The state between the two renames of a process that is gone: its lock is free.
     fs::create_dir(at(".asperity-abc123")).unwrap();
-    fs::write(at(".asperity-abc123/lock"), "").unwrap();
+    fs::write(at(".asperity-abc123/lock"), LOCK).unwrap();
     fs::write(at(".asperity-abc123/journal"), "result").unwrap();
     fs::create_dir(at(".asperity-abc123/new")).unwrap();
     fs::write(at(".asperity-abc123/new/a.txt"), "new").unwrap();
@@ -52,7 +56,7 @@ fn drafts_of_the_dead_go_and_all_else_stays() {
     ] {
         fs::create_dir_all(at(folder)).unwrap();
     }
-    fs::write(at(".asperity-abc123/lock"), "").unwrap();
+    fs::write(at(".asperity-abc123/lock"), LOCK).unwrap();
     fs::write(at(".asperity-abc123/new/half.csv"), "1,").unwrap();
     fs::write(at(".asperity-notes"), "mine").unwrap();
     let alive = Draft::beside(&at("other.csv")).unwrap();

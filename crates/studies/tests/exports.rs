@@ -1,5 +1,6 @@
 //! Every export, read back by a reader of our own, agrees with the map at points of all quadrants.
 
+#![allow(clippy::disallowed_methods, reason = "tests read their own files")]
 #![allow(
     clippy::unwrap_used,
     clippy::panic,

@@ -1,5 +1,6 @@
 //! The job of the page without a browser: the same files as the command's, and what it refuses.
 
+#![allow(clippy::disallowed_methods, reason = "tests read their own files")]
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
 use std::fs;

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
-use asperity_profile_io::read::regular_file;
+use asperity_storage::regular_file;
 
 use crate::failure::Failure;
 

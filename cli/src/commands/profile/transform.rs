@@ -1,11 +1,12 @@
 //! `asperity profile convert`, `filter` and `generate`: a profile into a file.
 
 use asperity_profile_io::Warning;
-use asperity_profile_io::read::{Metadata, Positions, Trace, whole_file};
+use asperity_profile_io::read::{Metadata, Positions, Trace};
 use asperity_report::wrapped;
 use asperity_roughness::composite::resampled;
 use asperity_roughness::generate::{Recipe, SelfAffine, Surface};
 use asperity_roughness::preparation::profiles;
+use asperity_storage::whole_file;
 use serde_json::json;
 
 use super::evaluated::{

@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use asperity_core::Profile;
-use asperity_profile_io::read::{conditions_of, whole_file};
+use asperity_profile_io::read::conditions_of;
+use asperity_storage::whole_file;
 
 use super::error::CaseError;
 use super::input::CaseInput;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use asperity_core::Profile;
 use asperity_core::provenance::Provenance;
 use asperity_gear::LoadConditions;
-use asperity_profile_io::read::whole_file;
+use asperity_storage::whole_file;
 use asperity_tribo_friction::XuCalibration;
 
 use super::defaults::DefaultUsed;

@@ -4,6 +4,7 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use asperity_storage::whole_file;
 use serde_json::{from_slice, to_vec};
 
 use super::path_record::PathRecord;
@@ -12,6 +13,8 @@ use crate::referee::RefereeContact;
 
 /// Raised whenever the solver gives other numbers for the same contact, so that older records are left alone.
 const REVISION: u32 = 1;
+/// Bytes of the largest record that is read.
+const LARGEST: u64 = 100_000_000;
 
 /// Folder of records, each in a file named after everything that the record depends on.
 ///
@@ -43,7 +46,7 @@ impl RecordStore {
 
     /// The record in `file`, if there is one that can be read.
     pub(super) fn find(file: &Path) -> Option<PathRecord> {
-        from_slice(&fs::read(file).ok()?).ok()
+        from_slice(&whole_file(file, LARGEST).ok()?).ok()
     }
 
     /// Keeps `record` in `file`; a reader sees it whole or not at all.

@@ -1,6 +1,7 @@
 //! The load share against an independent program (`references/load_share.py` computes its windows anew), and
 //! what must hold whatever the numbers: single windows here, drawn ones in `properties`, whole flanks that run in in `run_in`.
 
+#![allow(clippy::disallowed_methods, reason = "tests read their own files")]
 #![allow(
     clippy::unwrap_used,
     reason = "helpers of tests may unwrap as tests do"

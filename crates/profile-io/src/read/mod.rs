@@ -55,7 +55,6 @@ mod taylor_hobson;
 mod text;
 mod trace;
 mod units;
-mod whole_file;
 mod x3p;
 mod xml;
 
@@ -77,9 +76,9 @@ pub use reading::Reading;
 pub use resample::Resampled;
 pub use surface::Surface;
 pub use trace::{Positions, Trace};
-pub use whole_file::{regular_file, whole_file};
 
 use areal::trace::Areal;
+use asperity_storage::regular_file;
 use found::Found;
 use text::{Head, Start, Stream, Text};
 

@@ -12,6 +12,8 @@ use std::path::Path;
 use asperity_core::quantity::Length;
 
 use super::archive::damaged;
+use asperity_storage::whole_file;
+
 use super::conditions::conditions_of;
 use super::error::{ReadError, SpacingHint};
 use super::format::{Format, extension};
@@ -21,7 +23,6 @@ use super::header::FilterState;
 use super::metadata::{self, Metadata, PrintedParameter, number, short};
 use super::options::{LengthUnit, ReadOptions};
 use super::text::{Head, Start, Text};
-use super::whole_file::whole_file;
 use crate::warning::Warning;
 
 const FORMAT: Format = Format::SurfcomText;

@@ -6,11 +6,10 @@ use maud::{Markup, PreEscaped, html};
 
 use super::along::points;
 use super::page::{embedded, figure, legend};
+use super::policy::SLIDER;
 use super::{mesh, relief, temperatures};
 use crate::chart::{Drawing, Dress, Facing, FacingFrame};
 use crate::page_tables::{PageTables, shown_position};
-
-const SLIDER: &str = include_str!("facing.js");
 
 pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
     let facing = facing(result, tables);
@@ -60,7 +59,7 @@ fn facing(result: &RunResult, tables: &PageTables) -> Option<Facing> {
     };
     let found: Vec<(&ContactView, &PositionRow)> = (tables.views.iter())
         .filter_map(|view| Some((view, row(view)?)))
-        .filter(|(view, row)| is_whole(view) && row.half_width_um > 0.0)
+        .filter(|(view, row)| view.x_um.len() > 1 && row.half_width_um > 0.0)
         .collect();
     let highest = || {
         shown_position(result, None)
@@ -97,18 +96,6 @@ fn facing(result: &RunResult, tables: &PageTables) -> Option<Facing> {
         frame.text = text;
     }
     Some(facing)
-}
-
-/// Whether the columns are of one length; those of a damaged file may not be.
-fn is_whole(view: &ContactView) -> bool {
-    let columns = [
-        &view.pinion_um,
-        &view.wheel_um,
-        &view.pressure_solid_mpa,
-        &view.pressure_fluid_mpa,
-    ];
-    let n = view.x_um.len();
-    n > 1 && columns.iter().all(|column| column.len() == n)
 }
 
 fn frame(view: &ContactView, row: &PositionRow) -> FacingFrame {

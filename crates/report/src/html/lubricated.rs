@@ -4,9 +4,9 @@ use maud::{Markup, PreEscaped, html};
 use serde_json::json;
 
 use super::page::{figure, page};
+use super::policy::PLAYER;
 use crate::chart::{Axis, Chart, Drawing, Line, Series};
 
-const PLAYER: &str = include_str!("frames.js");
 /// Size of the player's drawing.
 const WIDTH: f64 = 900.0;
 const PANEL: f64 = 210.0;
@@ -343,10 +343,10 @@ fn player(contact: &LubricatedContact) -> Markup {
             svg.chart viewBox={ "0 0 " (WIDTH) " " (height) } role="img" aria-label="Pressure and film at one instant" {
                 @for panel in &panels { (panel.frame()) }
                 @for (x, label) in &ends { text.tick x=(x) y=(height - 12.0) text-anchor="middle" { (label) } }
-                g transform="scale(0.1)" {
+                g.tenths transform="scale(0.1)" {
                     @for k in 0..2 {
-                        path."curve dashed c1" d=(dashed(k)) style="stroke-width:14;stroke-dasharray:70 45" {}
-                        path."curve c0" data-player={ "curve" (k) } style="stroke-width:16"
+                        path."curve dashed c1" d=(dashed(k)) {}
+                        path."curve c0" data-player={ "curve" (k) }
                             d=(line(&rows(&panels[k], [&first.pressure, &first.film][k]))) {}
                     }
                 }

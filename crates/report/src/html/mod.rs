@@ -19,6 +19,7 @@ mod overview;
 mod page;
 mod pairs;
 mod path;
+mod policy;
 mod relief;
 mod temperatures;
 
@@ -27,6 +28,7 @@ pub use lubricated::{
     FilmAndPressure, FilmFrame, LubricatedContact, SharePoint, lubricated_contact,
 };
 pub use page::{figure, page};
+pub use policy::policy;
 
 use asperity::case::Formulation;
 use asperity::result::RunResult;

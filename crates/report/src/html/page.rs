@@ -2,10 +2,8 @@
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use crate::chart::{Drawing, Dress, STYLE};
-
-const PAGE_STYLE: &str = include_str!("page.css");
-const SCRIPT: &str = include_str!("chart.js");
+use super::policy::{CHARTS, policy, style};
+use crate::chart::{Drawing, Dress};
 
 /// Page of titled sections; empty ones are left out.
 pub fn page(title: &str, subtitle: &str, sections: &[(&str, Markup)]) -> String {
@@ -17,10 +15,9 @@ pub fn page(title: &str, subtitle: &str, sections: &[(&str, Markup)]) -> String 
             head {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
-                meta http-equiv="Content-Security-Policy"
-                    content="default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+                meta http-equiv="Content-Security-Policy" content=(policy());
                 title { (title) }
-                style { (PreEscaped(STYLE)) (PreEscaped(PAGE_STYLE)) }
+                style { (PreEscaped(style())) }
             }
             body {
                 header {
@@ -35,7 +32,7 @@ pub fn page(title: &str, subtitle: &str, sections: &[(&str, Markup)]) -> String 
                         section id=(anchor(name)) { h2 { (name) } (body) }
                     }
                 }
-                script { (PreEscaped(SCRIPT)) }
+                script { (PreEscaped(CHARTS)) }
             }
         }
     };

@@ -5,7 +5,7 @@ use std::path::Path;
 use asperity::result::{PositionFields, PositionRow, SubsurfaceFields};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::csv_table::{Row, read, row};
+use super::csv_table::{Row, check_field, finite, read, row};
 use super::thin::thin;
 use crate::error::{ReportError, TableFault};
 use crate::units::{MEGA, MICRO};
@@ -187,18 +187,25 @@ impl ContactTables {
             true => read(&below)?,
             false => Vec::new(),
         };
-        if !is_field(&subsurface) {
-            return Err(ReportError::BadTable {
-                path: below,
-                reason: TableFault::NotAField,
-            });
-        }
-        Ok(Some(Self {
+        let tables = Self {
             position,
             surface: read(&file)?,
             subsurface,
             convergence,
-        }))
+        };
+        match tables.check_subsurface() {
+            Ok(()) => Ok(Some(tables)),
+            Err(reason) => Err(ReportError::BadTable {
+                path: below,
+                reason,
+            }),
+        }
+    }
+
+    /// Whether the stress below the surface is a field of finite numbers.
+    pub(crate) fn check_subsurface(&self) -> Result<(), TableFault> {
+        finite(&self.subsurface)?;
+        check_field(&self.subsurface, |row| [row.x_um, row.depth_um])
     }
 }
 
@@ -208,22 +215,6 @@ const NEAR: f64 = 1.6;
 /// Name of the folder of a position.
 pub fn folder_of(position: usize) -> String {
     format!("position_{position:02}")
-}
-
-/// Whether the rows are depths of equally many points each.
-fn is_field(rows: &[SubsurfaceRow]) -> bool {
-    let Some(first) = rows.first() else {
-        return true;
-    };
-    let across = rows.iter().take_while(|row| row.depth_um == first.depth_um);
-    let across = across.count();
-    rows.chunks(across).all(|level| {
-        level.len() == across
-            && level
-                .iter()
-                .zip(rows)
-                .all(|(row, top)| row.x_um == top.x_um && row.depth_um == level[0].depth_um)
-    })
 }
 
 impl ContactTables {

@@ -2,11 +2,14 @@
 
 use std::path::Path;
 
-use asperity_storage::check_finite;
+use asperity_storage::{check_finite, whole_file};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use crate::error::{ReportError, TableFault};
+
+/// Bytes of the largest table that is read back.
+const LARGEST: u64 = 1_000_000_000;
 
 /// Row of a table that is read back.
 pub trait Row: Serialize + DeserializeOwned {
@@ -82,20 +85,57 @@ pub fn read<R: Row>(file: &Path) -> Result<Vec<R>, ReportError> {
         path: file.to_owned(),
         reason,
     };
-    let mut reader = csv::Reader::from_path(file).map_err(|error| bad(error.into()))?;
-    let mut rows = Vec::new();
-    for (index, row) in reader.deserialize().enumerate() {
-        let row: R = row.map_err(|error: csv::Error| bad(error.into()))?;
-        if let Some((column, _)) = row.numbers().into_iter().find(|(_, v)| !v.is_finite()) {
-            return Err(bad(TableFault::NotFinite {
-                row: index + 1,
-                column,
-            }));
-        }
-        rows.push(row);
-    }
+    let bytes = whole_file(file, LARGEST).map_err(|error| bad(csv::Error::from(error).into()))?;
+    let mut reader = csv::Reader::from_reader(bytes.as_slice());
+    let rows = reader.deserialize().collect::<Result<Vec<R>, csv::Error>>();
+    let rows = rows.map_err(|error| bad(error.into()))?;
     if rows.is_empty() {
         return Err(bad(TableFault::Empty));
     }
+    finite(&rows).map_err(bad)?;
     Ok(rows)
+}
+
+/// Whether every number of `rows` is finite.
+///
+/// # Errors
+/// With the first that is not.
+pub fn finite<R: Row>(rows: &[R]) -> Result<(), TableFault> {
+    for (index, row) in rows.iter().enumerate() {
+        if let Some((column, _)) = row.numbers().into_iter().find(|(_, v)| !v.is_finite()) {
+            return Err(TableFault::NotFinite {
+                row: index + 1,
+                column,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Whether `rows` are a field, line by line: at every \[column, line\] of a rectangle there is one row.
+///
+/// # Errors
+/// When they are not.
+pub fn check_field<R>(rows: &[R], place: impl Fn(&R) -> [f64; 2]) -> Result<(), TableFault> {
+    let Some(first) = rows.first().map(&place) else {
+        return Ok(());
+    };
+    let line_of = |row: &R| place(row)[1];
+    let across = rows
+        .iter()
+        .take_while(|row| line_of(row) == first[1])
+        .count();
+    let is_line = |line: &[R]| {
+        line.len() == across
+            && line.iter().zip(rows).all(|(row, top)| {
+                place(row)[0] == place(top)[0]
+                    && line
+                        .first()
+                        .is_some_and(|first| line_of(first) == line_of(row))
+            })
+    };
+    match across > 0 && rows.chunks(across).all(is_line) {
+        true => Ok(()),
+        false => Err(TableFault::NotAField),
+    }
 }

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use std::io::{Cursor, Write as _};
 use std::process::Command;
 
+use asperity_storage::whole_file;
 use sha2::{Digest, Sha256};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
@@ -74,6 +75,9 @@ pub(super) fn archive(field: &Field) -> Result<Vec<u8>, ExportError> {
     Ok(zip.finish()?.into_inner())
 }
 
+/// Bytes of the largest library.
+const LARGEST: u64 = 100_000_000;
+
 /// A library for one platform, by its place in the unit.
 struct Library {
     folder: &'static str,
@@ -100,7 +104,7 @@ fn library(source: &str) -> Option<Library> {
     Some(Library {
         folder,
         name: format!("{MODEL}.{ending}"),
-        bytes: std::fs::read(&made).ok()?,
+        bytes: whole_file(&made, LARGEST).ok()?,
     })
 }
 

@@ -13,11 +13,19 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use asperity::case::LoadedCase;
-use asperity_report::ReportError;
 use asperity_report::chart::Dress;
-use asperity_storage::{StorageError, check_among, write_among};
+use asperity_report::{ReportError, write_bytes};
+use asperity_storage::{
+    StorageError, check_among, check_folder, replace_folder, whole_file, write_among,
+};
 
 pub use figure::FigureError;
+
+/// Bytes of the largest table of a figure.
+const LARGEST: u64 = 100_000_000;
+
+/// Kind of the folder in messages.
+const KIND: &str = "figure";
 
 /// Names of all files, which are checked before the work.
 const FILES: &[&str] = &[
@@ -56,8 +64,14 @@ const FILES: &[&str] = &[
 /// # Errors
 /// When a case has no solution or a file cannot be written.
 pub fn write(table_2: &LoadedCase, folder: &Path) -> Result<Vec<PathBuf>, FigureError> {
-    let names: Vec<&str> = FILES.to_vec();
-    check_among(folder, &names).map_err(ReportError::from)?;
+    // A folder of figures alone is replaced as a whole; among the user's own files they are replaced one by one.
+    let is_whole = match check_folder(folder, KIND) {
+        Err(StorageError::NotOurs { entry: Some(_), .. }) => {
+            check_among(folder, FILES).map_err(ReportError::from)?;
+            false
+        }
+        found => found.map(|()| true).map_err(ReportError::from)?,
+    };
     // Made apart, so that every file comes to its place whole.
     let apart = tempfile::tempdir().map_err(|source| StorageError::Io {
         path: std::env::temp_dir(),
@@ -74,13 +88,21 @@ pub fn write(table_2: &LoadedCase, folder: &Path) -> Result<Vec<PathBuf>, Figure
         let svg = figure.drawing.svg(Dress::Alone);
         files.insert(format!("{}.svg", figure.name), svg.into_bytes());
         let table = figure.drawing.source();
-        let bytes = std::fs::read(made.join(table)).map_err(|source| StorageError::Io {
+        let bytes = whole_file(&made.join(table), LARGEST).map_err(|source| StorageError::Io {
             path: folder.join(table),
             source,
         });
         files.insert(table.to_owned(), bytes.map_err(ReportError::from)?);
     }
     let files: Vec<(String, Vec<u8>)> = files.into_iter().collect();
-    write_among(folder, &files).map_err(ReportError::from)?;
+    let written = match is_whole {
+        true => replace_folder(folder, KIND, |place| {
+            files
+                .iter()
+                .try_for_each(|(name, bytes)| write_bytes(&place.join(name), bytes))
+        }),
+        false => write_among(folder, &files).map_err(ReportError::from),
+    };
+    written?;
     Ok(files.iter().map(|(name, _)| folder.join(name)).collect())
 }

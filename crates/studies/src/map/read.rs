@@ -1,10 +1,15 @@
 //! A map read back from its folder.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
+use asperity_storage::{check_finite, whole_file};
+
+use super::axes::Axes;
 use super::point::{Map, Point};
 use super::table::Row;
+
+/// Bytes of the largest file of a map that is read.
+const LARGEST: u64 = 1_000_000_000;
 
 /// Why a folder is no map.
 #[derive(Debug, thiserror::Error)]
@@ -34,7 +39,15 @@ pub enum MapError {
         /// Reason given by the reader.
         source: csv::Error,
     },
-    /// The table is not that of the axes.
+    /// `map.json` holds what no map has.
+    #[error("{path}: not a map: {reason}")]
+    Damaged {
+        /// The file.
+        path: PathBuf,
+        /// The reason.
+        reason: String,
+    },
+    /// The table is not that of the axes, or holds a number that is not finite.
     #[error("{path}: not a map: row {row} is not the point that map.json has there")]
     Row {
         /// The file.
@@ -50,7 +63,7 @@ pub enum MapError {
 /// When a file is missing, damaged, or the table is not that of the axes.
 pub fn read(folder: &Path) -> Result<Map, MapError> {
     let file = folder.join("map.json");
-    let bytes = fs::read(&file).map_err(|source| MapError::Open {
+    let bytes = whole_file(&file, LARGEST).map_err(|source| MapError::Open {
         path: file.clone(),
         source,
     })?;
@@ -58,12 +71,14 @@ pub fn read(folder: &Path) -> Result<Map, MapError> {
         path: file.clone(),
         source,
     })?;
+    check(&map).map_err(|reason| MapError::Damaged { path: file, reason })?;
     let path = folder.join("map.csv");
     let refused = |source| MapError::Csv {
         path: path.clone(),
         source,
     };
-    let mut reader = csv::Reader::from_path(&path).map_err(refused)?;
+    let table = whole_file(&path, LARGEST).map_err(|error| refused(error.into()))?;
+    let mut reader = csv::Reader::from_reader(table.as_slice());
     let mut rows = reader.deserialize::<Row<'_>>().enumerate();
     let count = map.axes.points();
     for finish in &mut map.finishes {
@@ -73,7 +88,11 @@ pub fn read(folder: &Path) -> Result<Map, MapError> {
                 path: path.clone(),
                 row: points.len() + 1,
             })?;
-            let point = row.map_err(refused)?.point();
+            let row = row.map_err(refused)?;
+            let point = match check_finite(&row) {
+                Ok(()) => row.point(),
+                Err(_) => None,
+            };
             let is_there = |point: &Point| {
                 let axes = &map.axes;
                 let (speeds, torques) = (axes.speed_rpm.len(), axes.torque_nm.len());
@@ -102,5 +121,24 @@ pub fn read(folder: &Path) -> Result<Map, MapError> {
             path: path.clone(),
             row: number + 1,
         }),
+    }
+}
+
+/// Whether the axes are those that a map has, and its parts are of one size.
+fn check(map: &Map) -> Result<(), String> {
+    let axes = &map.axes;
+    let rising = Axes::new(&axes.torque_nm, &axes.speed_rpm, &axes.temperature_c);
+    if rising.map_err(|error| error.to_string())? != *axes {
+        return Err("its axes do not rise, or lack the node at 0".to_owned());
+    }
+    if map.finishes.is_empty() {
+        return Err("it has no finishes".to_owned());
+    }
+    let is_whole = |loss: &[f64]| loss.len() == axes.points();
+    match &map.gearbox {
+        Some(gearbox) if !is_whole(&gearbox.loss_torque_nm) => {
+            Err("its gearbox does not have a loss for every point".to_owned())
+        }
+        _ => Ok(()),
     }
 }

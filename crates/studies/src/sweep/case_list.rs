@@ -14,8 +14,8 @@ use super::study_input::{Distribution, Method, SampleInput};
 
 /// Digits of the fingerprint of a case in its row.
 const ID: usize = 16;
-/// Most cases of a study: at 10 ms each they take four months.
-const MOST_CASES: f64 = 1e9;
+/// Most cases of a study, whose numbers are held in memory.
+const MOST_CASES: f64 = 1e7;
 
 /// An input that is sampled.
 #[derive(Debug, Clone)]

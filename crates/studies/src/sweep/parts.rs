@@ -5,12 +5,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use asperity::fingerprint::sha256;
-use asperity_storage::{StorageError, save};
+use asperity_storage::{StorageError, save, whole_file, whole_text};
 use serde::Serialize;
 
 use super::case_list::CaseList;
 use super::error::SweepError;
-use super::study::Study;
+use super::study::{LARGEST_TABLE, Study};
 use crate::map::ranges;
 
 /// Rows by the numbers of their cases: the cells of a row as text.
@@ -180,7 +180,7 @@ pub(super) fn other_inputs(study: &Study, folder: &Path) -> Vec<PathBuf> {
         .filter(|path| {
             let begin = head(&study.name, "", &[]);
             let first = files_in(path).into_iter().next();
-            let text = first.and_then(|file| fs::read_to_string(file).ok());
+            let text = first.and_then(|file| whole_text(&file, LARGEST_TABLE).ok());
             text.is_some_and(|text| text.lines().next() == begin.lines().next())
         })
         .collect();
@@ -214,7 +214,7 @@ fn read_part(
         reason,
     };
     let damaged = |source: csv::Error| refused(source.to_string());
-    let bytes = fs::read(path).map_err(|error| refused(error.to_string()))?;
+    let bytes = whole_file(path, LARGEST_TABLE).map_err(|error| refused(error.to_string()))?;
     let mut lines = bytes.splitn(4, |byte| *byte == b'\n');
     let mut after = |word: &str| {
         let line = lines.next().and_then(|line| std::str::from_utf8(line).ok());

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use asperity::case::{self, FileSums, LoadedCase};
 use asperity::fingerprint::Fingerprint;
+use asperity_storage::{whole_file, whole_text};
 
 use super::axes::Axes;
 use super::error::SweepError;
@@ -11,6 +12,10 @@ use super::study_input::StudyInput;
 
 /// Name of a study that was not read from a file.
 const IN_MEMORY: &str = "study";
+/// Bytes of the largest study that is read.
+const LARGEST_STUDY: u64 = 10_000_000;
+/// Bytes of the largest table of a study that is read.
+pub(super) const LARGEST_TABLE: u64 = 1_000_000_000;
 
 /// A study with its case.
 #[derive(Debug, Clone)]
@@ -38,7 +43,7 @@ impl Study {
     /// # Errors
     /// When either cannot be read.
     pub fn load(file: &Path) -> Result<Self, SweepError> {
-        let text = std::fs::read_to_string(file).map_err(|source| SweepError::Open {
+        let text = whole_text(file, LARGEST_STUDY).map_err(|source| SweepError::Open {
             path: file.to_owned(),
             source,
         })?;
@@ -86,7 +91,7 @@ impl Study {
             None => None,
             Some(list) => {
                 let path = folder.join(list);
-                let bytes = std::fs::read(&path);
+                let bytes = whole_file(&path, LARGEST_TABLE);
                 Some(bytes.map_err(|source| SweepError::Open { path, source })?)
             }
         };

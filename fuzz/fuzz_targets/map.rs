@@ -1,0 +1,13 @@
+//! Any bytes are a map, drawn and driven over, or refused.
+
+#![no_main]
+
+#[path = "../../tests/src/parsers.rs"]
+#[allow(dead_code)]
+mod parsers;
+
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|bytes: &[u8]| {
+    parsers::map_json(bytes);
+});

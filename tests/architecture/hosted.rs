@@ -1,0 +1,60 @@
+//! Hosted checks: what they use cannot be exchanged by others, and no fuzz target is forgotten.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+#[test]
+fn every_action_is_pinned_by_its_commit() {
+    let workflows = std::fs::read_dir(root().join(".github/workflows")).unwrap();
+    let mut uses = 0;
+    for file in workflows.map(|entry| entry.unwrap().path()) {
+        let text = std::fs::read_to_string(&file).unwrap();
+        for line in text.lines().filter_map(|line| line.split_once("uses: ")) {
+            let (_, commit) = line.1.split_once('@').unwrap();
+            let (commit, version) = commit.split_once(" # ").unwrap_or((commit, ""));
+            let is_commit =
+                commit.len() == 40 && commit.bytes().all(|byte| byte.is_ascii_hexdigit());
+            assert!(
+                is_commit && !version.is_empty(),
+                "{}: {}",
+                file.display(),
+                line.1
+            );
+            uses += 1;
+        }
+    }
+    assert!(uses > 20);
+}
+
+#[test]
+fn every_fuzz_target_runs_every_night() {
+    let job = std::fs::read_to_string(root().join(".github/workflows/nightly.yml")).unwrap();
+    for folder in ["fuzz", "crates/profile-io/fuzz"] {
+        let manifest = std::fs::read_to_string(root().join(folder).join("Cargo.toml")).unwrap();
+        let manifest: toml::Table = manifest.parse().unwrap();
+        let targets: BTreeSet<&str> = manifest["bin"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|bin| bin["name"].as_str().unwrap())
+            .collect();
+        let listed = |target: &&str| match folder {
+            "fuzz" => job.contains(&format!("\n          - {target}\n")),
+            _ => job.contains(&format!(
+                "\n          - {{ folder: {folder}, target: {target} }}\n"
+            )),
+        };
+        let missing: Vec<_> = targets.iter().filter(|target| !listed(target)).collect();
+        assert!(missing.is_empty(), "{folder}: {missing:?}");
+        let files = std::fs::read_dir(root().join(folder).join("fuzz_targets")).unwrap();
+        let files = files.map(|entry| entry.unwrap().path());
+        for file in files.filter(|file| file.file_stem() != Some("common".as_ref())) {
+            let name = file.file_stem().unwrap().to_str().unwrap();
+            assert!(targets.contains(name), "{folder}: {name} is no target");
+        }
+    }
+}
