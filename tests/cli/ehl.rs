@@ -111,8 +111,15 @@ fn two_rough_surfaces_have_a_record_with_its_evidence() {
     assert!(shares.is_sorted() && below.len() == 6, "{shares:?}");
     assert_eq!(number(&below[2], "film_nm"), 20.0);
     assert!((shares[2] - share).abs() < 1e-12);
-    let friction = number(&found["friction"]["graded"], "mean");
-    assert!((0.02..0.1).contains(&friction), "{friction}");
+    let friction = |weight: &str| number(&found["friction"][weight], "mean");
+    let (shifted, graded) = (friction("shifted"), friction("graded"));
+    assert!((0.02..0.1).contains(&shifted), "{shifted}");
+    // The weight that is whole on contact nodes puts more load on the boundary layer.
+    assert!(friction("film_alone") <= graded && graded <= shifted);
+    for balance in ["mass_balance", "boundary_supply"] {
+        let mean = number(&found, &format!("mean_{balance}"));
+        assert!(mean <= number(&found, balance), "{balance}");
+    }
     let frames = std::fs::read_to_string(bench.path("frames.csv")).unwrap();
     assert!(
         (frames.lines().count() - 1).is_multiple_of(129),
@@ -153,6 +160,10 @@ fn a_case_is_set_beside_the_laws_of_load_sharing() {
         .collect();
     let expected = ["solved", "lambda-star", "zhu-hu", "masjedi-khonsari", "jgp"];
     assert_eq!(names, expected);
+    // Compared with the weight of the laws; the weight that is whole on contact nodes is a row of its own.
+    let weights = ["referee_friction", "referee_friction_shifted"];
+    let [graded, shifted] = weights.map(|key| number(comparison, key));
+    assert!(graded < shifted, "{graded} {shifted}");
     let referee = number(comparison, "referee_share");
     for law in laws.iter().filter(|law| !law["solid_share"].is_null()) {
         let share = number(law, "solid_share");

@@ -428,6 +428,7 @@ fn record_rows(case: &Case, records: &PathRecords) -> Vec<RecordRow> {
             mean_gap_standard_error_um: record.mean_film.standard_error * 1e6,
             friction: record.friction.mean,
             friction_standard_error: record.friction.standard_error,
+            graded_friction: Some(record.graded_friction.mean),
             mean_p_max_mpa: record.mean_max_pressure.mean * 1e-6,
             p_max_mpa: record.max_pressure.si() * 1e-6,
             travel_half_widths: record.travel,

@@ -1,4 +1,5 @@
-//! Rough contacts with thin films: no surface enters the other, and oil is conserved.
+//! Rough contacts with thin films: no surface enters the other, oil is conserved, and the film of contact nodes, which
+//! stands for no measured length, has little influence.
 
 #![allow(
     clippy::unwrap_used,
@@ -7,10 +8,11 @@
 
 mod common;
 
-use asperity_core::quantity::{Length, Pressure};
+use asperity_core::quantity::{DynamicViscosity, Length, Pressure, PressureViscosity};
 use asperity_ehl::amplitude_reduction::{remaining_amplitude, wave_parameter};
 use asperity_ehl::{
-    MovingProfile, Oil, Record, RecordSettings, RoughContact, ShearLaw, Solved, transient,
+    FrictionLaw, MovingProfile, Oil, Record, RecordSettings, RoughContact, ShearLaw, Solved,
+    transient,
 };
 use common::{WAVES, contact, gear_oil, wave_length, waves};
 
@@ -36,6 +38,15 @@ fn recorded(contact: &RoughContact, cells: usize, contact_film: f64) -> Solved<R
         contact_film: Length::from_si(contact_film),
         start: 0.0,
         length: 6.0,
+        friction: Some(FrictionLaw {
+            viscosity: DynamicViscosity::from_si(0.01),
+            pressure_viscosity: PressureViscosity::from_si(1.8e-8),
+            eyring_stress: Pressure::from_si(5e6),
+            limiting_stress: Pressure::from_si(2e6),
+            limiting_slope: 0.035,
+            boundary_friction: 0.08,
+            boundary_layer: Length::from_si(10e-9),
+        }),
         frame_interval: Some(0.0),
         ..RecordSettings::default()
     };
@@ -90,4 +101,24 @@ fn full_and_cavitated_nodes_neither_gain_nor_lose_oil() {
         assert!(evidence.mean_boundary_supply <= evidence.boundary_supply);
         assert!(evidence.mean_boundary_supply > 0.0, "{evidence:?}");
     }
+}
+
+#[test]
+fn the_film_of_contact_nodes_has_little_influence() {
+    // Rough enough that most of the load below 20 nm is on contact nodes, as on ground flanks.
+    let contact = rough(0.9e-6, 1.0);
+    let [thin, thick] = [2e-9, 10e-9].map(|film| recorded(&contact, 256, film).value);
+    let change = |of: &dyn Fn(&Record) -> f64| (of(&thick) / of(&thin) - 1.0).abs();
+    let friction = |record: &Record| record.friction.unwrap();
+    let [gap, load, shifted, graded] = [
+        change(&|r| r.mean_film.mean),
+        change(&|r| r.solid_share.mean),
+        change(&|r| friction(r).shifted.mean),
+        change(&|r| friction(r).graded.mean),
+    ];
+    assert!(gap < 0.06, "{gap}");
+    assert!(load < 0.15, "{load}");
+    assert!(shifted < 0.05, "{shifted}");
+    // The weight e^(−h/h_b) takes the film of contact nodes for a film of oil.
+    assert!(graded > 0.05, "{graded}");
 }

@@ -147,6 +147,7 @@ fn numbers(record: &Record) -> Value {
         "plastic_share": record.plastic_share.mean,
         "friction": record.friction.as_ref().map(|friction| json!({
             "graded": estimate(&friction.graded),
+            "shifted": estimate(&friction.shifted),
             "stepped": estimate(&friction.stepped),
             "film_alone": estimate(&friction.film),
         })),

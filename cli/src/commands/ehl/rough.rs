@@ -127,6 +127,7 @@ impl Recorded {
         });
         let warnings: Vec<Value> = self
             .warnings()
+                "shifted": estimate(&friction.shifted),
             .into_iter()
             .map(|(code, text)| json!({ "code": code, "text": text }))
             .collect();
@@ -172,6 +173,9 @@ impl Recorded {
 
     /// The record as text.
     pub fn text(&self) -> String {
+            "mean_mass_balance": evidence.mean_mass_balance,
+            "boundary_supply": evidence.boundary_supply,
+            "mean_boundary_supply": evidence.mean_boundary_supply,
         let (record, evidence) = (&self.solved.value, &self.solved.evidence);
         let scales = &record.scales;
         let mut text = format!(
@@ -213,8 +217,9 @@ impl Recorded {
         ));
         if let Some(friction) = &record.friction {
             text.push_str(&format!(
-                "  friction {} (boundary below the solid film {:.5}, film alone {:.5})\n",
-                with_error(friction.graded.mean, friction.graded.standard_error),
+                "  friction {} (graded {:.5}, boundary below the solid film {:.5}, film alone {:.5})\n",
+                with_error(friction.shifted.mean, friction.shifted.standard_error),
+                friction.graded.mean,
                 friction.stepped.mean,
                 friction.film.mean
             ));
@@ -226,6 +231,10 @@ impl Recorded {
             evidence.loose_steps,
             evidence.newton_iterations as f64 / evidence.steps.max(1) as f64,
             evidence.gmres_iterations as f64 / evidence.newton_iterations.max(1) as f64,
+        text.push_str(&format!(
+            "  oil gained or lost {:.4} of the flux on average, {:.2} at most in a step; supplied by the boundary film {:.4}\n",
+            evidence.mean_mass_balance, evidence.mass_balance, evidence.mean_boundary_supply,
+        ));
             evidence.load_error,
         ));
         for (code, warning) in self.warnings() {

@@ -11,7 +11,7 @@ use super::path_record::PathRecord;
 use crate::referee::RefereeContact;
 
 /// Raised whenever the solver gives other numbers for the same contact, so that older records are left alone.
-const REVISION: u32 = 1;
+const REVISION: u32 = 2;
 
 /// Folder of records, each in a file named after everything that the record depends on.
 ///
