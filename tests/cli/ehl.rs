@@ -376,6 +376,43 @@ fn ridges_that_cannot_leak_are_told() {
 }
 
 #[test]
+fn elastic_records_above_the_flow_pressure_carry_a_warning_with_their_pressure() {
+    let bench = Bench::new();
+    // Elastic, these waves take some 6 and 9 GPa to flatten; hardened steel flows at 7 GPa.
+    bench.write("one.csv", wave(0.7));
+    let options = gear(&[
+        "--profile1",
+        "one.csv",
+        "--periodic",
+        "--cells",
+        "128",
+        "--half-widths",
+        "1",
+        "--start",
+        "0",
+        "--json",
+    ]);
+    let elastic = bench.run(&options).well().json();
+    let largest = number(&elastic, "max_pressure_pa");
+    assert!((7e9..20e9).contains(&largest), "{largest:e}");
+    let warnings = elastic["warnings"].to_string();
+    let said = format!(
+        "the pressure reaches {:.3} GPa, above the 7 GPa",
+        1e-9 * largest
+    );
+    assert!(
+        warnings.contains("W435") && warnings.contains(&said),
+        "{warnings}"
+    );
+    let text = bench.run(&options[..options.len() - 1]).well().out;
+    assert!(text.contains("W435 the pressure reaches "), "{text}");
+    let yielding = [&options[..], &["--pressure-limit", "7 GPa"]].concat();
+    let yielding = bench.run(&yielding).well().json();
+    assert!(number(&yielding, "plastic_share") > 0.0);
+    assert!(!yielding["warnings"].to_string().contains("W435"));
+}
+
+#[test]
 fn what_cannot_be_solved_is_refused_with_its_reason() {
     let bench = Bench::new();
     bench

@@ -60,7 +60,7 @@ impl Solved<'_> {
             .records
             .map(|records| record_rows(case, records))
             .unwrap_or_default();
-        attention::records(&records, &mut warnings);
+        attention::records(case, &records, &mut warnings)?;
         let result = RunResult {
             schema_version: SCHEMA_VERSION,
             program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),

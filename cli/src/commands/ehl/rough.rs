@@ -4,9 +4,11 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
 use asperity::ehl::several_records::{mean_of, record_several};
-use asperity::ehl::{Estimate, NodeState, Record, RecordSettings, RoughContact, Solved, Window};
+use asperity::ehl::{
+    Estimate, NodeState, PlasticCeiling, Record, RecordSettings, RoughContact, Solved, Window,
+};
 use asperity::physical_sense::HIGHEST_PRESSURE;
-use asperity::referee::{LARGEST_ROUGHNESS, ShareComparison};
+use asperity::referee::{LARGEST_ROUGHNESS, ShareComparison, elastic_above_flow};
 use asperity_core::quantity::Length;
 use serde_json::{Value, json};
 
@@ -26,6 +28,8 @@ pub struct Recorded {
     pub shares: Vec<Estimate>,
     /// Roughness left in the contact, of both surfaces together.
     pub attenuated_roughness: Option<Length>,
+    /// Pressure at which the surfaces yield.
+    ceiling: Option<PlasticCeiling>,
 }
 
 /// Solves a record and shows how far it is.
@@ -75,6 +79,7 @@ pub fn solve(
         cells: settings.cells,
         window: settings.window,
         attenuated_roughness: None,
+        ceiling: settings.ceiling,
     })
 }
 
@@ -100,6 +105,8 @@ impl Recorded {
                 ),
             ));
         }
+        let largest = self.solved.value.max_pressure;
+        warnings.extend(elastic_above_flow(largest, self.ceiling).map(|text| ("W435", text)));
         warnings
     }
 
@@ -120,6 +127,7 @@ impl Recorded {
             .collect();
         let friction = record.friction.as_ref().map(|friction| {
             json!({
+                "shifted": estimate(&friction.shifted),
                 "graded": estimate(&friction.graded),
                 "stepped": estimate(&friction.stepped),
                 "film_alone": estimate(&friction.film),
@@ -127,7 +135,6 @@ impl Recorded {
         });
         let warnings: Vec<Value> = self
             .warnings()
-                "shifted": estimate(&friction.shifted),
             .into_iter()
             .map(|(code, text)| json!({ "code": code, "text": text }))
             .collect();
@@ -166,6 +173,9 @@ impl Recorded {
             "load_error": evidence.load_error,
             "complementarity": evidence.complementarity,
             "mass_balance": evidence.mass_balance,
+            "mean_mass_balance": evidence.mean_mass_balance,
+            "boundary_supply": evidence.boundary_supply,
+            "mean_boundary_supply": evidence.mean_boundary_supply,
             "comparison": comparison,
             "warnings": warnings,
         })
@@ -173,9 +183,6 @@ impl Recorded {
 
     /// The record as text.
     pub fn text(&self) -> String {
-            "mean_mass_balance": evidence.mean_mass_balance,
-            "boundary_supply": evidence.boundary_supply,
-            "mean_boundary_supply": evidence.mean_boundary_supply,
         let (record, evidence) = (&self.solved.value, &self.solved.evidence);
         let scales = &record.scales;
         let mut text = format!(
@@ -225,16 +232,16 @@ impl Recorded {
             ));
         }
         text.push_str(&format!(
+            "  oil gained or lost {:.4} of the flux on average, {:.2} at most in a step; supplied by the boundary film {:.4}\n",
+            evidence.mean_mass_balance, evidence.mass_balance, evidence.mean_boundary_supply,
+        ));
+        text.push_str(&format!(
             "  {} steps, {} cut, {} with a held node; {:.1} Newton per step, {:.1} GMRES per Newton; load error {:.1e}\n",
             evidence.steps,
             evidence.steps_cut,
             evidence.loose_steps,
             evidence.newton_iterations as f64 / evidence.steps.max(1) as f64,
             evidence.gmres_iterations as f64 / evidence.newton_iterations.max(1) as f64,
-        text.push_str(&format!(
-            "  oil gained or lost {:.4} of the flux on average, {:.2} at most in a step; supplied by the boundary film {:.4}\n",
-            evidence.mean_mass_balance, evidence.mass_balance, evidence.mean_boundary_supply,
-        ));
             evidence.load_error,
         ));
         for (code, warning) in self.warnings() {

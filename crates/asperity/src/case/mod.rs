@@ -82,5 +82,6 @@ pub use page::markdown;
 pub use place::Place;
 pub use resolve::{Case, resolve};
 pub use source::{Source, Syntax};
+pub(crate) use steel::STEEL_FLOW_PRESSURE;
 pub use trace::{Flank, Trace};
 pub use trace_list::{TraceEntry, TraceInput, TraceList};
