@@ -107,6 +107,7 @@ fn command(code: &str) -> Option<&'static str> {
         }
         "E212" | "E308" | "W201" => "asperity check lists every unusual number of a case.",
         "E401" => "Most commands take another place with -o.",
+        "W435" => "asperity ehl takes it as --pressure-limit where there is no case.",
         "W401" => "asperity run --laws prints the published friction laws.",
         _ => return None,
     })

@@ -111,8 +111,15 @@ fn two_rough_surfaces_have_a_record_with_its_evidence() {
     assert!(shares.is_sorted() && below.len() == 6, "{shares:?}");
     assert_eq!(number(&below[2], "film_nm"), 20.0);
     assert!((shares[2] - share).abs() < 1e-12);
-    let friction = number(&found["friction"]["graded"], "mean");
-    assert!((0.02..0.1).contains(&friction), "{friction}");
+    let friction = |weight: &str| number(&found["friction"][weight], "mean");
+    let (shifted, graded) = (friction("shifted"), friction("graded"));
+    assert!((0.02..0.1).contains(&shifted), "{shifted}");
+    // The weight that is whole on contact nodes puts more load on the boundary layer.
+    assert!(friction("film_alone") <= graded && graded <= shifted);
+    for balance in ["mass_balance", "boundary_supply"] {
+        let mean = number(&found, &format!("mean_{balance}"));
+        assert!(mean <= number(&found, balance), "{balance}");
+    }
     let frames = std::fs::read_to_string(bench.path("frames.csv")).unwrap();
     assert!(
         (frames.lines().count() - 1).is_multiple_of(129),
@@ -153,6 +160,10 @@ fn a_case_is_set_beside_the_laws_of_load_sharing() {
         .collect();
     let expected = ["solved", "lambda-star", "zhu-hu", "masjedi-khonsari", "jgp"];
     assert_eq!(names, expected);
+    // Compared with the weight of the laws; the weight that is whole on contact nodes is a row of its own.
+    let weights = ["referee_friction", "referee_friction_shifted"];
+    let [graded, shifted] = weights.map(|key| number(comparison, key));
+    assert!(graded < shifted, "{graded} {shifted}");
     let referee = number(comparison, "referee_share");
     for law in laws.iter().filter(|law| !law["solid_share"].is_null()) {
         let share = number(law, "solid_share");
@@ -362,6 +373,43 @@ fn ridges_that_cannot_leak_are_told() {
         text.contains("W415 ") && text.contains("cannot leak"),
         "{text}"
     );
+}
+
+#[test]
+fn elastic_records_above_the_flow_pressure_carry_a_warning_with_their_pressure() {
+    let bench = Bench::new();
+    // Elastic, these waves take some 6 and 9 GPa to flatten; hardened steel flows at 7 GPa.
+    bench.write("one.csv", wave(0.7));
+    let options = gear(&[
+        "--profile1",
+        "one.csv",
+        "--periodic",
+        "--cells",
+        "128",
+        "--half-widths",
+        "1",
+        "--start",
+        "0",
+        "--json",
+    ]);
+    let elastic = bench.run(&options).well().json();
+    let largest = number(&elastic, "max_pressure_pa");
+    assert!((7e9..20e9).contains(&largest), "{largest:e}");
+    let warnings = elastic["warnings"].to_string();
+    let said = format!(
+        "the pressure reaches {:.3} GPa, above the 7 GPa",
+        1e-9 * largest
+    );
+    assert!(
+        warnings.contains("W435") && warnings.contains(&said),
+        "{warnings}"
+    );
+    let text = bench.run(&options[..options.len() - 1]).well().out;
+    assert!(text.contains("W435 the pressure reaches "), "{text}");
+    let yielding = [&options[..], &["--pressure-limit", "7 GPa"]].concat();
+    let yielding = bench.run(&yielding).well().json();
+    assert!(number(&yielding, "plastic_share") > 0.0);
+    assert!(!yielding["warnings"].to_string().contains("W435"));
 }
 
 #[test]

@@ -65,7 +65,7 @@ impl Solved<'_> {
             .records
             .map(|records| record_rows(case, records))
             .unwrap_or_default();
-        attention::records(&records, &mut warnings);
+        attention::records(case, &records, &mut warnings)?;
         let result = RunResult {
             schema_version: SCHEMA_VERSION,
             program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
@@ -509,6 +509,7 @@ fn record_rows(case: &Case, records: &PathRecords) -> Vec<RecordRow> {
             mean_gap_standard_error_um: record.mean_film.standard_error * 1e6,
             friction: record.friction.mean,
             friction_standard_error: record.friction.standard_error,
+            graded_friction: Some(record.graded_friction.mean),
             mean_p_max_mpa: record.mean_max_pressure.mean * 1e-6,
             p_max_mpa: record.max_pressure.si() * 1e-6,
             travel_half_widths: record.travel,

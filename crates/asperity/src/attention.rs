@@ -2,15 +2,16 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use asperity_contact::plasticity::{FIRST_YIELD, first_yield_pressure};
+use asperity_contact::plasticity::{FIRST_YIELD, first_yield_pressure, softer_flow_pressure};
 use asperity_contact::{ContactWarning, SUSPECT_GAP};
 use asperity_core::OutOfRange;
-use asperity_core::quantity::Length;
+use asperity_core::quantity::{Length, Pressure};
 use asperity_efficiency::equivalent_friction;
+use asperity_ehl::PlasticCeiling;
 use asperity_gear::{Gear, StiffnessSource};
 
 use crate::band::sampling::{free_way, least_way};
-use crate::case::LoadedCase;
+use crate::case::{Case, LoadedCase};
 use crate::encounter::is_substituted;
 use crate::error::PositionError;
 use crate::formulation;
@@ -20,7 +21,7 @@ use crate::local_roughness::FEW_ASPERITIES;
 use crate::message::Warning;
 use crate::placement::FULL_COVERAGE;
 use crate::position::Position;
-use crate::referee::LARGEST_ROUGHNESS;
+use crate::referee::{LARGEST_ROUGHNESS, elastic_above_flow};
 use crate::result::{GearboxReport, MicropittingReport, RecordRow, Regime, Summary};
 use crate::solved::mean;
 
@@ -397,8 +398,24 @@ fn strained(position: &Position, limit: f64, bearable: f64) -> usize {
     yields.count()
 }
 
-/// W415: records whose ridges cannot leak.
-pub(crate) fn records(records: &[RecordRow], found: &mut Vec<Warning>) {
+/// W415 and W435: records whose ridges cannot leak, or are elastic above the flow pressure.
+pub(crate) fn records(
+    case: &Case,
+    records: &[RecordRow],
+    found: &mut Vec<Warning>,
+) -> Result<(), PositionError> {
+    if records.is_empty() {
+        return Ok(());
+    }
+    let [pinion, wheel] = case.flow_pressure;
+    let ceiling = PlasticCeiling {
+        pressure: softer_flow_pressure(pinion, wheel)?,
+    };
+    let largest = records.iter().map(|record| record.p_max_mpa);
+    let largest = Pressure::from_si(1e6 * largest.fold(0.0, f64::max));
+    if let Some(text) = elastic_above_flow(largest, Some(ceiling)) {
+        found.push(Warning::new("W435", text));
+    }
     let ratios = records.iter().map(|record| record.roughness_over_film);
     let beyond = ratios.clone().filter(|r| *r > LARGEST_ROUGHNESS).count();
     if beyond > 0 {
@@ -411,6 +428,7 @@ pub(crate) fn records(records: &[RecordRow], found: &mut Vec<Warning>) {
             ),
         ));
     }
+    Ok(())
 }
 
 /// W416: full films that differ from the formulas.

@@ -346,10 +346,14 @@ pub struct RecordRow {
     pub mean_gap_um: f64,
     /// Its standard error \[µm\].
     pub mean_gap_standard_error_um: f64,
-    /// Isothermal friction coefficient, film and boundary layer.
+    /// Isothermal friction coefficient, film and boundary layer, with whole boundary friction on contact nodes.
     pub friction: f64,
     /// Its standard error.
     pub friction_standard_error: f64,
+    /// Isothermal friction coefficient with the weight of the solved load share, e^(−h/h_b), on the boundary
+    /// friction; absent in results of older versions, whose `friction` has this weight.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub graded_friction: Option<f64>,
     /// Mean of the largest pressure \[MPa\].
     pub mean_p_max_mpa: f64,
     /// Largest pressure of all times \[MPa\].

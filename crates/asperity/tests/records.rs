@@ -100,6 +100,43 @@ fn the_heat_of_the_film_lowers_the_friction_of_its_records() {
 }
 
 #[test]
+fn elastic_records_above_the_flow_pressure_carry_a_warning_with_their_pressure() {
+    let cache = tempfile::tempdir().unwrap();
+    let warned = |flow: &str| {
+        let keys = [("material.pinion.flow_pressure", flow)];
+        let result = run(&recorded(cache.path(), &keys));
+        let largest = result.records.iter().map(|record| record.p_max_mpa);
+        let text = result.warnings.into_iter().find(|w| w.code == "W435");
+        (largest.fold(0.0, f64::max), text.map(|w| w.text))
+    };
+    // Steel yields at its flow pressure and passes it nowhere.
+    let (largest, text) = warned("7 GPa");
+    assert!(largest <= 7000.0 * (1.0 + 1e-9) && text.is_none());
+    // A ceiling that no steel has is none.
+    let (largest, text) = warned("15 GPa");
+    let text = text.unwrap();
+    assert!(largest > 7000.0, "{largest}");
+    let said = format!(
+        "the pressure reaches {:.3} GPa, above the 7 GPa",
+        1e-3 * largest
+    );
+    assert!(text.contains(&said), "{text}");
+}
+
+#[test]
+fn records_hold_both_weights_of_the_boundary_friction() {
+    let cache = tempfile::tempdir().unwrap();
+    let result = run(&recorded(cache.path(), &[]));
+    for record in &result.records {
+        // The weight that is whole on contact nodes is the larger one on every film.
+        assert!(
+            record.graded_friction.unwrap() < record.friction,
+            "{record:?}"
+        );
+    }
+}
+
+#[test]
 fn a_damaged_record_is_solved_again_and_off_keeps_nothing() {
     let cache = tempfile::tempdir().unwrap();
     let loaded = recorded(cache.path(), &[("model.ehl.records", "2")]);

@@ -164,10 +164,11 @@ fn main() -> Outcome<()> {
     );
     if let Some(friction) = &record.friction {
         println!(
-            "friction: film {:.5}, graded {:.5} +- {:.5}, stepped {:.5}",
+            "friction {:.5} +- {:.5}; film {:.5}, graded {:.5}, stepped {:.5}",
+            friction.shifted.mean,
+            friction.shifted.standard_error,
             friction.film.mean,
             friction.graded.mean,
-            friction.graded.standard_error,
             friction.stepped.mean
         );
     }
@@ -182,10 +183,12 @@ fn main() -> Outcome<()> {
         1e3 * seconds / steps
     );
     println!(
-        "load error {:.1e}, complementarity {:.1e}, mass balance {:.1e}, boundary supply {:.1e}",
+        "load error {:.1e}, complementarity {:.1e}; mass balance {:.5}, at most {:.4}; boundary supply {:.5}, at most {:.4}",
         evidence.load_error,
         evidence.complementarity,
+        evidence.mean_mass_balance,
         evidence.mass_balance,
+        evidence.mean_boundary_supply,
         evidence.boundary_supply
     );
     Ok(())

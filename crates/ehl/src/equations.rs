@@ -157,9 +157,9 @@ pub const EQUATIONS: &[Equation] = &[
     Equation::new(
         "EHL-friction",
         "Friction of a rough film with its boundary share",
-        "μ = Σ wᵢ·[β·μ_b·p + (1 − β)·τ(p, Δu/h)]/Σ wᵢ·p, β = e^(−h/h_b) or [h ≤ h_s]",
+        "μ = Σ wᵢ·[β·μ_b·p + (1 − β)·τ(p, Δu/h)]/Σ wᵢ·p, β = min(1, e^(−(h − H_b)/h_b)), e^(−h/h_b) or [h ≤ h_s]",
         FRICTION,
-        "the_stress_is_newtonian_then_eyring_then_limited",
+        "boundary_friction_is_whole_on_nodes_in_contact_and_fades_above_them",
         &[],
     ),
     Equation::new(

@@ -22,10 +22,14 @@ pub struct Evidence {
     /// Largest violation of a node's conditions: the balance of full and cavitated nodes over the
     /// mean flux, the film of contact nodes beside the boundary film over a²/R.
     pub complementarity: f64,
-    /// Sum of all balances but those of contact nodes, over the mean flux.
+    /// Oil that full and cavitated nodes gain or lose: |sum of their balances| over the mean flux.
     pub mass_balance: f64,
+    /// Mean of `mass_balance` over the time steps.
+    pub mean_mass_balance: f64,
     /// Oil that contact nodes supply, over the mean flux.
     pub boundary_supply: f64,
+    /// Mean of `boundary_supply` over the time steps.
+    pub mean_boundary_supply: f64,
     /// Newton iterations, of all grids or steps together.
     pub newton_iterations: usize,
     /// GMRES iterations of all Newton iterations together.
@@ -68,11 +72,17 @@ impl Evidence {
             evidence.complementarity = evidence.complementarity.max(violation);
         }
         evidence.mass_balance = sum.abs();
+        evidence.mean_mass_balance = evidence.mass_balance;
+        evidence.mean_boundary_supply = evidence.boundary_supply;
         evidence
     }
 
-    /// Work and worst residuals of this and `other` together.
+    /// Work, worst residuals and means over the time steps of this and `other`, which has at least one step.
     pub(crate) fn join(&mut self, other: &Self) {
+        let part = other.steps as f64 / (self.steps + other.steps) as f64;
+        let mean = |mine: f64, others: f64| mine + part * (others - mine);
+        self.mean_mass_balance = mean(self.mean_mass_balance, other.mean_mass_balance);
+        self.mean_boundary_supply = mean(self.mean_boundary_supply, other.mean_boundary_supply);
         self.load_error = self.load_error.max(other.load_error);
         self.complementarity = self.complementarity.max(other.complementarity);
         self.mass_balance = self.mass_balance.max(other.mass_balance);
@@ -83,5 +93,29 @@ impl Evidence {
         self.steps += other.steps;
         self.steps_cut += other.steps_cut;
         self.loose_steps += other.loose_steps;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn means_over_the_steps_are_weighted_with_their_number() {
+        let evidence = |steps, balance: f64| Evidence {
+            steps,
+            mass_balance: 2.0 * balance,
+            mean_mass_balance: balance,
+            mean_boundary_supply: 10.0 * balance,
+            ..Evidence::default()
+        };
+        // The smooth start is no step.
+        let mut record = evidence(0, 0.7);
+        record.join(&evidence(1, 0.1));
+        assert!((record.mean_mass_balance - 0.1).abs() < 1e-15);
+        record.join(&evidence(3, 0.5));
+        assert!((record.mean_mass_balance - 0.4).abs() < 1e-15);
+        assert!((record.mean_boundary_supply - 4.0).abs() < 1e-14);
+        assert_eq!((record.steps, record.mass_balance), (4, 1.4));
     }
 }

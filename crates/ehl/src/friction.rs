@@ -1,4 +1,4 @@
-//! Shear stress of the film with a limiting stress, and the boundary share.
+//! Shear stress of the film with a limiting stress, and boundary friction.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -6,6 +6,7 @@
 //! | γ | shear rate (u₁ − u₂)/h | 1/s |
 //! | τ₀, τ_L | Eyring stress, limiting stress τ_L0 + Λ·p | Pa |
 //! | μ_b, h_b | boundary friction, thickness of the boundary layer | -, m |
+//! | H_b, h_s | film of nodes in contact, solid film | m |
 
 use asperity_core::quantity::{DynamicViscosity, Length, Pressure, PressureViscosity};
 use asperity_core::{DomainError, cite};
@@ -40,12 +41,23 @@ pub struct FrictionLaw {
 pub struct Friction {
     /// The film alone, everywhere.
     pub film: f64,
+    /// Boundary friction with the weight min(1, e^(−(h − H_b)/h_b)), the film with the rest.
+    pub shifted: f64,
     /// Boundary friction with the weight e^(−h/h_b), the film with the rest.
     pub graded: f64,
     /// Boundary friction below the solid film, the film above it.
     pub stepped: f64,
-    /// Share of the load on the boundary layer, with the weight e^(−h/h_b).
+    /// Share of the load on the boundary layer, with the weight of `shifted`.
     pub boundary_share: f64,
+}
+
+/// Films at which the weights of the boundary friction change \[m\].
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BoundaryFilms {
+    /// Film H_b of nodes in contact.
+    pub(crate) contact: f64,
+    /// Film h_s below which load counts as carried by solids.
+    pub(crate) solid: f64,
 }
 
 impl FrictionLaw {
@@ -112,13 +124,18 @@ impl FrictionLaw {
     /// Friction of a film: weights in m, pressures in Pa, films in m.
     ///
     /// ```text
-    /// μ = Σ wᵢ·[β·μ_b·p + (1 − β)·τ(p, Δu/h)]/Σ wᵢ·p,  β = e^(−h/h_b) or [h ≤ h_s]   [EHL-friction]
+    /// μ = Σ wᵢ·[β·μ_b·p + (1 − β)·τ(p, Δu/h)]/Σ wᵢ·p                               [EHL-friction]
+    /// β = min(1, e^(−(h − H_b)/h_b)), e^(−h/h_b) or [h ≤ h_s]
     /// ```
+    ///
+    /// The first weight is 1 on nodes in contact, so that it does not depend on H_b, which stands for no measured
+    /// length. Where no film is below H_b, it is the second times e^(H_b/h_b), and so is the difference of the
+    /// friction from that of the film.
     pub(crate) fn friction(
         &self,
         nodes: impl Iterator<Item = (f64, f64, f64)>,
         sliding: f64,
-        solid_film: f64,
+        films: BoundaryFilms,
     ) -> Friction {
         cite!("Limited-Eyring");
         cite!("EHL-friction");
@@ -127,16 +144,23 @@ impl FrictionLaw {
         for (weight, pressure, film) in nodes.filter(|(_, pressure, _)| *pressure > 0.0) {
             let stress = weight * self.film_stress(pressure, sliding.abs() / film.max(THINNEST));
             let boundary = weight * mu_b * pressure;
-            let share = (-film / layer).exp();
+            let mixed = |share: f64| share * boundary + (1.0 - share) * stress;
+            let shifted = ((films.contact - film) / layer).exp().min(1.0);
             load += weight * pressure;
             sum.film += stress;
-            sum.graded += share * boundary + (1.0 - share) * stress;
-            sum.boundary_share += share * weight * pressure;
-            sum.stepped += if film <= solid_film { boundary } else { stress };
+            sum.shifted += mixed(shifted);
+            sum.graded += mixed((-film / layer).exp());
+            sum.boundary_share += shifted * weight * pressure;
+            sum.stepped += if film <= films.solid {
+                boundary
+            } else {
+                stress
+            };
         }
         let per_load = if load > 0.0 { 1.0 / load } else { 0.0 };
         Friction {
             film: sum.film * per_load,
+            shifted: sum.shifted * per_load,
             graded: sum.graded * per_load,
             stepped: sum.stepped * per_load,
             boundary_share: sum.boundary_share * per_load,
@@ -148,9 +172,8 @@ impl FrictionLaw {
 mod tests {
     use super::*;
 
-    #[test]
-    fn the_stress_is_newtonian_then_eyring_then_limited() {
-        let law = FrictionLaw {
+    fn law() -> FrictionLaw {
+        FrictionLaw {
             viscosity: DynamicViscosity::from_si(0.01),
             pressure_viscosity: PressureViscosity::from_si(1.8e-8),
             eyring_stress: Pressure::from_si(5e6),
@@ -158,7 +181,12 @@ mod tests {
             limiting_slope: 0.05,
             boundary_friction: 0.1,
             boundary_layer: Length::from_si(10e-9),
-        };
+        }
+    }
+
+    #[test]
+    fn the_stress_is_newtonian_then_eyring_then_limited() {
+        let law = law();
         assert!((law.film_stress(0.0, 1e6) / 1e4 - 1.0).abs() < 1e-4);
         // η = 0.01·e^5.4 = 2.2141 Pa s; 4.43e6/5e6: τ_E = 5e6·arsinh(0.8856).
         let eyring = 5e6 * 0.885_63_f64.asinh();
@@ -167,9 +195,30 @@ mod tests {
         assert!((law.film_stress(0.3e9, 2e6) / expected - 1.0).abs() < 1e-4);
         assert!((law.film_stress(3e9, 1e8) / (2e6 + 0.15e9) - 1.0).abs() < 0.2);
         assert!(law.film_stress(1e300, 1e8).is_finite());
-        let all_boundary = law.friction([(1.0, 1e9, 0.0)].into_iter(), 1.0, 0.0);
-        assert_eq!(all_boundary.graded, 0.1);
-        assert_eq!(all_boundary.stepped, 0.1);
-        assert_eq!(all_boundary.boundary_share, 1.0);
+    }
+
+    #[test]
+    fn boundary_friction_is_whole_on_nodes_in_contact_and_fades_above_them() {
+        let law = law();
+        let of = |film: f64, contact: f64| {
+            let films = BoundaryFilms {
+                contact,
+                solid: 20e-9,
+            };
+            law.friction([(1.0, 1e9, film)].into_iter(), 1.0, films)
+        };
+        let in_contact = of(5e-9, 5e-9);
+        assert_eq!(in_contact.shifted, 0.1);
+        assert_eq!(in_contact.stepped, 0.1);
+        assert_eq!(in_contact.boundary_share, 1.0);
+        // A film below the contact film carries no more than its load.
+        assert_eq!(of(1e-9, 5e-9).shifted, 0.1);
+        assert_eq!(of(0.0, 5e-9).graded, 0.1);
+        let above = of(12e-9, 5e-9);
+        assert!((above.boundary_share - (-0.7_f64).exp()).abs() < 1e-12);
+        // The identity that takes a friction of one weight to the other.
+        let identity = above.film + (above.graded - above.film) * 0.5_f64.exp();
+        assert!((above.shifted - identity).abs() < 1e-12, "{above:?}");
+        assert_ne!(above.shifted, above.graded);
     }
 }

@@ -1,8 +1,8 @@
 //! Newton's method on the balances of all nodes with a primal-dual active set.
 //!
-//! A node is full (P > 0, its balance holds), cavitated (P = 0, void fraction θ > 0, its balance holds)
-//! or in contact (H = H_b, its balance may only lack oil: a boundary film supplies oil and swallows
-//! none). Above a ceiling of the pressure the surface yields locally.
+//! A node is full (P > 0, H ≥ H_b, its balance holds), cavitated (P = 0, void fraction θ > 0, H ≥ H_b, its
+//! balance holds) or in contact (P ≥ 0, H = H_b, its balance may only lack oil: a boundary film supplies oil
+//! and swallows none). Above a ceiling of the pressure the surface yields locally.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -15,24 +15,26 @@ use crate::grid::Grid;
 use crate::linear::{ElasticSystem, Linearised};
 use crate::reynolds::{Fields, Reynolds, Storage};
 
-/// Largest void fraction.
-const MOST_VOID: f64 = 1.0 - 1e-9;
-/// Iteration from which a node on the border of two states keeps them within [`SLACK`].
-const PATIENCE: usize = 9;
-/// Film that such a node may lack when full, and oil that it may swallow in contact, over the boundary film.
-const SLACK: f64 = 1e-2;
-/// Iteration from which such a node may stay full with a film down to [`THINNEST`]: its oil is conserved, and only the
-/// boundary film, which stands for no measured length, is undercut.
-const LAST_CONTACT: usize = 12;
-/// Thinnest film of a node that stays full, over the boundary film.
-const THINNEST: f64 = 0.01;
-/// Oil that a node in contact may swallow before, over the boundary film.
-const RELEASE: f64 = 1e-3;
-/// Iteration from which nodes stay in contact: one that is too thin when full and swallows oil in contact
+/// Largest void fraction: some oil is left at every node.
+const MAX_VOID: f64 = 1.0 - 1e-9;
+/// Oil that a node in contact may swallow, over the boundary film: the residual that the linear systems of a
+/// converged step leave.
+const SWALLOW_TOLERANCE: f64 = 1e-3;
+/// Iteration from which a node on the border of two states keeps its state within [`HYSTERESIS`]: most steps need
+/// seven iterations, and a node that still changes its state then usually alternates.
+const HYSTERESIS_FROM: usize = 9;
+/// Film that such a node may lack out of contact, and oil that it may swallow in contact, over the boundary film.
+const HYSTERESIS: f64 = 1e-2;
+/// Iteration from which such a node may stay out of contact with a film down to [`THINNEST_FILM`]: its oil is
+/// conserved, and only the boundary film, which stands for no measured length, is undercut.
+const NO_NEW_CONTACT_FROM: usize = 12;
+/// Thinnest film of a node out of contact, over the boundary film.
+const THINNEST_FILM: f64 = 0.01;
+/// Iteration from which no contact is released: a node that is too thin out of contact and swallows oil in contact
 /// has no consistent state.
-const LAST_RELEASE: usize = 20;
-/// Most nodes without a consistent state in an accepted solution.
-const MOST_HELD: usize = 2;
+const NO_RELEASE_FROM: usize = 20;
+/// Nodes without a consistent state that an accepted solution may hold in contact.
+const MAX_HELD_NODES: usize = 2;
 
 /// State of a node of the film.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -196,10 +198,10 @@ impl Newton {
             let least = -release_limit(effort.iterations) * problem.contact_film;
             let is_settled = effort.change < limits.tolerance && effort.flips <= limits.flips;
             if effort.iterations > 0 && is_loaded && is_settled {
-                let most = if effort.iterations < LAST_RELEASE {
+                let most = if effort.iterations < NO_RELEASE_FROM {
                     0
                 } else {
-                    MOST_HELD
+                    MAX_HELD_NODES
                 };
                 let held = self.swallowing(least, &unknowns);
                 if held <= most {
@@ -210,7 +212,7 @@ impl Newton {
             if effort.iterations >= limits.iterations || !effort.change.is_finite() {
                 return Err(effort);
             }
-            if (1..LAST_RELEASE).contains(&effort.iterations) {
+            if (1..NO_RELEASE_FROM).contains(&effort.iterations) {
                 self.release(least, &mut unknowns);
             }
             self.linearise(problem, &unknowns);
@@ -356,7 +358,7 @@ impl Newton {
             unknowns.state[i] = new;
             if new == NodeState::Cavitated {
                 unknowns.pressure[i] = 0.0;
-                unknowns.void[i] = unknowns.void[i].clamp(0.0, MOST_VOID);
+                unknowns.void[i] = unknowns.void[i].clamp(0.0, MAX_VOID);
             } else {
                 unknowns.pressure[i] = unknowns.pressure[i].max(0.0);
                 unknowns.void[i] = 0.0;
@@ -396,21 +398,21 @@ fn flow_changes(ceiling: Option<Ceiling>, unknowns: &mut Unknowns, i: usize) -> 
     }
 }
 
-/// Film below which a full node comes into contact, over the boundary film.
+/// Film below which a node comes into contact, over the boundary film.
 fn least_film(iterations: usize) -> f64 {
     match iterations {
-        0..PATIENCE => 1.0,
-        PATIENCE..LAST_CONTACT => 1.0 - SLACK,
-        _ => THINNEST,
+        0..HYSTERESIS_FROM => 1.0,
+        HYSTERESIS_FROM..NO_NEW_CONTACT_FROM => 1.0 - HYSTERESIS,
+        _ => THINNEST_FILM,
     }
 }
 
 /// Oil that a node in contact may swallow, over the boundary film.
 fn release_limit(iterations: usize) -> f64 {
-    if iterations < PATIENCE {
-        RELEASE
+    if iterations < HYSTERESIS_FROM {
+        SWALLOW_TOLERANCE
     } else {
-        SLACK
+        HYSTERESIS
     }
 }
 
@@ -425,10 +427,14 @@ fn largest(values: &[f64]) -> f64 {
     })
 }
 
+/// State of a node after a change of its pressure, void fraction and film, by the condition that it violates.
+///
+/// A cavitated node whose film is below the boundary film comes into contact: its pressure becomes an unknown that
+/// rises from 0 and widens the film to H_b, and its void is gone.
 fn next_state(old: NodeState, pressure: f64, void: f64, is_touching: bool) -> NodeState {
     let new = match old {
         NodeState::Full | NodeState::Contact if pressure < 0.0 => NodeState::Cavitated,
-        NodeState::Cavitated if void < 0.0 => NodeState::Full,
+        NodeState::Cavitated if void < 0.0 || is_touching => NodeState::Full,
         _ => old,
     };
     if new == NodeState::Full && is_touching {

@@ -84,6 +84,7 @@ pub fn mean_of(records: &[Solved<Record>]) -> Option<Solved<Record>> {
     };
     if let Some(found) = &mut value.friction {
         found.film = friction(|f| f.film);
+        found.shifted = friction(|f| f.shifted);
         found.graded = friction(|f| f.graded);
         found.stepped = friction(|f| f.stepped);
         found.boundary_share = friction(|f| f.boundary_share);

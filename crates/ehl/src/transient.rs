@@ -16,7 +16,7 @@ use crate::dimensionless::{LineContact, Scales};
 use crate::error::EhlError;
 use crate::evidence::{Evidence, Solved};
 use crate::fluid::Fluid;
-use crate::friction::{Friction, FrictionLaw};
+use crate::friction::{BoundaryFilms, Friction, FrictionLaw};
 use crate::moving_profile::MovingProfile;
 use crate::newton::{Ceiling, Limits, NodeState};
 use crate::rheology::Oil;
@@ -134,11 +134,13 @@ pub struct LoadBelow {
 pub struct MeanFriction {
     /// The film alone, everywhere.
     pub film: Estimate,
-    /// Boundary friction with the weight e^(−h/h_b).
+    /// Boundary friction with the weight min(1, e^(−(h − H_b)/h_b)): the friction of the record.
+    pub shifted: Estimate,
+    /// Boundary friction with the weight e^(−h/h_b), with which laws of load sharing weight their spots.
     pub graded: Estimate,
     /// Boundary friction below the solid film.
     pub stepped: Estimate,
-    /// Share of the load on the boundary layer, with the weight of the graded friction.
+    /// Share of the load on the boundary layer, with the weight of the shifted friction.
     pub boundary_share: Estimate,
 }
 
@@ -233,8 +235,8 @@ const PLASTIC: usize = 2;
 const FILM: usize = 3;
 const FILM_SQUARE: usize = 4;
 const PRESSURE: usize = 5;
-const FRICTION: [usize; 4] = [6, 7, 8, 9];
-const SHARES: usize = 10;
+const FRICTION: [usize; 5] = [6, 7, 8, 9, 10];
+const SHARES: usize = 11;
 
 /// Records a rough contact.
 ///
@@ -455,14 +457,15 @@ impl<'a> Recorder<'a> {
                 let weight = stepper.grid.weights[i];
                 (weight, pressure[i] * p_0, film[i] * self.scales.film)
             });
-            law.friction(nodes, self.scales.sliding, self.settings.solid_film.si())
+            let films = BoundaryFilms {
+                contact: self.settings.contact_film.si(),
+                solid: self.settings.solid_film.si(),
+            };
+            law.friction(nodes, self.scales.sliding, films)
         });
         if let Some(f) = friction {
-            for (index, value) in
-                FRICTION
-                    .into_iter()
-                    .zip([f.film, f.graded, f.stepped, f.boundary_share])
-            {
+            let values = [f.film, f.shifted, f.graded, f.stepped, f.boundary_share];
+            for (index, value) in FRICTION.into_iter().zip(values) {
                 self.values[index] = value;
             }
         }
@@ -599,9 +602,10 @@ impl<'a> Recorder<'a> {
             max_pressure: self.scales.max_pressure * self.max_pressure,
             friction: self.settings.friction.map(|_| MeanFriction {
                 film: of(FRICTION[0]),
-                graded: of(FRICTION[1]),
-                stepped: of(FRICTION[2]),
-                boundary_share: of(FRICTION[3]),
+                shifted: of(FRICTION[1]),
+                graded: of(FRICTION[2]),
+                stepped: of(FRICTION[3]),
+                boundary_share: of(FRICTION[4]),
             }),
             mean_pressure: over_time(self.pressure),
             mean_film_on_nodes: over_time(self.film),

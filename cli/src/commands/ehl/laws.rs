@@ -8,8 +8,10 @@ pub fn text(found: &ShareComparison) -> String {
         value.map_or_else(|| String::from("-"), |value| format!("{value:.digits$}"))
     };
     let mut text = format!(
-        "  laws over {} windows of the same traces; referee, the transient solution: mean of the loads below 20 and 50 nm\n  \
-         {:<18} {:>11} {:>9} {:>12} {:>9}\n  {:<18} {:>11.4} {:>9} {:>12.4} {:>9}\n",
+        "  laws over {} windows of the same traces; referee, the transient solution: mean of the loads below 20 and 50 nm,\n  \
+         friction with the boundary weight e^(-h/h_b) of the laws, and shifted, whole on its contact nodes\n  \
+         {:<18} {:>11} {:>9} {:>12} {:>9}\n  {:<18} {:>11.4} {:>9} {:>12.4} {:>9}\n  \
+         {:<18} {:>11} {:>9} {:>12} {:>9}\n",
         found.windows,
         "law",
         "solid share",
@@ -21,6 +23,11 @@ pub fn text(found: &ShareComparison) -> String {
         "",
         found.referee_mean_film_um,
         or_dash(found.referee_friction, 5),
+        "referee, shifted",
+        "",
+        "",
+        "",
+        or_dash(found.referee_friction_shifted, 5),
     );
     for law in &found.laws {
         let off = law

@@ -145,7 +145,7 @@ impl Recorded {
             number("travel", format!("{:.1} half-widths", record.travel)),
         ];
         if let Some(friction) = &record.friction {
-            let text = with_error(friction.graded.mean, friction.graded.standard_error);
+            let text = with_error(friction.shifted.mean, friction.shifted.standard_error);
             page.numbers.push(number("friction", text));
         }
         page.mean = Some(curve(

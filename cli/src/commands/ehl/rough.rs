@@ -3,9 +3,11 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use asperity::ehl::several_records::{mean_of, record_several};
-use asperity::ehl::{Estimate, NodeState, Record, RecordSettings, RoughContact, Solved, Window};
+use asperity::ehl::{
+    Estimate, NodeState, PlasticCeiling, Record, RecordSettings, RoughContact, Solved, Window,
+};
 use asperity::physical_sense::HIGHEST_PRESSURE;
-use asperity::referee::{LARGEST_ROUGHNESS, ShareComparison};
+use asperity::referee::{LARGEST_ROUGHNESS, ShareComparison, elastic_above_flow};
 use asperity_core::quantity::Length;
 use serde_json::{Value, json};
 
@@ -25,6 +27,8 @@ pub struct Recorded {
     pub shares: Vec<Estimate>,
     /// Roughness left in the contact, of both surfaces together.
     pub attenuated_roughness: Option<Length>,
+    /// Pressure at which the surfaces yield.
+    ceiling: Option<PlasticCeiling>,
 }
 
 /// Solves a record and shows how far it is.
@@ -69,6 +73,7 @@ pub fn solve(
         cells: settings.cells,
         window: settings.window,
         attenuated_roughness: None,
+        ceiling: settings.ceiling,
     })
 }
 
@@ -94,6 +99,8 @@ impl Recorded {
                 ),
             ));
         }
+        let largest = self.solved.value.max_pressure;
+        warnings.extend(elastic_above_flow(largest, self.ceiling).map(|text| ("W435", text)));
         warnings
     }
 
@@ -114,6 +121,7 @@ impl Recorded {
             .collect();
         let friction = record.friction.as_ref().map(|friction| {
             json!({
+                "shifted": estimate(&friction.shifted),
                 "graded": estimate(&friction.graded),
                 "stepped": estimate(&friction.stepped),
                 "film_alone": estimate(&friction.film),
@@ -159,6 +167,9 @@ impl Recorded {
             "load_error": evidence.load_error,
             "complementarity": evidence.complementarity,
             "mass_balance": evidence.mass_balance,
+            "mean_mass_balance": evidence.mean_mass_balance,
+            "boundary_supply": evidence.boundary_supply,
+            "mean_boundary_supply": evidence.mean_boundary_supply,
             "comparison": comparison,
             "warnings": warnings,
         })
@@ -207,12 +218,17 @@ impl Recorded {
         ));
         if let Some(friction) = &record.friction {
             text.push_str(&format!(
-                "  friction {} (boundary below the solid film {:.5}, film alone {:.5})\n",
-                with_error(friction.graded.mean, friction.graded.standard_error),
+                "  friction {} (graded {:.5}, boundary below the solid film {:.5}, film alone {:.5})\n",
+                with_error(friction.shifted.mean, friction.shifted.standard_error),
+                friction.graded.mean,
                 friction.stepped.mean,
                 friction.film.mean
             ));
         }
+        text.push_str(&format!(
+            "  oil gained or lost {:.4} of the flux on average, {:.2} at most in a step; supplied by the boundary film {:.4}\n",
+            evidence.mean_mass_balance, evidence.mass_balance, evidence.mean_boundary_supply,
+        ));
         text.push_str(&format!(
             "  {} steps, {} cut, {} with a held node; {:.1} Newton per step, {:.1} GMRES per Newton; load error {:.1e}\n",
             evidence.steps,

@@ -84,5 +84,6 @@ pub use place::Place;
 pub use plausibility::possible_range;
 pub use resolve::{Case, resolve};
 pub use source::{Source, Syntax};
+pub(crate) use steel::STEEL_FLOW_PRESSURE;
 pub use trace::{Flank, Trace};
 pub use trace_list::{TraceEntry, TraceInput, TraceList};

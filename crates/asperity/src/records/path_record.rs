@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | φ | share of the load on films not above the solid film | - |
 //! | b | share of the load on the boundary layer | - |
-//! | μ, μ_s, μ_τ | friction with graded boundary share, with boundary friction below the solid film, of the film alone | - |
+//! | μ, μ_s, μ_τ | friction with boundary friction that fades above contact, with boundary friction below the solid film, of the film only | - |
 //! | μ_b | boundary friction | - |
 //! | μ_f, μ_l | film friction above and below the solid film | - |
 
@@ -34,8 +34,10 @@ pub struct PathRecord {
     pub mean_film: Estimate,
     /// Central film of smooth flanks.
     pub smooth_film: Length,
-    /// Friction with a boundary share that fades over the boundary layer, isothermal.
+    /// Friction with the weight min(1, e^(−(h − H_b)/h_b)) of the boundary friction, isothermal.
     pub friction: Estimate,
+    /// Friction with the weight e^(−h/h_b), isothermal: the weight of the laws of load sharing.
+    pub graded_friction: Estimate,
     /// Film friction of the load above the solid film, isothermal.
     pub film_friction: f64,
     /// Film friction of the load below it, isothermal.
@@ -83,7 +85,7 @@ impl PathRecord {
         let friction = record.friction.unwrap_or_default();
         let [mu_f, mu_l] = parts(
             record.solid_share.mean,
-            [friction.graded, friction.stepped, friction.film].map(|part| part.mean),
+            [friction.shifted, friction.stepped, friction.film].map(|part| part.mean),
             friction.boundary_share.mean,
             law.boundary_friction,
         );
@@ -98,7 +100,8 @@ impl PathRecord {
             boundary_share: friction.boundary_share,
             mean_film: record.mean_film,
             smooth_film: record.smooth_film,
-            friction: friction.graded,
+            friction: friction.shifted,
+            graded_friction: friction.graded,
             film_friction: mu_f,
             lubricated_friction: mu_l,
             smooth_friction: smooth_friction(contact, law, record.smooth_film),
@@ -189,11 +192,11 @@ mod tests {
         // rest nothing, on a boundary layer of 0.1.
         let (phi, b, mu_b) = (0.2, 0.1, 0.1);
         let (above, below) = (0.8 * 0.02, 0.2 * 0.04);
-        let graded = above + 0.5 * below + b * mu_b;
-        let [mu_f, mu_l] = parts(phi, [graded, above + phi * mu_b, above + below], b, mu_b);
+        let mu = above + 0.5 * below + b * mu_b;
+        let [mu_f, mu_l] = parts(phi, [mu, above + phi * mu_b, above + below], b, mu_b);
         assert!((mu_f - 0.02).abs() < 1e-15 && (mu_l - 0.04).abs() < 1e-15);
         let whole = (1.0 - phi) * mu_f + (phi - b) * mu_l + b * mu_b;
-        assert!((whole - graded).abs() < 1e-15);
+        assert!((whole - mu).abs() < 1e-15);
         assert_eq!(parts(0.0, [0.03, 0.03, 0.03], 0.0, 0.1), [0.03, 0.03]);
         assert_eq!(parts(1.0, [0.1, 0.1, 0.04], 1.0, 0.1)[1], 0.04);
     }

@@ -12,7 +12,7 @@ use crate::fingerprint::Fingerprint;
 use crate::referee::RefereeContact;
 
 /// Raised whenever the solver gives other numbers for the same contact, so that older records are left alone.
-const REVISION: u32 = 1;
+const REVISION: u32 = 2;
 /// Bytes of the largest record that is read.
 const LARGEST: u64 = 100_000_000;
 

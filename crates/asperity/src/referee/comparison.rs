@@ -50,8 +50,10 @@ pub struct ShareComparison {
     pub referee_share: f64,
     /// Mean film of the referee \[µm\].
     pub referee_mean_film_um: f64,
-    /// Friction of the referee with boundary friction that fades over the boundary layer.
+    /// Friction of the reference solution with the weight of the laws, e^(−h/h_b), on its boundary friction.
     pub referee_friction: Option<f64>,
+    /// Friction of the reference solution with whole boundary friction on its contact nodes.
+    pub referee_friction_shifted: Option<f64>,
     /// Windows that the laws are averaged over.
     pub windows: usize,
     /// The laws.
@@ -98,6 +100,7 @@ pub fn shares(
         referee_share,
         referee_mean_film_um: record.mean_film.mean * 1e6,
         referee_friction: record.friction.map(|friction| friction.graded.mean),
+        referee_friction_shifted: record.friction.map(|friction| friction.shifted.mean),
         windows: windows.len(),
         laws: vec![
             solved("solved", &|w| w.solved),

@@ -9,6 +9,7 @@
 mod comparison;
 mod error;
 mod settings;
+mod yielding;
 
 pub use comparison::{LawShare, ShareComparison, shares};
 pub use error::RefereeError;
@@ -16,3 +17,4 @@ pub(crate) use settings::smooth_contact;
 pub use settings::{
     LARGEST_ROUGHNESS, RefereeContact, RefereeSettings, attenuated_roughness, formula_film,
 };
+pub use yielding::elastic_above_flow;

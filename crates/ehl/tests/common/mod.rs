@@ -85,11 +85,21 @@ pub fn uniform(state: &mut u64) -> f64 {
     ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
 }
 
+/// Length of the surfaces of [`waves`].
+const PERIOD: f64 = 480e-6;
+/// Numbers of the waves over that length.
+pub const WAVES: std::ops::RangeInclusive<u32> = 1..=16;
+
+/// Length of wave `k` of [`WAVES`].
+pub fn wave_length(k: u32) -> Length {
+    Length::from_si(PERIOD / f64::from(k))
+}
+
 /// Periodic waves of 30 to 480 µm with amplitudes in proportion to their length.
 pub fn waves(seed: u64, rq: f64) -> Profile {
-    let (points, length) = (960, 480e-6);
+    let points = 960;
     let mut state = seed;
-    let modes: Vec<(f64, f64)> = (1..=16)
+    let modes: Vec<(f64, f64)> = WAVES
         .map(|k| (f64::from(k), std::f64::consts::TAU * uniform(&mut state)))
         .collect();
     let heights: Vec<f64> = (0..points)
@@ -104,5 +114,5 @@ pub fn waves(seed: u64, rq: f64) -> Profile {
     let square: f64 = heights.iter().map(|z: &f64| z * z).sum();
     let scale = rq / (square / f64::from(points)).sqrt();
     let heights = heights.into_iter().map(|z| scale * z).collect();
-    Profile::new(Length::from_si(length / f64::from(points)), heights).unwrap()
+    Profile::new(Length::from_si(PERIOD / f64::from(points)), heights).unwrap()
 }

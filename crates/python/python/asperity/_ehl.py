@@ -20,8 +20,9 @@ class EhlRecord(Record):
     """A record of transient mixed lubrication: means with standard errors, mean pressure and film along the contact.
 
     ``solid_share`` and ``solid_share_standard_error``, ``mean_film_um``, ``central_film_um`` (smooth), ``friction``
-    (``graded``, ``stepped``, ``film_alone``), ``load_below``, ``max_pressure_pa``; ``x`` (m), ``mean_pressure`` (Pa),
-    ``mean_film`` (m) of shape (n,).
+    (``shifted``: boundary friction with the weight min(1, exp(-(h - H_b)/h_b)), ``graded``: exp(-h/h_b),
+    ``stepped``, ``film_alone``), ``load_below``, ``max_pressure_pa``; ``x`` (m), ``mean_pressure`` (Pa), ``mean_film``
+    (m) of shape (n,).
     """
 
     @property
