@@ -86,6 +86,11 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// Time between two drawings of work that counts nothing.
 const TICK: Duration = Duration::from_millis(200);
 
+/// Work of a command before anything is counted.
+pub const READING: &str = "reading the traces";
+/// Work of a command after its result is known.
+pub const WRITING: &str = "writing the result";
+
 /// Progress of a command on standard error, from a second after its start on and only on a terminal: the kind of work with
 /// its count and the time left, or with the time spent where nothing is counted.
 pub struct Progress {

@@ -12,10 +12,11 @@ use serde_json::{Value, json};
 use super::{keys, source};
 use crate::args::{CheckArgs, Common};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text};
+use crate::output::{Progress, READING, print_json, print_text};
 
 /// `asperity check`
 pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
+    let shown = Progress::of(common.quiet, READING);
     let (source, folder) = source(&args.case)?;
     let name = source.name().to_owned();
     let (mut failures, sound) = match planetary::is_planetary(&source) {
@@ -36,6 +37,7 @@ pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
             None
         }
     };
+    drop(shown);
     if common.json {
         print_json(&report(&failures, sound.as_ref()))?;
     }

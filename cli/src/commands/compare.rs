@@ -11,7 +11,7 @@ use super::work::check_work;
 use super::{keys, pair_only, source, stem};
 use crate::args::{Common, CompareArgs, FinishArg};
 use crate::failure::Failure;
-use crate::output::{Progress, print_json, print_text};
+use crate::output::{Progress, READING, WRITING, print_json, print_text};
 
 /// `asperity compare`
 pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
@@ -25,6 +25,7 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
         let message = format!("--offsets {offsets}: must be at least 2, as one has no spread");
         return Err(Failure::new("E209", message));
     }
+    let shown = Progress::of(common.quiet, READING);
     // Once for all finishes: standard input is read but once.
     let (text, folder) = source(&args.case)?;
     pair_only(&text)?;
@@ -52,11 +53,12 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
     });
     // Told before the work, not after it.
     compare::check_place(&folder).map_err(|error| Failure::new("E401", error.to_string()))?;
-    let shown = Progress::of(common.quiet, "finishes");
-    let found = compare::compare(&finishes, &|done, total| shown.at(done, total));
-    drop(shown);
-    let found = found.map_err(|error| Failure::about(&args.case, &error))?;
+    shown.begin("finishes");
+    let found = compare::compare(&finishes, &|done, total| shown.at(done, total))
+        .map_err(|error| Failure::about(&args.case, &error))?;
+    shown.begin(WRITING);
     compare::write(&found, &folder).map_err(|error| Failure::new("E401", error.to_string()))?;
+    drop(shown);
     if common.json {
         return print_json(&found);
     }

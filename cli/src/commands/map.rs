@@ -17,12 +17,13 @@ use super::work::check_work;
 use super::{keys, pair_only, source, stem};
 use crate::args::{Common, ExportArg, MapArgs};
 use crate::failure::Failure;
-use crate::output::{Progress, print_json, print_text};
+use crate::output::{Progress, READING, WRITING, print_json, print_text};
 
 /// `asperity map`
 pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
     check_names(&args.finishes)?;
+    let shown = Progress::of(common.quiet, READING);
     let finishes = finishes(args)?;
     let Some(first) = finishes.first() else {
         return Err(Failure::new("E501", "a map without a finish"));
@@ -49,11 +50,15 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     map::check_place(&folder).map_err(|error| Failure::new("E401", error.to_string()))?;
     let torques = axes.torque_nm.len().div_ceil(2) * finishes.len();
     check_work(&args.work, &first.case, &KeptFields::Highest, torques)?;
-    let found = watched(&finishes, &axes, args, common)
+    shown.begin("points");
+    let watch = |done, total| shown.at(done, total);
+    let found = map::map(&finishes, &axes, args.band.points(), &watch)
         .map_err(|error| Failure::about(&args.case, &error))?;
+    shown.begin(WRITING);
     let exports = exports(args, &found, cycle.as_ref())?;
     map::write(&found, &visited, &exports, &folder)
         .map_err(|error| Failure::new("E401", error.to_string()))?;
+    drop(shown);
     if common.json {
         return print_json(&found);
     }
@@ -101,21 +106,6 @@ fn added_loss(file: &Path) -> Result<AddedLoss, Failure> {
 fn name_of_value(format: ExportArg) -> String {
     let value = clap::ValueEnum::to_possible_value(&format);
     value.map_or_else(String::new, |value| value.get_name().to_owned())
-}
-
-/// The work with its rate and the time that is left, once it takes a while.
-fn watched(
-    finishes: &[Finish],
-    axes: &Axes,
-    args: &MapArgs,
-    common: &Common,
-) -> Result<Map, asperity::Error> {
-    let shown = Progress::of(common.quiet, "points");
-    let found = map::map(finishes, axes, args.band.points(), &|done, total| {
-        shown.at(done, total)
-    });
-    drop(shown);
-    found
 }
 
 /// The case on the traces of each finish, or on its own.

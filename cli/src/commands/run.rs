@@ -14,18 +14,16 @@ use super::work::{check_work, check_work_of_set};
 use super::{AnyCase, load_any, stem};
 use crate::args::{Common, RunArgs};
 use crate::failure::Failure;
-use crate::output::{Progress, print_json, print_text};
+use crate::output::{Progress, READING, WRITING, print_json, print_text};
 
 /// Work of a run that is counted.
 const POSITIONS: &str = "mesh positions";
-/// Work of a run after its result.
-const WRITING: &str = "writing the result";
 
 /// `asperity run`
 pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
     let fields = fields(args)?;
-    let shown = Progress::of(common.quiet, "reading the traces");
+    let shown = Progress::of(common.quiet, READING);
     let loaded = match load_any(&args.case, &args.set, args.formulation)? {
         AnyCase::Pair(loaded) => loaded,
         AnyCase::Set(set) => return run_set(&set, args, common, &fields, (begin, shown)),

@@ -9,10 +9,11 @@ use super::work::check_work;
 use super::{load_case, stem};
 use crate::args::{Common, SensitivityArgs};
 use crate::failure::Failure;
-use crate::output::{Progress, print_json, print_text};
+use crate::output::{Progress, READING, WRITING, print_json, print_text};
 
 /// `asperity sensitivity`
 pub fn sensitivity(args: &SensitivityArgs, common: &Common) -> Result<(), Failure> {
+    let shown = Progress::of(common.quiet, READING);
     let loaded = load_case(&args.case, &args.set, None)?;
     check_work(&args.work, &loaded, &KeptFields::Highest, 1 + CHANGES)?;
     let folder = args.output.clone().unwrap_or_else(|| {
@@ -21,11 +22,12 @@ pub fn sensitivity(args: &SensitivityArgs, common: &Common) -> Result<(), Failur
     });
     // Told before the work, not after it.
     sensitivity::check_place(&folder).map_err(|error| Failure::new("E401", error.to_string()))?;
-    let shown = Progress::of(common.quiet, "changes");
-    let found = sensitivity::sensitivity(&loaded, &|done, total| shown.at(done, total));
-    drop(shown);
-    let found = found.map_err(|error| Failure::about(&args.case, &error))?;
+    shown.begin("changes");
+    let found = sensitivity::sensitivity(&loaded, &|done, total| shown.at(done, total))
+        .map_err(|error| Failure::about(&args.case, &error))?;
+    shown.begin(WRITING);
     sensitivity::write(&found, &folder).map_err(|error| Failure::new("E401", error.to_string()))?;
+    drop(shown);
     if common.json {
         return print_json(&found);
     }

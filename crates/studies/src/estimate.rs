@@ -62,12 +62,12 @@ const SECONDS_OF_FILM: f64 = 3e-5;
 const SECONDS_OF_TRANSFORM: f64 = 3e-9;
 /// Points of a piece that is transformed around a window of a long trace, over those of the window.
 const PIECE: f64 = 5.0;
-/// Windows from whose pieces on a trace is transformed as a whole.
+/// Pieces whose points together a trace must exceed to be transformed in pieces.
 const PIECES: f64 = 16.0;
 /// Evaluations of the film that find a bulk temperature, and those of alternative laws beside the draws of a band.
 const EVALUATIONS: [f64; 2] = [8.0, 5.0];
-/// Time of a cell and step of an elastohydrodynamic record \[s\]: 3 to 13e-6 seen.
-const SECONDS_OF_A_CELL: f64 = 6.6e-6;
+/// Time of a cell and step of an elastohydrodynamic record \[s\]: 3 to 13e-6 seen with 512 cells, more with fewer.
+const SECONDS_OF_A_CELL: f64 = 1e-5;
 /// Cells of a record that a half-width spans, over all of its cells, and half-widths before it begins.
 const RECORD: [f64; 2] = [0.25, 3.0];
 /// Time of reading, preparing and evaluating a point of a trace, and of drawing it \[s\].
@@ -229,9 +229,11 @@ impl Work {
         };
         let points = window_points * offsets;
         let window = window_points / positions as f64;
+        // The two traces are transformed together, there and back: as a whole, or a piece around each window.
+        let length = trace.len() as f64;
         let transformed = match tables {
-            // The two traces are transformed together, there and back.
-            true => 2.0 * (trace.len() as f64).min(PIECES * PIECE * window),
+            true if length > PIECES * PIECE * window => 2.0 * PIECE * window * offsets,
+            true => 2.0 * length,
             false => 0.0,
         };
         let of_film = SECONDS_OF_FILM * offsets
