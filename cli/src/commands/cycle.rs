@@ -9,7 +9,7 @@ use asperity_studies::map::{self, Map, MapError};
 use super::keys;
 use crate::args::{Common, CycleArgs};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text};
+use crate::output::{print_json, print_text, shown};
 
 /// `asperity cycle`
 pub fn cycle(args: &CycleArgs, common: &Common) -> Result<(), Failure> {
@@ -36,7 +36,7 @@ pub fn cycle(args: &CycleArgs, common: &Common) -> Result<(), Failure> {
     }
     let mut text = cycle::summary(&found);
     if !args.no_output {
-        text.push_str(&format!("wrote {}\n", folder.display()));
+        text.push_str(&format!("wrote {}\n", shown(&folder)));
     }
     print_text(common, &text)
 }

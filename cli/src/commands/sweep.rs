@@ -8,7 +8,7 @@ use asperity_studies::sweep::{self, Event, Plan, Refused, Shard, Status, Study, 
 
 use crate::args::{Common, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs};
 use crate::failure::Failure;
-use crate::output::{PATIENCE, note, print_json, print_text, progress};
+use crate::output::{PATIENCE, note, print_json, print_text, progress, shown};
 
 /// `asperity sweep`
 pub fn sweep(command: &SweepCommand, common: &Common) -> Result<(), Failure> {
@@ -120,7 +120,7 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
     );
     print_text(
         common,
-        &format!("{text}parts in {} in {seconds:.1} s\n", folder.display()),
+        &format!("{text}parts in {} in {seconds:.1} s\n", shown(&folder)),
     )
 }
 
@@ -174,7 +174,9 @@ fn merge(args: &SweepMergeArgs, common: &Common) -> Result<(), Failure> {
     }
     let mut text = format!(
         "{}\n{} cases, {} without a result\n",
-        merged.title, merged.cases, merged.failed
+        asperity_storage::one_line(&merged.title),
+        merged.cases,
+        merged.failed
     );
     if merged.effects.iter().any(|row| row.effect.is_some()) {
         text.push_str(&format!(
@@ -201,7 +203,7 @@ fn merge(args: &SweepMergeArgs, common: &Common) -> Result<(), Failure> {
     text.push_str(&format!(
         "SHA-256 {}\nwrote {}\n",
         merged.sha256,
-        target.display()
+        shown(&target)
     ));
     print_text(common, &text)
 }

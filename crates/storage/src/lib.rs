@@ -31,4 +31,4 @@ pub use file::{save, save_new};
 pub use finite::{NotFinite, check_finite};
 pub use folder::{check_folder, new_folder, replace_folder};
 pub use manifest::MANIFEST;
-pub use plain_text::{cell, printable};
+pub use plain_text::{cell, one_line, printable};
