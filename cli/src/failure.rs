@@ -36,7 +36,7 @@ impl Failure {
     pub fn new(code: &'static str, message: impl Into<String>) -> Self {
         Self {
             code,
-            message: asperity_storage::printable(&message.into()).into_owned(),
+            message: asperity_storage::one_line(&message.into()).into_owned(),
             place: None,
             remedy: Remedy::none(),
             snippet: None,
@@ -79,7 +79,7 @@ impl Failure {
         };
         Self {
             code: error.code(),
-            message: asperity_storage::printable(&with_keys(message, &remedy, error.flank()))
+            message: asperity_storage::one_line(&with_keys(message, &remedy, error.flank()))
                 .into_owned(),
             place: place.cloned(),
             remedy,
@@ -91,7 +91,7 @@ impl Failure {
 
     /// The same error with text appended.
     pub fn adding(mut self, more: &str) -> Self {
-        self.message.push_str(&asperity_storage::printable(more));
+        self.message.push_str(&asperity_storage::one_line(more));
         self
     }
 

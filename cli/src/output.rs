@@ -28,6 +28,11 @@ pub fn print_text(common: &Common, text: &str) -> Result<(), Failure> {
     write(&asperity_storage::printable(text))
 }
 
+/// A file or folder for a line of text.
+pub fn shown(path: &Path) -> String {
+    asperity_storage::one_line(&path.display().to_string()).into_owned()
+}
+
 /// Prints a remark beside the result.
 pub fn note(text: &str) {
     // Whoever reads may have gone away.

@@ -357,3 +357,19 @@ fn options_that_make_no_sense_are_refused_before_any_work() {
         assert!(said.err.contains(says), "{}", said.err);
     }
 }
+
+#[test]
+fn a_value_that_was_set_is_quoted_and_not_the_one_of_the_file() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    let table = "gears={ teeth = [23, 68], module = \"-1 mm\", face_width = \"32 mm\" }";
+    let said = bench.run(&["run", "case.toml", "--no-output", "--set", table]);
+    assert_eq!(said.status, 2);
+    let message = said.err.lines().next().unwrap();
+    assert!(
+        message.starts_with("E209 case.toml (changed): gears.module = \"-1 mm\""),
+        "{message}"
+    );
+    assert!(!message.contains("1.8 mm"), "{message}");
+}

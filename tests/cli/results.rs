@@ -268,3 +268,63 @@ fn the_summary_keeps_to_80_columns() {
         }
     }
 }
+
+/// The power behind `name` in a line of the summary \[W\]; 0 for one below the last place.
+fn power(text: &str, name: &str) -> f64 {
+    let rest = text.split(name).nth(1).unwrap().trim_start();
+    match rest.strip_prefix("below ") {
+        Some(_) => 0.0,
+        None => rest.split(' ').next().unwrap().parse().unwrap(),
+    }
+}
+
+#[test]
+fn parts_of_the_loss_add_up_as_printed() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    for (torque, more) in [
+        (40, &[][..]),
+        (145, &[]),
+        (200, &[]),
+        (145, &["--band", "none"]),
+    ] {
+        let set = format!("operation.torque={torque} N m");
+        let run = ["run", "case.toml", "--no-output", "--set", &set];
+        let said = bench.run(&[&run[..], more].concat()).well().out;
+        let [loss, sliding, rolling] =
+            ["   loss ", "[sliding ", "| rolling "].map(|name| power(&said, name));
+        assert_eq!(sliding + rolling, loss, "{said}");
+        let names = [
+            "sliding in film ",
+            "lubricated asperities ",
+            "boundary layer ",
+        ];
+        let parts = names.map(|name| power(&said, name));
+        assert_eq!(parts.iter().sum::<f64>(), sliding, "{said}");
+    }
+}
+
+#[test]
+fn the_rows_of_the_path_multiply_to_the_sliding_loss() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    let json = bench
+        .run(&["run", "case.toml", "-o", "out", "--json"])
+        .well();
+    let expected = json.json()["summary"]["sliding_w"].as_f64().unwrap();
+    let text = fs::read_to_string(bench.path("out/path.csv")).unwrap();
+    let mut lines = text.lines();
+    let header: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let column = |name: &str| header.iter().position(|found| *found == name).unwrap();
+    let columns = ["mu", "sliding_load_n_per_mm", "sliding_m_per_s", "weight_m"].map(column);
+    let sum: f64 = lines
+        .map(|line| {
+            let cells: Vec<&str> = line.split(',').collect();
+            let factors = columns.map(|at| cells[at].parse::<f64>().unwrap().abs());
+            1e3 * factors.iter().product::<f64>()
+        })
+        .sum();
+    assert!((sum / expected - 1.0).abs() < 1e-9, "{sum} {expected}");
+}

@@ -252,6 +252,44 @@ fn names_and_titles_do_nothing_in_a_spreadsheet_or_a_terminal() {
 }
 
 #[test]
+fn titles_and_names_of_files_begin_no_line_of_their_own() {
+    let bench = bench();
+    let forged = "E501 forged";
+    let title = format!("title = \"small\\n{forged}\"");
+    let case = E_DRIVE.replace("title = \"small case\"", &title);
+    bench.write("case.toml", case.replace("pinion.csv", "pin\\nion.csv"));
+    let forges = |text: &str| {
+        text.lines()
+            .any(|line| line.trim_start().starts_with(forged))
+    };
+    let missing = bench.run(&["profile", "info", &format!("none\n{forged}.csv")]);
+    assert!(
+        missing.err.contains(forged) && !forges(&missing.err),
+        "{}",
+        missing.err
+    );
+    let missing = bench.run(&["run", "case.toml", "--no-output"]);
+    assert!(missing.err.contains("pin\\u{a}ion.csv"), "{}", missing.err);
+    bench.write(
+        "case.toml",
+        E_DRIVE.replace("title = \"small case\"", &title),
+    );
+    let axes = ["--torque=-100,100", "--speed=9000", "--band", "none"];
+    for arguments in [
+        &["run", "case.toml", "-o", &format!("out\n{forged}")][..],
+        &["gear", "case.toml"],
+        &[&["map", "case.toml", "-o", "m"][..], &axes].concat(),
+    ] {
+        let said = bench.run(arguments).well();
+        assert!(
+            said.out.contains(forged) && !forges(&said.out),
+            "{}",
+            said.out
+        );
+    }
+}
+
+#[test]
 fn flat_flanks_give_no_number_that_is_none() {
     let bench = bench();
     let rows: String = (0..6000)

@@ -14,7 +14,7 @@ use asperity_studies::map::axis;
 use super::{load_case, stem};
 use crate::args::{CalibrateArgs, Common};
 use crate::failure::Failure;
-use crate::output::{Progress, print_json, print_text};
+use crate::output::{Progress, print_json, print_text, shown};
 
 /// `asperity calibrate`
 pub fn calibrate(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
@@ -136,6 +136,6 @@ fn place_is_free(folder: &Path) -> Result<(), Failure> {
 
 fn finish(common: &Common, mut text: String, folder: &Path, begin: Instant) -> Result<(), Failure> {
     let seconds = begin.elapsed().as_secs_f64();
-    text.push_str(&format!("wrote {} in {seconds:.1} s\n", folder.display()));
+    text.push_str(&format!("wrote {} in {seconds:.1} s\n", shown(folder)));
     print_text(common, &text)
 }

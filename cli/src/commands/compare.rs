@@ -11,7 +11,7 @@ use super::work::check_work;
 use super::{keys, pair_only, source, stem};
 use crate::args::{Common, CompareArgs, FinishArg};
 use crate::failure::Failure;
-use crate::output::{Progress, READING, WRITING, print_json, print_text};
+use crate::output::{Progress, READING, WRITING, print_json, print_text, shown};
 
 /// `asperity compare`
 pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
@@ -63,7 +63,7 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
         return print_json(&found);
     }
     let text = compare::summary(&found);
-    print_text(common, &format!("{text}wrote {}\n", folder.display()))
+    print_text(common, &format!("{text}wrote {}\n", shown(&folder)))
 }
 
 /// The case with the traces of a finish; a single one serves both flanks, mirrored for the wheel.

@@ -10,7 +10,7 @@ use asperity_studies::map::{self, Map, MapError};
 use super::keys;
 use crate::args::{Common, CycleArgs};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text};
+use crate::output::{print_json, print_text, shown};
 
 /// Bytes of the largest cycle, and of the largest table of losses.
 pub const LARGEST_TABLE: u64 = 100_000_000;
@@ -40,7 +40,7 @@ pub fn cycle(args: &CycleArgs, common: &Common) -> Result<(), Failure> {
     }
     let mut text = cycle::summary(&found);
     if !args.no_output {
-        text.push_str(&format!("wrote {}\n", folder.display()));
+        text.push_str(&format!("wrote {}\n", shown(&folder)));
     }
     print_text(common, &text)
 }

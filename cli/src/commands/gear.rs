@@ -36,7 +36,7 @@ pub fn gear(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
 }
 
 fn text(found: &GearReport) -> String {
-    let mut text = format!("{}\n", found.title);
+    let mut text = format!("{}\n", asperity_storage::one_line(&found.title));
     // Writing into a string cannot fail.
     let _ = write_geometry(&mut text, found);
     let _ = write_mesh(&mut text, found);

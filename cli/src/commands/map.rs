@@ -17,7 +17,7 @@ use super::work::check_work;
 use super::{keys, pair_only, source, stem};
 use crate::args::{Common, ExportArg, MapArgs};
 use crate::failure::Failure;
-use crate::output::{Progress, READING, WRITING, print_json, print_text};
+use crate::output::{Progress, READING, WRITING, print_json, print_text, shown};
 
 /// `asperity map`
 pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
@@ -64,7 +64,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     }
     let mut text = map::summary(&found);
     let seconds = begin.elapsed().as_secs_f64();
-    text.push_str(&format!("wrote {} in {seconds:.1} s\n", folder.display()));
+    text.push_str(&format!("wrote {} in {seconds:.1} s\n", shown(&folder)));
     print_text(common, &text)
 }
 

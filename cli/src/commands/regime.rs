@@ -29,7 +29,10 @@ pub fn regime(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
                     found.map(|(mesh, rows)| json!({ "title": mesh.case.title, "rows": rows }));
                 return print_json(&json!({ "title": set.title, "meshes": meshes }));
             }
-            let tables = found.map(|(mesh, rows)| format!("{}\n{}", mesh.case.title, table(&rows)));
+            let tables = found.map(|(mesh, rows)| {
+                let title = asperity_storage::one_line(&mesh.case.title).into_owned();
+                format!("{title}\n{}", table(&rows))
+            });
             print_text(common, &tables.join("\n"))
         }
     }

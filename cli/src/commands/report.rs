@@ -4,7 +4,7 @@ use asperity_report::{ReportError, redraw};
 
 use crate::args::{Common, ReportArgs};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text};
+use crate::output::{print_json, print_text, shown};
 
 /// `asperity report`
 pub fn report(args: &ReportArgs, common: &Common) -> Result<(), Failure> {
@@ -12,7 +12,7 @@ pub fn report(args: &ReportArgs, common: &Common) -> Result<(), Failure> {
     if common.json {
         return print_json(&serde_json::json!({ "report": page }));
     }
-    print_text(common, &format!("wrote {}\n", page.display()))
+    print_text(common, &format!("wrote {}\n", shown(&page)))
 }
 
 fn refused(error: &ReportError) -> Failure {

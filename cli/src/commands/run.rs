@@ -14,7 +14,7 @@ use super::work::{check_work, check_work_of_set};
 use super::{AnyCase, load_any, stem};
 use crate::args::{Common, RunArgs};
 use crate::failure::Failure;
-use crate::output::{Progress, READING, WRITING, print_json, print_text};
+use crate::output::{Progress, READING, WRITING, print_json, print_text, shown};
 
 /// Work of a run that is counted.
 const POSITIONS: &str = "mesh positions";
@@ -88,7 +88,7 @@ fn run_set(
     let mut text = text_of_set(&outcome.result);
     let seconds = begin.elapsed().as_secs_f64();
     text.push_str(&match &folder {
-        Some(folder) => format!("wrote {} in {seconds:.1} s\n", folder.display()),
+        Some(folder) => format!("wrote {} in {seconds:.1} s\n", shown(folder)),
         None => format!("in {seconds:.1} s\n"),
     });
     print_text(common, &text)
@@ -100,7 +100,7 @@ fn text_of_set(result: &PlanetaryResult) -> String {
         "{}\nefficiency (meshes only)  {efficiency} %   loss {loss} W\n  power in {:.2} kW\n\
          {} planets   carrier {:.1} 1/min   power through the meshes {:.2} kW\n\
          {:<16} {:>10} {:>10} {:>12} {:>8} {:>8} {:>9}\n",
-        result.title,
+        asperity_storage::one_line(&result.title),
         1e-3 * result.power_in_w,
         result.planets,
         result.carrier_rad_per_s * 30.0 / std::f64::consts::PI,
@@ -153,7 +153,7 @@ fn text(result: &RunResult, args: &RunArgs, folder: Option<&Path>, begin: Instan
     let seconds = begin.elapsed().as_secs_f64();
     match folder {
         Some(folder) => {
-            text.push_str(&format!("wrote {} in {seconds:.1} s\n", folder.display()));
+            text.push_str(&format!("wrote {} in {seconds:.1} s\n", shown(folder)));
         }
         None => text.push_str(&format!("in {seconds:.1} s\n")),
     }

@@ -9,7 +9,7 @@ use super::work::check_work;
 use super::{load_case, stem};
 use crate::args::{Common, SensitivityArgs};
 use crate::failure::Failure;
-use crate::output::{Progress, READING, WRITING, print_json, print_text};
+use crate::output::{Progress, READING, WRITING, print_json, print_text, shown};
 
 /// `asperity sensitivity`
 pub fn sensitivity(args: &SensitivityArgs, common: &Common) -> Result<(), Failure> {
@@ -32,5 +32,5 @@ pub fn sensitivity(args: &SensitivityArgs, common: &Common) -> Result<(), Failur
         return print_json(&found);
     }
     let text = sensitivity::summary(&found);
-    print_text(common, &format!("{text}wrote {}\n", folder.display()))
+    print_text(common, &format!("{text}wrote {}\n", shown(&folder)))
 }

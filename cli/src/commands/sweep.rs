@@ -8,7 +8,7 @@ use asperity_studies::sweep::{self, Event, Plan, Refused, Shard, Status, Study, 
 
 use crate::args::{Common, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs};
 use crate::failure::Failure;
-use crate::output::{Progress, print_json, print_text};
+use crate::output::{Progress, note, print_json, print_text, shown};
 
 /// `asperity sweep`
 pub fn sweep(command: &SweepCommand, common: &Common) -> Result<(), Failure> {
@@ -115,7 +115,7 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
     );
     print_text(
         common,
-        &format!("{text}parts in {} in {seconds:.1} s\n", folder.display()),
+        &format!("{text}parts in {} in {seconds:.1} s\n", shown(&folder)),
     )
 }
 
@@ -169,7 +169,9 @@ fn merge(args: &SweepMergeArgs, common: &Common) -> Result<(), Failure> {
     }
     let mut text = format!(
         "{}\n{} cases, {} without a result\n",
-        merged.title, merged.cases, merged.failed
+        asperity_storage::one_line(&merged.title),
+        merged.cases,
+        merged.failed
     );
     if merged.effects.iter().any(|row| row.effect.is_some()) {
         text.push_str(&format!(
@@ -196,7 +198,7 @@ fn merge(args: &SweepMergeArgs, common: &Common) -> Result<(), Failure> {
     text.push_str(&format!(
         "SHA-256 {}\nwrote {}\n",
         merged.sha256,
-        target.display()
+        shown(&target)
     ));
     print_text(common, &text)
 }

@@ -38,6 +38,9 @@ fn the_loss_of_a_position_is_friction_times_load_times_sliding() {
     let [coarse, fine] = [6, 24].map(farthest);
     assert!(coarse < 0.3 && fine < 0.3 * coarse, "{coarse} {fine}");
     for row in result(6).path {
+        let load = 1e3 * row.sliding_load_n_per_mm;
+        let again = row.mu * load * row.sliding_m_per_s.abs();
+        close(row.sliding_w_per_m, again);
         let parts = row.film_w_per_m + row.lubricated_asperity_w_per_m + row.boundary_w_per_m;
         close(row.sliding_w_per_m, parts);
         close(

@@ -11,6 +11,7 @@ use asperity::result::{
     BulkReport, GearboxReport, MicropittingReport, PairSampling, PositionRow, PublishedOutcome,
     RunResult, Summary,
 };
+use asperity_storage::one_line;
 
 /// Under the text of a message, behind its code.
 const INDENT: &str = "     ";
@@ -58,7 +59,7 @@ const MATTERS: &[&str] = &[
 ];
 
 fn note(warning: &Warning) -> String {
-    format!("{}\n", wrapped(&warning.to_string(), INDENT))
+    format!("{}\n", wrapped(&one_line(&warning.to_string()), INDENT))
 }
 
 fn numbers(result: &RunResult) -> String {
@@ -213,7 +214,7 @@ fn bulk_text(bulk: &BulkReport) -> String {
 fn write_losses(text: &mut String, result: &RunResult) -> std::fmt::Result {
     let s = &result.summary;
     let printed = PrintedLoss::of(s, &result.running_in, result.band.as_ref());
-    writeln!(text, "{}", result.title)?;
+    writeln!(text, "{}", one_line(&result.title))?;
     match &result.band {
         Some(band) => writeln!(text, "{}", headline(s, band))?,
         None => writeln!(

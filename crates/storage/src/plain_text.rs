@@ -23,11 +23,28 @@ pub fn cell(text: &str) -> Cow<'_, str> {
 /// assert_eq!(asperity_storage::printable("a\u{1b}[31mb\n"), "a\\u{1b}[31mb\n");
 /// ```
 pub fn printable(text: &str) -> Cow<'_, str> {
-    let is_bad = |c: char| {
-        let turns = matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-        (c.is_control() && c != '\n' && c != '\t') || turns
-    };
-    if !text.contains(is_bad) {
+    without(text, |c| acts(c) && c != '\n' && c != '\t')
+}
+
+/// A title or a name as a terminal shows it: the same with line feeds and tabs written out, so that it cannot begin a line
+/// of its own.
+///
+/// ```
+/// assert_eq!(asperity_storage::one_line("a\nE501 b"), "a\\u{a}E501 b");
+/// ```
+pub fn one_line(text: &str) -> Cow<'_, str> {
+    without(text, acts)
+}
+
+/// Whether a character does something instead of being shown.
+fn acts(c: char) -> bool {
+    let turns = matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    c.is_control() || turns
+}
+
+/// `text` with such characters written out.
+fn without(text: &str, is_bad: impl Fn(char) -> bool) -> Cow<'_, str> {
+    if !text.contains(&is_bad) {
         return Cow::Borrowed(text);
     }
     let written = text.chars().map(|c| match is_bad(c) {

@@ -173,10 +173,29 @@ impl Source {
         self.nearest(&self.keys, key)
     }
 
-    /// Notes that `key` was set to `value` past the text, so that no line of the text is named for it.
+    /// Notes that `key` was set to `value` past the text, so that no line of the text is named for it, nor for what is
+    /// below it.
     pub(super) fn set(&mut self, key: &str, value: &str) {
         self.changed.insert(key.to_owned());
-        self.written.insert(key.to_owned(), value.to_owned());
+        self.written.retain(|name, _| !is_within(name, key));
+        match value.parse::<toml::Value>() {
+            Ok(toml::Value::Table(table)) => self.note_table(key, &table),
+            _ => {
+                self.written.insert(key.to_owned(), value.to_owned());
+            }
+        }
+    }
+
+    fn note_table(&mut self, path: &str, table: &toml::Table) {
+        for (name, value) in table {
+            let path = join(path, name);
+            match value {
+                toml::Value::Table(inner) => self.note_table(&path, inner),
+                value => {
+                    self.written.insert(path, value.to_string());
+                }
+            }
+        }
     }
 
     /// The value of `key` as it stands in the file; none for a table, or where it is not there.
@@ -231,14 +250,14 @@ impl Source {
     }
 
     fn nearest_in(&self, index: &BTreeMap<String, Range<usize>>, key: &str) -> Place {
+        if self.changed.iter().any(|changed| is_within(key, changed)) {
+            return Place {
+                file: format!("{} (changed)", self.name),
+                ..self.at_span(None).about(key)
+            };
+        }
         let mut path = key;
         loop {
-            if self.changed.contains(path) {
-                return Place {
-                    file: format!("{} (changed)", self.name),
-                    ..self.at_span(None).about(key)
-                };
-            }
             if let Some(span) = index.get(path) {
                 return self
                     .at_span((!span.is_empty()).then(|| span.clone()))
@@ -324,6 +343,12 @@ impl Source {
             }
         }
     }
+}
+
+/// Whether `path` is `key` or below it.
+fn is_within(path: &str, key: &str) -> bool {
+    let rest = path.strip_prefix(key);
+    rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }
 
 fn join(path: &str, name: &str) -> String {

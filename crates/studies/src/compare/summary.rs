@@ -1,6 +1,7 @@
 //! The comparison for the terminal.
 
 use asperity_report::{stated, stated_parts, wrapped};
+use asperity_storage::one_line;
 
 use asperity::loss_band::rounded;
 
@@ -8,7 +9,7 @@ use super::comparison::{Comparison, FinishResult};
 
 /// The comparison for the terminal.
 pub fn summary(comparison: &Comparison) -> String {
-    let mut text = format!("{}\n", comparison.title);
+    let mut text = format!("{}\n", one_line(&comparison.title));
     let width = comparison
         .finishes
         .iter()
@@ -24,7 +25,7 @@ pub fn summary(comparison: &Comparison) -> String {
         let [loss, difference, change] = cells(finish);
         text.push_str(&format!(
             "{:width$}  {:>8} %  {loss:>18}  {difference:>20}  {change:>22}\n",
-            finish.name,
+            one_line(&finish.name),
             efficiency(finish),
         ));
     }
@@ -139,7 +140,8 @@ fn warnings(comparison: &Comparison) -> String {
             true => String::new(),
             false => format!(" ({})", names.join(", ")),
         };
-        format!("{}\n", wrapped(&format!("{warning}{whose}"), "     "))
+        let told = format!("{warning}{whose}");
+        format!("{}\n", wrapped(&one_line(&told), "     "))
     });
     told.collect()
 }

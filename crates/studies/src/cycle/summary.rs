@@ -1,6 +1,7 @@
 //! The energies for the terminal.
 
 use asperity_report::wrapped;
+use asperity_storage::one_line;
 
 use super::energy::CycleResult;
 
@@ -12,8 +13,8 @@ pub fn summary(found: &CycleResult) -> String {
         .map_or(String::new(), |km| format!(", {km:.2} km"));
     let mut text = format!(
         "{}\ncycle {}: {:.0} s{way}, {:.1} Wh driving, {:.1} Wh braking, flanks at {} °C (loss of the {} only)\n",
-        found.title,
-        found.cycle,
+        one_line(&found.title),
+        one_line(&found.cycle),
         found.duration_s,
         found.drive_wh,
         found.coast_wh,
@@ -36,7 +37,7 @@ pub fn summary(found: &CycleResult) -> String {
         let way = finish.wh_per_100_km.map(|value| format!("{value:.1}"));
         text.push_str(&format!(
             "{:<16} {:>16} {:>10.2} {:>10.2} {:>10} {:>12} {:>18}\n",
-            finish.name,
+            one_line(&finish.name),
             spread(finish.lost_wh, finish.deviation_wh),
             finish.lost_drive_wh,
             finish.lost_coast_wh,

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use asperity_report::wrapped;
+use asperity_storage::one_line;
 
 use super::point::{EXTENDED, FinishMap, Map, Numbers};
 
@@ -12,7 +13,7 @@ pub fn summary(map: &Map) -> String {
     let axes = &map.axes;
     let mut text = format!(
         "{}\n{} points: {} torques x {} speeds x {} temperatures (loss of the {} only)\n",
-        map.title,
+        one_line(&map.title),
         axes.points(),
         axes.torque_nm.len(),
         axes.speed_rpm.len(),

@@ -2,6 +2,7 @@
 
 use asperity::loss_band::rounded;
 use asperity_report::wrapped;
+use asperity_storage::one_line;
 
 use super::study::{Effect, Sensitivity, SensitivityRow};
 
@@ -14,7 +15,8 @@ pub(super) const NOTE: &str = "Each row is a run of the model with one thing cha
 pub fn summary(found: &Sensitivity) -> String {
     let mut text = format!(
         "{}\nloss {:.0} W, and how it changes\n",
-        found.title, found.loss_w
+        one_line(&found.title),
+        found.loss_w
     );
     let name = |row: &SensitivityRow| format!("{} -> {}", row.what, row.to);
     let width = found.rows.iter().map(|row| name(row).chars().count());
