@@ -40,7 +40,7 @@ fn fit(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     let folder = folder(args, stem(file), "calibration");
     place_is_free(&folder)?;
     let rig = RigFiles::read(file, case, |path| load_case(path, &args.set, None))?;
-    let shown = Progress::of(common.quiet, "evaluations");
+    let progress = Progress::of(common.quiet, "evaluations");
     let tell = |found: &Identifiability| {
         if !common.json {
             // A reader that has gone away is told by the end of the command.
@@ -48,11 +48,11 @@ fn fit(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
         }
     };
     let watch = Watch {
-        progress: &|done, total| shown.at(done, total),
+        progress: &|done, total| progress.at(done, total),
         before_the_fit: &tell,
     };
     let found = rig.calibrate(&held(args), &watch);
-    drop(shown);
+    drop(progress);
     let found = found?;
     write(&found, &folder).map_err(|error| Failure::new("E401", error.to_string()))?;
     if common.json {
@@ -72,9 +72,9 @@ fn design(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     place_is_free(&folder)?;
     let case = load_case(file, &args.set, None)?;
     let limits = limits(args, &case)?;
-    let shown = Progress::of(common.quiet, "evaluations");
-    let found = plan(&case, &limits, &held(args), &|done| shown.count(done));
-    drop(shown);
+    let progress = Progress::of(common.quiet, "evaluations");
+    let found = plan(&case, &limits, &held(args), &|done| progress.count(done));
+    drop(progress);
     let found = found?;
     let simulated = args
         .simulate

@@ -25,7 +25,7 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
         let message = format!("--offsets {offsets}: must be at least 2, as one has no spread");
         return Err(Failure::new("E209", message));
     }
-    let shown = Progress::of(common.quiet, READING);
+    let progress = Progress::of(common.quiet, READING);
     // Once for all finishes: standard input is read but once.
     let (text, folder) = source(&args.case)?;
     pair_only(&text)?;
@@ -53,12 +53,12 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
     });
     // Told before the work, not after it.
     compare::check_place(&folder).map_err(|error| Failure::new("E401", error.to_string()))?;
-    shown.begin("finishes");
-    let found = compare::compare(&finishes, &|done, total| shown.at(done, total))
+    progress.begin("finishes");
+    let found = compare::compare(&finishes, &|done, total| progress.at(done, total))
         .map_err(|error| Failure::about(&args.case, &error))?;
-    shown.begin(WRITING);
+    progress.begin(WRITING);
     compare::write(&found, &folder).map_err(|error| Failure::new("E401", error.to_string()))?;
-    drop(shown);
+    drop(progress);
     if common.json {
         return print_json(&found);
     }

@@ -23,7 +23,7 @@ use crate::output::{Progress, READING, WRITING, print_json, print_text, shown};
 pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
     check_names(&args.finishes)?;
-    let shown = Progress::of(common.quiet, READING);
+    let progress = Progress::of(common.quiet, READING);
     let finishes = finishes(args)?;
     let Some(first) = finishes.first() else {
         return Err(Failure::new("E501", "a map without a finish"));
@@ -50,15 +50,15 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     map::check_place(&folder).map_err(|error| Failure::new("E401", error.to_string()))?;
     let torques = axes.torque_nm.len().div_ceil(2) * finishes.len();
     check_work(&args.work, &first.case, &KeptFields::Highest, torques)?;
-    shown.begin("points");
-    let watch = |done, total| shown.at(done, total);
+    progress.begin("points");
+    let watch = |done, total| progress.at(done, total);
     let found = map::map(&finishes, &axes, args.band.points(), &watch)
         .map_err(|error| Failure::about(&args.case, &error))?;
-    shown.begin(WRITING);
+    progress.begin(WRITING);
     let exports = exports(args, &found, cycle.as_ref())?;
     map::write(&found, &visited, &exports, &folder)
         .map_err(|error| Failure::new("E401", error.to_string()))?;
-    drop(shown);
+    drop(progress);
     if common.json {
         return print_json(&found);
     }

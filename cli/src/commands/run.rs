@@ -23,10 +23,10 @@ const POSITIONS: &str = "mesh positions";
 pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
     let fields = fields(args)?;
-    let shown = Progress::of(common.quiet, READING);
+    let progress = Progress::of(common.quiet, READING);
     let loaded = match load_any(&args.case, &args.set, args.formulation)? {
         AnyCase::Pair(loaded) => loaded,
-        AnyCase::Set(set) => return run_set(&set, args, common, &fields, (begin, shown)),
+        AnyCase::Set(set) => return run_set(&set, args, common, &fields, (begin, progress)),
     };
     check_work(&args.work, &loaded, &fields.kept(), 1)?;
     let folder = (!args.no_output).then(|| result_folder(args));
@@ -34,21 +34,21 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
         // Told before the work, not after it.
         report::check_place(folder).map_err(|error| not_written(&error))?;
     }
-    shown.begin(POSITIONS);
-    let at = |done, total| shown.at(done, total);
+    progress.begin(POSITIONS);
+    let at = |done, total| progress.at(done, total);
     let outcome = match args.no_band {
         true => pipeline::run_keeping(&loaded, &fields.kept(), &at),
         false => band::run_with_band(&loaded, &fields.kept(), &at),
     };
     let outcome = outcome.map_err(|error| failed(&error, args, folder.as_deref()))?;
     if let Some(folder) = &folder {
-        shown.begin(WRITING);
+        progress.begin(WRITING);
         report::write_folder(&outcome, folder, &fields).map_err(|error| not_written(&error))?;
         if args.load_map {
             report::write_load_points(&outcome, folder).map_err(|error| not_written(&error))?;
         }
     }
-    drop(shown);
+    drop(progress);
     if common.json {
         return print_json(&outcome.result);
     }
@@ -67,21 +67,22 @@ fn run_set(
     args: &RunArgs,
     common: &Common,
     fields: &Fields,
-    (begin, shown): (Instant, Progress),
+    (begin, progress): (Instant, Progress),
 ) -> Result<(), Failure> {
     check_work_of_set(&args.work, set, &fields.kept())?;
     let folder = (!args.no_output).then(|| result_folder(args));
     if let Some(folder) = &folder {
         report::check_planetary_place(folder).map_err(|error| not_written(&error))?;
     }
-    shown.begin(POSITIONS);
-    let outcome = run_planetary_keeping(set, &fields.kept(), &|done, total| shown.at(done, total));
+    progress.begin(POSITIONS);
+    let outcome =
+        run_planetary_keeping(set, &fields.kept(), &|done, total| progress.at(done, total));
     let outcome = outcome.map_err(|error| failed(&error, args, folder.as_deref()))?;
     if let Some(folder) = &folder {
-        shown.begin(WRITING);
+        progress.begin(WRITING);
         report::write_planetary(&outcome, folder, fields).map_err(|error| not_written(&error))?;
     }
-    drop(shown);
+    drop(progress);
     if common.json {
         return print_json(&outcome.result);
     }

@@ -13,7 +13,7 @@ use crate::output::{Progress, READING, WRITING, print_json, print_text, shown};
 
 /// `asperity sensitivity`
 pub fn sensitivity(args: &SensitivityArgs, common: &Common) -> Result<(), Failure> {
-    let shown = Progress::of(common.quiet, READING);
+    let progress = Progress::of(common.quiet, READING);
     let loaded = load_case(&args.case, &args.set, None)?;
     check_work(&args.work, &loaded, &KeptFields::Highest, 1 + CHANGES)?;
     let folder = args.output.clone().unwrap_or_else(|| {
@@ -22,12 +22,12 @@ pub fn sensitivity(args: &SensitivityArgs, common: &Common) -> Result<(), Failur
     });
     // Told before the work, not after it.
     sensitivity::check_place(&folder).map_err(|error| Failure::new("E401", error.to_string()))?;
-    shown.begin("changes");
-    let found = sensitivity::sensitivity(&loaded, &|done, total| shown.at(done, total))
+    progress.begin("changes");
+    let found = sensitivity::sensitivity(&loaded, &|done, total| progress.at(done, total))
         .map_err(|error| Failure::about(&args.case, &error))?;
-    shown.begin(WRITING);
+    progress.begin(WRITING);
     sensitivity::write(&found, &folder).map_err(|error| Failure::new("E401", error.to_string()))?;
-    drop(shown);
+    drop(progress);
     if common.json {
         return print_json(&found);
     }

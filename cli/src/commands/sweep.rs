@@ -8,7 +8,7 @@ use asperity_studies::sweep::{self, Event, Plan, Refused, Shard, Status, Study, 
 
 use crate::args::{Common, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs};
 use crate::failure::Failure;
-use crate::output::{Progress, note, print_json, print_text, shown};
+use crate::output::{Progress, print_json, print_text, shown};
 
 /// `asperity sweep`
 pub fn sweep(command: &SweepCommand, common: &Common) -> Result<(), Failure> {
@@ -88,7 +88,7 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
     })?;
     let study = load(&args.sweep)?;
     let folder = parts(&args.sweep, &study);
-    let shown = Progress::of(common.quiet, "cases");
+    let progress = Progress::of(common.quiet, "cases");
     let done = sweep::run(&study, shard, &folder, &|event| match event {
         Event::Checked { refused, of } => {
             let count: usize = refused.values().map(|refused| refused.count).sum();
@@ -96,12 +96,12 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
                 let lines: String = refused.iter().map(line_of).collect();
                 let rows = "cases cannot be run and will be rows with their code";
                 let warning = Warning::new("W430", format!("{count} of {of} {rows}"));
-                shown.note(&format!("{warning}\n{}", lines.trim_end()));
+                progress.note(&format!("{warning}\n{}", lines.trim_end()));
             }
         }
-        Event::Done { cases, of } => shown.at(cases, of),
+        Event::Done { cases, of } => progress.at(cases, of),
     });
-    drop(shown);
+    drop(progress);
     let done = done.map_err(|error| refused(&args.sweep, &error))?;
     let status = sweep::status(&study, &folder).map_err(|error| refused(&args.sweep, &error))?;
     if common.json {
