@@ -164,10 +164,9 @@ mod tests {
                     let mut unused = None;
                     let of_piece = spectra.window_rms(both, (starts, points), nabla, &mut unused);
                     let off = of_piece.unwrap() / exact - 1.0;
-                    println!("{half_width} {per_half_width}: {off:e}");
                     assert!(unused.is_none());
-                    // Waves as long as the piece are cut at its ends.
-                    assert!(off.abs() < 2e-3, "{half_width} {per_half_width}: {off}");
+                    // Waves as long as the piece are cut at its ends; 7e-5 were seen where the longest waves are left.
+                    assert!(off.abs() < 2e-4, "{half_width} {per_half_width}: {off}");
                 }
             }
         }
