@@ -5,6 +5,7 @@
 use std::path::Path;
 
 use asperity::case::{LoadedCase, load_with};
+use asperity::quantity::Pressure;
 use asperity::result::RunResult;
 use asperity::{Error, pipeline};
 
@@ -117,8 +118,8 @@ fn elastic_records_above_the_flow_pressure_carry_a_warning_with_their_pressure()
     let text = text.unwrap();
     assert!(largest > 7000.0, "{largest}");
     let said = format!(
-        "the pressure reaches {:.3} GPa, above the 7 GPa",
-        1e-3 * largest
+        "the pressure reaches {:.3}, above the 7 GPa",
+        Pressure::from_si(1e6 * largest)
     );
     assert!(text.contains(&said), "{text}");
 }

@@ -36,7 +36,7 @@ pub struct PathRecord {
     pub smooth_film: Length,
     /// Friction with the weight min(1, e^(−(h − H_b)/h_b)) of the boundary friction, isothermal.
     pub friction: Estimate,
-    /// Friction with the weight e^(−h/h_b), isothermal: the weight of the laws of load sharing.
+    /// Friction with the weight e^(−h/h_b), isothermal: the weight of the solved load share.
     pub graded_friction: Estimate,
     /// Film friction of the load above the solid film, isothermal.
     pub film_friction: f64,

@@ -37,7 +37,7 @@ mod tests {
         };
         for elastic in [None, ceiling(15.0)] {
             let text = elastic_above_flow(gigapascals(8.25), elastic).unwrap();
-            assert!(text.contains("8.250 GPa, above the 7 GPa"), "{text}");
+            assert!(text.contains("8.25 GPa, above the 7 GPa"), "{text}");
             assert_eq!(elastic_above_flow(gigapascals(6.9), elastic), None);
         }
         // A node at the ceiling of a hard steel has yielded there.
