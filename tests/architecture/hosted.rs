@@ -1,7 +1,9 @@
-//! Hosted checks: what they use cannot be exchanged by others, and no fuzz target is forgotten.
+//! Hosted checks and the hosted page: what they use cannot be exchanged by others, and no fuzz target is forgotten.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+
+use asperity_report::html::{policy, source};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
@@ -56,5 +58,25 @@ fn every_fuzz_target_runs_every_night() {
             let name = file.file_stem().unwrap().to_str().unwrap();
             assert!(targets.contains(name), "{folder}: {name} is no target");
         }
+    }
+}
+
+#[test]
+fn the_browser_page_runs_its_own_scripts_and_those_of_a_report() {
+    let page = std::fs::read_to_string(root().join("crates/web/page/index.html")).unwrap();
+    let inline = page.split("<script>").nth(1).unwrap();
+    let inline = source(inline.split("</script>").next().unwrap());
+    let report = policy();
+    let of = |name: &str| {
+        let directive = report.split("; ").find_map(|part| part.strip_prefix(name));
+        directive.unwrap().trim().to_owned()
+    };
+    let scripts = format!(
+        "script-src 'self' 'wasm-unsafe-eval' {inline} {};",
+        of("script-src")
+    );
+    let styles = format!("style-src 'self' {};", of("style-src"));
+    for directive in [scripts, styles] {
+        assert!(page.contains(&directive), "index.html needs {directive}");
     }
 }

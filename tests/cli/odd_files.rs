@@ -296,9 +296,9 @@ fn every_command_refuses_a_device_a_pipe_a_folder_and_an_unreadable_file_within_
             if !is_tried {
                 continue;
             }
-            let odd = bench.path("odd");
+            let odd = bench.path("odd.csv");
             make(&odd);
-            let line = format!("{command} {}", line.replace("EHL", EHL)).replace('@', "odd");
+            let line = format!("{command} {}", line.replace("EHL", EHL)).replace('@', "odd.csv");
             let arguments: Vec<String> = line
                 .split_whitespace()
                 .map(|word| word.replace('~', " "))

@@ -1,8 +1,10 @@
 //! A case on the traces of a finish.
 
+use std::io::ErrorKind;
 use std::path::PathBuf;
 
 use asperity::case::CaseInput;
+use asperity_storage::regular_file;
 
 use crate::args::FinishArg;
 use crate::failure::Failure;
@@ -32,11 +34,12 @@ impl Traces {
         let name = &finish.name;
         let whole = |file: &PathBuf| {
             // Told here: the case does not name this file.
-            if !file.is_file() {
-                let message = format!(
-                    "{}: there is no such file (named by --finish {name})",
-                    file.display()
-                );
+            if let Err(error) = regular_file(file) {
+                let reason = match error.kind() {
+                    ErrorKind::NotFound => "there is no such file".to_owned(),
+                    _ => error.to_string(),
+                };
+                let message = format!("{}: {reason} (named by --finish {name})", file.display());
                 return Err(Failure::new("E103", message));
             }
             std::path::absolute(file)

@@ -28,7 +28,7 @@ pub use lubricated::{
     FilmAndPressure, FilmFrame, LubricatedContact, SharePoint, lubricated_contact,
 };
 pub use page::{figure, page};
-pub use policy::policy;
+pub use policy::{policy, source};
 
 use asperity::case::Formulation;
 use asperity::result::RunResult;

@@ -31,8 +31,9 @@ pub fn policy() -> String {
     )
 }
 
-/// Source expression of an inline script or style.
-fn source(text: &str) -> String {
+/// Source expression of the inline script or style `text`.
+#[must_use]
+pub fn source(text: &str) -> String {
     format!("'sha256-{}'", base64(&Sha256::digest(text.as_bytes())))
 }
 
