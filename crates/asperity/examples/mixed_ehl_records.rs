@@ -127,7 +127,8 @@ impl Condition {
 
 /// The ground trace `name` of the fixtures with its heights multiplied by `factor`.
 fn scaled(name: &str, factor: f64) -> Outcome<Profile> {
-    let text = std::fs::read_to_string(format!("fixtures/profiles/{name}.csv"))?;
+    let text =
+        asperity_storage::whole_text(format!("fixtures/profiles/{name}.csv").as_ref(), 10_000_000)?;
     let heights: Result<Vec<f64>, _> = text
         .lines()
         .skip(1)
