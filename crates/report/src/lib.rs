@@ -19,6 +19,7 @@ mod page_tables;
 mod planetary;
 mod summary;
 pub mod tables;
+mod thin;
 pub mod units;
 mod wrap;
 
@@ -30,4 +31,5 @@ pub use folder::{
 pub use page_tables::PageTables;
 pub use planetary::{check_planetary_place, write_planetary};
 pub use summary::{brief, published_laws, stated, summary};
+pub use thin::thin;
 pub use wrap::{COLUMNS, wrapped};

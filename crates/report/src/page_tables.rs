@@ -7,9 +7,6 @@ use serde::{Deserialize, Serialize};
 use crate::error::ReportError;
 use crate::tables::{ContactTables, FlankTables, LoadMapRow, load_map, thinned_views};
 
-/// Rows of a table that a page keeps.
-const ROWS: usize = 400;
-
 /// Tables of both flanks, of the load over them and of one mesh position.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PageTables {
@@ -64,12 +61,12 @@ impl PageTables {
     pub fn thinned(&self, result: &RunResult, file: &str) -> Result<Self, ReportError> {
         let flank = |body: usize| {
             let flank: Option<&FlankTables> = self.flanks[body].as_ref();
-            flank.map(|flank| flank.thinned(ROWS))
+            flank.map(FlankTables::thinned)
         };
         let contact = match &self.contact {
             Some(contact) => {
                 let row = shown_position(result, Some(contact.position))?;
-                row.map(|row| contact.thinned(row, ROWS))
+                row.map(|row| contact.thinned(row))
             }
             None => None,
         };
