@@ -277,7 +277,7 @@ pub struct RunArgs {
     #[arg(long, conflicts_with = "output")]
     pub no_output: bool,
     /// Keep the fields along the contact of these positions as tables: all, or numbers, e.g. 1,5
-    /// [default: some 400 points of the position with the highest pressure, in the page only]
+    /// [default: those of the position with the highest pressure, thinned, in the page only]
     #[arg(long, value_name = "all|N,N", conflicts_with = "no_output")]
     pub fields: Option<String>,
     /// Limits of time and memory.

@@ -2,7 +2,6 @@
 
 mod file_imports;
 mod hosted;
-mod size;
 mod words;
 
 use std::collections::{BTreeMap, BTreeSet};

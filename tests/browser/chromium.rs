@@ -1,9 +1,10 @@
-//! A headless Chromium that opens a page from a file.
+//! A headless Chromium that opens pages from files.
 
-use std::path::Path;
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// Names under which Chromium is installed.
 const NAMES: [&str; 4] = [
@@ -12,16 +13,14 @@ const NAMES: [&str; 4] = [
     "google-chrome",
     "google-chrome-stable",
 ];
-
-/// A page after its scripts have run.
-pub struct Opened {
-    /// The document as it then stands.
-    pub document: String,
-    /// Lines that the page wrote to the console.
-    pub console: Vec<String>,
-}
+/// Variable that says that a browser must be there: the project's CI sets it to "required".
+const EXPECTED: &str = "ASPERITY_BROWSER";
+const CHECK: &str = include_str!("check.js");
 
 /// The browser; `None` with a notice where there is none.
+///
+/// # Panics
+/// When there is none and the environment requires one.
 pub fn find() -> Option<&'static str> {
     let works = |name: &&str| {
         Command::new(name)
@@ -31,6 +30,12 @@ pub fn find() -> Option<&'static str> {
     };
     let found = NAMES.into_iter().find(|name| works(name));
     if found.is_none() {
+        let is_required = std::env::var_os(EXPECTED).is_some_and(|value| value == "required");
+        assert!(
+            !is_required,
+            "{EXPECTED}=required, and none of {} is installed",
+            NAMES.join(", ")
+        );
         eprintln!(
             "NOTICE: no Chromium on this machine, so no page was opened: this test proves nothing here"
         );
@@ -38,10 +43,131 @@ pub fn find() -> Option<&'static str> {
     found
 }
 
-/// Opens `page` with its self-test, without any network, in a window of `width`.
-pub fn open(browser: &str, page: &Path, width: u32) -> Opened {
-    let profile = tempfile::tempdir().unwrap();
-    let output = Command::new(browser)
+/// Fonts that the browser may use.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Fonts {
+    /// All that are installed.
+    Installed,
+    /// Those in a folder.
+    Only(PathBuf),
+    /// None at all.
+    Missing,
+}
+
+impl Fonts {
+    /// All fonts, those of each common family that is installed by themselves, and none.
+    pub fn choices() -> Vec<Self> {
+        let families = [
+            "DejaVuSans.ttf",
+            "LiberationSans-Regular.ttf",
+            "NotoSans-Regular.ttf",
+        ];
+        let folders = families
+            .iter()
+            .filter_map(|file| folder_with(Path::new("/usr/share/fonts"), OsStr::new(file)));
+        let only = folders.map(Self::Only);
+        [Self::Installed]
+            .into_iter()
+            .chain(only)
+            .chain([Self::Missing])
+            .collect()
+    }
+
+    /// Configuration of fontconfig for these fonts only; `None` for those installed.
+    fn configuration(&self, place: &Path) -> Option<PathBuf> {
+        let folder = match self {
+            Self::Installed => return None,
+            Self::Only(folder) => format!("<dir>{}</dir>", folder.display()),
+            Self::Missing => String::new(),
+        };
+        let file = place.join("fonts.conf");
+        // The rules of the system choose among fonts and name no folders.
+        let text = format!(
+            "<?xml version=\"1.0\"?><!DOCTYPE fontconfig SYSTEM \"fonts.dtd\"><fontconfig>{folder}\
+             <include ignore_missing=\"yes\">/etc/fonts/conf.d</include><cachedir>{}</cachedir></fontconfig>",
+            place.join("fonts").display()
+        );
+        std::fs::write(&file, text).unwrap();
+        Some(file)
+    }
+}
+
+/// The folder below `root` with the file `name`.
+fn folder_with(root: &Path, name: &OsStr) -> Option<PathBuf> {
+    let entries: Vec<_> = std::fs::read_dir(root).ok()?.flatten().collect();
+    if entries.iter().any(|entry| entry.file_name() == name) {
+        return Some(root.to_owned());
+    }
+    let folders = entries
+        .iter()
+        .map(|entry| entry.path())
+        .filter(|path| path.is_dir());
+    folders
+        .into_iter()
+        .find_map(|folder| folder_with(&folder, name))
+}
+
+/// How pages are looked at.
+#[derive(Debug, Clone)]
+pub struct Look {
+    /// Widths of their windows.
+    pub widths: Vec<u32>,
+    /// Whether in dark colours.
+    pub is_dark: bool,
+    /// Fonts there are.
+    pub fonts: Fonts,
+    /// Whether their charts are zoomed and their sliders moved.
+    pub drives: bool,
+}
+
+impl Look {
+    /// In light colours with the fonts installed, driving the charts.
+    pub fn at(widths: &[u32]) -> Self {
+        Self {
+            widths: widths.to_vec(),
+            is_dark: false,
+            fonts: Fonts::Installed,
+            drives: true,
+        }
+    }
+}
+
+/// What was seen of a page in a window.
+#[derive(Debug)]
+pub struct Opened {
+    /// The page and its width.
+    pub name: String,
+    /// Findings of `check.js`.
+    pub found: Value,
+    /// Lines that the page wrote to the console.
+    pub console: Vec<String>,
+}
+
+impl Opened {
+    /// Text of the element that shows the value at `key` of the result.
+    pub fn shown(&self, key: &str) -> &str {
+        let text = self.found["shown"][key].as_str();
+        text.unwrap_or_else(|| panic!("{key} is shown in {}", self.name))
+    }
+}
+
+/// `page` with the check at its end.
+fn with_check(page: &str, wanted: &Value) -> String {
+    let end = page.rfind("</body>").expect("a page has an end");
+    let script = format!("<script>window.CHECK = {wanted};</script><script>{CHECK}</script>");
+    [&page[..end], &script, &page[end..]].concat()
+}
+
+/// Runs the browser on `page` in `place`; the document as it stands at the end, and the console.
+fn run(
+    browser: &str,
+    page: &Path,
+    place: &Path,
+    look: &Look,
+    more: &[String],
+) -> (String, Vec<String>) {
+    let mut command = Command::new(browser);
+    command
         .args([
             "--headless",
             "--no-sandbox",
@@ -57,49 +183,137 @@ pub fn open(browser: &str, page: &Path, width: u32) -> Opened {
         .args([
             "--host-resolver-rules=MAP * ~NOTFOUND",
             "--enable-logging=stderr",
+            "--hide-scrollbars",
         ])
+        // Time of the page, which stands still while the machine computes.
         .args(["--virtual-time-budget=5000", "--dump-dom"])
-        .arg(format!("--window-size={width},900"))
-        .arg(format!("--user-data-dir={}", profile.path().display()))
-        .arg(format!("file://{}#selftest", page.display()))
+        .arg(format!(
+            "--blink-settings=preferredColorScheme={}",
+            if look.is_dark { 0 } else { 1 }
+        ))
+        .arg(format!(
+            "--user-data-dir={}",
+            place.join("profile").display()
+        ))
+        .args(more);
+    if let Some(file) = look.fonts.configuration(place) {
+        command.env("FONTCONFIG_FILE", file);
+    }
+    let output = command
+        .arg(format!("file://{}", page.display()))
         .output()
         .unwrap();
     let messages = String::from_utf8_lossy(&output.stderr);
-    Opened {
-        document: String::from_utf8_lossy(&output.stdout).into_owned(),
-        console: messages
-            .lines()
-            .filter(|line| line.contains("CONSOLE"))
-            .map(str::to_owned)
-            .collect(),
+    let console = messages.lines().filter(|line| line.contains("CONSOLE"));
+    (
+        String::from_utf8_lossy(&output.stdout).into_owned(),
+        console.map(str::to_owned).collect(),
+    )
+}
+
+/// What the check wrote into `document`.
+fn found(document: &str) -> Vec<Value> {
+    let start = document
+        .find("<pre id=\"found\"")
+        .expect("the pages were checked");
+    let text = &document[start..];
+    let (from, to) = (text.find('>').unwrap() + 1, text.find("</pre>").unwrap());
+    let text = text[from..to]
+        .replace("&lt;", "<")
+        .replace("&gt;", ">")
+        .replace("&amp;", "&");
+    serde_json::from_str(&text).unwrap()
+}
+
+/// Opens `pages`, of a name and a text each, in one browser without any network, page by page in all widths.
+pub fn open(browser: &str, pages: &[(&str, &str)], look: &Look) -> Vec<Opened> {
+    let place = tempfile::tempdir().unwrap();
+    let mut windows = Vec::new();
+    for (name, text) in pages {
+        for width in &look.widths {
+            windows.push((format!("{name} at {width}"), *text, *width));
+        }
+    }
+    let frames: String = (windows.iter().enumerate())
+        .map(|(k, (_, text, width))| {
+            let wanted = json!({"page": k, "drive": look.drives, "pixels": false});
+            let file = format!("page-{k}.html");
+            std::fs::write(place.path().join(&file), with_check(text, &wanted)).unwrap();
+            format!("<iframe src=\"{file}\" width=\"{width}\" height=\"900\"></iframe>")
+        })
+        .collect();
+    let around = format!(
+        "<!doctype html><meta charset=\"utf-8\"><pre id=\"found\" hidden></pre><script>const all = [];\
+         addEventListener(\"message\", (e) => {{ all.push(e.data);\
+         document.getElementById(\"found\").textContent = JSON.stringify(all); }});</script>{frames}"
+    );
+    let file = place.path().join("around.html");
+    std::fs::write(&file, around).unwrap();
+    let (document, console) = run(browser, &file, place.path(), look, &[]);
+    let mut all = found(&document);
+    all.sort_by_key(|found| found["page"].as_u64());
+    let seen: Vec<u64> = all
+        .iter()
+        .filter_map(|found| found["page"].as_u64())
+        .collect();
+    let due: Vec<u64> = (0..windows.len() as u64).collect();
+    assert_eq!(
+        seen, due,
+        "every page was checked; the console: {console:?}"
+    );
+    let pairs = windows.into_iter().zip(all).enumerate();
+    pairs
+        .map(|(k, ((name, ..), found))| {
+            let own = format!("page-{k}.html");
+            let console = console.iter().filter(|line| line.contains(&own));
+            Opened {
+                name: format!("{name}, {look:?}"),
+                found,
+                console: console.cloned().collect(),
+            }
+        })
+        .collect()
+}
+
+/// A page as it was rendered.
+pub struct Picture {
+    width: usize,
+    rgb: Vec<[u8; 3]>,
+    /// Findings of `check.js`, with places on the curves.
+    pub found: Value,
+}
+
+impl Picture {
+    /// Whether a pixel at `place` or next to it has about the colour `due`.
+    pub fn shows(&self, place: [f64; 2], due: [f64; 3]) -> bool {
+        /// Smoothing mixes a thin line with what it lies on.
+        const NEAR: f64 = 60.0;
+        let [x, y] = place.map(|at| at.floor() as i64);
+        let pixel = |x: i64, y: i64| {
+            let inside = (0..self.width as i64).contains(&x) && y >= 0;
+            inside.then(|| self.rgb.get(y as usize * self.width + x as usize))?
+        };
+        let close = |rgb: &[u8; 3]| (0..3).all(|k| (f64::from(rgb[k]) - due[k]).abs() < NEAR);
+        (-1..=1).any(|dx| (-1..=1).any(|dy| pixel(x + dx, y + dy).is_some_and(close)))
     }
 }
 
-impl Opened {
-    /// Findings of the page's self-test.
-    pub fn selftest(&self) -> Value {
-        let start = self
-            .document
-            .find("<pre id=\"selftest\"")
-            .expect("the page has run its self-test");
-        let text = &self.document[start..];
-        let (from, to) = (text.find('>').unwrap() + 1, text.find("</pre>").unwrap());
-        serde_json::from_str(
-            &text[from..to]
-                .replace("&amp;", "&")
-                .replace("&lt;", "<")
-                .replace("&gt;", ">"),
-        )
-        .unwrap()
-    }
-
-    /// Text of the element that shows the value at `key` of the result.
-    pub fn shown(&self, key: &str) -> String {
-        let start = self
-            .document
-            .find(&format!("data-key=\"{key}\""))
-            .unwrap_or_else(|| panic!("{key} is shown"));
-        let text = &self.document[start..];
-        text[text.find('>').unwrap() + 1..text.find("</").unwrap()].to_owned()
+/// Renders `page` as a whole, `size` pixels large.
+pub fn render(browser: &str, page: &str, size: [u32; 2], look: &Look) -> Picture {
+    let place = tempfile::tempdir().unwrap();
+    let file = place.path().join("page.html");
+    let wanted = json!({"page": 0, "drive": false, "pixels": true});
+    std::fs::write(&file, with_check(page, &wanted)).unwrap();
+    let image = place.path().join("page.png");
+    let more = [
+        format!("--window-size={},{}", size[0], size[1]),
+        format!("--screenshot={}", image.display()),
+    ];
+    let (document, _) = run(browser, &file, place.path(), look, &more);
+    let (width, rgb) = crate::png::pixels(&std::fs::read(&image).unwrap());
+    Picture {
+        width,
+        rgb,
+        found: found(&document).remove(0),
     }
 }

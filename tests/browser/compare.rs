@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use asperity::case::{CaseInput, FlankInput, load_with};
 use asperity_studies::compare::{Comparison, Finish, compare, write};
 
-use crate::chromium;
+use crate::chromium::{self, Look};
+use crate::looks::assert_sound;
 
 fn fixtures() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures")
@@ -81,5 +82,6 @@ fn the_page_of_a_comparison_draws_and_zooms_and_its_tables_are_there() {
     let Some(browser) = chromium::find() else {
         return;
     };
-    crate::report::assert_sound(&chromium::open(browser, &folder.join("compare.html"), 1000));
+    let opened = chromium::open(browser, &[("comparison", &page)], &Look::at(&[1000]));
+    assert_sound(&opened[0]);
 }

@@ -20,6 +20,7 @@ mod planetary;
 mod printed;
 mod summary;
 pub mod tables;
+mod thin;
 pub mod units;
 mod wrap;
 
@@ -32,4 +33,5 @@ pub use page_tables::PageTables;
 pub use planetary::{check_planetary_place, write_planetary};
 pub use printed::{stated, stated_parts};
 pub use summary::{brief, published_laws, summary};
+pub use thin::thin;
 pub use wrap::{COLUMNS, wrapped};

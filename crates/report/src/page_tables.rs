@@ -7,9 +7,6 @@ use serde::{Deserialize, Serialize};
 use crate::error::{ReportError, TableFault};
 use crate::tables::{ContactTables, FlankTables, LoadMapRow, check_field, load_map, thinned_views};
 
-/// Rows of a table that a page keeps.
-const ROWS: usize = 400;
-
 /// Tables of both flanks, of the load over them and of one mesh position. Those that are read back can be drawn: the
 /// fields are rectangles of finite numbers, the columns of a view of one length.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -98,12 +95,12 @@ impl PageTables {
     pub fn thinned(&self, result: &RunResult, file: &str) -> Result<Self, ReportError> {
         let flank = |body: usize| {
             let flank: Option<&FlankTables> = self.flanks[body].as_ref();
-            flank.map(|flank| flank.thinned(ROWS))
+            flank.map(FlankTables::thinned)
         };
         let contact = match &self.contact {
             Some(contact) => {
                 let row = shown_position(result, Some(contact.position))?;
-                row.map(|row| contact.thinned(row, ROWS))
+                row.map(|row| contact.thinned(row))
             }
             None => None,
         };

@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 
 use asperity::case::{Formulation, load_with};
 use asperity::result::{Outcome, RunResult};
-use asperity_report::{Fields, ReportError, read_result, redraw, texts, write_folder};
+use asperity_report::tables::{SurfaceRow, TraceRow};
+use asperity_report::{Fields, PageTables, ReportError, read_result, redraw, texts, write_folder};
 
 fn cases() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases");
@@ -208,5 +209,55 @@ fn a_number_that_is_not_finite_is_never_written() {
             0,
             "nothing is left"
         );
+    }
+}
+
+#[test]
+fn the_thinned_tables_of_a_contact_keep_the_extremes_of_the_fields() {
+    let ends = |values: &mut dyn Iterator<Item = f64>| {
+        values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| {
+            [low.min(v), high.max(v)]
+        })
+    };
+    for (case, formulation) in [
+        ("e-drive.toml", Formulation::Corrected),
+        ("table2.toml", Formulation::Paper),
+    ] {
+        let place = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases");
+        let outcome = outcome(&place.join(case), formulation);
+        let tables = PageTables::of(&outcome, None).unwrap();
+        let whole = tables.contact.as_ref().unwrap();
+        let fields = &outcome.fields[whole.position - 1];
+        let below = fields.subsurface.as_ref().unwrap();
+        // Six digits are kept.
+        let near = |[low, high]: [f64; 2], [a, b]: [f64; 2]| {
+            (low - a).abs() < 1e-5 * b && (high - b).abs() < 1e-5 * b
+        };
+        let stresses = ends(&mut whole.subsurface.iter().map(|row| row.von_mises_mpa));
+        let exact = ends(&mut below.von_mises.iter().map(|stress| 1e-6 * stress));
+        assert!(near(stresses, exact), "{case}: {stresses:?} {exact:?}");
+        let shown = tables.thinned(&outcome.result, "page.json").unwrap();
+        let surface = &shown.contact.unwrap().surface;
+        assert!(surface.len() < whole.surface.len());
+        let columns: [fn(&SurfaceRow) -> f64; 8] = [
+            |row| row.height_pinion_um,
+            |row| row.height_pinion_um - row.displacement_pinion_um,
+            |row| row.gap_um,
+            |row| row.plastic_pinion_um,
+            |row| row.plastic_wheel_um,
+            |row| row.pressure_solid_mpa,
+            |row| row.pressure_fluid_mpa,
+            |row| row.pressure_hertz_mpa,
+        ];
+        for (number, column) in columns.iter().enumerate() {
+            let kept = ends(&mut surface.iter().map(column));
+            let all = ends(&mut whole.surface.iter().map(column));
+            assert_eq!(kept, all, "{case}: column {number}");
+        }
+        let [trace, drawn] =
+            [&tables.flanks, &shown.flanks].map(|flanks| &flanks[0].as_ref().unwrap().trace);
+        let levelled = |rows: &[TraceRow]| ends(&mut rows.iter().map(|row| row.form_removed_um));
+        assert!(drawn.len() < trace.len());
+        assert_eq!(levelled(drawn), levelled(trace), "{case}");
     }
 }

@@ -42,15 +42,21 @@ def site():
         yield address, asked
 
 
+def complaints(context):
+    """What pages of `context` and their frames write to the console as errors or warnings, and what they throw."""
+    said = []
+    context.on("console", lambda message: said.append(message.text) if message.type in ("error", "warning") else None)
+    context.on("weberror", lambda error: said.append(str(error.error)))
+    return said
+
+
 @pytest.fixture
 def page(chromium, site):
     """The page, which at the end has asked nobody else and complained of nothing."""
     address, asked = site
     context = chromium.new_context(viewport={"width": 1400, "height": 1000})
-    sought, said = [], []
+    sought, said = [], complaints(context)
     context.on("request", lambda request: sought.append(request.url))
-    context.on("console", lambda message: said.append(message.text) if message.type in ("error", "warning") else None)
-    context.on("weberror", lambda error: said.append(str(error.error)))
     opened = open_page(context, address)
     opened.sought, opened.said = sought, said
     yield opened
@@ -354,6 +360,7 @@ def test_the_page_is_worked_by_keys_and_every_field_has_a_name(page):
 @pytest.mark.parametrize(("width", "scheme"), [(1440, "light"), (1440, "dark"), (390, "light"), (390, "dark")])
 def test_nothing_sticks_out_at_any_width(chromium, site, width, scheme):
     context = chromium.new_context(viewport={"width": width, "height": 900}, color_scheme=scheme)
+    said = complaints(context)
     page = open_page(context, site[0])
     page.click("#demo")
     page.wait_for_selector("form[data-run=running]")
@@ -370,6 +377,19 @@ def test_nothing_sticks_out_at_any_width(chromium, site, width, scheme):
     assert inner.evaluate("(html) => html.scrollHeight - html.clientHeight") <= 0
     shade = page.evaluate("() => getComputedStyle(document.body).backgroundColor")
     assert (sum(map(int, re.findall(r"\d+", shade)[:3])) < 380) == (scheme == "dark")
+    # Every curve of the report in the page has the colour of its class.
+    off = inner.evaluate(
+        """(html) => [...html.querySelectorAll('svg.chart path.curve')].filter((path) => {
+            const own = [...path.classList].find((name) => /^c\\d$/.test(name));
+            const probe = html.ownerDocument.body.appendChild(html.ownerDocument.createElement('i'));
+            probe.style.color = own ? `var(--${own})` : 'inherit';
+            const due = getComputedStyle(probe).color;
+            probe.remove();
+            return own && getComputedStyle(path).stroke !== due;
+        }).map((path) => path.getAttribute('class'))"""
+    )
+    assert off == []
+    assert said == []
     context.close()
 
 

@@ -66,6 +66,12 @@ impl Axis {
         self
     }
 
+    /// Whether `value` is within the limits of the axis.
+    pub(super) fn shows(&self, value: f64) -> bool {
+        self.limits
+            .is_none_or(|[low, high]| (low..=high).contains(&value))
+    }
+
     /// Label with unit.
     pub fn text(&self) -> String {
         if self.unit.is_empty() {

@@ -1,9 +1,10 @@
 //! Bars from zero, with their values written beside them.
 
-use super::axis::Axis;
-use super::canvas::{Anchor, Canvas};
+use super::axis::{Axis, Range};
+use super::canvas::{Anchor, Canvas, LINE};
 use super::dress::Dress;
-use super::frame::{WIDTH, document};
+use super::frame::{RIGHT, TICK_BELOW, WIDTH, document, right_end};
+use super::text_width::{NAME, name_lines, widest, width};
 
 /// A bar.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,68 +34,78 @@ pub struct BarChart {
     pub bars: Vec<Bar>,
 }
 
-/// Width of a letter as narrow pages draw it, where letters are largest against the drawing.
-const LETTER: f64 = 9.4;
+/// Ticks aimed at.
+const TICKS: usize = 5;
+/// From the names to the bars, and from a bar to its text.
+const BESIDE: f64 = 8.0;
+/// Edge of the drawing that stays free.
+const EDGE: f64 = 4.0;
+/// Longest line of a name.
+const MOST: f64 = 0.5 * WIDTH - BESIDE - EDGE;
 
-fn width_of(text: &str) -> f64 {
-    LETTER * text.chars().count() as f64
-}
-
-/// A name in one line, or in two where it is long: before its brackets, else of about equal length.
-fn lines(name: &str) -> Vec<&str> {
-    const LONG: usize = 22;
-    let blanks = name.match_indices(' ').map(|(at, _)| at);
-    let nearest = blanks.min_by_key(|at| name.len().abs_diff(2 * at));
-    match name.find(" (").or(nearest) {
-        Some(at) if name.chars().count() > LONG => vec![&name[..at], &name[at + 1..]],
-        _ => vec![name],
+/// A name in few lines of about equal length that leave half of the width to the bars.
+fn lines(name: &str) -> Vec<String> {
+    /// A name that is not longer is a single line.
+    const LONG: f64 = 240.0;
+    /// Next length to be tried over the one before.
+    const LONGER: f64 = 1.05;
+    let whole = width(name, NAME);
+    let number = (whole / LONG).ceil().max(1.0);
+    let mut most = whole / number;
+    loop {
+        let lines = name_lines(name, most.min(MOST));
+        if lines.len() as f64 <= number || most >= MOST {
+            return lines;
+        }
+        most *= LONGER;
     }
 }
 
 /// Room for the names left of the bars.
-fn room<'a>(names: impl Iterator<Item = &'a str>) -> f64 {
+fn room<'a>(names: impl Iterator<Item = &'a Vec<String>>) -> f64 {
     const LEAST: f64 = 110.0;
-    const MOST: f64 = 0.5 * WIDTH;
-    let longest = names.flat_map(lines).map(width_of).fold(0.0, f64::max);
-    (20.0 + longest).clamp(LEAST, MOST)
+    let longest = widest(names.flatten().map(String::as_str), NAME);
+    (EDGE + longest + BESIDE).max(LEAST)
 }
 
 impl BarChart {
+    /// Class of its drawing.
+    pub(super) const KIND: &str = "bar-chart";
+
     /// The chart as SVG.
     pub fn svg(&self, dress: Dress) -> String {
-        const PITCH: f64 = 36.0;
         const THICK: f64 = 20.0;
-        /// Half the distance of the lines of a name.
-        const HALF_LINE: f64 = 8.0;
-        let left = room(self.bars.iter().map(|bar| bar.name.as_str()));
+        let names: Vec<Vec<String>> = self.bars.iter().map(|bar| lines(&bar.name)).collect();
+        let left = room(names.iter());
+        let most = names.iter().map(Vec::len).max().unwrap_or(1);
+        let pitch = (LINE * most as f64).max(THICK + 16.0);
         let top = if dress == Dress::Alone { 36.0 } else { 10.0 };
-        let bottom = top + PITCH * self.bars.len() as f64 + 4.0;
-        let height = bottom + 46.0;
+        let bottom = top + pitch * self.bars.len() as f64 + 4.0;
+        let height = bottom + 50.0;
         let ends = self.bars.iter().filter_map(|bar| {
             bar.value
                 .map(|value| bar.spread.map_or(value, |[_, high]| value.max(high)))
         });
         let range = self.axis.clone().from_zero().range(ends);
-        let right = self.right(left, |value| range.share(value));
+        let right = self.right(left, &range);
         let place = |value: f64| left + range.share(value) * (right - left);
         let mut canvas = Canvas::default();
-        for (value, label) in range.ticks(5) {
+        for (value, label) in range.ticks(TICKS) {
             canvas.line("grid", [place(value), top], [place(value), bottom]);
             canvas.label(
                 "tick",
-                [place(value), bottom + 17.0],
+                [place(value), bottom + TICK_BELOW],
                 Anchor::Middle,
                 &label,
             );
         }
-        for (index, bar) in self.bars.iter().enumerate() {
-            let y = top + 8.0 + PITCH * index as f64;
-            let middle = y + 0.5 * THICK;
-            let lines = lines(&bar.name);
-            let above = HALF_LINE * (lines.len() - 1) as f64;
+        for (index, (bar, lines)) in self.bars.iter().zip(&names).enumerate() {
+            let middle = top + 2.0 + pitch * (index as f64 + 0.5);
+            let y = middle - 0.5 * THICK;
+            let above = 0.5 * LINE * (lines.len() - 1) as f64;
             for (number, line) in lines.iter().enumerate() {
-                let base = middle + 4.0 - above + 2.0 * HALF_LINE * number as f64;
-                canvas.label("name", [left - 8.0, base], Anchor::End, line);
+                let base = middle + 4.0 - above + LINE * number as f64;
+                canvas.label("name", [left - BESIDE, base], Anchor::End, line);
             }
             let mut end = left;
             if let Some(value) = bar.value {
@@ -106,7 +117,12 @@ impl BarChart {
                     end = end.max(ends[1]);
                 }
             }
-            canvas.label("name", [end + 7.0, middle + 4.0], Anchor::Start, &bar.text);
+            canvas.label(
+                "name",
+                [end + BESIDE, middle + 4.0],
+                Anchor::Start,
+                &bar.text,
+            );
         }
         canvas.line("axis", [left, top], [left, bottom]);
         let middle = 0.5 * (left + right);
@@ -116,25 +132,24 @@ impl BarChart {
             Anchor::Middle,
             &self.axis.text(),
         );
-        document(dress, &self.title, height, &canvas.into_text())
+        document(dress, Self::KIND, &self.title, height, &canvas.into_text())
     }
 
-    /// Right end of the axis, so that the text beside every bar fits.
-    fn right(&self, left: f64, share: impl Fn(f64) -> f64) -> f64 {
-        const EDGE: f64 = WIDTH - 10.0;
-        const BESIDE: f64 = 7.0;
+    /// Right end of the axis, so that the text beside every bar and the label of every tick fits.
+    fn right(&self, left: f64, range: &Range) -> f64 {
         const LEAST: f64 = 60.0;
         let room = |bar: &Bar| {
             let end = bar.spread.map_or(0.0, |[_, high]| high).max(bar.value?);
-            let free = EDGE - left - BESIDE - width_of(&bar.text);
-            Some(left + free / share(end).max(f64::EPSILON))
+            let free = WIDTH - EDGE - left - BESIDE - width(&bar.text, NAME);
+            Some(left + free / range.share(end).max(f64::EPSILON))
         };
-        let least = self
-            .bars
+        let ends = self.bars.iter().filter_map(room);
+        let ticks = range.ticks(TICKS);
+        let labels = ticks
             .iter()
-            .filter_map(room)
-            .fold(EDGE - 20.0, f64::min);
-        least.max(left + LEAST)
+            .map(|(at, label)| (range.share(*at), label.as_str()));
+        let right = right_end(left, ends.fold(WIDTH - RIGHT, f64::min), WIDTH, labels);
+        right.max(left + LEAST)
     }
 }
 
@@ -152,7 +167,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn long_names_stand_in_two_lines() {
+    fn long_names_stand_in_lines_that_leave_room_for_the_bars() {
         assert_eq!(lines("rolling"), ["rolling"]);
         assert_eq!(
             lines("benedict-kelley (with asperities)"),
@@ -166,6 +181,9 @@ mod tests {
             lines("a-name-without-any-blank-in-it"),
             ["a-name-without-any-blank-in-it"]
         );
+        let long =
+            lines("share of the load that is carried by the film, by asperities and by the layer");
+        assert!(long.len() > 2 && widest(long.iter().map(String::as_str), NAME) <= MOST);
     }
 
     #[test]
@@ -183,8 +201,14 @@ mod tests {
             axis: Axis::new("loss", "W"),
             bars: vec![bar(1.0, "1 W"), bar(9.0, "9 W, outside its range")],
         };
-        let right = chart.right(110.0, |value| value / 10.0);
-        assert!(110.0 + 0.9 * (right - 110.0) + 7.0 + width_of("9 W, outside its range") <= WIDTH);
+        let range = chart
+            .axis
+            .clone()
+            .within(0.0, 10.0)
+            .range(std::iter::empty());
+        let right = chart.right(110.0, &range);
+        let end = 110.0 + 0.9 * (right - 110.0);
+        assert!(end + BESIDE + width("9 W, outside its range", NAME) <= WIDTH);
         assert!(right > 110.0 + 60.0);
     }
 }

@@ -17,6 +17,10 @@ pub(crate) fn escaped(text: &str) -> String {
     safe
 }
 
+/// Distance of the base lines of a name in two lines, and of one from bottom to top, beside which there is less air.
+pub(super) const LINE: f64 = 18.0;
+pub(super) const UPRIGHT_LINE: f64 = 23.5;
+
 /// A drawing in the making. Writing into a string cannot fail.
 #[derive(Debug, Default)]
 pub(super) struct Canvas {
@@ -75,13 +79,16 @@ impl Canvas {
         );
     }
 
-    pub fn upright(&mut self, class: &str, at: [f64; 2], text: &str) {
-        let [x, y] = at;
-        let _ = write!(
-            self.text,
-            "<text class=\"{class}\" transform=\"translate({x:.1} {y:.1}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
-            escaped(text)
-        );
+    /// Text from the bottom to the top in lines, the base line of the last one at `at`, which is also their middle.
+    pub fn upright(&mut self, class: &str, [x, y]: [f64; 2], lines: &[String]) {
+        for (above, line) in lines.iter().rev().enumerate() {
+            let x = x - UPRIGHT_LINE * above as f64;
+            let _ = write!(
+                self.text,
+                "<text class=\"{class}\" transform=\"translate({x:.1} {y:.1}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
+                escaped(line)
+            );
+        }
     }
 
     pub fn path(&mut self, class: &str, d: &str) {

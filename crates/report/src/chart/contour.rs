@@ -7,7 +7,8 @@ use serde_json::{Value, json};
 use super::axis::{Axis, Range, Scale};
 use super::canvas::{Anchor, Canvas};
 use super::dress::Dress;
-use super::frame::{Frame, document};
+use super::frame::{Frame, RIGHT, WIDTH, document, upright_room};
+use super::text_width::{DESCENT, NAME, TICK, name_lines, widest};
 
 /// Bands of the colour scale.
 const BANDS: usize = 10;
@@ -31,10 +32,10 @@ pub struct Contour {
     pub columns: Vec<f64>,
     /// Places of the rows, rising.
     pub rows: Vec<f64>,
-    /// Values row by row.
+    /// Values row by row; a cell with an undefined corner stays blank.
     pub values: Vec<f64>,
     /// Lower edges of the bands, rising; round numbers from zero where none are given. The first band holds
-    /// everything below the second, and what has no value.
+    /// everything below the second.
     pub levels: Option<Vec<f64>>,
     /// Whether each value is marked as doubtful: cells at such a node are hatched. Empty where none is.
     pub hatched: Vec<bool>,
@@ -46,10 +47,16 @@ pub struct Contour {
     pub height: f64,
 }
 
+/// From the box to the colour scale, its thickness, and from it to its ticks.
+const SCALE_LEFT: f64 = 12.0;
+const SCALE_THICK: f64 = 14.0;
+const SCALE_TICKS: f64 = 4.0;
+
 impl Contour {
+    /// Class of its drawing.
+    pub(super) const KIND: &str = "contour-chart";
+
     fn frame(&self, dress: Dress) -> Frame {
-        /// Room for the colour scale.
-        const BESIDE: f64 = 84.0;
         let of = |axis: &Axis, values: &[f64]| match (axis.limits, values.first(), values.last()) {
             (None, Some(&low), Some(&high)) if low < high => {
                 let low = if axis.zero { low.min(0.0) } else { low };
@@ -63,7 +70,8 @@ impl Contour {
         };
         let lines = usize::from(dress == Dress::Alone);
         let (x, y) = (of(&self.x, &self.columns), of(&self.y, &self.rows));
-        Frame::new(self.height, lines, BESIDE, x, y, self.y.downward)
+        let beside = self.scale_room(&self.levels());
+        Frame::new(self.height, lines, beside, &self.y, [x, y])
     }
 
     /// Lower edges of the bands, at round numbers from zero.
@@ -98,7 +106,7 @@ impl Contour {
         let frame = self.frame(dress);
         let levels = self.levels();
         let mut canvas = Canvas::default();
-        frame.axes(&mut canvas, &self.x, &self.y);
+        frame.axes(&mut canvas, &self.x);
         let clip = format!("clip-{}", self.id);
         let size = [frame.right - frame.left, frame.bottom - frame.top];
         canvas.raw(&format!(
@@ -107,13 +115,9 @@ impl Contour {
             frame.left, frame.top, size[0], size[1]
         ));
         for (band, level) in levels.iter().enumerate() {
-            let outline = match band {
-                0 => format!(
-                    "M{:.1} {:.1}h{:.1}v{:.1}h{:.1}z",
-                    frame.left, frame.top, size[0], size[1], -size[0]
-                ),
-                _ => self.region_above(*level, &frame),
-            };
+            // The first band holds all that is lower, too.
+            let from = if band == 0 { f64::NEG_INFINITY } else { *level };
+            let outline = self.region_above(from, &frame);
             canvas.path(&format!("band b{}", colour(band, levels.len())), &outline);
         }
         if let Some(level) = self.isoline {
@@ -127,32 +131,51 @@ impl Contour {
         }
         canvas.raw("</g></g>");
         self.draw_scale(&mut canvas, &frame, &levels);
-        document(dress, &self.title, frame.height, &canvas.into_text())
+        document(
+            dress,
+            Self::KIND,
+            &self.title,
+            frame.height,
+            &canvas.into_text(),
+        )
+    }
+
+    /// Name of the colour scale in lines that fit.
+    fn scale_name(&self) -> Vec<String> {
+        name_lines(&self.value, self.height)
+    }
+
+    /// Room for the colour scale to the right of the box.
+    fn scale_room(&self, levels: &[f64]) -> f64 {
+        let labels: Vec<String> = levels.iter().map(f64::to_string).collect();
+        let ticks = widest(labels.iter().map(String::as_str), TICK);
+        let [name, _] = upright_room(&self.scale_name());
+        SCALE_LEFT + SCALE_THICK + SCALE_TICKS + ticks + name - RIGHT
     }
 
     fn draw_scale(&self, canvas: &mut Canvas, frame: &Frame, levels: &[f64]) {
-        const THICK: f64 = 14.0;
-        let left = frame.right + 12.0;
+        let left = frame.right + SCALE_LEFT;
         let tall = (frame.bottom - frame.top) / levels.len() as f64;
         for (band, level) in levels.iter().enumerate() {
             let y = frame.bottom - tall * (band + 1) as f64;
             canvas.rect(
                 &format!("band b{}", colour(band, levels.len())),
                 [left, y],
-                [THICK, tall],
+                [SCALE_THICK, tall],
             );
             canvas.label(
                 "tick",
-                [left + THICK + 4.0, y + tall + 4.0],
+                [left + SCALE_THICK + SCALE_TICKS, y + tall + 4.0],
                 Anchor::Start,
-                &format!("{level}"),
+                &level.to_string(),
             );
         }
-        let middle = 0.5 * (frame.top + frame.bottom);
-        canvas.upright("name", [frame.right + 92.0, middle], &self.value);
+        let at = [WIDTH - DESCENT * NAME, 0.5 * (frame.top + frame.bottom)];
+        canvas.upright("name", at, &self.scale_name());
     }
 
-    /// Outline of where the field is at or above `level`, cell by cell; whole cells in runs.
+    /// Outline of where the field is at or above `level`, cell by cell; whole cells in runs. A cell with an undefined
+    /// corner stays blank.
     fn region_above(&self, level: f64, frame: &Frame) -> String {
         let (nx, ny) = (self.columns.len(), self.rows.len());
         let px: Vec<f64> = self.columns.iter().map(|x| frame.px(*x)).collect();
@@ -169,6 +192,9 @@ impl Contour {
                 }
                 if let Some(from) = run.take() {
                     block(&mut d, [px[from], px[i]], [py[j], py[j + 1]]);
+                }
+                if !corners.iter().all(|v| v.is_finite()) {
+                    continue;
                 }
                 let places = [
                     [px[i], py[j]],
@@ -195,7 +221,10 @@ impl Contour {
         for j in 0..ny.saturating_sub(1) {
             for i in 0..nx.saturating_sub(1) {
                 let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
-                if !corners.iter().any(|&(i, j)| is_hatched(i, j)) {
+                let is_blank = corners
+                    .iter()
+                    .any(|&(i, j)| !self.values[j * nx + i].is_finite());
+                if is_blank || !corners.iter().any(|&(i, j)| is_hatched(i, j)) {
                     continue;
                 }
                 let [x1, x2] = [frame.px(self.columns[i]), frame.px(self.columns[i + 1])];
@@ -241,6 +270,9 @@ impl Contour {
         for j in 0..ny.saturating_sub(1) {
             for i in 0..nx.saturating_sub(1) {
                 let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
+                if !corners.iter().all(|&(i, j)| at(i, j).is_finite()) {
+                    continue;
+                }
                 let mut crossings = Vec::with_capacity(4);
                 for k in 0..4 {
                     let ([(i1, j1), (i2, j2)], [a, b]) = {
@@ -332,6 +364,52 @@ mod tests {
         let places = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]];
         part_above(&mut d, &places, &[0.0, 4.0, 4.0, 0.0], 1.0);
         assert_eq!(d, "M2.5 0.0L10.0 0.0L10.0 10.0L2.5 10.0z");
+    }
+
+    #[test]
+    fn a_cell_with_an_undefined_corner_stays_blank() {
+        let [gap, none] = [f64::NAN, f64::NEG_INFINITY];
+        let field = Contour {
+            id: "field".to_owned(),
+            title: "Field".to_owned(),
+            source: "field.csv".to_owned(),
+            x: Axis::new("x", ""),
+            y: Axis::new("y", ""),
+            value: "value".to_owned(),
+            columns: vec![0.0, 1.0, 2.0, 3.0],
+            rows: vec![0.0, 1.0],
+            values: vec![gap, 95.0, 95.0, 99.0, 95.0, 95.0, 95.0, 97.0],
+            levels: Some(vec![0.0, 90.0, 96.0]),
+            hatched: vec![true; 8],
+            dots: Vec::new(),
+            isoline: Some(96.0),
+            height: 100.0,
+        };
+        let frame = field.frame(Dress::Page);
+        assert!(!field.svg(Dress::Page).contains("NaN"));
+        let [blank, left] = [0.0, 1.0].map(|x| format!("M{:.1} ", frame.px(x)));
+        for level in [none, 90.0] {
+            let region = field.region_above(level, &frame);
+            assert!(
+                region.starts_with(&left) && !region.contains(&blank),
+                "{region}"
+            );
+            assert_eq!(region.matches('M').count(), 1);
+        }
+        let strokes = field.hatching(&frame);
+        let starts = strokes
+            .split('M')
+            .skip(1)
+            .map(|stroke| stroke.split(' ').next());
+        let first = starts
+            .filter_map(|x| x?.parse::<f64>().ok())
+            .fold(f64::INFINITY, f64::min);
+        assert!(first >= frame.px(1.0) - 0.1, "{first}");
+        let above = field.region_above(96.0, &frame);
+        assert_eq!(
+            (above.matches('M').count(), above.contains(&left)),
+            (1, false)
+        );
     }
 
     #[test]

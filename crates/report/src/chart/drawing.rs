@@ -42,6 +42,19 @@ impl Drawing {
         }
     }
 
+    /// Class of the drawing and of the samples in its legend: styles of a kind hold for it only.
+    pub(crate) fn kind(&self) -> &'static str {
+        match self {
+            Self::Curves(_) => Chart::KIND,
+            Self::Bars(_) => BarChart::KIND,
+            Self::Pie(_) => PieChart::KIND,
+            Self::Strip(_) => Strip::KIND,
+            Self::Contour(_) => Contour::KIND,
+            Self::Mesh(_) => MeshPicture::KIND,
+            Self::Facing(_) => Facing::KIND,
+        }
+    }
+
     /// Name for links.
     pub fn id(&self) -> &str {
         match self {

@@ -8,7 +8,10 @@ use serde_json::{Value, json};
 use super::axis::{Axis, Range};
 use super::canvas::{Anchor, Canvas};
 use super::dress::Dress;
-use super::frame::{TICKS_ACROSS, TICKS_UP, WIDTH, document};
+use super::frame::{
+    RIGHT, TICK_BELOW, TICK_LEFT, TICKS_ACROSS, TICKS_UP, WIDTH, document, left_margin,
+    upright_room,
+};
 use super::spread::spread;
 use super::xy::Mark;
 
@@ -52,13 +55,11 @@ pub struct Facing {
     pub reach: f64,
 }
 
-const LEFT: f64 = 66.0;
-const RIGHT: f64 = WIDTH - 18.0;
 /// The bar of the path, top and bottom of both panels.
 const BAR: f64 = 26.0;
 const FLANKS: [f64; 2] = [48.0, 258.0];
 const PRESSURES: [f64; 2] = [280.0, 404.0];
-const HEIGHT: f64 = 450.0;
+const HEIGHT: f64 = 454.0;
 /// Room for a title where the drawing is a file of its own.
 const TITLE: f64 = 22.0;
 
@@ -74,12 +75,20 @@ const HERTZ: [&str; 3] = [
     "of smooth dry flanks (Hertz)",
 ];
 
-/// Ranges of the axes, the same for all frames.
+/// Ranges of the axes and the sides of the panels, the same for all frames.
 struct Scales {
+    left: f64,
+    right: f64,
     x: Range,
     height: Range,
     pressure: Range,
     path: Range,
+}
+
+impl Scales {
+    fn px(&self, range: &Range, value: f64) -> f64 {
+        self.left + range.share(value) * (self.right - self.left)
+    }
 }
 
 /// A frame in tenths of a unit of the drawing, which keep the page small.
@@ -101,10 +110,17 @@ fn between([top, bottom]: [f64; 2], share: f64) -> f64 {
     bottom - share * (bottom - top)
 }
 
+/// Names of the vertical axes, and ticks aimed at on that of the pressure.
+const NAMES: [&str; 2] = ["height [µm]", "pressure [MPa]"];
+const PRESSURE_TICKS: usize = 3;
+
 /// Points of the ellipse of Hertz.
 const ELLIPSE: usize = 48;
 
 impl Facing {
+    /// Class of its drawing.
+    pub(super) const KIND: &str = "facing-chart";
+
     fn scales(&self) -> Scales {
         /// Half-widths within which all heights are seen.
         const SEEN: f64 = 1.25;
@@ -130,16 +146,16 @@ impl Facing {
         let x = Axis::new("", "")
             .within(-self.reach, self.reach)
             .range(std::iter::empty());
+        let ticks = [heights.ticks(TICKS_UP), pressure.ticks(PRESSURE_TICKS)].concat();
+        let name = NAMES[0].to_owned();
         Scales {
+            left: left_margin(&[name], ticks.iter().map(|(_, label)| label.as_str())),
+            right: WIDTH - RIGHT,
             x,
             height: heights,
             pressure,
             path: Range { low, high, ..x },
         }
-    }
-
-    fn px(range: &Range, value: f64) -> f64 {
-        LEFT + range.share(value) * (RIGHT - LEFT)
     }
 
     fn placed(&self, frame: &FacingFrame, scales: &Scales) -> Placed {
@@ -156,14 +172,14 @@ impl Facing {
             x: frame
                 .x
                 .iter()
-                .map(|x| tenths(Self::px(&scales.x, *x)))
+                .map(|x| tenths(scales.px(&scales.x, *x)))
                 .collect(),
             lower: rows(FLANKS, &scales.height, &frame.lower),
             upper: rows(FLANKS, &scales.height, &frame.upper),
             solid: rows(PRESSURES, &scales.pressure, &frame.solid),
             fluid: rows(PRESSURES, &scales.pressure, &frame.fluid),
             hertz: rows(PRESSURES, &scales.pressure, &ellipse),
-            at: tenths(Self::px(&scales.path, frame.at)),
+            at: tenths(scales.px(&scales.path, frame.at)),
         }
     }
 
@@ -172,7 +188,7 @@ impl Facing {
     pub fn exaggeration(&self, half_width: f64) -> f64 {
         let scales = self.scales();
         let up = (FLANKS[1] - FLANKS[0]) / (scales.height.high - scales.height.low);
-        let across = (RIGHT - LEFT) / (scales.x.high - scales.x.low) / half_width;
+        let across = (scales.right - scales.left) / (scales.x.high - scales.x.low) / half_width;
         up / across
     }
 
@@ -191,7 +207,13 @@ impl Facing {
         if dress == Dress::Alone {
             canvas.close();
         }
-        document(dress, &self.title, HEIGHT + down, &canvas.into_text())
+        document(
+            dress,
+            Self::KIND,
+            &self.title,
+            HEIGHT + down,
+            &canvas.into_text(),
+        )
     }
 
     fn draw(&self, canvas: &mut Canvas, placed: &Placed) {
@@ -249,42 +271,50 @@ impl Facing {
     }
 
     fn ellipse_places(&self) -> Vec<i64> {
-        let x = self.scales().x;
-        let place = |k: usize| tenths(Self::px(&x, 2.0 * k as f64 / ELLIPSE as f64 - 1.0));
+        let scales = self.scales();
+        let place = |k: usize| tenths(scales.px(&scales.x, 2.0 * k as f64 / ELLIPSE as f64 - 1.0));
         (0..=ELLIPSE).map(place).collect()
     }
 
     fn axes(&self, canvas: &mut Canvas, scales: &Scales) {
+        let (left, right) = (scales.left, scales.right);
         for (name, [top, bottom]) in [("flanks", FLANKS), ("pressures", PRESSURES)] {
             canvas.raw(&format!(
-                "<clipPath id=\"clip-{}-{name}\"><rect x=\"{LEFT}\" y=\"{top}\" width=\"{}\" height=\"{}\"/></clipPath>",
+                "<clipPath id=\"clip-{}-{name}\"><rect x=\"{left:.1}\" y=\"{top}\" width=\"{:.1}\" height=\"{}\"/></clipPath>",
                 self.id,
-                RIGHT - LEFT,
+                right - left,
                 bottom - top
             ));
-            canvas.rect("box", [LEFT, top], [RIGHT - LEFT, bottom - top]);
+            canvas.rect("box", [left, top], [right - left, bottom - top]);
         }
         let panels = [
-            (FLANKS, &scales.height, TICKS_UP, "height [µm]"),
-            (PRESSURES, &scales.pressure, 3, "pressure [MPa]"),
+            (FLANKS, &scales.height, TICKS_UP, NAMES[0]),
+            (PRESSURES, &scales.pressure, PRESSURE_TICKS, NAMES[1]),
         ];
         for (panel, range, wanted, name) in panels {
             for (value, label) in range.ticks(wanted) {
                 let y = between(panel, range.share(value));
-                canvas.line("grid", [LEFT, y], [RIGHT, y]);
-                canvas.label("tick", [LEFT - 6.0, y + 4.0], Anchor::End, &label);
+                canvas.line("grid", [left, y], [right, y]);
+                canvas.label("tick", [left - TICK_LEFT, y + 4.0], Anchor::End, &label);
             }
-            canvas.upright("name", [14.0, 0.5 * (panel[0] + panel[1])], name);
+            let name = [name.to_owned()];
+            let [_, base] = upright_room(&name);
+            canvas.upright("name", [base, 0.5 * (panel[0] + panel[1])], &name);
         }
         for (value, label) in scales.x.ticks(TICKS_ACROSS) {
-            let x = Self::px(&scales.x, value);
+            let x = scales.px(&scales.x, value);
             for [top, bottom] in [FLANKS, PRESSURES] {
                 let class = if value.abs() == 1.0 { "mark" } else { "grid" };
                 canvas.line(class, [x, top], [x, bottom]);
             }
-            canvas.label("tick", [x, PRESSURES[1] + 17.0], Anchor::Middle, &label);
+            canvas.label(
+                "tick",
+                [x, PRESSURES[1] + TICK_BELOW],
+                Anchor::Middle,
+                &label,
+            );
         }
-        let below = [0.5 * (LEFT + RIGHT), HEIGHT - 8.0];
+        let below = [0.5 * (left + right), HEIGHT - 8.0];
         let name = "distance from the middle of the contact, in half-widths";
         canvas.label("name", below, Anchor::Middle, name);
         self.bar(canvas, scales);
@@ -294,10 +324,15 @@ impl Facing {
     fn bar(&self, canvas: &mut Canvas, scales: &Scales) {
         /// Least distance of two letters.
         const APART: f64 = 15.0;
-        canvas.line("axis", [LEFT, BAR], [RIGHT, BAR]);
-        canvas.label("letter", [LEFT - 8.0, BAR + 4.0], Anchor::End, "path");
+        canvas.line("axis", [scales.left, BAR], [scales.right, BAR]);
+        canvas.label(
+            "letter",
+            [scales.left - 8.0, BAR + 4.0],
+            Anchor::End,
+            "path",
+        );
         let places: Vec<f64> = (self.marks.iter())
-            .map(|mark| Self::px(&scales.path, mark.at))
+            .map(|mark| scales.px(&scales.path, mark.at))
             .collect();
         for ((mark, at), letter) in self.marks.iter().zip(&places).zip(spread(&places, APART)) {
             canvas.line("axis", [*at, BAR - 4.0], [*at, BAR + 4.0]);
@@ -313,7 +348,7 @@ impl Facing {
             .to_vec()
     }
 
-    /// Frames for the script of the slider, in tenths of a unit of the drawing.
+    /// Frames for the script of the slider, in tenths of a unit of the drawing, each value as its step from the one before.
     pub fn frames(&self) -> Value {
         let scales = self.scales();
         let frames: Vec<Value> = self
@@ -321,12 +356,23 @@ impl Facing {
             .iter()
             .map(|frame| {
                 let placed = self.placed(frame, &scales);
-                json!({"text": frame.text, "at": placed.at, "x": placed.x, "lower": placed.lower,
-                    "upper": placed.upper, "solid": placed.solid, "fluid": placed.fluid, "hertz": placed.hertz})
+                json!({"text": frame.text, "at": placed.at, "x": steps(&placed.x), "lower": steps(&placed.lower),
+                    "upper": steps(&placed.upper), "solid": steps(&placed.solid), "fluid": steps(&placed.fluid),
+                    "hertz": placed.hertz})
             })
             .collect();
         json!({"ellipse": self.ellipse_places(), "top": tenths(FLANKS[0]), "bottom": tenths(FLANKS[1]), "frames": frames})
     }
+}
+
+/// Each value minus the one before, which keeps the page small.
+fn steps(values: &[i64]) -> Vec<i64> {
+    let before = std::iter::once(&0).chain(values);
+    values
+        .iter()
+        .zip(before)
+        .map(|(value, before)| value - before)
+        .collect()
 }
 
 fn line(xs: &[i64], ys: &[i64]) -> String {

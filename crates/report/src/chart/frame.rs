@@ -1,21 +1,32 @@
 //! The frame of a chart: its box, grid, ticks, labels, and the data in it as pixels.
 
 use super::axis::{Axis, Range};
-use super::canvas::{Anchor, Canvas, escaped};
+use super::canvas::{Anchor, Canvas, LINE, UPRIGHT_LINE, escaped};
 use super::dress::{Dress, STYLE};
+use super::text_width::{ASCENT, DESCENT, NAME, TICK, name_lines, title_lines, widest, width};
 
 /// Width of every chart in its own units; the page scales it.
 pub(super) const WIDTH: f64 = 640.0;
 /// Ticks aimed at.
 pub(super) const TICKS_ACROSS: usize = 6;
 pub(super) const TICKS_UP: usize = 5;
+/// Least margins to the left and to the right of the box, and the one below it.
 const LEFT: f64 = 66.0;
-const BOTTOM: f64 = 46.0;
-const RIGHT: f64 = 18.0;
+pub(super) const RIGHT: f64 = 18.0;
+const BOTTOM: f64 = 50.0;
+/// Above the box, for half of a tick's letters.
+const TOP: f64 = 15.0;
+/// Edge of the drawing that stays free.
+const EDGE: f64 = 3.0;
 const ROW: f64 = 18.0;
+/// From the box to its ticks: to the left, and down to their base line.
+pub(super) const TICK_LEFT: f64 = 6.0;
+pub(super) const TICK_BELOW: f64 = 20.0;
+/// From the middle of a letter to its base line.
+const TICK_BASE: f64 = 4.0;
 
 /// Box and ranges of a chart.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Frame {
     pub left: f64,
     pub top: f64,
@@ -25,21 +36,69 @@ pub(super) struct Frame {
     pub x: Range,
     pub y: Range,
     pub downward: bool,
+    /// Name of the vertical axis in lines that fit.
+    name: Vec<String>,
+}
+
+/// Room of a name in `lines` from bottom to top, at the edge of a drawing: its width, and the base line of the line next
+/// to the box.
+pub(super) fn upright_room(lines: &[String]) -> [f64; 2] {
+    let base = EDGE + ASCENT * NAME + UPRIGHT_LINE * (lines.len() - 1) as f64;
+    [base + DESCENT * NAME, base]
+}
+
+/// Left margin for an upright name in `lines` and the `ticks` beside it.
+pub(super) fn left_margin<'a>(lines: &[String], ticks: impl IntoIterator<Item = &'a str>) -> f64 {
+    let [name, _] = upright_room(lines);
+    (name + widest(ticks, TICK) + TICK_LEFT).max(LEFT)
+}
+
+/// Right end of an axis from `left`, at most at `most`, so that the labels of its ticks, at their shares of the axis,
+/// end before `limit`.
+pub(super) fn right_end<'a>(
+    left: f64,
+    most: f64,
+    limit: f64,
+    ticks: impl Iterator<Item = (f64, &'a str)>,
+) -> f64 {
+    let room = ticks
+        .filter(|(share, _)| *share > 0.0)
+        .map(|(share, label)| {
+            let free = limit - EDGE - 0.5 * width(label, TICK) - left;
+            left + free / share
+        });
+    room.fold(most, f64::min)
 }
 
 impl Frame {
-    /// A frame of `height` with `rows` lines of text above it and `beside` units kept free at its right.
-    pub fn new(height: f64, rows: usize, beside: f64, x: Range, y: Range, downward: bool) -> Self {
-        let top = 10.0 + ROW * rows as f64;
+    /// A frame of `height` with `rows` lines of text above it and `beside` units kept free at its right, with the vertical
+    /// axis `y` and the ranges of both axes.
+    pub fn new(
+        height: f64,
+        rows: usize,
+        beside: f64,
+        y: &Axis,
+        [x_range, y_range]: [Range; 2],
+    ) -> Self {
+        let top = TOP + ROW * rows as f64;
+        let name = name_lines(&y.text(), top + height);
+        let up = y_range.ticks(TICKS_UP);
+        let left = left_margin(&name, up.iter().map(|(_, label)| label.as_str()));
+        let across = x_range.ticks(TICKS_ACROSS);
+        let labels = across
+            .iter()
+            .map(|(value, label)| (x_range.share(*value), label.as_str()));
+        let right = right_end(left, WIDTH - RIGHT - beside, WIDTH, labels);
         Self {
-            left: LEFT,
+            left,
             top,
-            right: WIDTH - RIGHT - beside,
+            right,
             bottom: top + height,
             height: top + height + BOTTOM,
-            x,
-            y,
-            downward,
+            x: x_range,
+            y: y_range,
+            downward: y.downward,
+            name,
         }
     }
 
@@ -54,7 +113,7 @@ impl Frame {
     }
 
     /// Grid, ticks and labels.
-    pub fn axes(&self, canvas: &mut Canvas, x: &Axis, y: &Axis) {
+    pub fn axes(&self, canvas: &mut Canvas, x: &Axis) {
         canvas.rect(
             "box",
             [self.left, self.top],
@@ -64,12 +123,14 @@ impl Frame {
         for (value, label) in self.x.ticks(TICKS_ACROSS) {
             let at = self.px(value);
             canvas.line("grid", [at, self.top], [at, self.bottom]);
-            canvas.label("tick", [at, self.bottom + 17.0], Anchor::Middle, &label);
+            let below = [at, self.bottom + TICK_BELOW];
+            canvas.label("tick", below, Anchor::Middle, &label);
         }
         for (value, label) in self.y.ticks(TICKS_UP) {
             let at = self.py(value);
             canvas.line("grid", [self.left, at], [self.right, at]);
-            canvas.label("tick", [self.left - 6.0, at + 4.0], Anchor::End, &label);
+            let beside = [self.left - TICK_LEFT, at + TICK_BASE];
+            canvas.label("tick", beside, Anchor::End, &label);
         }
         canvas.close();
         let middle = 0.5 * (self.left + self.right);
@@ -79,7 +140,8 @@ impl Frame {
             Anchor::Middle,
             &x.text(),
         );
-        canvas.upright("name", [14.0, 0.5 * (self.top + self.bottom)], &y.text());
+        let [_, base] = upright_room(&self.name);
+        canvas.upright("name", [base, 0.5 * self.bottom], &self.name);
     }
 
     /// Data from which the script redraws the same axes.
@@ -87,6 +149,7 @@ impl Frame {
         serde_json::json!({
             "box": [self.left, self.top, self.right, self.bottom],
             "width": WIDTH,
+            "ticks": [TICK_LEFT, TICK_BASE, TICK_BELOW],
             "x": {"scale": self.x.scale, "low": self.x.low, "high": self.x.high, "label": x.label, "unit": x.unit},
             "y": {"scale": self.y.scale, "low": self.y.low, "high": self.y.high, "label": y.label, "unit": y.unit,
                 "zero": y.zero, "downward": self.downward},
@@ -94,17 +157,47 @@ impl Frame {
     }
 }
 
-/// Wraps the body of a drawing.
-pub(super) fn document(dress: Dress, title: &str, height: f64, body: &str) -> String {
+/// Wraps the body of a drawing of `kind`, whose styles hold for this kind only.
+pub(super) fn document(dress: Dress, kind: &str, title: &str, height: f64, body: &str) -> String {
     let name = escaped(title);
     match dress {
         Dress::Page => format!(
-            "<svg class=\"chart\" viewBox=\"0 0 {WIDTH} {height:.0}\" role=\"img\" aria-label=\"{name}\">{body}</svg>"
+            "<svg class=\"chart {kind}\" viewBox=\"0 0 {WIDTH} {height:.0}\" role=\"img\" aria-label=\"{name}\">{body}</svg>"
         ),
-        Dress::Alone => format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart\" viewBox=\"0 0 {WIDTH} {height:.0}\" role=\"img\">\
-             <title>{name}</title><style>{STYLE}</style><rect class=\"paper\" width=\"100%\" height=\"100%\"/>\
-             <text class=\"title\" x=\"10\" y=\"20\">{name}</text>{body}</svg>\n"
-        ),
+        Dress::Alone => alone(kind, title, height, body),
     }
+}
+
+/// Edge to the left of a title.
+const TITLE_LEFT: f64 = 10.0;
+
+/// Lines of a title, and the room that those after the first one take.
+fn heading(title: &str) -> (Vec<String>, f64) {
+    let lines = title_lines(title, WIDTH - 2.0 * TITLE_LEFT);
+    let room = LINE * (lines.len() - 1) as f64;
+    (lines, room)
+}
+
+/// Room that the lines of a title after the first one take in a file of its own.
+pub(super) fn title_room(title: &str) -> f64 {
+    heading(title).1
+}
+
+/// A drawing as a file of its own: `body`, which leaves room for one line of its title, `height` units high.
+pub(super) fn alone(kind: &str, title: &str, height: f64, body: &str) -> String {
+    const BASE: f64 = 20.0;
+    let name = escaped(title);
+    let (lines, down) = heading(title);
+    let mut head = Canvas::default();
+    for (k, line) in lines.iter().enumerate() {
+        let at = [TITLE_LEFT, BASE + LINE * k as f64];
+        head.label("title", at, Anchor::Start, line);
+    }
+    let head = head.into_text();
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart {kind}\" viewBox=\"0 0 {WIDTH} {:.0}\" role=\"img\">\
+         <title>{name}</title><style>{STYLE}</style><rect class=\"paper\" width=\"100%\" height=\"100%\"/>\
+         {head}<g transform=\"translate(0 {down})\">{body}</g></svg>\n",
+        height + down
+    )
 }

@@ -105,6 +105,9 @@ impl View {
 }
 
 impl MeshPicture {
+    /// Class of its drawing.
+    pub(super) const KIND: &str = "mesh-chart";
+
     /// The picture as SVG.
     pub fn svg(&self, dress: Dress) -> String {
         let top = if dress == Dress::Alone { 30.0 } else { MARGIN };
@@ -139,7 +142,7 @@ impl MeshPicture {
         self.line_of_action(&mut canvas, &view);
         canvas.close();
         self.labels(&mut canvas, &view);
-        document(dress, &self.title, height, &canvas.into_text())
+        document(dress, Self::KIND, &self.title, height, &canvas.into_text())
     }
 
     fn line_of_action(&self, canvas: &mut Canvas, view: &View) {

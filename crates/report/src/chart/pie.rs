@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use super::canvas::{Anchor, Canvas};
 use super::dress::Dress;
 use super::frame::document;
+use super::text_width::{NAME_ALONE, widest};
 
 /// A part of the whole.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,16 +35,26 @@ pub struct PieChart {
 const RADIUS: f64 = 100.0;
 const CENTRE: f64 = 150.0;
 const LIST: f64 = 300.0;
+/// From the edge of the list to its names, and from these to the values.
+const SAMPLE: f64 = 20.0;
+const GAP: f64 = 16.0;
 const ROW: f64 = 30.0;
 /// Colours there are.
 const COLOURS: usize = 6;
 
 impl PieChart {
+    /// Class of its drawing.
+    pub(super) const KIND: &str = "pie-chart";
+
     /// The chart as SVG.
     pub fn svg(&self, dress: Dress) -> String {
         let top = if dress == Dress::Alone { 40.0 } else { 14.0 };
         let middle = top + RADIUS;
         let whole: f64 = self.slices.iter().map(|slice| slice.value.max(0.0)).sum();
+        let names = widest(
+            self.slices.iter().map(|slice| slice.name.as_str()),
+            NAME_ALONE,
+        );
         let mut canvas = Canvas::default();
         let mut begin = 0.0;
         for (index, slice) in self.slices.iter().enumerate() {
@@ -52,16 +63,17 @@ impl PieChart {
             } else {
                 0.0
             };
-            let class = format!("c{} scatter", index % COLOURS);
+            let class = format!("slice c{}", index % COLOURS);
             canvas.path(&class, &sector([CENTRE, middle], begin, share));
             begin += share;
             let y = top + 20.0 + ROW * index as f64;
             canvas.rect(&class, [LIST, y - 10.0], [12.0, 12.0]);
-            canvas.label("name", [LIST + 20.0, y], Anchor::Start, &slice.name);
-            canvas.label("tick", [LIST + 170.0, y], Anchor::Start, &slice.text);
+            canvas.label("name", [LIST + SAMPLE, y], Anchor::Start, &slice.name);
+            let value = [LIST + SAMPLE + names + GAP, y];
+            canvas.label("tick", value, Anchor::Start, &slice.text);
         }
         let height = top + 2.0 * RADIUS + 20.0;
-        document(dress, &self.title, height, &canvas.into_text())
+        document(dress, Self::KIND, &self.title, height, &canvas.into_text())
     }
 }
 

@@ -2,9 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::canvas::escaped;
-use super::dress::{Dress, STYLE};
-use super::frame::WIDTH;
+use super::dress::Dress;
+use super::frame::{WIDTH, alone};
 use super::xy::Chart;
 
 /// Room for the title of the file.
@@ -21,10 +20,5 @@ pub fn stacked(title: &str, charts: &[Chart]) -> String {
         let _ = write!(body, "{}", svg.replacen("<svg ", &place, 1));
         top += height;
     }
-    let name = escaped(title);
-    format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart\" viewBox=\"0 0 {WIDTH} {top:.0}\" role=\"img\">\
-         <title>{name}</title><style>{STYLE}</style><rect class=\"paper\" width=\"100%\" height=\"100%\"/>\
-         <text class=\"title\" x=\"10\" y=\"23\">{name}</text>{body}</svg>\n"
-    )
+    alone("", title, top, &body)
 }

@@ -3,7 +3,8 @@
 use super::axis::{Axis, Range, Scale};
 use super::canvas::{Anchor, Canvas};
 use super::dress::Dress;
-use super::frame::{WIDTH, document};
+use super::frame::{RIGHT, TICK_BELOW, TICKS_ACROSS, WIDTH, document, right_end};
+use super::text_width::{TICK, widest};
 use super::xy::Mark;
 
 /// Shares along the path of contact.
@@ -27,44 +28,60 @@ pub struct Strip {
     pub marks: Vec<Mark>,
 }
 
-const LEFT: f64 = 110.0;
-const RIGHT: f64 = WIDTH - 18.0;
+/// Names of the upper and the lower part of both rows.
+const NAMES: [[&str; 2]; 2] = [["full film", "mixed"], ["on asperities", "load on film"]];
 const THICK: f64 = 30.0;
 const GAP: f64 = 12.0;
-
-fn place(range: &Range, value: f64) -> f64 {
-    LEFT + range.share(value) * (RIGHT - LEFT)
-}
+/// From the names to the rows.
+const BESIDE: f64 = 8.0;
 
 impl Strip {
+    /// Class of its drawing.
+    pub(super) const KIND: &str = "strip-chart";
+
     /// The chart as SVG.
     pub fn svg(&self, dress: Dress) -> String {
+        let left = widest(NAMES.as_flattened().iter().copied(), TICK) + BESIDE + 3.0;
         let top = if dress == Dress::Alone { 54.0 } else { 24.0 };
         let range = self.range();
+        let ticks = range.ticks(TICKS_ACROSS);
+        let labels = ticks
+            .iter()
+            .map(|(at, label)| (range.share(*at), label.as_str()));
+        let right = right_end(left, WIDTH - RIGHT, WIDTH, labels);
+        let place = |value: f64| left + range.share(value) * (right - left);
         let bottom = top + 2.0 * THICK + GAP;
         let mut canvas = Canvas::default();
-        self.row(&mut canvas, &range, top, "mixed", &self.mixed);
-        self.row(&mut canvas, &range, top + THICK + GAP, "film", &self.film);
-        for (y, upper, lower) in [
-            (top, "full film", "mixed"),
-            (top + THICK + GAP, "on asperities", "load on film"),
-        ] {
-            canvas.label("letter", [LEFT - 8.0, y + 12.0], Anchor::End, upper);
-            canvas.label("letter", [LEFT - 8.0, y + 26.0], Anchor::End, lower);
+        for (k, (class, shares)) in [("mixed", &self.mixed), ("film", &self.film)]
+            .iter()
+            .enumerate()
+        {
+            let y = top + k as f64 * (THICK + GAP);
+            canvas.rect("rest", [left, y], [right - left, THICK]);
+            for ([from, to], share) in self.cells(&range).iter().zip(*shares) {
+                // A hair of overlap, so that no gap shows between neighbours.
+                const OVERLAP: f64 = 0.3;
+                let (x, tall) = (place(*from), THICK * share.clamp(0.0, 1.0));
+                let wide = place(*to) - x + OVERLAP;
+                canvas.rect(class, [x, y + THICK - tall], [wide, tall]);
+            }
+            for (name, base) in NAMES[k].iter().zip([11.0, 27.0]) {
+                canvas.label("letter", [left - BESIDE, y + base], Anchor::End, name);
+            }
         }
         for mark in &self.marks {
-            let at = place(&range, mark.at);
+            let at = place(mark.at);
             canvas.line("mark", [at, top], [at, bottom]);
             canvas.label("letter", [at, top - 6.0], Anchor::Middle, &mark.label);
         }
-        for (value, label) in range.ticks(6) {
-            let at = [place(&range, value), bottom + 17.0];
-            canvas.label("tick", at, Anchor::Middle, &label);
+        for (value, label) in &ticks {
+            let at = [place(*value), bottom + TICK_BELOW];
+            canvas.label("tick", at, Anchor::Middle, label);
         }
-        let height = bottom + 46.0;
-        let below = [0.5 * (LEFT + RIGHT), height - 8.0];
+        let height = bottom + 50.0;
+        let below = [0.5 * (left + right), height - 8.0];
         canvas.label("name", below, Anchor::Middle, &self.axis.text());
-        document(dress, &self.title, height, &canvas.into_text())
+        document(dress, Self::KIND, &self.title, height, &canvas.into_text())
     }
 
     fn range(&self) -> Range {
@@ -79,22 +96,11 @@ impl Strip {
         }
     }
 
-    /// Shares from half way to the position before to half way to the next.
-    fn row(&self, canvas: &mut Canvas, range: &Range, y: f64, class: &str, shares: &[f64]) {
-        // A hair of overlap, so that no gap shows between neighbours.
-        const OVERLAP: f64 = 0.3;
-        canvas.rect("rest", [LEFT, y], [RIGHT - LEFT, THICK]);
-        let between = |k: usize| 0.5 * (self.at[k - 1] + self.at[k]);
-        for (k, share) in shares.iter().enumerate() {
-            let before = if k == 0 { range.low } else { between(k) };
-            let after = if k + 1 == self.at.len() {
-                range.high
-            } else {
-                between(k + 1)
-            };
-            let (x, tall) = (place(range, before), THICK * share.clamp(0.0, 1.0));
-            let wide = place(range, after) - x + OVERLAP;
-            canvas.rect(class, [x, y + THICK - tall], [wide, tall]);
-        }
+    /// Ends of the cells of the positions: from half way to the position before to half way to the next.
+    fn cells(&self, range: &Range) -> Vec<[f64; 2]> {
+        let between = self.at.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+        let ends = [range.low].into_iter().chain(between).chain([range.high]);
+        let ends: Vec<f64> = ends.collect();
+        ends.windows(2).map(|pair| [pair[0], pair[1]]).collect()
     }
 }

@@ -6,14 +6,13 @@ use serde_json::{Value, json};
 
 use super::axis::{Axis, Range, Scale};
 use super::canvas::{Anchor, Canvas};
-use super::decimate::decimated;
 use super::dress::Dress;
-use super::frame::{Frame, document};
+use super::frame::{Frame, WIDTH, document, title_room};
+use super::text_width::{NAME_ALONE, TICK, width};
+use crate::thin::{BINS, thin};
 
-/// Columns of a drawn curve: about one a pixel.
-const DRAWN_COLUMNS: usize = 700;
-/// Columns that the script can zoom into.
-const ZOOM_COLUMNS: usize = 3000;
+/// Bins of the curves that the script can zoom into.
+const ZOOM_BINS: usize = 1000;
 /// Colours of curves before they repeat.
 const COLOURS: usize = 6;
 
@@ -98,12 +97,24 @@ impl Series {
 }
 
 impl Series {
-    /// The points thinned to `columns`; an area, whose outline goes there and back, as it is.
-    fn drawn(&self, columns: usize) -> Vec<[f64; 2]> {
-        match self.line.is_filled() {
-            true => self.points.clone(),
-            false => decimated(&self.points, columns),
+    /// The points within the limits of the axis `x` and their neighbours, thinned to `bins` of it; an area, whose
+    /// outline goes there and back, as it is.
+    fn drawn(&self, x: &Axis, bins: usize) -> Vec<[f64; 2]> {
+        if self.line.is_filled() {
+            return self.points.clone();
         }
+        let place = |point: &[f64; 2]| match x.scale {
+            Scale::Linear => point[0],
+            Scale::Log => point[0].ln(),
+        };
+        let seen = |k: usize| {
+            let point = self.points.get(k);
+            point.is_some_and(|point| x.shows(point[0]))
+        };
+        let near =
+            (0..self.points.len()).filter(|&k| seen(k) || seen(k + 1) || k > 0 && seen(k - 1));
+        let near: Vec<[f64; 2]> = near.map(|k| self.points[k]).collect();
+        thin(&near, bins, place, |point| [point[1]])
     }
 }
 
@@ -149,6 +160,9 @@ pub struct Chart {
 }
 
 impl Chart {
+    /// Class of its drawing.
+    pub(super) const KIND: &str = "curve-chart";
+
     /// A chart without curves yet.
     pub fn new(id: &str, title: &str, source: &str, x: Axis, y: Axis) -> Self {
         /// A box about twice as wide as high.
@@ -203,31 +217,25 @@ impl Chart {
             );
         }
         let levels = self.levels.iter().map(|level| level.at);
-        let inside = |p: &&[f64; 2]| {
-            self.x
-                .limits
-                .is_none_or(|[low, high]| (low..=high).contains(&p[0]))
-        };
-        let y = self
-            .y
-            .range(points().filter(inside).map(|p| p[1]).chain(levels));
+        let inside = points().filter(|p| self.x.shows(p[0]));
+        let y = self.y.range(inside.map(|p| p[1]).chain(levels));
         let rows = match dress {
             Dress::Page => 0,
             Dress::Alone => 1 + self.legend_rows().len(),
         } + usize::from(!self.marks.is_empty());
-        Frame::new(self.height, rows, 0.0, x, y, self.y.downward)
+        Frame::new(self.height, rows, 0.0, &self.y, [x, y])
     }
 
     /// Height of the chart as a file of its own.
     pub(super) fn height_alone(&self) -> f64 {
-        self.frame(Dress::Alone).height
+        self.frame(Dress::Alone).height + title_room(&self.title)
     }
 
     /// The chart as SVG.
     pub fn svg(&self, dress: Dress) -> String {
         let frame = self.frame(dress);
         let mut canvas = Canvas::default();
-        frame.axes(&mut canvas, &self.x, &self.y);
+        frame.axes(&mut canvas, &self.x);
         if dress == Dress::Alone {
             self.draw_legend(&mut canvas);
         }
@@ -242,14 +250,20 @@ impl Chart {
         self.draw_marks(&mut canvas, &frame);
         canvas.raw(&format!("<g class=\"curves\" clip-path=\"url(#{clip})\">"));
         for (index, series) in self.series.iter().enumerate() {
-            let few = series.drawn(DRAWN_COLUMNS);
+            let few = series.drawn(&self.x, BINS);
             canvas.path(
                 &class(index, series.line),
                 &outline(&frame, series.line, &few),
             );
         }
         canvas.close();
-        document(dress, &self.title, frame.height, &canvas.into_text())
+        document(
+            dress,
+            Self::KIND,
+            &self.title,
+            frame.height,
+            &canvas.into_text(),
+        )
     }
 
     fn draw_marks(&self, canvas: &mut Canvas, frame: &Frame) {
@@ -261,7 +275,7 @@ impl Chart {
             // Letters that would touch are moved on.
             let x = at.max(free);
             canvas.label("letter", [x, frame.top - 5.0], Anchor::Middle, &mark.label);
-            free = x + 8.0 + 6.0 * mark.label.chars().count() as f64;
+            free = x + 4.0 + width(&mark.label, TICK);
         }
         for level in &self.levels {
             let at = frame.py(level.at);
@@ -291,16 +305,15 @@ impl Chart {
 
     /// The legend in lines that fit.
     fn legend_rows(&self) -> Vec<Vec<(f64, String, String)>> {
-        /// Width of a letter and of the sample line with its gaps.
-        const LETTER: f64 = 6.6;
+        /// Width of the sample line with its gaps.
         const SAMPLE: f64 = 46.0;
         let mut rows: Vec<Vec<(f64, String, String)>> = Vec::new();
         let mut at = f64::INFINITY;
         // As in a page, one curve is named by the title alone.
         let named = self.legend().into_iter();
         for (name, class) in named.filter(|_| self.series.len() > 1) {
-            let width = SAMPLE + LETTER * name.chars().count() as f64;
-            if at + width > 630.0 {
+            let width = SAMPLE + width(&name, NAME_ALONE);
+            if at + width > WIDTH {
                 rows.push(Vec::new());
                 at = 10.0;
             }
@@ -341,7 +354,7 @@ impl Chart {
                 let flat = |points: &[[f64; 2]]| -> Vec<Value> {
                     points.iter().flatten().map(|v| short(*v)).collect()
                 };
-                let mut data = json!({"name": series.name, "points": flat(&series.drawn(ZOOM_COLUMNS)),
+                let mut data = json!({"name": series.name, "points": flat(&series.drawn(&self.x, ZOOM_BINS)),
                     "joined": series.line != Line::Scatter,
                     "radius": match series.line { Line::Dots => 2.0, Line::Scatter => 3.5, _ => 0.0 }});
                 if series.line.is_filled() {
@@ -404,16 +417,21 @@ fn outline(frame: &Frame, line: Line, points: &[[f64; 2]]) -> String {
         Line::Scatter => Some(3.5),
     };
     let (mut d, mut dots) = (String::new(), String::new());
-    let mut joined = false;
+    // The point before, in tenths of a unit of the drawing.
+    let mut before: Option<[i64; 2]> = None;
     for &[x, y] in points {
         let (px, py) = (frame.px(x), frame.py(y));
         if !px.is_finite() || !py.is_finite() {
-            joined = false;
+            before = None;
             continue;
         }
+        let at = [px, py].map(|place| (10.0 * place).round() as i64);
         if line != Line::Scatter {
-            let command = if joined { 'L' } else { 'M' };
-            let _ = write!(d, "{command}{px:.1} {py:.1}");
+            // Steps from point to point are half as long as places.
+            let (command, from) = before.map_or(('M', [0, 0]), |before| ('l', before));
+            let [x, y] = [0, 1].map(|k| tenths(at[k] - from[k]));
+            let between = if y.starts_with('-') { "" } else { " " };
+            let _ = write!(d, "{command}{x}{between}{y}");
         }
         if let Some(r) = radius {
             let (left, wide) = (px - r, 2.0 * r);
@@ -422,12 +440,23 @@ fn outline(frame: &Frame, line: Line, points: &[[f64; 2]]) -> String {
                 "M{left:.1} {py:.1}a{r} {r} 0 1 0 {wide} 0a{r} {r} 0 1 0 -{wide} 0"
             );
         }
-        joined = true;
+        before = Some(at);
     }
     if line.is_filled() && !d.is_empty() {
         d.push('Z');
     }
     d + &dots
+}
+
+/// A number of tenths in as few letters as a path allows: 14 is "1.4", -3 "-.3", 20 "2".
+fn tenths(count: i64) -> String {
+    let sign = if count < 0 { "-" } else { "" };
+    let (whole, rest) = (count.abs() / 10, count.abs() % 10);
+    match (whole, rest) {
+        (whole, 0) => format!("{sign}{whole}"),
+        (0, rest) => format!("{sign}.{rest}"),
+        (whole, rest) => format!("{sign}{whole}.{rest}"),
+    }
 }
 
 /// Six digits that mean something; null where there is no number.
@@ -466,6 +495,28 @@ mod tests {
         let svg = ramp().svg(Dress::Alone);
         assert!(svg.contains("position [mm]") && svg.contains("load [N/mm]"));
         assert!(svg.contains("A ramp &amp; more") && !svg.contains("NaN"));
+    }
+
+    #[test]
+    fn the_steps_of_a_path_lead_to_the_points() {
+        let [x, y] = [
+            Axis::new("x", "").within(0.0, 1.0),
+            Axis::new("y", "").within(0.0, 1.0),
+        ];
+        let points = [[0.0, 0.0], [0.31, 0.77], [0.32, 0.13], [1.0, 1.0]];
+        let chart = Chart::new("steps", "Steps", "steps.csv", x, y);
+        let frame = chart.frame(Dress::Page);
+        let d = outline(&frame, Line::Solid, &points).replace('-', " -");
+        let mut at = [0.0, 0.0];
+        for (part, [x, y]) in d.split(['M', 'l']).skip(1).zip(points) {
+            let steps: Vec<f64> = part
+                .split_whitespace()
+                .map(|step| step.parse().unwrap())
+                .collect();
+            at = [at[0] + steps[0], at[1] + steps[1]];
+            assert!((at[0] - frame.px(x)).abs() < 0.051 && (at[1] - frame.py(y)).abs() < 0.051);
+        }
+        assert_eq!([-13, -3, 0, 20].map(tenths), ["-1.3", "-.3", "0", "2"]);
     }
 
     #[test]

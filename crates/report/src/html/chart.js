@@ -41,6 +41,7 @@
       this.data = JSON.parse(figure.querySelector("script").textContent);
       this.read = figure.querySelector(".read");
       [this.left, this.top, this.right, this.bottom] = this.data.box;
+      [this.beside, this.base, this.below] = this.data.ticks;
       this.x = { ...this.data.x };
       this.y = { ...this.data.y };
       this.original = new Map();
@@ -207,12 +208,12 @@
       for (const [v, label] of ticks(this.x, 6)) {
         const x = this.px(v).toFixed(1);
         text += `<line class="grid" x1="${x}" y1="${this.top}" x2="${x}" y2="${this.bottom}"/>` +
-          `<text class="tick" x="${x}" y="${this.bottom + 17}" text-anchor="middle">${label}</text>`;
+          `<text class="tick" x="${x}" y="${this.bottom + this.below}" text-anchor="middle">${label}</text>`;
       }
       for (const [v, label] of ticks(this.y, 5)) {
         const y = this.py(v).toFixed(1);
         text += `<line class="grid" x1="${this.left}" y1="${y}" x2="${this.right}" y2="${y}"/>` +
-          `<text class="tick" x="${this.left - 6}" y="${Number(y) + 4}" text-anchor="end">${label}</text>`;
+          `<text class="tick" x="${this.left - this.beside}" y="${Number(y) + this.base}" text-anchor="end">${label}</text>`;
       }
       this.svg.querySelector(".ticks").innerHTML = text;
       if (this.data.kind === "contour") this.moveField();
@@ -297,75 +298,5 @@
     hide() { this.overlay.innerHTML = ""; this.read.textContent = ""; }
   }
 
-  const faults = [];
-  window.addEventListener("error", (e) => faults.push(e.message));
-  const charts = [...document.querySelectorAll("figure.zoomable")].map((figure) => new Chart(figure));
-
-  // With #selftest the page drives its charts as a user would and writes what came of it.
-  function selftest() {
-    const shape = (chart) => {
-      const field = chart.svg.querySelector(".field");
-      return field ? String(field.getAttribute("transform")) : [...chart.svg.querySelectorAll(".curves path")].map((p) => p.getAttribute("d")).join();
-    };
-    const outcome = charts.map((chart) => {
-      const box = chart.svg.getBoundingClientRect(), scale = box.width / chart.data.width;
-      const at = (s) => ({ bubbles: true, button: 0, pointerId: 1, clientY: box.top + scale * (chart.top + 20),
-        clientX: box.left + scale * (chart.left + s * (chart.right - chart.left)) });
-      const send = (kind, s) => chart.svg.dispatchEvent(new PointerEvent(kind, at(s)));
-      const press = (key) => chart.svg.dispatchEvent(new KeyboardEvent("keydown", { key }));
-      const before = shape(chart);
-      send("pointermove", 0.5);
-      const readOff = chart.read.textContent !== "";
-      send("pointerdown", 0.3); send("pointermove", 0.5); send("pointerup", 0.6);
-      const dragged = shape(chart) !== before && !chart.reset.hidden;
-      chart.reset.click();
-      const restored = shape(chart) === before;
-      press("+");
-      const keyed = shape(chart) !== before;
-      press("Escape");
-      return { id: chart.figure.id, readOff, dragged, restored, keyed, whole: shape(chart) === before };
-    });
-    // Labels that another covers, or that reach out of their drawing.
-    const labels = [...document.querySelectorAll("svg.chart")].flatMap((svg) => {
-      const name = svg.closest("figure") ? svg.closest("figure").id : svg.getAttribute("aria-label");
-      const frame = svg.getBoundingClientRect(), faults = [];
-      const all = [...svg.querySelectorAll("text")].filter((t) => t.textContent.trim())
-        .map((t) => ({ text: t.textContent, box: t.getBoundingClientRect() })).filter(({ box }) => box.width > 0);
-      all.forEach(({ text, box }, k) => {
-        const out = Math.max(frame.left - box.left, box.right - frame.right, frame.top - box.top, box.bottom - frame.bottom);
-        if (out > 2) faults.push({ name, cut: text, by: out });
-        for (const other of all.slice(k + 1)) {
-          const wide = Math.min(box.right, other.box.right) - Math.max(box.left, other.box.left);
-          const high = Math.min(box.bottom, other.box.bottom) - Math.max(box.top, other.box.top);
-          // A box has air above and below its letters.
-          if (wide > 1 && high > 0.35 * Math.min(box.height, other.box.height)) faults.push({ name, clash: [text, other.text] });
-        }
-      });
-      return faults;
-    });
-    const sliders = [...document.querySelectorAll("figure.facing .slider input")].map((input) => {
-      const figure = input.closest("figure"), first = input.value;
-      const state = () => [...figure.querySelectorAll("[data-part]")]
-        .map((p) => p.getAttribute("d") || p.getAttribute("cx")).join() + figure.querySelector(".told").textContent;
-      const isDrawn = () => [...figure.querySelectorAll("path[data-part]")].every((p) => /^M[-\d][-\d LZ]+$/.test(p.getAttribute("d")));
-      const go = (v) => { input.value = String(v); input.dispatchEvent(new Event("input")); return state(); };
-      const before = state(), states = [];
-      let drawn = true;
-      for (let k = 0; k <= Number(input.max); k += 1) { states.push(go(k)); drawn = drawn && isDrawn(); }
-      return { id: figure.id, width: input.getBoundingClientRect().width, different: new Set(states).size,
-        positions: Number(input.max) + 1, broken: !drawn, restored: go(first) === before };
-    });
-    const drawn = [...document.querySelectorAll("figure")].map((figure) => {
-      const box = figure.querySelector("svg.chart").getBoundingClientRect();
-      const shapes = figure.querySelectorAll(".curves path, .field path, rect.bar, rect.mixed, rect.film");
-      const sizes = [...shapes].map((s) => s.getBBox()).map((b) => b.width + b.height);
-      return { id: figure.id, width: box.width, size: Math.max(0, ...sizes) };
-    });
-    const report = document.createElement("pre");
-    report.id = "selftest";
-    report.hidden = true;
-    report.textContent = JSON.stringify({ zoom: outcome, drawn, labels, sliders, faults, resources: performance.getEntriesByType("resource").map((r) => r.name), milliseconds: performance.now() });
-    document.body.append(report);
-  }
-  if (location.hash === "#selftest") selftest();
+  for (const figure of document.querySelectorAll("figure.zoomable")) new Chart(figure);
 })();

@@ -10,7 +10,7 @@ use super::page::figure;
 use crate::chart::{Axis, Chart, Contour, Drawing, Line, Series};
 use crate::error::ReportError;
 use crate::page_tables::PageTables;
-use crate::tables::{ContactTables, ConvergenceRow, SubsurfaceRow, SurfaceRow, folder_of};
+use crate::tables::{ContactTables, ConvergenceRow, NEAR, SubsurfaceRow, SurfaceRow, folder_of};
 
 pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup, ReportError> {
     let Some(contact) = &tables.contact else {
@@ -74,20 +74,14 @@ fn column<R>(rows: &[R], value: impl Fn(&R) -> f64) -> Vec<f64> {
     rows.iter().map(value).collect()
 }
 
-/// Range shown across the contact, in Hertz half widths to either side.
-const REACH: f64 = 1.6;
-
 /// Both flanks facing each other at first touch and under load, the gap between them, and what stays.
 fn flank_charts(at: &PositionRow, all: &[SurfaceRow], source: &str) -> Vec<Drawing> {
-    let reach = REACH * at.half_width_um;
+    let reach = NEAR * at.half_width_um;
     let near = |row: &&SurfaceRow| row.x_um.abs() <= reach;
-    let rows: Vec<SurfaceRow> = all.iter().filter(near).cloned().collect();
+    let rows: Vec<SurfaceRow> = all.iter().filter(near).copied().collect();
     let x = column(&rows, |row| row.x_um);
     let pinion = column(&rows, |row| row.height_pinion_um);
-    let radius = 1e3 * at.radius_mm;
-    let open = |row: &SurfaceRow| {
-        0.5 * row.x_um.powi(2) / radius - row.height_pinion_um - row.height_wheel_um
-    };
+    let open = |row: &SurfaceRow| row.wheel_facing_um(at) - row.height_pinion_um;
     let least = all.iter().map(open).fold(f64::INFINITY, f64::min);
     let first_touch = facing(
         ["flanks-touch", "Flanks facing each other at first touch"],
@@ -96,11 +90,12 @@ fn flank_charts(at: &PositionRow, all: &[SurfaceRow], source: &str) -> Vec<Drawi
         &column(&rows, |row| open(row) - least),
         source,
     );
-    let pressed = column(&rows, |row| {
-        row.height_pinion_um - row.displacement_pinion_um
-    });
-    let mean = pressed.iter().sum::<f64>() / pressed.len().max(1) as f64;
-    let pressed: Vec<f64> = pressed.iter().map(|height| height - mean).collect();
+    // Heights count from the middle between the pinion's highest and lowest point, which thinning keeps.
+    let pressed = column(&rows, SurfaceRow::pinion_pressed_um);
+    let ends = [f64::INFINITY, f64::NEG_INFINITY];
+    let [low, high] = (pressed.iter()).fold(ends, |[low, high], z| [low.min(*z), high.max(*z)]);
+    let middle = 0.5 * (low + high);
+    let pressed: Vec<f64> = pressed.iter().map(|height| height - middle).collect();
     let gap = column(&rows, |row| row.gap_um);
     let loaded = facing(
         ["flanks-load", "Flanks facing each other under load"],
@@ -173,7 +168,7 @@ fn von_mises(
     cells: &[SubsurfaceRow],
     source: &str,
 ) -> Option<Drawing> {
-    let reach = REACH * row.half_width_um;
+    let reach = NEAR * row.half_width_um;
     let top = cells.first()?.depth_um;
     let stride = cells.iter().take_while(|cell| cell.depth_um == top).count();
     let shown = |cell: &&SubsurfaceRow| cell.x_um.abs() <= reach;

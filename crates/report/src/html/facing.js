@@ -6,16 +6,17 @@ for (const figure of document.querySelectorAll("figure.facing")) {
   if (!label) continue;
   const slider = label.querySelector("input"), told = figure.querySelector(".told");
   const part = (name) => figure.querySelector(`[data-part="${name}"]`);
+  const sums = (steps) => { let sum = 0; return steps.map((step) => (sum += step)); };
   const line = (xs, ys) => xs.map((x, k) => `${k ? "L" : "M"}${x} ${ys[k]}`).join("");
 
   const show = (number) => {
-    const frame = frames[number], { x } = frame;
-    const lower = line(x, frame.lower), upper = line(x, frame.upper);
+    const frame = frames[number], x = sums(frame.x), above = sums(frame.upper);
+    const lower = line(x, sums(frame.lower)), upper = line(x, above);
     const closed = (y) => `L${x[x.length - 1]} ${y}L${x[0]} ${y}Z`;
-    const back = x.map((at, k) => `L${at} ${frame.upper[k]}`).reverse().join("");
+    const back = x.map((at, k) => `L${at} ${above[k]}`).reverse().join("");
     const outlines = {
       lower, upper, below: lower + closed(bottom), above: upper + closed(top), film: lower + back + "Z",
-      solid: line(x, frame.solid), fluid: line(x, frame.fluid), hertz: line(ellipse, frame.hertz),
+      solid: line(x, sums(frame.solid)), fluid: line(x, sums(frame.fluid)), hertz: line(ellipse, frame.hertz),
     };
     for (const [name, d] of Object.entries(outlines)) part(name).setAttribute("d", d);
     part("dot").setAttribute("cx", String(frame.at / 10));

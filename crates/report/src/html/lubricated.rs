@@ -241,9 +241,8 @@ struct Panel {
 
 impl Panel {
     fn y(&self, value: f64) -> i64 {
-        let share = (value / self.most).clamp(0.0, 1.0);
         // Tenths of a unit of the drawing keep the page small.
-        (10.0 * (self.top + PANEL * (1.0 - share))).round() as i64
+        (10.0 * (self.top + PANEL * (1.0 - value / self.most))).round() as i64
     }
 
     fn frame(&self) -> Markup {
@@ -292,7 +291,7 @@ fn player(contact: &LubricatedContact) -> Markup {
     let (low, high) = (mean.x[0], mean.x[mean.x.len() - 1]);
     let place = |x: f64| 10.0 * (LEFT + (WIDTH - LEFT - RIGHT) * (x - low) / (high - low));
     let xs: Vec<i64> = mean.x.iter().map(|x| place(*x).round() as i64).collect();
-    let line = |ys: &[i64]| -> String {
+    let line = |xs: &[i64], ys: &[i64]| -> String {
         let points = xs.iter().zip(ys).enumerate();
         points
             .map(|(k, (x, y))| format!("{}{x} {y}", if k == 0 { "M" } else { "L" }))
@@ -321,18 +320,8 @@ fn player(contact: &LubricatedContact) -> Markup {
         .iter()
         .map(|x| place(*x).round() as i64)
         .collect();
-    let dashed = |k: usize| -> String {
-        let mut path = String::new();
-        for (x, value) in smooth_x.iter().zip(smooth[k]) {
-            let is_inside = (10.0 * LEFT..=10.0 * (WIDTH - RIGHT)).contains(&(*x as f64));
-            if is_inside && *value <= panels[k].most {
-                let pen = if path.is_empty() { "M" } else { "L" };
-                path.push_str(&format!("{pen}{x} {}", panels[k].y(*value)));
-            }
-        }
-        path
-    };
-    let height = TOP + 2.0 * PANEL + GAP + 30.0;
+    let dashed = |k: usize| line(&smooth_x, &rows(&panels[k], smooth[k]));
+    let height = TOP + 2.0 * PANEL + GAP + 34.0;
     let ends = [low, 0.5 * (low + high), high].map(|x| (place(x) / 10.0, format!("{x:.2}")));
     html! {
         p { "The surfaces move from left to right through the contact; dashed: smooth surfaces." }
@@ -340,15 +329,16 @@ fn player(contact: &LubricatedContact) -> Markup {
             button type="button" data-player="play" { "Play" }
             input type="range" min="0" max=(contact.frames.len() - 1) value="0" aria-label="Frame" data-player="frame" {}
             output data-player="travel" { (format!("{:.2}", first.travel)) } " half-widths travelled"
-            svg.chart viewBox={ "0 0 " (WIDTH) " " (height) } role="img" aria-label="Pressure and film at one instant" {
+            svg.chart.player-chart viewBox={ "0 0 " (WIDTH) " " (height) } role="img" aria-label="Pressure and film at one instant" {
                 @for panel in &panels { (panel.frame()) }
-                @for (x, label) in &ends { text.tick x=(x) y=(height - 12.0) text-anchor="middle" { (label) } }
-                g.tenths transform="scale(0.1)" {
-                    @for k in 0..2 {
+                @for (x, label) in &ends { text.tick x=(x) y=(height - 14.0) text-anchor="middle" { (label) } }
+                @for k in 0..2 {
+                    clipPath id={ "clip-player" (k) } { rect x=(LEFT) y=(panels[k].top) width=(WIDTH - LEFT - RIGHT) height=(PANEL) {} }
+                    g clip-path={ "url(#clip-player" (k) ")" } { g.tenths transform="scale(0.1)" {
                         path."curve dashed c1" d=(dashed(k)) {}
                         path."curve c0" data-player={ "curve" (k) }
-                            d=(line(&rows(&panels[k], [&first.pressure, &first.film][k]))) {}
-                    }
+                            d=(line(&xs, &rows(&panels[k], [&first.pressure, &first.film][k]))) {}
+                    } }
                 }
             }
         }

@@ -11,7 +11,7 @@ pub fn page(title: &str, subtitle: &str, sections: &[(&str, Markup)]) -> String 
     let anchor = |name: &str| name.to_lowercase().replace(' ', "-");
     let markup = html! {
         (DOCTYPE)
-        html lang="en" {
+        html.page lang="en" {
             head {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
@@ -63,7 +63,7 @@ pub(super) fn legend(drawing: &Drawing) -> Markup {
         @if legend.len() > 1 {
             ul.legend {
                 @for (name, class) in &legend {
-                    li { (PreEscaped(sample(class))) (name) }
+                    li { (PreEscaped(sample(drawing.kind(), class))) (name) }
                 }
             }
         }
@@ -76,7 +76,7 @@ pub(super) fn embedded(data: &serde_json::Value) -> Markup {
     html! { script type="application/json" { (PreEscaped(text)) } }
 }
 
-fn sample(class: &str) -> String {
+fn sample(kind: &str, class: &str) -> String {
     let is_area = ["area", "oil"].iter().any(|kind| class.starts_with(kind));
     let d = match class.ends_with("scatter") {
         true => "M10 6a4 4 0 1 0 8 0a4 4 0 1 0 -8 0",
@@ -84,6 +84,6 @@ fn sample(class: &str) -> String {
         false => "M1 6h26",
     };
     format!(
-        "<svg class=\"sample\" viewBox=\"0 0 28 12\" aria-hidden=\"true\"><path class=\"{class}\" d=\"{d}\"/></svg>"
+        "<svg class=\"sample {kind}\" viewBox=\"0 0 28 12\" aria-hidden=\"true\"><path class=\"{class}\" d=\"{d}\"/></svg>"
     )
 }

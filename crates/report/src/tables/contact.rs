@@ -6,8 +6,8 @@ use asperity::result::{PositionFields, PositionRow, SubsurfaceFields};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::csv_table::{Row, check_field, finite, read, row};
-use super::thin::thin;
 use crate::error::{ReportError, TableFault};
+use crate::thin::{BINS, thin};
 use crate::units::{MEGA, MICRO};
 
 row! {
@@ -161,7 +161,7 @@ impl ContactTables {
         Self {
             position: fields.position,
             surface: surface(fields, at),
-            subsurface: below.map_or(Vec::new(), |below| subsurface(&fields.x, below)),
+            subsurface: below.map_or(Vec::new(), |below| subsurface(&fields.x, below, at)),
             convergence: convergence(fields),
         }
     }
@@ -209,8 +209,48 @@ impl ContactTables {
     }
 }
 
-/// Stress that a page keeps, in Hertz half widths to either side and down.
-const NEAR: f64 = 1.6;
+/// Range that a page shows to either side of a contact and below it, in Hertz half-widths.
+pub(crate) const NEAR: f64 = 1.6;
+
+/// Place of `x_um` on an axis across the contact for thinning: the range that is shown takes most of the bins.
+fn across(x_um: f64, at: &PositionRow) -> f64 {
+    /// Bins beside the range shown for one within it.
+    const BESIDE: f64 = 0.1;
+    let x = x_um / at.half_width_um;
+    let near = x.clamp(-NEAR, NEAR);
+    near + BESIDE * (x - near)
+}
+
+impl SurfaceRow {
+    /// Height of the wheel's flank in the pinion's frame before contact, up to a constant \[µm\]: x²/(2R) − z₂ with the
+    /// relative radius R of `at`.
+    pub(crate) fn wheel_facing_um(&self, at: &PositionRow) -> f64 {
+        0.5 * self.x_um.powi(2) / (1e3 * at.radius_mm) - self.height_wheel_um
+    }
+
+    /// Height of the pinion's flank under load, up to a constant \[µm\].
+    pub(crate) fn pinion_pressed_um(&self) -> f64 {
+        self.height_pinion_um - self.displacement_pinion_um
+    }
+
+    /// Every value that a chart draws.
+    fn drawn(&self, at: &PositionRow) -> [f64; 11] {
+        let (facing, pressed) = (self.wheel_facing_um(at), self.pinion_pressed_um());
+        [
+            self.height_pinion_um,
+            facing,
+            facing - self.height_pinion_um,
+            pressed,
+            pressed + self.gap_um,
+            self.gap_um,
+            self.plastic_pinion_um,
+            self.plastic_wheel_um,
+            self.pressure_solid_mpa,
+            self.pressure_fluid_mpa,
+            self.pressure_hertz_mpa,
+        ]
+    }
+}
 
 /// Name of the folder of a position.
 pub fn folder_of(position: usize) -> String {
@@ -218,22 +258,19 @@ pub fn folder_of(position: usize) -> String {
 }
 
 impl ContactTables {
-    /// The tables thinned for display: `most` points along the contact with their extremes, the stress
-    /// where it changes, near the contact.
+    /// The tables thinned for display: points along the contact with the extremes of every drawn curve, the stress
+    /// near the contact.
     #[must_use]
-    pub fn thinned(&self, at: &PositionRow, most: usize) -> Self {
+    pub fn thinned(&self, at: &PositionRow) -> Self {
         let near = NEAR * at.half_width_um;
         let kept = |cell: &&SubsurfaceRow| cell.x_um.abs() <= near && cell.depth_um <= near;
         Self {
             position: self.position,
             surface: thin(
                 &self.surface,
-                &[
-                    |row| row.pressure_solid_mpa,
-                    |row| row.pressure_fluid_mpa,
-                    |row| row.gap_um,
-                ],
-                most,
+                BINS,
+                |row| across(row.x_um, at),
+                |row| row.drawn(at),
             ),
             subsurface: self.subsurface.iter().filter(kept).copied().collect(),
             convergence: self.convergence.clone(),
@@ -263,18 +300,31 @@ fn surface(fields: &PositionFields, at: &PositionRow) -> Vec<SurfaceRow> {
     rows.collect()
 }
 
-/// Points in a row of `subsurface.csv`: the stress below the surface is smooth along it.
-const POINTS_IN_A_ROW: usize = 200;
+/// Bins of `subsurface.csv` across the contact.
+const SUBSURFACE_BINS: usize = 90;
 
-/// Stress below the surface, every k-th point of each depth.
-fn subsurface(x: &[f64], below: &SubsurfaceFields) -> Vec<SubsurfaceRow> {
-    let across = x.len();
-    let stride = across.div_ceil(POINTS_IN_A_ROW).max(1);
+/// Stress below the surface at each depth, where the highest or the lowest von Mises stress over the depth is an
+/// extreme of its bin.
+fn subsurface(x: &[f64], below: &SubsurfaceFields, at: &PositionRow) -> Vec<SubsurfaceRow> {
+    let count = x.len();
+    let levels = 0..below.depths.len();
+    let extremes = |i: &usize| {
+        let stresses = levels
+            .clone()
+            .map(|level| below.von_mises[level * count + i]);
+        let ends = [f64::INFINITY, f64::NEG_INFINITY];
+        stresses.fold(ends, |[low, high], stress| {
+            [low.min(stress), high.max(stress)]
+        })
+    };
+    let points: Vec<usize> = (0..count).collect();
+    let place = |i: &usize| across(x[*i] * MICRO, at);
+    let columns = thin(&points, SUBSURFACE_BINS, place, extremes);
     let rows = below.depths.iter().enumerate().flat_map(|(level, &depth)| {
-        x.iter().enumerate().step_by(stride).map(move |(i, &x)| {
-            let at = level * across + i;
+        columns.iter().map(move |&i| {
+            let at = level * count + i;
             SubsurfaceRow {
-                x_um: rounded(x * MICRO),
+                x_um: rounded(x[i] * MICRO),
                 depth_um: rounded(depth * MICRO),
                 sigma_xx_mpa: rounded(below.sigma_xx[at] * MEGA),
                 sigma_zz_mpa: rounded(below.sigma_zz[at] * MEGA),

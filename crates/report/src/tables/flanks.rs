@@ -13,8 +13,8 @@ use asperity_roughness::spectral::power_spectrum;
 use serde::{Deserialize, Serialize};
 
 use super::csv_table::{Row, read, row, write};
-use super::thin::thin;
 use crate::error::ReportError;
+use crate::thin::{BINS, thin};
 use crate::units::MICRO;
 
 /// Names of the two flanks in files.
@@ -109,20 +109,32 @@ impl FlankTables {
         }))
     }
 
-    /// The tables thinned for display: `most` rows each, with their extremes.
+    /// The tables thinned for display, with the extremes of every drawn curve.
     #[must_use]
-    pub fn thinned(&self, most: usize) -> Self {
+    pub fn thinned(&self) -> Self {
         Self {
             trace: thin(
                 &self.trace,
-                &[
-                    |row| row.measured_um,
-                    |row| row.roughness_um.unwrap_or(f64::NAN),
-                ],
-                most,
+                BINS,
+                |row| row.x_um,
+                |row| {
+                    let rough = row.roughness_um.unwrap_or(f64::NAN);
+                    [row.measured_um, row.form_removed_um, rough]
+                },
             ),
-            material_ratio: thin(&self.material_ratio, &[|row| row.height_um], most),
-            spectrum: thin(&self.spectrum, &[|row| row.density_um3], most),
+            material_ratio: thin(
+                &self.material_ratio,
+                BINS,
+                |row| row.material_ratio_percent,
+                |row| [row.height_um],
+            ),
+            // Drawn over a logarithmic axis.
+            spectrum: thin(
+                &self.spectrum,
+                BINS,
+                |row| row.frequency_per_mm.ln(),
+                |row| [row.density_um3],
+            ),
         }
     }
 

@@ -5,9 +5,9 @@ mod csv_table;
 mod flanks;
 mod load;
 mod losses;
-mod thin;
 mod views;
 
+pub(crate) use contact::NEAR;
 pub use contact::{
     ContactTables, ConvergenceRow, SubsurfaceRow, SurfaceRow, convergence, folder_of,
 };

@@ -2,15 +2,15 @@
 
 use asperity::contact_view::ContactView;
 
-use super::thin::thin;
+use crate::thin::thin;
 
 /// Positions that a page keeps.
 const POSITIONS: usize = 48;
-/// Points of a position that a page keeps: more than it has pixels for.
-const POINTS: usize = 600;
+/// Bins of a position, of which there are many on a page.
+const BINS: usize = 200;
 
-/// At most 48 of `views` in even steps, the first, the last and that of the position `shown` among them; of each at
-/// most 600 points with the extremes of both flanks and both pressures. Numbers keep what can be seen: 0.01 µm along
+/// At most 48 of `views` in even steps, the first, the last and that of the position `shown` among them; each thinned
+/// with the extremes of both flanks and both pressures. Numbers keep what can be seen: 0.01 µm along
 /// the contact, nanometres of height, 0.1 MPa.
 pub(crate) fn thinned_views(views: &[ContactView], shown: Option<usize>) -> Vec<ContactView> {
     let count = views.len().min(POSITIONS);
@@ -43,11 +43,12 @@ fn thinned(view: &ContactView) -> ContactView {
             ]
         })
         .collect();
-    let columns: [fn(&Row) -> f64; 4] = [|row| row[1], |row| row[2], |row| row[3], |row| row[4]];
-    let rows = match rows.len() > POINTS {
-        true => thin(&rows, &columns, POINTS),
-        false => rows,
-    };
+    let rows = thin(
+        &rows,
+        BINS,
+        |row| row[0],
+        |&[_, columns @ ..]: &Row| columns,
+    );
     let column = |k: usize, steps: f64| -> Vec<f64> {
         rows.iter()
             .map(|row| (row[k] * steps).round() / steps)
@@ -100,7 +101,7 @@ mod tests {
     #[test]
     fn spikes_survive() {
         let few = &thinned_views(&views(1, 10_000), None)[0];
-        assert!(few.x_um.len() <= 600);
+        assert!(few.x_um.len() <= 2 + 8 * BINS);
         for column in [&few.pinion_um, &few.wheel_um, &few.pressure_solid_mpa] {
             assert!(column.contains(&9.0));
         }

@@ -13,6 +13,7 @@ use asperity_core::Profile;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 use asperity_report::chart::{Axis, Chart, Contour, Drawing, Line, Series};
 use asperity_report::tables::write;
+use asperity_report::thin;
 use asperity_report::units::MICRO;
 use asperity_roughness::generate::SelfAffine;
 use serde::Serialize;
@@ -171,7 +172,7 @@ fn rows(surfaces: &[Profile; 2], gap: &[f64], solution: &ContactSolution) -> Vec
 fn below(x: &[f64], solution: &ContactSolution, folder: &Path) -> Result<Contour, FigureError> {
     const TABLE: &str = "fig06_subsurface.csv";
     const DEPTHS: usize = 32;
-    const STRIDE: usize = 3;
+    const BINS: usize = 120;
     /// Range shown, in half widths: asperities are felt near the surface.
     const REACH: [f64; 2] = [1.2, 0.5];
     let depths = graded_depths(SPACING, HALF_WIDTH, DEPTHS).map_err(PositionError::from)?;
@@ -184,13 +185,18 @@ fn below(x: &[f64], solution: &ContactSolution, folder: &Path) -> Result<Contour
         depth_um: f64,
         von_mises_mpa: f64,
     }
-    let columns: Vec<usize> = (0..x.len())
-        .step_by(STRIDE)
-        .filter(|i| x[*i].abs() <= REACH[0] * HALF_WIDTH.si() * MICRO)
-        .collect();
     let rows: Vec<usize> = (0..DEPTHS)
         .filter(|j| depths[*j] <= REACH[1] * HALF_WIDTH.si())
         .collect();
+    let near: Vec<usize> = (0..x.len())
+        .filter(|i| x[*i].abs() <= REACH[0] * HALF_WIDTH.si() * MICRO)
+        .collect();
+    let extremes = |i: &usize| {
+        let stresses = rows.iter().map(|j| stress[j * x.len() + i]);
+        let ends = [f64::INFINITY, f64::NEG_INFINITY];
+        stresses.fold(ends, |[low, high], s| [low.min(s), high.max(s)])
+    };
+    let columns = thin(&near, BINS, |i| x[*i], extremes);
     let cells: Vec<Cell> = rows
         .iter()
         .flat_map(|j| columns.iter().map(move |i| (*i, *j)))

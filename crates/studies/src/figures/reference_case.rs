@@ -109,6 +109,7 @@ fn zoomed(drawing: &Drawing) -> Option<Figure> {
     match drawing {
         Drawing::Curves(chart) if chart.id == "pressure" => {
             let chart = Chart {
+                id: format!("{}-near", chart.id),
                 x: near(&chart.x),
                 title: format!("{}, near", chart.title),
                 ..chart.clone()
@@ -120,6 +121,7 @@ fn zoomed(drawing: &Drawing) -> Option<Figure> {
         }
         Drawing::Contour(contour) => {
             let mut contour = contour.clone();
+            contour.id.push_str("-near");
             contour.x = near(&contour.x);
             contour.y = contour.y.clone().within(contour.rows[0], ZOOM_DEPTH_UM);
             contour.title = format!("{}, near", contour.title);

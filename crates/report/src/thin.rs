@@ -1,0 +1,123 @@
+//! Fewer rows for display: the lowest and the highest value of every drawn column stay in each bin of the axis.
+
+use std::array::from_fn;
+use std::collections::BTreeSet;
+
+/// Bins of a chart along its horizontal axis: about one for each pixel of a drawn curve.
+pub(crate) const BINS: usize = 350;
+
+/// `rows` thinned to the ends and, in each of `bins` equal parts of the range of `place`, the rows where one of
+/// `columns` is lowest, highest, or first undefined, so that extremes and gaps of every drawn curve stay.
+///
+/// Consecutive rows within one bin form a group, so rows need not be ordered. At most two rows for each bin are
+/// returned whole.
+///
+/// ```
+/// use asperity_report::thin;
+/// let spike: Vec<[f64; 2]> = (0..10_000).map(|i| [f64::from(i), if i == 4321 { 9.0 } else { 0.0 }]).collect();
+/// let few = thin(&spike, 100, |row| row[0], |row| [row[1]]);
+/// assert!(few.len() <= 202 && few.contains(&[4321.0, 9.0]));
+/// ```
+pub fn thin<R: Copy, const N: usize>(
+    rows: &[R],
+    bins: usize,
+    place: impl Fn(&R) -> f64,
+    columns: impl Fn(&R) -> [f64; N],
+) -> Vec<R> {
+    if rows.len() <= 2 * bins {
+        return rows.to_vec();
+    }
+    let places: Vec<f64> = rows.iter().map(place).collect();
+    let finite = places.iter().copied().filter(|at| at.is_finite());
+    let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| {
+        (low.min(at), high.max(at))
+    });
+    // Casting saturates, and an undefined place is in the first bin.
+    let bin = |at: &f64| (((at - low) / (high - low) * bins as f64) as usize).min(bins - 1);
+    let cells: Vec<[f64; N]> = rows.iter().map(columns).collect();
+    let columns: [Vec<f64>; N] = from_fn(|k| cells.iter().map(|row| row[k]).collect());
+    let mut kept = BTreeSet::from([0, rows.len() - 1]);
+    let mut from = 0;
+    for group in places.chunk_by(|a, b| bin(a) == bin(b)) {
+        let range = from..from + group.len();
+        for column in &columns {
+            let value = |k: &usize| column[*k];
+            let defined = || range.clone().filter(|k| value(k).is_finite());
+            let compare = |a: &usize, b: &usize| value(a).total_cmp(&value(b));
+            kept.extend(defined().min_by(compare));
+            kept.extend(defined().max_by(compare));
+            kept.extend(range.clone().find(|k| !value(k).is_finite()));
+        }
+        from = range.end;
+    }
+    kept.into_iter().map(|k| rows[k]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::thin;
+
+    fn wave(i: u32) -> [f64; 3] {
+        let x = f64::from(i);
+        [x, (0.37 * x).sin() * f64::from(i % 911), (0.11 * x).cos()]
+    }
+
+    fn few(rows: &[[f64; 3]], bins: usize) -> Vec<[f64; 3]> {
+        thin(rows, bins, |row| row[0], |row| [row[1], row[2]])
+    }
+
+    fn extremes(rows: &[[f64; 3]], column: usize) -> [f64; 2] {
+        let values = rows.iter().map(|row| row[column]);
+        values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
+            [a.min(v), b.max(v)]
+        })
+    }
+
+    #[test]
+    fn the_extremes_of_every_column_in_every_bin_the_ends_and_the_order_stay() {
+        let rows: Vec<[f64; 3]> = (0..100_000).map(wave).collect();
+        let thinned = few(&rows, 100);
+        assert!(thinned.len() <= 2 + 4 * 100);
+        assert!(thinned.windows(2).all(|pair| pair[0][0] < pair[1][0]));
+        assert_eq!(
+            [thinned[0], thinned[thinned.len() - 1]],
+            [rows[0], rows[99_999]]
+        );
+        for column in [1, 2] {
+            for bin in rows.chunks(20_000) {
+                let within =
+                    |row: &&[f64; 3]| bin[0][0] <= row[0] && row[0] <= bin[bin.len() - 1][0];
+                let here: Vec<[f64; 3]> = thinned.iter().filter(within).copied().collect();
+                assert_eq!(extremes(&here, column), extremes(bin, column));
+            }
+        }
+    }
+
+    #[test]
+    fn bins_are_equal_parts_of_the_axis_and_not_of_the_rows() {
+        // Over a logarithmic axis half of the rows lie in the last of three decades.
+        let rows: Vec<[f64; 3]> = (1..1000).map(wave).collect();
+        let thinned = thin(&rows, 100, |row| row[0].ln(), |row| [row[1]]);
+        let first: Vec<f64> = thinned.iter().map(|row| row[0]).take(8).collect();
+        assert_eq!(first, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
+        assert!(thinned.len() < 200);
+    }
+
+    #[test]
+    fn a_gap_stays_a_gap_and_short_tables_stay_whole() {
+        let mut rows: Vec<[f64; 3]> = (0..10_000).map(wave).collect();
+        rows.iter_mut()
+            .skip(4000)
+            .take(2000)
+            .for_each(|row| row[1] = f64::NAN);
+        let thinned = few(&rows, 50);
+        let undefined = thinned.iter().filter(|row| row[1].is_nan()).count();
+        assert!((10..60).contains(&undefined), "{undefined}");
+        assert_eq!(extremes(&thinned, 1), extremes(&rows, 1));
+        assert_eq!(few(&rows[..10], 5).len(), 10);
+        // Places that are all equal, or undefined, are one bin.
+        let same = thin(&rows, 5, |_| 1.0, |row| [row[1]]);
+        let none = thin(&rows, 5, |_| f64::NAN, |row| [row[1]]);
+        assert_eq!([same.len(), none.len()], [5, 5]);
+    }
+}

@@ -1,0 +1,287 @@
+//! Every kind of page, made once with small cases.
+
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+use asperity::band::run_with_band;
+use asperity::case::{CaseInput, Formulation, load_with};
+use asperity::kept_fields::KeptFields;
+use asperity::planetary::run_planetary;
+use asperity::result::Outcome;
+use asperity_report::{Fields, write_folder, write_planetary};
+use asperity_tests::planetary_set;
+
+use crate::bench::{Bench, E_DRIVE};
+
+/// A page in the folder of its tables.
+pub struct Page {
+    /// What it is of.
+    pub name: String,
+    pub folder: PathBuf,
+    /// The page itself.
+    pub text: String,
+}
+
+/// The pages, and the folder that they are in while the tests run.
+struct Pages {
+    all: Vec<Page>,
+    _bench: Bench,
+}
+
+/// Every kind of page.
+pub fn all() -> &'static [Page] {
+    static PAGES: OnceLock<Pages> = OnceLock::new();
+    &PAGES.get_or_init(make).all
+}
+
+fn page(name: &str, file: &Path) -> Page {
+    Page {
+        name: name.to_owned(),
+        folder: file.parent().unwrap().to_owned(),
+        text: std::fs::read_to_string(file).unwrap(),
+    }
+}
+
+pub fn shipped(case: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../fixtures/cases")
+        .join(case)
+}
+
+/// A small e-drive, changed and run.
+pub fn e_drive(change: &dyn Fn(&mut CaseInput)) -> Outcome {
+    let small = |input: &mut CaseInput| {
+        (input.model.positions, input.model.offsets) = (Some(6), Some(2));
+        change(input);
+    };
+    let loaded = load_with(&shipped("e-drive.toml"), &small).unwrap();
+    run_with_band(&loaded, &KeptFields::All, &|_, _| {}).unwrap()
+}
+
+/// The reference case in the paper's formulation.
+pub fn paper() -> Outcome {
+    let loaded = asperity::case::load(&shipped("table2.toml"), Some(Formulation::Paper)).unwrap();
+    asperity::run(&loaded, &|_, _| {}).unwrap()
+}
+
+fn reports(bench: &Bench) -> Vec<Page> {
+    let spur = |input: &mut CaseInput| input.gears.helix = None;
+    let cases: [(&str, Outcome); 5] = [
+        ("spur", e_drive(&spur)),
+        ("helical", e_drive(&|_| {})),
+        (
+            "ring",
+            e_drive(&|input| {
+                spur(input);
+                input.gears.teeth = [24, -75];
+            }),
+        ),
+        ("paper", paper()),
+        (
+            "full-film",
+            e_drive(&|input| {
+                input.operation.temperature = "20 °C".parse().unwrap();
+                let flanks = [
+                    Some(&mut input.surface.pinion),
+                    input.surface.wheel.as_mut(),
+                ];
+                for (flank, name) in flanks.into_iter().flatten().zip(["", "_wheel"]) {
+                    let file = shipped(&format!("../profiles/superfinished{name}.csv"));
+                    flank.file = Some(file.canonicalize().unwrap());
+                }
+            }),
+        ),
+    ];
+    assert_eq!(cases[4].1.result.summary.mixed_share, 0.0, "a full film");
+    let mut pages: Vec<Page> = cases
+        .iter()
+        .map(|(name, outcome)| {
+            let folder = bench.path(name);
+            write_folder(outcome, &folder, &Fields::All).unwrap();
+            page(&format!("report, {name}"), &folder.join("report.html"))
+        })
+        .collect();
+    let set = run_planetary(&planetary_set(), &|_, _| {}).unwrap();
+    let folder = bench.path("set");
+    write_planetary(&set, &folder, &Fields::Page).unwrap();
+    for (name, file) in [("set", "report.html"), ("mesh", "planet_ring/report.html")] {
+        pages.push(page(&format!("planetary, {name}"), &folder.join(file)));
+    }
+    pages
+}
+
+/// A cycle with a coast and a stop.
+const CYCLE: &str = "time_s,torque_nm,speed_rpm\n0,0,0\n1,60,1500\n2,60,3000\n3,-30,3000\n4,0,0\n";
+
+const STUDY: &str = r#"case = "case.toml"
+columns = ["loss_w", "efficiency"]
+
+[sample]
+method = "latin-hypercube"
+count = 24
+vary."model.boundary_friction" = { uniform = [0.06, 0.10] }
+vary."lubricant.viscosity.at_100" = { normal = ["5.9 mm2/s", "0.15 mm2/s"] }
+"#;
+
+/// Options of the commands that make the other pages, and the pages.
+const COMMANDS: [(&[&str], &[&str]); 8] = [
+    (
+        &[
+            "compare",
+            "case.toml",
+            "--finish",
+            "ground=pinion.csv,wheel.csv",
+            "--finish",
+            "superfinished=smooth.csv,smooth_wheel.csv",
+            "--offsets",
+            "4",
+            "-o",
+            "compared",
+        ],
+        &["compared/compare.html"],
+    ),
+    (
+        // At rest and without torque there is no efficiency.
+        &[
+            "map",
+            "case.toml",
+            "--torque=-100,0,40,100",
+            "--speed=0,500,9000",
+            "--temperature=90",
+            "-o",
+            "map",
+        ],
+        &["map/map.html"],
+    ),
+    (
+        &[
+            "cycle",
+            "map",
+            "cycle.csv",
+            "--temperature",
+            "90",
+            "-o",
+            "driven",
+        ],
+        &["driven/cycle.html"],
+    ),
+    (
+        &["sensitivity", "case.toml", "-o", "changed"],
+        &["changed/sensitivity.html"],
+    ),
+    (&["sweep", "run", "study.toml", "--parts", "parts"], &[]),
+    (
+        &[
+            "sweep",
+            "merge",
+            "study.toml",
+            "--parts",
+            "parts",
+            "-o",
+            "swept",
+        ],
+        &["swept/sweep.html"],
+    ),
+    (
+        &[
+            "calibrate",
+            "--design",
+            "case.toml",
+            "--simulate",
+            "4",
+            "--torque",
+            "60,145",
+            "--speed",
+            "25..30000:7:log",
+            "-o",
+            "design",
+        ],
+        &["design/design.html"],
+    ),
+    (
+        &[
+            "calibrate",
+            "design/simulated.csv",
+            "case.toml",
+            "-o",
+            "found",
+        ],
+        &["found/calibration.html"],
+    ),
+];
+
+fn studies(bench: &Bench) -> Vec<Page> {
+    bench.write_flanks();
+    for (from, to) in [
+        ("superfinished", "smooth"),
+        ("superfinished_wheel", "smooth_wheel"),
+    ] {
+        let trace = shipped(&format!("../profiles/{from}.csv"));
+        std::fs::copy(trace, bench.path(&format!("{to}.csv"))).unwrap();
+    }
+    bench.write("case.toml", E_DRIVE);
+    bench.write("cycle.csv", CYCLE);
+    bench.write("study.toml", STUDY);
+    let mut pages = Vec::new();
+    for (arguments, made) in COMMANDS {
+        let said = bench.run(arguments);
+        assert_eq!(said.status, 0, "{arguments:?}: {}", said.err);
+        pages.extend(made.iter().map(|file| page(file, &bench.path(file))));
+    }
+    let film = [
+        "ehl",
+        "case.toml",
+        "--position",
+        "C",
+        "--cells",
+        "128",
+        "--half-widths",
+        "1",
+        "--start",
+        "1",
+        "--report",
+        "film.html",
+        "--every",
+        "0.25",
+    ];
+    let said = bench.run(&film);
+    assert_eq!(said.status, 0, "{}", said.err);
+    pages.push(page("film.html", &bench.path("film.html")));
+    pages
+}
+
+/// The figures, each a file of its own, on one page.
+fn figures(bench: &Bench) -> Page {
+    let case = asperity::case::load(&shipped("table2.toml"), Some(Formulation::Paper)).unwrap();
+    let folder = bench.path("figures");
+    std::fs::create_dir(&folder).unwrap();
+    let mut files = asperity_studies::figures::write(&case, &folder).unwrap();
+    files.push(bench.path("profile.svg"));
+    let said = bench.run(&["profile", "plot", "pinion.csv", "-o", "profile.svg"]);
+    assert_eq!(said.status, 0, "{}", said.err);
+    let drawings = files
+        .iter()
+        .filter(|file| file.extension().is_some_and(|e| e == "svg"));
+    let body: String = drawings
+        .map(|file| {
+            let name = file.file_stem().unwrap().to_string_lossy();
+            let svg = std::fs::read_to_string(file).unwrap();
+            svg.replacen("<svg ", &format!("<svg data-name=\"{name}\" "), 1)
+        })
+        .collect();
+    Page {
+        name: "figures".to_owned(),
+        folder,
+        text: format!(
+            "<!doctype html><html><head><meta charset=\"utf-8\"></head><body>{body}</body></html>"
+        ),
+    }
+}
+
+fn make() -> Pages {
+    let bench = Bench::new();
+    let mut all = reports(&bench);
+    all.extend(studies(&bench));
+    all.push(figures(&bench));
+    Pages { all, _bench: bench }
+}
