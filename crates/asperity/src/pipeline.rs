@@ -484,8 +484,9 @@ impl Mesh {
         numbered(solve_each(run, &self.stations, used, after))
     }
 
-    /// The points A to E of the path, solved as the positions are, without fields. A point at which the traces do
-    /// not resolve the contact is left out, as the load share there would be that of another law.
+    /// The points A to E of the path, solved as the positions are, without fields. A point whose contact the traces do
+    /// not resolve is left out, as the load share there would be that of another law, and so is one whose window is
+    /// longer than they are.
     fn points(
         &self,
         loaded: &LoadedCase,
@@ -502,10 +503,16 @@ impl Mesh {
             .filter(|(_, station)| !is_substituted(&loaded.surfaces, station))
             .unzip();
         let solved = solve_each(&run, &stations, used, |_| {}).into_iter();
-        let named = names.into_iter().zip(solved);
-        named
-            .map(|(name, position)| Ok((name, position?)))
-            .collect()
+        let mut points = Vec::with_capacity(names.len());
+        for (name, position) in names.into_iter().zip(solved) {
+            match position {
+                Ok(position) => points.push((name, position)),
+                // Its window is wider than those of the positions, which have theirs.
+                Err(PositionError::TraceTooShort { .. }) => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(points)
     }
 
     fn sums<'a>(

@@ -46,7 +46,8 @@ pub struct RunResult {
     /// One row per mesh position.
     pub path: Vec<PositionRow>,
     /// The points A to E of the path under the mean load over the face, solved as the positions of the path are, and
-    /// part of no mean. Left out are points without load and points at which the traces do not resolve the contact.
+    /// part of no mean. Left out are points without load and points whose contact the traces do not resolve or are too
+    /// short for.
     pub points: Vec<PointRow>,
     /// Records of mixed lubrication that load share or full film rest on; none with other laws.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

@@ -104,7 +104,11 @@ fn the_heat_of_the_film_lowers_the_friction_of_its_records() {
 fn elastic_records_above_the_flow_pressure_carry_a_warning_with_their_pressure() {
     let cache = tempfile::tempdir().unwrap();
     let warned = |flow: &str| {
-        let keys = [("material.pinion.flow_pressure", flow)];
+        let keys = [
+            ("material.pinion.flow_pressure", flow),
+            // Coarser cells blunt the peaks.
+            ("model.ehl.cells", "256"),
+        ];
         let result = run(&recorded(cache.path(), &keys));
         let largest = result.records.iter().map(|record| record.p_max_mpa);
         let text = result.warnings.into_iter().find(|w| w.code == "W435");
@@ -115,8 +119,8 @@ fn elastic_records_above_the_flow_pressure_carry_a_warning_with_their_pressure()
     assert!(largest <= 7000.0 * (1.0 + 1e-9) && text.is_none());
     // A ceiling that no steel has is none.
     let (largest, text) = warned("15 GPa");
-    let text = text.unwrap();
     assert!(largest > 7000.0, "{largest}");
+    let text = text.unwrap();
     let said = format!(
         "the pressure reaches {:.3}, above the 7 GPa",
         Pressure::from_si(1e6 * largest)
