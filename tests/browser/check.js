@@ -170,15 +170,20 @@
     return [];
   }
 
-  // Places on curves with the colour that is due there.
+  // Places on what is seen of the curves, with the colour that is due there.
   function pixels() {
-    const PLACES = 60;
+    const PLACES = 60, STEPS = 1200;
     return all("svg.chart.curve-chart .curves path.curve, svg.chart.facing-chart path.curve").map((path) => {
-      const { stroke } = shades(path), length = path.getTotalLength(), to = path.getScreenCTM();
-      const step = (k) => path.getPointAtLength(length * (k + 0.5) / PLACES).matrixTransform(to);
-      return { chart: nameOf(path.closest("svg.chart")), curve: path.getAttribute("class"), colour: stroke.match(/\d+/g).map(Number),
-        places: Array.from({ length: PLACES }, (_, k) => step(k)).map((p) => [p.x, p.y]) };
-    });
+      const svg = path.closest("svg.chart"), toScreen = svg.getScreenCTM();
+      const clip = document.getElementById(/#([^)"]+)/.exec(path.closest("[clip-path]").getAttribute("clip-path"))[1]).firstElementChild;
+      const [x, y, wide, high] = ["x", "y", "width", "height"].map((a) => Number(clip.getAttribute(a)));
+      const [from, to] = [[x, y], [x + wide, y + high]].map(([x, y]) => new DOMPoint(x, y).matrixTransform(toScreen));
+      const { stroke } = shades(path), length = path.getTotalLength(), ctm = path.getScreenCTM();
+      const places = Array.from({ length: STEPS }, (_, k) => path.getPointAtLength(length * (k + 0.5) / STEPS).matrixTransform(ctm))
+        .filter((p) => p.x >= from.x && p.x <= to.x && p.y >= from.y && p.y <= to.y);
+      return { chart: nameOf(svg), curve: path.getAttribute("class"), colour: stroke.match(/\d+/g).map(Number),
+        places: places.filter((_, k) => k % Math.ceil(places.length / PLACES) === 0).map((p) => [p.x, p.y]) };
+    }).filter(({ places }) => places.length);
   }
 
   function looked() {

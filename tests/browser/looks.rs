@@ -156,8 +156,8 @@ fn a_fault_of_a_page_would_be_noticed() {
         // A style of one kind of chart that reaches into another.
         broken(".contour-chart .dots{", "svg.chart .dots{"),
         broken(
-            "text-anchor=\"end\">",
-            "text-anchor=\"end\" transform=\"translate(-40)\">",
+            ".tick{fill:var(--soft);font-size:11px",
+            ".tick{fill:var(--soft);font-size:40px",
         ),
         broken(" d=\"M", " d=\"MNaN 1M"),
     ];

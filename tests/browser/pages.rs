@@ -273,7 +273,8 @@ fn figures(bench: &Bench) -> Page {
         name: "figures".to_owned(),
         folder,
         text: format!(
-            "<!doctype html><html><head><meta charset=\"utf-8\"></head><body>{body}</body></html>"
+            "<!doctype html><html><head><meta charset=\"utf-8\">\
+             <style>@media (min-width:1000px){{body{{display:grid;grid-template-columns:1fr 1fr}}}}</style></head><body>{body}</body></html>"
         ),
     }
 }

@@ -12,7 +12,7 @@ const WIDTH: f64 = 900.0;
 const PANEL: f64 = 210.0;
 /// Left and right of both panels, top of each, height between them.
 const LEFT: f64 = 62.0;
-const RIGHT: f64 = 12.0;
+const RIGHT: f64 = 26.0;
 const TOP: f64 = 22.0;
 const GAP: f64 = 44.0;
 
