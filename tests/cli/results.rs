@@ -283,12 +283,7 @@ fn parts_of_the_loss_add_up_as_printed() {
     let bench = Bench::new();
     bench.write_flanks();
     bench.write("case.toml", E_DRIVE);
-    for (torque, more) in [
-        (40, &[][..]),
-        (145, &[]),
-        (200, &[]),
-        (145, &["--band", "none"]),
-    ] {
+    for (torque, more) in [(40, &[][..]), (145, &[]), (200, &[]), (145, &["--no-band"])] {
         let set = format!("operation.torque={torque} N m");
         let run = ["run", "case.toml", "--no-output", "--set", &set];
         let said = bench.run(&[&run[..], more].concat()).well().out;
