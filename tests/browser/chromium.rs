@@ -4,6 +4,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use asperity_report::html::source;
 use serde_json::{Value, json};
 
 /// Names under which Chromium is installed.
@@ -151,11 +152,29 @@ impl Opened {
     }
 }
 
-/// `page` with the check at its end.
+/// `page` with the check at its end, and with its scripts among those that the policy of the page lets run.
 fn with_check(page: &str, wanted: &Value) -> String {
+    const POLICY: &str = "script-src ";
+    let scripts = [format!("window.CHECK = {wanted};"), CHECK.to_owned()];
+    let allowed = scripts.each_ref().map(|script| source(script)).join(" ");
+    // A page that a test makes around drawings has no policy.
+    let policy = page.find(POLICY).map_or(0, |policy| policy + POLICY.len());
+    let allowed = if policy > 0 {
+        allowed + " "
+    } else {
+        String::new()
+    };
     let end = page.rfind("</body>").expect("a page has an end");
-    let script = format!("<script>window.CHECK = {wanted};</script><script>{CHECK}</script>");
-    [&page[..end], &script, &page[end..]].concat()
+    let [wanted, check] = scripts;
+    let script = format!("<script>{wanted}</script><script>{check}</script>");
+    let parts = [
+        &page[..policy],
+        &allowed,
+        &page[policy..end],
+        &script,
+        &page[end..],
+    ];
+    parts.concat()
 }
 
 /// Runs the browser on `page` in `place`; the document as it stands at the end, and the console.

@@ -51,8 +51,20 @@ fn assert_same_numbers(opened: &Opened, result: &Value) {
         let number = text.split(' ').next().unwrap();
         let decimals = number.split_once('.').map_or(0, |(_, after)| after.len());
         let exact = factor * result["summary"][key].as_f64().unwrap();
-        assert_eq!(number, format!("{exact:.decimals$}"), "{key}");
-        assert!(decimals > 0, "{key} is printed with decimals: {text}");
+        if ["sliding_w", "rolling_w"].contains(&key) {
+            // Parts add up to their total as printed, which moves one of them by less than its last place.
+            let printed: f64 = number.parse().unwrap();
+            let step = 0.1_f64.powi(decimals as i32);
+            assert!((printed - exact).abs() < step, "{key}: {printed} {exact}");
+        } else {
+            assert_eq!(number, format!("{exact:.decimals$}"), "{key}");
+        }
+        // A loss has the digits that its band allows.
+        let is_loss = text.ends_with(" W");
+        assert!(
+            decimals > 0 || is_loss,
+            "{key} is printed with decimals: {text}"
+        );
     }
 }
 
