@@ -131,7 +131,7 @@ pub fn stated(power: f64) -> String {
 /// ```
 /// use asperity_report::stated_parts;
 /// assert_eq!(stated_parts(&[36.912, 6.2149]), ["36.9 W", "6.2 W"]);
-/// assert_eq!(stated_parts(&[10.05, 10.05, 0.05]), ["10.1 W", "10.0 W", "0.1 W"]);
+/// assert_eq!(stated_parts(&[10.04, 10.03, 0.06]), ["10.0 W", "10.0 W", "0.1 W"]);
 /// ```
 pub fn stated_parts(powers: &[f64]) -> Vec<String> {
     let total: f64 = powers.iter().sum();
