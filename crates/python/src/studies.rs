@@ -160,7 +160,9 @@ pub fn map(
         }
     };
     in_parallel(py, threads, progress.as_ref(), |told| {
-        let found = mapping::map(&finishes, &axes, band, &|done, total| told.tell(done, total))?;
+        let found = mapping::map(&finishes, &axes, band, &|done, total| {
+            told.tell(done, total)
+        })?;
         Ok(Map(found))
     })
 }
@@ -178,8 +180,12 @@ const COLUMNS: [Column; 14] = [
     ("loss_w", |n| Some(n.loss_w)),
     ("loss_torque_nm", |n| Some(n.loss_torque_nm)),
     ("loss_torque_deviation_nm", |n| n.loss_torque_deviation_nm),
-    ("loss_torque_q05_nm", |n| Some(n.loss_torque_quantiles_nm?[0])),
-    ("loss_torque_q95_nm", |n| Some(n.loss_torque_quantiles_nm?[1])),
+    ("loss_torque_q05_nm", |n| {
+        Some(n.loss_torque_quantiles_nm?[0])
+    }),
+    ("loss_torque_q95_nm", |n| {
+        Some(n.loss_torque_quantiles_nm?[1])
+    }),
     ("efficiency", |n| n.efficiency),
     ("efficiency_deviation", |n| n.efficiency_deviation),
     ("sliding_w", |n| Some(n.sliding_w)),

@@ -6,6 +6,7 @@ use asperity_studies::sweep::{Cases as Listed, Study};
 use pyo3::prelude::*;
 
 use crate::case::Case;
+use crate::failure::Failure;
 use crate::work::{alone, in_parallel};
 
 /// The cases of a study.
