@@ -194,7 +194,7 @@ fn key(station: &Station) -> [u64; 4] {
     [load, radius, place, station.zone as u64]
 }
 
-/// Bits of everything else that the contacts depend on, but for the traces.
+/// Bits of all other inputs of the contacts, except the traces.
 fn fingerprint(case: &Case, surfaces: &Surfaces) -> Vec<u64> {
     let [pinion, wheel] = case.flow_pressure;
     let mut bits: Vec<u64> = [

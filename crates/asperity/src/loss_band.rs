@@ -204,7 +204,7 @@ impl Digits {
     /// Decimals where nothing limits them.
     const MOST: i32 = 4;
 
-    /// Digits with so many decimals; -1 are tens.
+    /// Digits with this number of decimals; -1 rounds to tens.
     #[must_use]
     pub const fn of_decimals(decimals: i32) -> Self {
         Self { decimals }

@@ -141,7 +141,7 @@ impl<'a> Rating<'a> {
         })
     }
 
-    /// Film and temperature by the specification, beside what the rough contact has.
+    /// Film and temperature by the specification, with the share and the pressures of the rough contact.
     fn cell(&self, position: &Position) -> Result<MicropittingCell, PositionError> {
         let station = &position.station;
         let seen = position.view.as_ref().map(|view| self.seen(view, station));
