@@ -95,7 +95,8 @@ fn locked(folder: &Path) -> io::Result<File> {
     let making = folder.join(MAKING);
     let mut file = File::create_new(&making)?;
     file.lock()?;
-    writeln!(file, "{TEXT}{}", std::process::id())?;
+    // In one piece: a process that is killed here leaves all of it or nothing.
+    file.write_all(format!("{TEXT}{}\n", std::process::id()).as_bytes())?;
     fs::rename(&making, folder.join(LOCK))?;
     Ok(file)
 }
@@ -149,7 +150,7 @@ pub(crate) fn clear(parent: &Path) {
 fn remove_unlocked(draft: &Path) {
     let making = draft.join(MAKING);
     let is_ours = look(&making).is_ok_and(|found| found.is_some_and(|found| found.is_file()))
-        && whole_text(&making, LONGEST).is_ok_and(|text| text.is_empty() || is_lock(&text));
+        && whole_text(&making, LONGEST).is_ok_and(|text| TEXT.starts_with(&text) || is_lock(&text));
     let is_alone = fs::read_dir(draft).is_ok_and(|entries| entries.count() == 1);
     if is_ours && is_alone {
         let _ = fs::remove_file(making);
