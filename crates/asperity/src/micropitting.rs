@@ -46,7 +46,7 @@ const fn range(name: &'static str, low: f64, high: f64, unit: &'static str) -> F
     }
 }
 
-/// The rating of a solved path, where the case asks for it; `ends` are the points A and E, where they are solved.
+/// Rating of a solved path, `None` unless the case requests it; `ends` are the points A and E, if they were solved.
 pub(crate) fn report(
     loaded: &LoadedCase,
     positions: &[Position],

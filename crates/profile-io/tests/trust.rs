@@ -400,7 +400,7 @@ fn a_device_is_refused_before_it_is_read() {
     assert!(refused.to_string().contains("pass -"), "{refused}");
 }
 
-/// A stylus's export of one trace of a scan: the number of the trace stands in front of its heights.
+/// Stylus export of one trace of a scan: the number of the trace precedes its heights.
 fn stylus_scan(points: usize, number: &str) -> String {
     let heights: String = (0..POINTS)
         .map(|i| format!("{:.4}\n", 5.0 + flank(DX_UM * i as f64)))

@@ -187,8 +187,8 @@ impl Files {
         self.folder.as_deref()
     }
 
-    /// Files below the folder whose names are of `pattern`, and such traces in memory, by name; none where the folder
-    /// of the pattern is itself a pattern.
+    /// Files below the folder and traces in memory whose names match `pattern`, sorted by name. Empty if the folder of
+    /// the pattern is itself a pattern.
     pub(super) fn matching(&self, pattern: &Path) -> Vec<PathBuf> {
         let parent = pattern.parent().unwrap_or(Path::new(""));
         let Some(wanted) = pattern.file_name().map(OsStr::to_string_lossy) else {
