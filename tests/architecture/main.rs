@@ -2,6 +2,7 @@
 
 mod file_imports;
 mod hosted;
+mod plain_english;
 mod words;
 
 use std::collections::{BTreeMap, BTreeSet};
