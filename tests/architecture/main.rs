@@ -11,6 +11,7 @@ use std::path::Path;
 /// Crates of the workspace that each crate may use. The physics crates stand apart from each other.
 const ALLOWED: &[(&str, &[&str])] = &[
     ("crates/core", &[]),
+    ("crates/oil", &["asperity-core"]),
     ("crates/storage", &[]),
     ("crates/rexs", &[]),
     ("crates/profile-io", &["asperity-core", "asperity-storage"]),
@@ -18,14 +19,15 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("crates/gear", &["asperity-core"]),
     ("crates/contact", &["asperity-core"]),
     ("crates/ehl", &["asperity-core", "asperity-contact"]),
-    ("crates/ehl-regime", &["asperity-core"]),
-    ("crates/tribo-friction", &["asperity-core"]),
+    ("crates/ehl-regime", &["asperity-core", "asperity-oil"]),
+    ("crates/tribo-friction", &["asperity-core", "asperity-oil"]),
     ("crates/ns-film", &["asperity-core"]),
     ("crates/efficiency", &["asperity-core"]),
     (
         "crates/asperity",
         &[
             "asperity-core",
+            "asperity-oil",
             "asperity-profile-io",
             "asperity-roughness",
             "asperity-gear",

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use asperity::band::UncertainParameter;
 use asperity::case::{LoadedCase, load_with};
-use asperity::core::lubricant::ViscosityLaw;
+use asperity::oil::ViscosityLaw;
 use asperity::quantity::Temperature;
 use asperity::{losses, pipeline};
 

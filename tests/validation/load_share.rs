@@ -187,7 +187,7 @@ fn an_oil_without_a_family_is_refused_or_assumed() {
     case = case
         .with(|input| {
             input.lubricant.base_oil = None;
-            input.lubricant.assume_base_oil = Some(asperity::core::lubricant::BaseOil::Mineral);
+            input.lubricant.assume_base_oil = Some(asperity::oil::BaseOil::Mineral);
         })
         .unwrap();
     let mut listed = case.case.defaults.iter();

@@ -14,12 +14,12 @@ use asperity::load_share::{
     RoughWindow,
 };
 use asperity::load_share_law::{LoadShare, ShareConditions, SharedLoad};
+use asperity::oil::{BaseOil, LubricantInput, ViscosityLaw};
 use asperity::pipeline::{contact_tables, losses_with};
 use asperity::result::Summary;
 use asperity::surfaces::{Surfaces, Texture};
 use asperity_contact::SolverSettings;
 use asperity_core::Profile;
-use asperity_core::lubricant::{BaseOil, LubricantInput, ViscosityLaw};
 use asperity_core::quantity::{
     Density, KinematicViscosity, Length, LineLoad, PerKelvin, Pressure, Speed, Temperature,
 };

@@ -1,6 +1,6 @@
 //! Single equations at single points, as the document shows them; the crates prove them.
 
-use asperity_core::lubricant::{AstmD341, roelands_exponent};
+use asperity::oil::{AstmD341, roelands_exponent};
 use asperity_core::quantity::{
     DynamicViscosity, Length, LineLoad, Pressure, PressureViscosity, Speed,
 };

@@ -1,6 +1,6 @@
 //! `asperity oils`: the oils of the library.
 
-use asperity_core::lubricant::{LibraryOil, LubricantError, LubricantInput, library};
+use asperity::oil::{LibraryOil, LubricantError, LubricantInput, library};
 use asperity_core::presets::Certainty;
 use asperity_core::quantity::Temperature;
 use asperity_report::{COLUMNS, wrapped};

@@ -11,12 +11,12 @@ use asperity::load_share::{
 };
 use asperity::pipeline::{contact_tables, losses_with, run};
 use asperity_contact::SolverSettings;
-use asperity_core::lubricant::{BaseOil, LubricantInput};
 use asperity_core::material::Material;
 use asperity_core::quantity::{
     Density, Length, LineLoad, Pressure, SpecificHeat, Speed, Temperature, ThermalConductivity,
 };
 use asperity_ehl_regime::TraceSpectrum;
+use asperity_oil::{BaseOil, LubricantInput};
 use asperity_roughness::generate::Ground;
 use asperity_tribo_friction::{FilmRheology, OilFamily};
 use criterion::{Criterion, criterion_group, criterion_main};

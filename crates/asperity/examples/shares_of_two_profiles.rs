@@ -23,9 +23,9 @@ use asperity::quantity::{
 };
 use asperity_contact::SolverSettings;
 use asperity_contact::hertz_line::HertzLine;
-use asperity_core::lubricant::{BaseOil, LubricantInput, ViscosityLaw};
 use asperity_core::material::Material;
 use asperity_ehl_regime::TraceSpectrum;
+use asperity_oil::{BaseOil, LubricantInput, ViscosityLaw};
 use asperity_tribo_friction::{FilmRheology, OilFamily, TractionConstants};
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;

@@ -5,6 +5,7 @@ use asperity_core::{Equation, Reference};
 /// Every equation of the model, in order.
 pub fn all() -> Vec<&'static Equation> {
     let equations = asperity_core::equations()
+        .chain(asperity_oil::EQUATIONS)
         .chain(asperity_profile_io::equations::EQUATIONS)
         .chain(asperity_roughness::equations::EQUATIONS)
         .chain(asperity_gear::equations::EQUATIONS)

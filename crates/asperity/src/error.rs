@@ -66,7 +66,7 @@ pub enum PositionError {
     Roughness(#[from] asperity_roughness::RoughnessError),
     /// The oil has no state at the temperature asked for.
     #[error(transparent)]
-    Lubricant(#[from] asperity_core::lubricant::LubricantError),
+    Lubricant(#[from] asperity_oil::LubricantError),
     /// The flash temperature fed back into the oil does not settle.
     #[error("the flash temperature did not settle in {passes} passes (last {flash_kelvin:.1} K)")]
     FlashNotSettled {

@@ -2,8 +2,8 @@
 
 use asperity_core::OutOfRange;
 use asperity_core::cite;
-use asperity_core::lubricant::{LubricantState, roelands};
 use asperity_core::quantity::{Length, LineLoad, Pressure, Speed, Temperature};
+use asperity_oil::{LubricantState, roelands};
 use asperity_tribo_friction::{
     FilmContact, FilmFriction, FlashConditions, FrictionConditions, MeshConditions,
     flash_temperature, mixed_friction,

@@ -109,7 +109,7 @@ fn traction_law(case: &Case) -> Result<TractionLaw, PositionError> {
     let rheology = case
         .rheology
         .as_ref()
-        .ok_or(asperity_core::lubricant::LubricantError::NoBaseOil)?;
+        .ok_or(asperity_oil::LubricantError::NoBaseOil)?;
     let constants = rheology.constants();
     let shear = match rheology.laws().0 {
         FilmShearLaw::Newton => ShearLaw::Newtonian,

@@ -107,6 +107,7 @@ pub use asperity_ehl as ehl;
 pub use asperity_ehl_regime as ehl_regime;
 pub use asperity_gear as gear;
 pub use asperity_ns_film as ns_film;
+pub use asperity_oil as oil;
 pub use asperity_profile_io as profile_io;
 pub use asperity_roughness as roughness;
 pub use asperity_tribo_friction as tribo_friction;

@@ -6,7 +6,6 @@ pub use crate::case::{
 };
 pub use crate::error::Error;
 pub use crate::result::{Outcome, RunResult};
-pub use asperity_core::lubricant::{BaseOil, LubricantInput, ViscosityLaw};
 pub use asperity_core::material::Material;
 pub use asperity_core::quantity::{
     Angle, AngularSpeed, Density, DynamicViscosity, KinematicViscosity, Length, LineLoad,
@@ -14,4 +13,5 @@ pub use asperity_core::quantity::{
     ThermalConductivity, Torque,
 };
 pub use asperity_core::remedy::{Action, Remedy, Setting};
+pub use asperity_oil::{BaseOil, LubricantInput, ViscosityLaw};
 pub use asperity_profile_io::read::ReadOptions;

@@ -2,10 +2,10 @@
 
 use std::borrow::Cow;
 
-use asperity_core::lubricant::LubricantState;
 use asperity_core::{Profile, Reference};
 pub use asperity_ehl_regime::Regime;
 use asperity_gear::{GearPair, LoadMap};
+use asperity_oil::LubricantState;
 use serde::{Deserialize, Serialize};
 
 pub use crate::case::BulkReport;

@@ -1,5 +1,5 @@
 //! Types that every Asperity crate shares: quantities with units, checked values, equations with
-//! their sources, materials, lubricants, profiles, and the little numerics that is not physics.
+//! their sources, materials, profiles, and the little numerics that is not physics.
 //!
 //! Conventions hold for the whole workspace: SI inside every function, heights point out of the
 //! material, the reduced modulus is E* = 1 / Σ((1 − νᵢ²)/Eᵢ), and E′ = 2 E* in the groups of
@@ -10,7 +10,6 @@ pub mod checked;
 pub mod citation;
 pub mod error;
 pub mod hardness;
-pub mod lubricant;
 pub mod material;
 pub mod numerics;
 pub mod powder_metal;
@@ -28,10 +27,14 @@ pub use profile::Profile;
 pub use quantity::Quantity;
 pub use remedy::{Action, Remedy, Setting};
 
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 /// Every equation of this crate.
 pub fn equations() -> impl Iterator<Item = &'static Equation> {
     (material::EQUATIONS.iter())
-        .chain(lubricant::EQUATIONS)
         .chain(hardness::EQUATIONS)
         .chain(powder_metal::EQUATIONS)
 }

@@ -4,7 +4,6 @@
 
 use std::collections::BTreeSet;
 
-use asperity_core::lubricant::library;
 use asperity_core::presets::{
     Certainty, FigureRow, PresetError, gears, read_gears, read_steels, sources, steel, steels,
 };
@@ -157,21 +156,5 @@ fn the_second_stages_turn_by_the_ratio_of_the_first() {
             (second.operation.speed.value.si() / speed - 1.0).abs() < 1e-4,
             "{car}"
         );
-    }
-}
-
-#[test]
-fn every_key_of_every_oil_has_its_certainty() {
-    for oil in library().unwrap() {
-        let values = serde_json::to_value(&oil.lubricant).unwrap();
-        let given: BTreeSet<String> = values
-            .as_object()
-            .unwrap()
-            .iter()
-            .filter(|(_, value)| !value.is_null())
-            .map(|(key, _)| key.clone())
-            .collect();
-        let told: BTreeSet<String> = oil.certainty.keys().cloned().collect();
-        assert_eq!(given, told, "{}", oil.name);
     }
 }

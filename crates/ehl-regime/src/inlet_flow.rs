@@ -20,9 +20,9 @@
 
 use std::borrow::Cow;
 
-use asperity_core::lubricant::dowson_higginson_density;
 use asperity_core::quantity::{Density, Length, Pressure};
 use asperity_core::{DomainError, cite};
+use asperity_oil::dowson_higginson_density;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::{self, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};

@@ -1,7 +1,7 @@
 //! Viscosity, density and shear law of the oil in the film.
 //!
 //! Roelands' exponent is free here: the slope α at ambient pressure and the bend z are given apart,
-//! whereas `asperity_core::lubricant::roelands` derives z from α and η₀.
+//! whereas `asperity_oil::roelands` derives z from α and η₀.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|

@@ -2,11 +2,11 @@
 
 use std::hint::black_box;
 
-use asperity_core::lubricant::{BaseOil, LubricantInput};
 use asperity_core::material::Material;
 use asperity_core::quantity::{
     Density, Length, LineLoad, Pressure, SpecificHeat, Speed, Temperature, ThermalConductivity,
 };
+use asperity_oil::{BaseOil, LubricantInput};
 use asperity_tribo_friction::{
     FilmHeat, FilmLineContact, FilmRheology, FilmSettings, OilFamily, film_friction,
 };

@@ -1,8 +1,8 @@
 //! The film law alone, and a published law alone, over the temperature of an e-fluid.
 
-use asperity_core::lubricant::{BaseOil, LubricantInput, ViscosityLaw};
 use asperity_core::material::Material;
 use asperity_core::quantity::{Length, Speed, Temperature};
+use asperity_oil::{BaseOil, LubricantInput, ViscosityLaw};
 use asperity_tribo_friction::xu::{XuConditions, XuLaw};
 use asperity_tribo_friction::{
     FilmLineContact, FilmRheology, FilmSettings, OilFamily, film_friction,

@@ -38,7 +38,7 @@ pub struct FrictionConditions {
     /// Viscosity η₀ at the bulk temperature and ambient pressure.
     pub viscosity: DynamicViscosity,
     /// Viscosity in the film, at the mean Hertz pressure π p₀/4
-    /// (see [`asperity_core::lubricant`]); `eyring` reads it.
+    /// (see [`asperity_oil`]); `eyring` reads it.
     pub contact_viscosity: DynamicViscosity,
     /// Kinematic viscosity ν at the bulk temperature.
     pub kinematic_viscosity: KinematicViscosity,

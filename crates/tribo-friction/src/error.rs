@@ -1,8 +1,8 @@
 //! Errors of a friction coefficient or force.
 
 use asperity_core::DomainError;
-use asperity_core::lubricant::LubricantError;
 use asperity_core::numerics::RootError;
+use asperity_oil::LubricantError;
 
 /// Errors of friction laws.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -7,9 +7,9 @@
 use std::fmt::Debug;
 
 use asperity_core::Checked;
-use asperity_core::lubricant::{Lubricant, LubricantState};
 use asperity_core::material::Material;
 use asperity_core::quantity::{Length, Pressure, Speed, Temperature};
+use asperity_oil::{Lubricant, LubricantState};
 
 use crate::conditions::FrictionConditions;
 use crate::error::FrictionError;

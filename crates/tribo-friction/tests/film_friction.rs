@@ -15,12 +15,12 @@
     reason = "helpers of tests may unwrap as tests do"
 )]
 
-use asperity_core::lubricant::{LubricantInput, ViscosityLaw};
 use asperity_core::material::Material;
 use asperity_core::quantity::{
     Density, DynamicViscosity, KinematicViscosity, Length, LineLoad, PerKelvin, Pressure,
     PressureViscosity, SpecificHeat, Speed, Temperature, ThermalConductivity,
 };
+use asperity_oil::{LubricantInput, ViscosityLaw};
 use asperity_tribo_friction::boundary::{SharedFriction, boundary_share};
 use asperity_tribo_friction::film_friction::{CarreauConstants, LoadedFilm, solve};
 use asperity_tribo_friction::{
@@ -47,7 +47,7 @@ fn celsius(value: f64) -> Temperature {
 }
 
 /// Data sheet of an oil whose density falls by 0.63 kg/m³ per kelvin.
-fn lubricant(nu: [f64; 2], density: f64) -> asperity_core::lubricant::Lubricant {
+fn lubricant(nu: [f64; 2], density: f64) -> asperity_oil::Lubricant {
     LubricantInput {
         viscosity: Some(ViscosityLaw::AstmD341 {
             at_40: KinematicViscosity::from_si(nu[0] * 1e-6),

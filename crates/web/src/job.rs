@@ -2,7 +2,7 @@
 
 use asperity::band::run_with_band;
 use asperity::case::{self, CaseInput, LoadedCase, Source, planetary};
-use asperity::core::lubricant::library;
+use asperity::oil::library;
 use asperity::kept_fields::KeptFields;
 use asperity::pipeline::Progress;
 use asperity_report::{FileText, summary, texts};

@@ -7,9 +7,9 @@ use asperity::ehl::{
     DensityLaw, FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling, RoughContact,
     ShearLaw, ViscosityLaw,
 };
+use asperity::oil::LubricantInput;
 use asperity::referee::attenuated_roughness;
 use asperity_core::Profile;
-use asperity_core::lubricant::LubricantInput;
 use asperity_core::material::Material;
 use asperity_core::quantity::{
     Density, DynamicViscosity, Length, Pressure, PressureViscosity, SpecificHeat,

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity_core::lubricant::LubricantInput;
+use asperity_oil::LubricantInput;
 
 use super::files::{Content, Files};
 use super::input::{
@@ -30,7 +30,7 @@ impl Case {
     ///
     /// ```
     /// use asperity::case::{Case, FlankInput, GearsInput, OperationInput};
-    /// use asperity::core::lubricant::LubricantInput;
+    /// use asperity::oil::LubricantInput;
     /// let loaded = Case::builder(
     ///     GearsInput::new([23, 68], "1.8 mm".parse()?, "32 mm".parse()?),
     ///     OperationInput::new("145 N m".parse()?, "9000 1/min".parse()?, "90 °C".parse()?),

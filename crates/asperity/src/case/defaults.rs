@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use asperity_core::lubricant::Assumption;
+use asperity_oil::Assumption;
 use serde::{Deserialize, Serialize};
 
 /// A default that was used, as it would be written in the case file.

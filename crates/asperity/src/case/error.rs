@@ -134,7 +134,7 @@ pub enum CaseError {
         /// The value as it stands in the file, where one value is to blame.
         written: Option<String>,
         /// The reason.
-        source: asperity_core::lubricant::LubricantError,
+        source: asperity_oil::LubricantError,
     },
     /// A steel that the library does not have.
     #[error("{place}: {key} = \"{name}\": the library has no such steel{}; it has: {}", did_you_mean(nearest.as_deref()), known.join(", "))]
@@ -255,7 +255,7 @@ fn did_you_mean(nearest: Option<&str>) -> String {
 impl CaseError {
     /// Stable code of the message.
     pub fn code(&self) -> &'static str {
-        use asperity_core::lubricant::LubricantError;
+        use asperity_oil::LubricantError;
         match self {
             Self::Open { .. } | Self::Folder { .. } => "E201",
             Self::Encoding { .. } | Self::Syntax { .. } => "E202",

@@ -6,7 +6,6 @@
 use std::path::{Path, PathBuf};
 
 use asperity_core::hardness::Hardness;
-use asperity_core::lubricant::LubricantInput;
 use asperity_core::quantity::{
     Angle, AngularSpeed, Area, Density, Length, Mass, Pressure, Ratio, SpecificHeat, Temperature,
     ThermalConductivity, Torque,
@@ -15,6 +14,7 @@ use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay};
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
 use asperity_gear::{AmountDirection, LoadLaw, PathOfContact, Plane};
 use asperity_ns_film::FluidModel;
+use asperity_oil::LubricantInput;
 use asperity_profile_io::read::{
     Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator, TraceLine, Uneven,
 };

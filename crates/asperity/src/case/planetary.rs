@@ -7,10 +7,10 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Arc;
 
-use asperity_core::lubricant::LubricantInput;
 use asperity_core::quantity::{Angle, AngularSpeed, Length};
 use asperity_gear::GearError;
 use asperity_gear::planetary::{PlanetaryOperation, PlanetarySet, PlanetarySetInput};
+use asperity_oil::LubricantInput;
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
 use schemars::JsonSchema;

@@ -5,8 +5,8 @@
 //! of ten around them. Both are choices of this program: they are there to catch a wrong unit, not to judge a
 //! design. Zero, negative and missing numbers are judged by the equations that take them.
 
-use asperity_core::lubricant::{LubricantState, ViscosityLaw};
 use asperity_core::quantity::Quantity;
+use asperity_oil::{LubricantState, ViscosityLaw};
 
 use super::error::CaseError;
 use super::input::{BodyInput, CaseInput, FlankInput};

@@ -1,10 +1,10 @@
 //! From the case as written to the case as computed: defaults filled in, numbers checked.
 
-use asperity_core::lubricant::{Lubricant, LubricantError, LubricantState};
 use asperity_core::material::{Material, reduced_modulus};
 use asperity_core::quantity::{AngularSpeed, Length, Pressure, Quantity, Temperature, Torque};
 use asperity_core::{DomainError, OutOfRange};
 use asperity_gear::{GearPair, LoadConditions, LoadMapSettings, MicroGeometry};
+use asperity_oil::{Lubricant, LubricantError, LubricantState};
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::preparation::Preparation;

@@ -1,7 +1,7 @@
 //! Reasons why the referee has no answer.
 
-use asperity_core::lubricant::LubricantError;
 use asperity_ehl::EhlError;
+use asperity_oil::LubricantError;
 
 use crate::error::PositionError;
 use crate::load_share::LoadShareError;

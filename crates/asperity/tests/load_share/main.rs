@@ -19,7 +19,6 @@ use asperity::load_share::{
 };
 use asperity_contact::SolverSettings;
 use asperity_core::Profile;
-use asperity_core::lubricant::{LubricantInput, ViscosityLaw};
 use asperity_core::material::Material;
 use asperity_core::quantity::{
     Density, KinematicViscosity, Length, LineLoad, PerKelvin, Pressure, PressureViscosity,
@@ -27,6 +26,7 @@ use asperity_core::quantity::{
 };
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_ehl_regime::{ThermalLaw, TraceSpectrum};
+use asperity_oil::{LubricantInput, ViscosityLaw};
 use asperity_roughness::preparation::{Preparation, prepare};
 use asperity_tribo_friction::{
     FilmLineContact, FilmRheology, FilmSettings, OilFamily, film_friction,

@@ -397,7 +397,7 @@ fn surface_rise_per_friction(
 /// As [`LoadedFilm::new`].
 ///
 /// ```
-/// use asperity_core::lubricant::{BaseOil, LubricantInput};
+/// use asperity_oil::{BaseOil, LubricantInput};
 /// use asperity_core::material::Material;
 /// use asperity_tribo_friction::{FilmLineContact, FilmRheology, FilmSettings, OilFamily, film_friction::solve};
 /// let steel = Material {

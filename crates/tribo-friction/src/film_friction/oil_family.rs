@@ -12,7 +12,7 @@
 
 use std::sync::OnceLock;
 
-use asperity_core::lubricant::BaseOil;
+use asperity_oil::BaseOil;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -18,13 +18,13 @@
 //! The blend of τ_E and τ_L with the power 4 and τ_L0 = 2 MPa are judgement; b_L is not known and 0.
 
 use asperity_core::cite;
-use asperity_core::lubricant::{Lubricant, gold_pressure_viscosity};
 use asperity_core::numerics::{Solved, newton_root};
 use asperity_core::quantity::{
     DynamicViscosity, Length, PerKelvin, Pressure, PressureViscosity, Speed, Temperature,
     ThermalConductivity,
 };
 use asperity_core::{DomainError, Quantity};
+use asperity_oil::{Lubricant, gold_pressure_viscosity};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -124,7 +124,7 @@ impl FilmRheology {
     /// When the family's data does not read, or the lubricant has no viscosity between −60 °C and 500 °C.
     ///
     /// ```
-    /// use asperity_core::lubricant::{BaseOil, LubricantInput};
+    /// use asperity_oil::{BaseOil, LubricantInput};
     /// use asperity_tribo_friction::{FilmRheology, OilFamily};
     /// let oil = LubricantInput {
     ///     oil: Some("m100".into()), base_oil: Some(BaseOil::Mineral), ..LubricantInput::default()
@@ -375,7 +375,7 @@ impl FilmRheology {
     /// When pressure, film or temperature is not positive, the sliding speed not finite.
     ///
     /// ```
-    /// # use asperity_core::lubricant::{BaseOil, LubricantInput};
+    /// # use asperity_oil::{BaseOil, LubricantInput};
     /// # use asperity_tribo_friction::{FilmRheology, OilFamily};
     /// # let oil = LubricantInput {
     /// #     oil: Some("m100".into()), base_oil: Some(BaseOil::Mineral), ..LubricantInput::default()

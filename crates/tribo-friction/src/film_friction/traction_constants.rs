@@ -1,8 +1,8 @@
 //! Constants of an oil that decide its traction, beside its viscosity; the symbols are those of `rheology`.
 
 use asperity_core::DomainError;
-use asperity_core::lubricant::BaseOil;
 use asperity_core::quantity::{PerKelvin, Pressure, ThermalConductivity};
+use asperity_oil::BaseOil;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

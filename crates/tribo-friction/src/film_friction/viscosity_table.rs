@@ -5,8 +5,8 @@
 //! synthetic oils above -20 °C, 10⁻¹¹ at working temperatures. Beyond the ends the last slope is kept, and
 //! this is reported to the caller.
 
-use asperity_core::lubricant::Lubricant;
 use asperity_core::quantity::{DynamicViscosity, PerKelvin, Temperature};
+use asperity_oil::Lubricant;
 
 use crate::error::FrictionError;
 
@@ -98,13 +98,13 @@ impl ViscosityTable {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity_core::lubricant::LubricantInput;
+    use asperity_oil::LubricantInput;
 
     #[test]
     fn the_table_is_the_law_between_its_entries() {
         let oil = LubricantInput {
             oil: Some("m100".to_owned()),
-            base_oil: Some(asperity_core::lubricant::BaseOil::Mineral),
+            base_oil: Some(asperity_oil::BaseOil::Mineral),
             ..LubricantInput::default()
         };
         let oil = oil.resolve("90 °C".parse().unwrap()).unwrap();

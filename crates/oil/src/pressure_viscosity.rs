@@ -15,10 +15,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::LubricantError;
-use crate::checked::{Checked, FittedRange};
-use crate::error::DomainError;
-use crate::quantity::{KinematicViscosity, PerKelvin, PressureViscosity};
+use crate::LubricantError;
+use asperity_core::checked::{Checked, FittedRange};
+use asperity_core::error::DomainError;
+use asperity_core::quantity::{KinematicViscosity, PerKelvin, PressureViscosity};
 
 const MM2_PER_M2: f64 = 1e6;
 const PASCAL_PER_GPA: f64 = 1e9;
@@ -72,7 +72,7 @@ impl BaseOil {
     /// Gold's s \[1/GPa\] and t of α = s ν^t (Fernandes and others 2013, α at 0.2 GPa).
     ///
     /// ```
-    /// use asperity_core::lubricant::BaseOil;
+    /// use asperity_oil::BaseOil;
     /// assert_eq!(BaseOil::Pao.gold_constants(), [7.382, 0.1335]);
     /// ```
     pub const fn gold_constants(self) -> [f64; 2] {
@@ -112,7 +112,7 @@ impl BaseOil {
 /// When the viscosity is not positive.
 ///
 /// ```
-/// use asperity_core::lubricant::{BaseOil, gold_pressure_viscosity};
+/// use asperity_oil::{BaseOil, gold_pressure_viscosity};
 /// let alpha = gold_pressure_viscosity(BaseOil::Mineral, "100 mm2/s".parse()?)?;
 /// assert!((alpha.value.si() - 18.78e-9).abs() < 0.01e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -121,7 +121,7 @@ pub fn gold_pressure_viscosity(
     base_oil: BaseOil,
     viscosity: KinematicViscosity,
 ) -> Result<Checked<PressureViscosity>, DomainError> {
-    crate::cite!("Gold-1");
+    asperity_core::cite!("Gold-1");
     let nu = DomainError::positive("kinematic viscosity", viscosity)? * MM2_PER_M2;
     let [s, t] = base_oil.gold_constants();
     let mut outside = Vec::new();
@@ -139,7 +139,7 @@ pub fn gold_pressure_viscosity(
 /// explains the number.
 ///
 /// ```
-/// use asperity_core::lubricant::plausible_pressure_viscosity;
+/// use asperity_oil::plausible_pressure_viscosity;
 /// let error = plausible_pressure_viscosity("2e-8 mm2/N".parse()?).unwrap_err();
 /// assert_eq!(error.to_string(), "alpha = 2e-14 m2/N is 10^6 below any oil. Did you mean 2e-8 m2/N?");
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -2,10 +2,10 @@
 
 #![allow(missing_docs, reason = "an example has no documentation of its parts")]
 
-#[path = "../examples/quantities.rs"]
-mod quantities;
+#[path = "../examples/oil_from_data_sheet.rs"]
+mod oil_from_data_sheet;
 
 #[test]
 fn the_example_runs() {
-    quantities::main().unwrap();
+    oil_from_data_sheet::main().unwrap();
 }

@@ -1,13 +1,13 @@
-//! An oil from its data sheet: viscosity, density and pressure-viscosity coefficient against temperature.
+//! Viscosity, density and pressure-viscosity coefficient of one oil against temperature, from its data sheet.
 //!
 //! ```text
-//! cargo run -p asperity-core --example quantities
+//! cargo run -p asperity-oil --example oil_from_data_sheet
 //! ```
 
-use asperity_core::lubricant::{BaseOil, LubricantInput, ViscosityLaw};
 use asperity_core::quantity::Temperature;
+use asperity_oil::{BaseOil, LubricantInput, ViscosityLaw};
 
-/// Prints quantities read from text.
+/// Prints the properties of one oil at four temperatures.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     let bulk: Temperature = "90 °C".parse()?;
     let oil = LubricantInput {

@@ -6,7 +6,7 @@
 //! film and friction formulas ask for at one temperature.
 //!
 //! ```
-//! use asperity_core::lubricant::{LubricantInput, BaseOil, ViscosityLaw};
+//! use asperity_oil::{LubricantInput, BaseOil, ViscosityLaw};
 //! let input = LubricantInput {
 //!     viscosity: Some(ViscosityLaw::AstmD341 { at_40: "100 mm2/s".parse()?, at_100: "11.2 mm2/s".parse()? }),
 //!     density: Some("880 kg/m3".parse()?),

@@ -13,8 +13,8 @@
 
 use serde::Serialize;
 
-use crate::error::DomainError;
-use crate::quantity::{Density, PerKelvin, Pressure, Temperature};
+use asperity_core::error::DomainError;
+use asperity_core::quantity::{Density, PerKelvin, Pressure, Temperature};
 
 /// Coefficient of the numerator (Dowson and Higginson 1966) \[1/Pa\].
 const DOWSON_HIGGINSON_RISE: f64 = 0.6e-9;
@@ -39,13 +39,13 @@ impl DensityLine {
     /// When ρ_r or a temperature is not positive, ε is negative, or the line has fallen to zero.
     ///
     /// ```
-    /// use asperity_core::lubricant::DensityLine;
+    /// use asperity_oil::DensityLine;
     /// let oil = DensityLine { density: "900 kg/m3".parse()?, temperature: "15 °C".parse()?, expansion: "5.8e-4 1/K".parse()? };
     /// assert!((oil.at("65 °C".parse()?)?.si() - 873.9).abs() < 1e-9);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn at(&self, temperature: Temperature) -> Result<Density, DomainError> {
-        crate::cite!("Density-1");
+        asperity_core::cite!("Density-1");
         let rho = DomainError::positive("density", self.density)?;
         Ok(Density::from_si(rho * self.remainder(temperature)?))
     }
@@ -84,7 +84,7 @@ impl DensityLine {
 /// When the density is not positive or the pressure is negative.
 ///
 /// ```
-/// use asperity_core::lubricant::dowson_higginson_density;
+/// use asperity_oil::dowson_higginson_density;
 /// let rho = dowson_higginson_density("998 kg/m3".parse()?, "0.6 GPa".parse()?)?;
 /// assert!((rho.si() - 1175.861386).abs() < 1e-6);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -93,7 +93,7 @@ pub fn dowson_higginson_density(
     density: Density,
     pressure: Pressure,
 ) -> Result<Density, DomainError> {
-    crate::cite!("Density-2");
+    asperity_core::cite!("Density-2");
     let rho0 = DomainError::positive("density", density)?;
     let p = DomainError::non_negative("pressure", pressure)?;
     let rise = DOWSON_HIGGINSON_RISE * p / (1.0 + DOWSON_HIGGINSON_BEND * p);

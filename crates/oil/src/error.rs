@@ -1,6 +1,6 @@
 //! Errors of a lubricant.
 
-use crate::error::DomainError;
+use asperity_core::error::DomainError;
 
 /// Errors of the properties of a lubricant.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -2,14 +2,14 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{
+use crate::{
     AstmD341, BaseOil, DensityLine, GivenViscosity, LubricantError, LubricantInput, ViscosityLaw,
     Vogel, cragoe_conductivity, cragoe_heat_capacity, gold_pressure_viscosity, library,
     plausible_pressure_viscosity,
 };
-use crate::checked::Checked;
-use crate::error::DomainError;
-use crate::quantity::{
+use asperity_core::checked::Checked;
+use asperity_core::error::DomainError;
+use asperity_core::quantity::{
     Density, DynamicViscosity, KinematicViscosity, PerKelvin, PressureViscosity, SpecificHeat,
     Temperature, ThermalConductivity,
 };
@@ -83,7 +83,7 @@ impl LubricantInput {
     /// outside its domain.
     ///
     /// ```
-    /// use asperity_core::lubricant::{LubricantInput, LubricantError, ViscosityLaw};
+    /// use asperity_oil::{LubricantInput, LubricantError, ViscosityLaw};
     /// let input = LubricantInput {
     ///     viscosity: Some(ViscosityLaw::Given { dynamic_viscosity: "97.5 mPa s".parse()?, temperature: None }),
     ///     density: Some("998 kg/m3".parse()?),
@@ -150,7 +150,7 @@ impl LubricantInput {
     /// When the oil is not in the library.
     ///
     /// ```
-    /// use asperity_core::lubricant::{LubricantInput, ViscosityLaw};
+    /// use asperity_oil::{LubricantInput, ViscosityLaw};
     /// let oil = LubricantInput {
     ///     viscosity: Some(ViscosityLaw::Given { dynamic_viscosity: "97.5 mPa s".parse()?, temperature: None }),
     ///     temperature_coefficient: Some("0.045 1/K".parse()?),
@@ -347,7 +347,7 @@ impl Lubricant {
     /// When the temperature is not positive or a law has no value there.
     ///
     /// ```
-    /// use asperity_core::lubricant::{LubricantInput, ViscosityLaw};
+    /// use asperity_oil::{LubricantInput, ViscosityLaw};
     /// let oil = LubricantInput {
     ///     viscosity: Some(ViscosityLaw::Given { dynamic_viscosity: "97.5 mPa s".parse()?, temperature: None }),
     ///     temperature_coefficient: Some("0.045 1/K".parse()?),
@@ -407,7 +407,7 @@ impl Lubricant {
         &self,
         temperature: Temperature,
         density: Density,
-        outside: &mut Vec<crate::OutOfRange>,
+        outside: &mut Vec<asperity_core::OutOfRange>,
     ) -> Result<(DynamicViscosity, PerKelvin), LubricantError> {
         Ok(match self.viscosity {
             Viscosity::AstmD341(law) => {
@@ -431,7 +431,7 @@ impl Lubricant {
 }
 
 /// The value, its notes moved to `outside`.
-fn noted<T>(checked: Checked<T>, outside: &mut Vec<crate::OutOfRange>) -> T {
+fn noted<T>(checked: Checked<T>, outside: &mut Vec<asperity_core::OutOfRange>) -> T {
     outside.extend(checked.outside);
     checked.value
 }

@@ -9,9 +9,9 @@
 //! | d | density at 15.6 °C relative to that of water | - |
 //! | t | temperature | °C |
 
-use crate::checked::{Checked, FittedRange};
-use crate::error::DomainError;
-use crate::quantity::{Density, SpecificHeat, Temperature, ThermalConductivity};
+use asperity_core::checked::{Checked, FittedRange};
+use asperity_core::error::DomainError;
+use asperity_core::quantity::{Density, SpecificHeat, Temperature, ThermalConductivity};
 
 /// Density of water at 15.6 °C \[kg/m³\].
 const WATER: f64 = 999.0;
@@ -29,7 +29,7 @@ const RANGE: FittedRange = FittedRange {
 /// When the density or the temperature is not positive.
 ///
 /// ```
-/// use asperity_core::lubricant::cragoe_conductivity;
+/// use asperity_oil::cragoe_conductivity;
 /// let k = cragoe_conductivity("880 kg/m3".parse()?, "60 °C".parse()?)?;
 /// assert!((k.value.si() - 0.1287).abs() < 1e-4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -38,7 +38,7 @@ pub fn cragoe_conductivity(
     density_15: Density,
     temperature: Temperature,
 ) -> Result<Checked<ThermalConductivity>, DomainError> {
-    crate::cite!("Cragoe-1");
+    asperity_core::cite!("Cragoe-1");
     /// Cragoe's 0.813 BTU in/(h ft² °F) \[W/(m K)\].
     const SCALE: f64 = 0.1172;
     /// Cragoe's 0.0003 1/°F \[1/K\].
@@ -56,7 +56,7 @@ pub fn cragoe_conductivity(
 /// When the density or the temperature is not positive.
 ///
 /// ```
-/// use asperity_core::lubricant::cragoe_heat_capacity;
+/// use asperity_oil::cragoe_heat_capacity;
 /// let c = cragoe_heat_capacity("880 kg/m3".parse()?, "60 °C".parse()?)?;
 /// assert!((c.value.si() - 2012.0).abs() < 1.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -65,7 +65,7 @@ pub fn cragoe_heat_capacity(
     density_15: Density,
     temperature: Temperature,
 ) -> Result<Checked<SpecificHeat>, DomainError> {
-    crate::cite!("Cragoe-2");
+    asperity_core::cite!("Cragoe-2");
     /// Cragoe's 0.388 + 0.00045·32 BTU/(lb °F) \[J/(kg K)\].
     const SCALE: f64 = 1685.0;
     /// Cragoe's 0.00045 BTU/(lb °F²) [J/(kg K²)].
@@ -80,7 +80,7 @@ pub fn cragoe_heat_capacity(
 fn gravity_and_celsius(
     density_15: Density,
     temperature: Temperature,
-) -> Result<(f64, f64, Vec<crate::OutOfRange>), DomainError> {
+) -> Result<(f64, f64, Vec<asperity_core::OutOfRange>), DomainError> {
     let d = DomainError::positive("density at 15 °C", density_15)? / WATER;
     DomainError::positive("temperature", temperature)?;
     let t = temperature.celsius();

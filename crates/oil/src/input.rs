@@ -3,8 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::BaseOil;
-use crate::quantity::{
+use crate::BaseOil;
+use asperity_core::quantity::{
     Density, DynamicViscosity, KinematicViscosity, PerKelvin, PressureViscosity, SpecificHeat,
     Temperature, ThermalConductivity,
 };

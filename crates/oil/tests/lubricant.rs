@@ -1,8 +1,10 @@
 //! The lubricant of a case, from its text to its state.
 #![allow(clippy::unwrap_used)] // Helpers outside test functions.
 
-use asperity_core::lubricant::{LubricantError, LubricantInput, LubricantState, library};
+use std::collections::BTreeSet;
+
 use asperity_core::quantity::{PerKelvin, Temperature};
+use asperity_oil::{LubricantError, LubricantInput, LubricantState, library};
 
 fn input(text: &str) -> LubricantInput {
     serde_json::from_str(text).unwrap()
@@ -159,5 +161,21 @@ fn an_input_survives_its_own_text() {
     for oil in library().unwrap() {
         let text = serde_json::to_string(&oil.lubricant).unwrap();
         assert_eq!(input(&text), oil.lubricant);
+    }
+}
+
+#[test]
+fn every_key_of_every_oil_has_its_certainty() {
+    for oil in library().unwrap() {
+        let values = serde_json::to_value(&oil.lubricant).unwrap();
+        let given: BTreeSet<String> = values
+            .as_object()
+            .unwrap()
+            .iter()
+            .filter(|(_, value)| !value.is_null())
+            .map(|(key, _)| key.clone())
+            .collect();
+        let marked: BTreeSet<String> = oil.certainty.keys().cloned().collect();
+        assert_eq!(given, marked, "{}", oil.name);
     }
 }

@@ -18,9 +18,9 @@ use std::f64::consts::LN_10;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::checked::{Checked, FittedRange};
-use crate::error::DomainError;
-use crate::quantity::{DynamicViscosity, KinematicViscosity, PerKelvin, Temperature};
+use asperity_core::checked::{Checked, FittedRange};
+use asperity_core::error::DomainError;
+use asperity_core::quantity::{DynamicViscosity, KinematicViscosity, PerKelvin, Temperature};
 
 /// Additive constant of ASTM D341 for viscosities above 2 mm²/s.
 const ASTM_C: f64 = 0.7;
@@ -65,7 +65,7 @@ impl AstmD341 {
     /// temperature.
     ///
     /// ```
-    /// use asperity_core::lubricant::AstmD341;
+    /// use asperity_oil::AstmD341;
     /// let law = AstmD341::from_data_sheet("100 mm2/s".parse()?, "11.2 mm2/s".parse()?)?;
     /// assert!((law.a - 9.154816).abs() < 1e-6 && (law.b - 3.547278).abs() < 1e-6);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -74,7 +74,7 @@ impl AstmD341 {
         at_40: KinematicViscosity,
         at_100: KinematicViscosity,
     ) -> Result<Self, DomainError> {
-        crate::cite!("ASTM-1");
+        asperity_core::cite!("ASTM-1");
         let y1 = ordinate("viscosity at 40 °C", at_40)?;
         let y2 = ordinate("viscosity at 100 °C", at_100)?;
         DomainError::require(
@@ -97,7 +97,7 @@ impl AstmD341 {
     /// When the temperature is not positive, or so low that the viscosity has no finite value.
     ///
     /// ```
-    /// use asperity_core::lubricant::AstmD341;
+    /// use asperity_oil::AstmD341;
     /// let law = AstmD341::from_data_sheet("100 mm2/s".parse()?, "11.2 mm2/s".parse()?)?;
     /// let nu = law.kinematic_viscosity("60 °C".parse()?)?.value;
     /// assert!((nu.si() - 39.859e-6).abs() < 1e-9);
@@ -107,7 +107,7 @@ impl AstmD341 {
         &self,
         temperature: Temperature,
     ) -> Result<Checked<KinematicViscosity>, DomainError> {
-        crate::cite!("ASTM-2");
+        asperity_core::cite!("ASTM-2");
         let t = DomainError::positive("temperature", temperature)?;
         let nu = 10f64.powf(10f64.powf(self.a - self.b * t.log10())) - ASTM_C;
         DomainError::require(
@@ -131,7 +131,7 @@ impl AstmD341 {
     /// As for [`kinematic_viscosity`](Self::kinematic_viscosity).
     ///
     /// ```
-    /// use asperity_core::lubricant::AstmD341;
+    /// use asperity_oil::AstmD341;
     /// let law = AstmD341::from_data_sheet("100 mm2/s".parse()?, "11.2 mm2/s".parse()?)?;
     /// assert!((law.temperature_coefficient("60 °C".parse()?)?.si() - 0.0401).abs() < 1e-4);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -140,7 +140,7 @@ impl AstmD341 {
         &self,
         temperature: Temperature,
     ) -> Result<PerKelvin, DomainError> {
-        crate::cite!("ASTM-3");
+        asperity_core::cite!("ASTM-3");
         let nu = self.kinematic_viscosity(temperature)?.value.si() * MM2_PER_M2;
         let log = LN_10 * 10f64.powf(self.a - self.b * temperature.si().log10());
         Ok(PerKelvin::from_si(
@@ -181,7 +181,7 @@ impl Vogel {
     /// When K or b is not positive, θ is negative, or the temperature is not above θ.
     ///
     /// ```
-    /// use asperity_core::lubricant::Vogel;
+    /// use asperity_oil::Vogel;
     /// let law = Vogel { limit_viscosity: "0.08686 mPa s".parse()?, slope_kelvin: 890.0, pole_kelvin: 182.0 };
     /// let eta = law.dynamic_viscosity("40 °C".parse()?)?;
     /// assert!((eta.si() - 0.0770).abs() < 1e-4);
@@ -191,7 +191,7 @@ impl Vogel {
         &self,
         temperature: Temperature,
     ) -> Result<DynamicViscosity, DomainError> {
-        crate::cite!("Vogel-1");
+        asperity_core::cite!("Vogel-1");
         let k = DomainError::positive("limit viscosity", self.limit_viscosity)?;
         let distance = self.distance(temperature)?;
         let eta = k * (self.slope_kelvin / distance).exp();
@@ -211,7 +211,7 @@ impl Vogel {
     /// When b is not positive, θ is negative, or the temperature is not above θ.
     ///
     /// ```
-    /// use asperity_core::lubricant::Vogel;
+    /// use asperity_oil::Vogel;
     /// let law = Vogel { limit_viscosity: "0.08686 mPa s".parse()?, slope_kelvin: 890.0, pole_kelvin: 182.0 };
     /// assert!((law.temperature_coefficient("40 °C".parse()?)?.si() - 0.0517).abs() < 1e-4);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -220,7 +220,7 @@ impl Vogel {
         &self,
         temperature: Temperature,
     ) -> Result<PerKelvin, DomainError> {
-        crate::cite!("Vogel-2");
+        asperity_core::cite!("Vogel-2");
         let distance = self.distance(temperature)?;
         Ok(PerKelvin::from_si(
             self.slope_kelvin / (distance * distance),
@@ -276,7 +276,7 @@ impl GivenViscosity {
     /// When a viscosity, a temperature or the coefficient is not positive.
     ///
     /// ```
-    /// use asperity_core::lubricant::GivenViscosity;
+    /// use asperity_oil::GivenViscosity;
     /// let oil = GivenViscosity { viscosity: "97.5 mPa s".parse()?, temperature: "60 °C".parse()?, temperature_coefficient: "0.045 1/K".parse()? };
     /// let warmer = oil.dynamic_viscosity("70 °C".parse()?)?;
     /// assert!((warmer.value.si() - 0.0975 * (-0.45f64).exp()).abs() < 1e-15 && warmer.outside.is_empty());
@@ -286,7 +286,7 @@ impl GivenViscosity {
         &self,
         temperature: Temperature,
     ) -> Result<Checked<DynamicViscosity>, DomainError> {
-        crate::cite!("Reynolds-eta");
+        asperity_core::cite!("Reynolds-eta");
         let eta = DomainError::positive("viscosity", self.viscosity)?;
         let t = DomainError::positive("temperature", temperature)?;
         let reference =

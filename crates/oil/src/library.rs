@@ -4,26 +4,26 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::{LubricantError, LubricantInput};
-use crate::presets::Certainty;
+use crate::{LubricantError, LubricantInput};
+use asperity_core::presets::Certainty;
 
 /// The data files, named after their sources.
 const FILES: [(&str, &str); 4] = [
     (
         "arana_2019.json",
-        include_str!("../../data/oils/arana_2019.json"),
+        include_str!("../data/oils/arana_2019.json"),
     ),
     (
         "liqui_moly_data_sheet.json",
-        include_str!("../../data/oils/liqui_moly_data_sheet.json"),
+        include_str!("../data/oils/liqui_moly_data_sheet.json"),
     ),
     (
         "petry_johnson_2008.json",
-        include_str!("../../data/oils/petry_johnson_2008.json"),
+        include_str!("../data/oils/petry_johnson_2008.json"),
     ),
     (
         "rodriguez_2022.json",
-        include_str!("../../data/oils/rodriguez_2022.json"),
+        include_str!("../data/oils/rodriguez_2022.json"),
     ),
 ];
 
@@ -64,9 +64,9 @@ struct Entry {
 /// When a data file cannot be read; a test reads them all.
 ///
 /// ```
-/// let oils = asperity_core::lubricant::library()?;
+/// let oils = asperity_oil::library()?;
 /// assert!(oils.iter().any(|oil| oil.name == "m100"));
-/// # Ok::<(), asperity_core::lubricant::LubricantError>(())
+/// # Ok::<(), asperity_oil::LubricantError>(())
 /// ```
 pub fn library() -> Result<Vec<LibraryOil>, LubricantError> {
     let mut oils = Vec::new();
@@ -90,7 +90,7 @@ pub fn library() -> Result<Vec<LibraryOil>, LubricantError> {
 }
 
 /// The oil of this name, whatever the case of its letters.
-pub(super) fn find(name: &str) -> Result<LibraryOil, LubricantError> {
+pub(crate) fn find(name: &str) -> Result<LibraryOil, LubricantError> {
     let mut oils = library()?;
     match oils
         .iter()

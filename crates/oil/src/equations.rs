@@ -1,6 +1,6 @@
 //! The equations of the lubricant, for `docs/EQUATIONS.md`.
 
-use crate::citation::{Equation, Reference};
+use asperity_core::citation::{Equation, Reference};
 
 const ASTM_D341: Reference = Reference {
     key: "astm_d341",
@@ -43,10 +43,10 @@ const CRAGOE_1929: Reference = Reference {
     text: "C. S. Cragoe, Thermal properties of petroleum products, Miscellaneous Publication 97, National Bureau of Standards, Washington, 1929",
 };
 
-const TEMPERATURE: &str = "crates/core/src/lubricant/viscosity_temperature.rs";
-const PRESSURE: &str = "crates/core/src/lubricant/viscosity_pressure.rs";
-const DENSITY: &str = "crates/core/src/lubricant/density.rs";
-const HEAT: &str = "crates/core/src/lubricant/heat.rs";
+const TEMPERATURE: &str = "crates/oil/src/viscosity_temperature.rs";
+const PRESSURE: &str = "crates/oil/src/viscosity_pressure.rs";
+const DENSITY: &str = "crates/oil/src/density.rs";
+const HEAT: &str = "crates/oil/src/heat.rs";
 
 /// Every equation of the lubricant.
 pub const EQUATIONS: &[Equation] = &[
@@ -142,7 +142,7 @@ pub const EQUATIONS: &[Equation] = &[
         "Gold-1",
         "Pressure-viscosity coefficient of a class of base oil",
         "α = s·ν^t",
-        "crates/core/src/lubricant/pressure_viscosity.rs",
+        "crates/oil/src/pressure_viscosity.rs",
         "mineral_oil_is_stiffer_under_pressure_than_synthetic_oil",
         &[GOLD_2001, FERNANDES_2013],
     ),

@@ -10,9 +10,9 @@
 //! | p | pressure | Pa |
 //! | Z | Roelands' exponent | - |
 
-use crate::checked::{Checked, FittedRange};
-use crate::error::DomainError;
-use crate::quantity::{DynamicViscosity, Pressure, PressureViscosity};
+use asperity_core::checked::{Checked, FittedRange};
+use asperity_core::error::DomainError;
+use asperity_core::quantity::{DynamicViscosity, Pressure, PressureViscosity};
 
 /// Roelands' constant 1/p_r = 5.1·10⁻⁹ 1/Pa (Roelands 1966).
 const ROELANDS_PER_PASCAL: f64 = 5.1e-9;
@@ -36,7 +36,7 @@ const PASCAL_PER_GPA: f64 = 1e9;
 /// When the viscosity or α is not positive, the pressure is negative, or η(p) is not finite.
 ///
 /// ```
-/// use asperity_core::lubricant::barus;
+/// use asperity_oil::barus;
 /// let eta = barus("97.5 mPa s".parse()?, "2e-8 1/Pa".parse()?, "0.6 GPa".parse()?)?;
 /// assert!((eta.value.si() - 15_868.592).abs() < 1e-3 && eta.outside.len() == 1);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -46,7 +46,7 @@ pub fn barus(
     pressure_viscosity: PressureViscosity,
     pressure: Pressure,
 ) -> Result<Checked<DynamicViscosity>, DomainError> {
-    crate::cite!("Barus-1");
+    asperity_core::cite!("Barus-1");
     let eta0 = DomainError::positive("viscosity", viscosity)?;
     let alpha = DomainError::positive("pressure-viscosity coefficient", pressure_viscosity)?;
     let p = DomainError::non_negative("pressure", pressure)?;
@@ -64,7 +64,7 @@ pub fn barus(
 /// When α is not positive, or the viscosity is not above 6.31·10⁻⁵ Pa s, where the form ends.
 ///
 /// ```
-/// use asperity_core::lubricant::roelands_exponent;
+/// use asperity_oil::roelands_exponent;
 /// let z = roelands_exponent("97.5 mPa s".parse()?, "2e-8 1/Pa".parse()?)?;
 /// assert!((z - 0.5341210521410198).abs() < 1e-14);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -73,7 +73,7 @@ pub fn roelands_exponent(
     viscosity: DynamicViscosity,
     pressure_viscosity: PressureViscosity,
 ) -> Result<f64, DomainError> {
-    crate::cite!("Roelands-1");
+    asperity_core::cite!("Roelands-1");
     let alpha = DomainError::positive("pressure-viscosity coefficient", pressure_viscosity)?;
     Ok(alpha / (ROELANDS_PER_PASCAL * roelands_log(viscosity)?))
 }
@@ -85,7 +85,7 @@ pub fn roelands_exponent(
 /// 6.31·10⁻⁵ Pa s, or η(p) is not finite.
 ///
 /// ```
-/// use asperity_core::lubricant::roelands;
+/// use asperity_oil::roelands;
 /// let eta = roelands("97.5 mPa s".parse()?, "2e-8 1/Pa".parse()?, "0.6 GPa".parse()?)?;
 /// assert!((eta.si() - 346.676).abs() < 1e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -95,7 +95,7 @@ pub fn roelands(
     pressure_viscosity: PressureViscosity,
     pressure: Pressure,
 ) -> Result<DynamicViscosity, DomainError> {
-    crate::cite!("Roelands-2");
+    asperity_core::cite!("Roelands-2");
     let p = DomainError::non_negative("pressure", pressure)?;
     let z = roelands_exponent(viscosity, pressure_viscosity)?;
     // (1 + x)^Z − 1 through ln_1p and exp_m1: no digit is lost at small pressures.
