@@ -24,8 +24,9 @@ bench:
 fixtures:
     cargo run --release -p asperity-fixtures
 
-# Write docs/EQUATIONS.md anew from the sources.
+# Write the table of equations and docs/EQUATIONS.md anew from the doc comments.
 equations:
+    ASPERITY_WRITE=1 cargo test -p asperity-tests --test equations the_table_has_the_formulas
     cargo run --release -- equations --markdown > docs/EQUATIONS.md
 
 # Build the page that runs in a browser; docs/WEB.md tells how to serve it.

@@ -54,7 +54,7 @@ const OF_THE_COMMAND: [&str; 4] = [
     // A page of the documents, which tells how the command takes a case.
     "crates/asperity/src/case/page.rs",
     // The heading of the page docs/EQUATIONS.md.
-    "crates/asperity/src/equations.rs",
+    "crates/asperity/src/equations/mod.rs",
     // The first screen of the command `run`.
     "crates/report/src/summary.rs",
     // The program that builds the page, which runs cargo.

@@ -3,8 +3,6 @@
 use std::f64::consts::PI;
 use std::fmt::Write;
 
-use asperity_core::Equation;
-
 use crate::bench::{Bench, Said, root};
 
 /// Reduced modulus of steel on steel [Pa].
@@ -189,10 +187,10 @@ fn regime_agrees_with_the_run() {
 #[test]
 fn equations_are_listed_and_explained() {
     let bench = Bench::new();
-    let all: Vec<&Equation> = asperity_calibration::equations::all();
+    let all = asperity::equations::all();
     let listed = bench.run(&["equations"]).well().out;
     assert_eq!(listed.lines().count(), all.len());
-    for equation in &all {
+    for equation in all {
         let said = bench.run(&["equations", equation.tag]).well().out;
         for part in [
             equation.title,

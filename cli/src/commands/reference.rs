@@ -1,8 +1,7 @@
 //! `equations`, `explain` and `schema`: what the program knows about itself.
 
-use asperity::{equations, message};
-use asperity_calibration::equations::all;
-use asperity_core::Equation;
+use asperity::equations::{self, Equation};
+use asperity::message;
 use serde_json::{Value, json};
 
 use crate::args::{Common, EquationsArgs};
@@ -12,16 +11,12 @@ use crate::words;
 
 /// `asperity equations`
 pub fn equations(args: &EquationsArgs, common: &Common) -> Result<(), Failure> {
-    let known = all();
     if args.markdown {
-        return print_text(common, &equations::markdown(&known));
+        return print_text(common, &equations::markdown());
     }
     let chosen = match &args.tag {
-        None => known,
-        Some(tag) => {
-            let found = equations::with_tag(known, tag);
-            vec![found.ok_or_else(|| unknown_tag(tag))?]
-        }
+        None => equations::all(),
+        Some(tag) => std::slice::from_ref(equations::find(tag).ok_or_else(|| unknown_tag(tag))?),
     };
     if common.json {
         return print_json(&chosen);
@@ -38,7 +33,7 @@ fn in_full(equation: &Equation) -> String {
         "{}  {}\n  formula   {}\n  file      {}\n  test      {}\n",
         equation.tag, equation.title, equation.formula, equation.file, equation.test
     );
-    for reference in equation.references {
+    for reference in &equation.references {
         text.push_str(&format!("  source    {}\n", reference.text));
     }
     if let Some(misprint) = equation.misprint {

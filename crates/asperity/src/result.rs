@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use asperity_core::{Profile, Reference};
+use asperity_core::Profile;
 pub use asperity_ehl_regime::Regime;
 use asperity_gear::{GearPair, LoadMap};
 use asperity_oil::LubricantState;
@@ -420,8 +420,8 @@ pub struct CitedSource {
     pub text: Cow<'static, str>,
 }
 
-impl From<Reference> for CitedSource {
-    fn from(reference: Reference) -> Self {
+impl From<crate::equations::Reference> for CitedSource {
+    fn from(reference: crate::equations::Reference) -> Self {
         Self {
             key: reference.key.into(),
             text: reference.text.into(),

@@ -18,7 +18,6 @@ mod block;
 pub mod bootstrap;
 mod calibrate;
 pub mod design;
-pub mod equations;
 mod error;
 mod files;
 pub mod fit;

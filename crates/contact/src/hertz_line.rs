@@ -17,72 +17,11 @@
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
-use asperity_core::material::JOHNSON_1985;
 use asperity_core::quantity::{Length, LineEnergy, LineLoad, Pressure};
-use asperity_core::{DomainError, Equation, cite};
+use asperity_core::{DomainError, cite};
 use serde::Serialize;
 
 use crate::ContactError;
-
-const FILE: &str = "crates/contact/src/hertz_line.rs";
-
-/// Equations of this file.
-pub const EQUATIONS: &[Equation] = &[
-    Equation {
-        tag: "Hertz-1",
-        title: "Half width of a Hertz line contact",
-        formula: "b = √(4·w·R / (π·E*))",
-        file: FILE,
-        test: "the_reference_pitch_point_has_its_half_width_and_pressure",
-        references: &[JOHNSON_1985],
-        misprint: None,
-    },
-    Equation {
-        tag: "Hertz-2",
-        title: "Largest pressure of a Hertz line contact",
-        formula: "p₀ = √(w·E* / (π·R)) = 2·w / (π·b)",
-        file: FILE,
-        test: "the_reference_pitch_point_has_its_half_width_and_pressure",
-        references: &[JOHNSON_1985],
-        misprint: None,
-    },
-    Equation {
-        tag: "Hertz-3",
-        title: "Pressure distribution of a Hertz line contact",
-        formula: "p(x) = p₀·√(1 − x²/b²) for |x| < b, else 0;  p̄ = (π/4)·p₀",
-        file: FILE,
-        test: "the_pressure_carries_the_load",
-        references: &[JOHNSON_1985],
-        misprint: None,
-    },
-    Equation {
-        tag: "Hertz-4",
-        title: "Approach of a Hertz line contact over a datum",
-        formula: "δ(D) = w/(π·E*)·(2·ln(2·D/b) + 1)",
-        file: FILE,
-        test: "the_approach_of_the_benchmark_cylinder_is_reproduced",
-        references: &[JOHNSON_1985],
-        misprint: None,
-    },
-    Equation {
-        tag: "Hertz-5",
-        title: "Displacement of a Hertz line contact from its edge",
-        formula: "u(x) = (b² − x²)/(2·R) for |x| < b, else 0",
-        file: FILE,
-        test: "the_energy_from_the_edge_is_the_sum_of_pressure_times_displacement",
-        references: &[JOHNSON_1985],
-        misprint: None,
-    },
-    Equation {
-        tag: "Hertz-6",
-        title: "Elastic energy of a Hertz line contact, displacement from its edge",
-        formula: "E = ½·∫ p·u dx = 3·w·b²/(16·R)",
-        file: FILE,
-        test: "the_energy_from_the_edge_is_the_sum_of_pressure_times_displacement",
-        references: &[JOHNSON_1985],
-        misprint: None,
-    },
-];
 
 /// b = √(4·w·R / (π·E*))                                                     [Hertz-1]
 ///
@@ -105,7 +44,7 @@ pub fn half_width(
     Ok(Length::from_si((4.0 * w * r / (PI * e)).sqrt()))
 }
 
-/// p₀ = √(w·E* / (π·R))                                                      [Hertz-2]
+/// p₀ = √(w·E* / (π·R)) = 2·w/(π·b)                                          [Hertz-2]
 ///
 /// # Errors
 /// When the load is negative, or the radius or the modulus is not positive.

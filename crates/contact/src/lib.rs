@@ -22,7 +22,6 @@ pub mod certificate;
 mod convolution;
 #[cfg(feature = "oracle")]
 pub mod dense_reference;
-pub mod equations;
 pub mod error;
 pub mod flat_punch;
 pub mod friction;

@@ -8,6 +8,7 @@
 //! | p₀, p₁ | pressures of the last two contacts | Pa |
 //! | W₀, W₁, W | loads of the last two contacts and of the next | N/m |
 
+use asperity_core::provenance::carried;
 use rayon::prelude::*;
 
 use crate::boundary::Boundary;
@@ -152,7 +153,7 @@ pub fn solve_paths(
         let mut path = Path::new(first.gap.len(), first.boundary, *settings)?;
         problems.iter().map(|problem| path.step(problem)).collect()
     };
-    paths.par_iter().map(solve).collect()
+    paths.par_iter().map(carried(solve)).collect()
 }
 
 /// Presses many paths of pairs of flanks together in parallel, as [`solve_paths`]: a path may be the
@@ -188,5 +189,5 @@ pub fn press_paths(
         let step = |pair: &TwoFlanks| path.step(&pair.problem(&pair.gap()?)?);
         flanks.iter().map(step).collect()
     };
-    paths.par_iter().map(press).collect()
+    paths.par_iter().map(carried(press)).collect()
 }

@@ -11,50 +11,9 @@ use std::borrow::Cow;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::checked::{Checked, FittedRange};
-use crate::citation::{Equation, Reference};
 use crate::error::DomainError;
 use crate::quantity::Pressure;
 use crate::unit_text;
-
-/// Conversion between the scales of hardness.
-pub const ASTM_E140: Reference = Reference {
-    key: "astm_e140_2012",
-    text: "ASTM E140-12b, Standard hardness conversion tables for metals, table 1 (non-austenitic steels), every fifth row as quoted in public conversion programs",
-};
-
-/// Yield strength from hardness.
-pub const PAVLINA_2008: Reference = Reference {
-    key: "pavlina_2008",
-    text: "E. J. Pavlina and C. J. Van Tyne, Correlation of yield strength and tensile strength with hardness for steels, Journal of Materials Engineering and Performance 17 (2008) 888-893, doi:10.1007/s11665-008-9225-5",
-};
-
-/// Hardness as a pressure.
-pub const TABOR_1951: Reference = Reference {
-    key: "tabor_1951",
-    text: "D. Tabor, The hardness and strength of metals, Journal of the Institute of Metals 79 (1951) 1-18",
-};
-
-const FILE: &str = "crates/core/src/hardness.rs";
-
-/// Equations of this file.
-pub const EQUATIONS: &[Equation] = &[
-    Equation::new(
-        "Hardness-1",
-        "Pressure at which a surface of this hardness flows",
-        "p_f = 9.80665 MPa·HV",
-        FILE,
-        "sixty_rockwell_flow_at_nearly_seven_gigapascals",
-        &[TABOR_1951],
-    ),
-    Equation::new(
-        "Pavlina-1",
-        "Yield strength of a steel of this hardness",
-        "σ_y = (2.876·HV − 90.7) MPa",
-        FILE,
-        "the_yield_strength_is_that_of_the_regression_and_noted_outside_of_it",
-        &[PAVLINA_2008],
-    ),
-];
 
 /// Standard acceleration of gravity \[m/s²\]: 1 kgf/mm² is so many MPa.
 const KILOGRAM_FORCE: f64 = 9.80665;

@@ -7,7 +7,6 @@
 
 pub mod cancel;
 pub mod checked;
-pub mod citation;
 pub mod error;
 pub mod hardness;
 pub mod material;
@@ -21,7 +20,6 @@ pub mod remedy;
 mod unit_text;
 
 pub use checked::{Checked, FittedRange, OutOfRange};
-pub use citation::{Equation, Reference};
 pub use error::DomainError;
 pub use profile::Profile;
 pub use quantity::Quantity;
@@ -31,10 +29,3 @@ pub use remedy::{Action, Remedy, Setting};
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
-
-/// Every equation of this crate.
-pub fn equations() -> impl Iterator<Item = &'static Equation> {
-    (material::EQUATIONS.iter())
-        .chain(hardness::EQUATIONS)
-        .chain(powder_metal::EQUATIONS)
-}

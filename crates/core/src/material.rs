@@ -9,26 +9,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::citation::{Equation, Reference};
 use crate::error::DomainError;
 use crate::quantity::{Density, Pressure, SpecificHeat, ThermalConductivity};
-
-/// K. L. Johnson's book, the source of every half-plane formula used here.
-pub const JOHNSON_1985: Reference = Reference {
-    key: "johnson_1985",
-    text: "K. L. Johnson, Contact Mechanics, Cambridge University Press, 1985",
-};
-
-/// Equations of this file.
-pub const EQUATIONS: &[Equation] = &[Equation {
-    tag: "E-star",
-    title: "Reduced modulus of two elastic bodies",
-    formula: "1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂,  E′ = 2 E*",
-    file: "crates/core/src/material.rs",
-    test: "steel_on_steel_has_the_reduced_modulus_of_the_reference_case",
-    references: &[JOHNSON_1985],
-    misprint: None,
-}];
 
 /// A body's elastic and thermal constants.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -66,7 +48,7 @@ impl Material {
     }
 }
 
-/// 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂                                        [E-star]
+/// 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂, E′ = 2 E*                             [E-star]
 ///
 /// # Errors
 /// When a modulus is not positive or a Poisson's ratio is outside −1 < ν ≤ 0.5.

@@ -9,77 +9,8 @@
 //! | k, k₀ | thermal conductivity, and that without pores | W/(m K) |
 
 use crate::checked::{Checked, FittedRange};
-use crate::citation::{Equation, Reference};
 use crate::error::DomainError;
 use crate::quantity::{Density, Pressure, ThermalConductivity};
-
-/// Properties of diffusion-alloyed sintered steels.
-pub const MPIF_35: Reference = Reference {
-    key: "mpif_35_1997",
-    text: "MPIF Standard 35, Materials standards for P/M structural parts, Metal Powder Industries Federation, as printed in ASM Handbook 7, Powder metal technologies and applications, 1998 (rows of FD-0208, FD-0405, FD-0408)",
-};
-
-/// Strength of hardened FD-0205 over its densities.
-pub const MPIF_35_RANGES: Reference = Reference {
-    key: "ace_powder_metal_mpif_35",
-    text: "MPIF Standard 35 as listed by Ace Powder Metal, Material charts, en.acepowdermetal.com: FD-0205HT, 6.75 to 7.4 g/cm3, 105 to 170 thousand psi, yield as ultimate strength",
-};
-
-/// Poisson's ratio of sintered and heat-treated steel.
-pub const HIROSE_2009: Reference = Reference {
-    key: "hirose_2009",
-    text: "N. Hirose, J. Asami, A. Fujiki, K. Oouchi, Poisson's ratio of sintered materials for structural machine parts, Powder Metallurgy Technology, June 2009 (abstract)",
-};
-
-/// Bounds of the conductivity of a body with two phases.
-pub const HASHIN_1962: Reference = Reference {
-    key: "hashin_1962",
-    text: "Z. Hashin and S. Shtrikman, A variational approach to the theory of the effective magnetic permeability of multiphase materials, Journal of Applied Physics 33 (1962) 3125-3131",
-};
-
-/// Conductivity of a body with spheres of another.
-pub const MAXWELL_1873: Reference = Reference {
-    key: "maxwell_1873",
-    text: "J. C. Maxwell, A treatise on electricity and magnetism, volume 1, Clarendon Press, Oxford, 1873, pp. 435-449",
-};
-
-const FILE: &str = "crates/core/src/powder_metal.rs";
-
-/// Equations of this file.
-pub const EQUATIONS: &[Equation] = &[
-    Equation::new(
-        "Sinter-1",
-        "Young's modulus of sintered steel",
-        "E = 206.74 GPa·(ρ/7830 kg/m³)^3.390",
-        FILE,
-        "the_modulus_is_that_of_every_row_of_the_standard",
-        &[MPIF_35],
-    ),
-    Equation::new(
-        "Sinter-2",
-        "Poisson's ratio of sintered steel",
-        "ν = 0.300 − 0.266·P + 0.579·P²",
-        FILE,
-        "poissons_ratio_falls_with_the_first_pores",
-        &[HIROSE_2009],
-    ),
-    Equation::new(
-        "Sinter-3",
-        "Strength of hardened sintered steel",
-        "σ = 724 MPa·(ρ/6750 kg/m³)^5.241",
-        FILE,
-        "the_strength_is_that_of_both_ends_of_the_standard",
-        &[MPIF_35_RANGES],
-    ),
-    Equation::new(
-        "Sinter-4",
-        "Thermal conductivity of a body with pores that do not conduct",
-        "k = k₀·(1 − P)/(1 + P/2)",
-        FILE,
-        "the_conductivity_is_that_of_maxwell_and_below_the_mixture",
-        &[MAXWELL_1873, HASHIN_1962],
-    ),
-];
 
 /// Density of gear steel without pores: Table 2 of the 2022 paper.
 pub const PORE_FREE: Density = Density::from_si(7830.0);

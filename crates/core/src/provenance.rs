@@ -1,13 +1,13 @@
 //! Tags of the equations that ran, collected while they run.
 //!
 //! A tagged function calls [`cite!`](crate::cite) with its tag. Outside of [`Provenance::collect`] that
-//! costs one look at a thread-local flag; inside it the tag is noted once. A result therefore names an
-//! equation exactly when its function ran.
+//! reads one thread-local flag; inside it the tag is added to the set. A result therefore names an
+//! equation exactly if its function ran.
 //!
 //! ```
 //! use asperity_core::{cite, provenance::Provenance};
 //!
-//! /// F = m·a `[Newton-2]`
+//! /// Force on an accelerated mass: F = m·a `[Newton-2]`
 //! fn force(mass: f64, acceleration: f64) -> f64 {
 //!     cite!("Newton-2");
 //!     mass * acceleration
@@ -21,122 +21,65 @@
 
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// Notes that the equation with this tag is evaluated; the first statement of a tagged function.
+/// Records that the equation with this tag is evaluated; the first statement of a tagged function.
 ///
 /// In a loop over many points, call it in the function around the loop.
 #[macro_export]
 macro_rules! cite {
-    ($tag:literal) => {{
-        static SITE: $crate::provenance::Site = $crate::provenance::Site::new($tag);
-        SITE.note();
-    }};
+    ($tag:literal) => {
+        $crate::provenance::note($tag)
+    };
 }
 
-/// Tags in the order in which they were first noted; their index is the bit of a tag.
-static REGISTRY: Mutex<Vec<&'static str>> = Mutex::new(Vec::new());
-
-/// Bits of a word of a [`BitSet`].
-const WORD: usize = u64::BITS as usize;
-
-/// Words of the first tags, which a thread notes without a look at the heap: hot loops do it per point.
-const WORDS: usize = 16;
-
-/// Tags noted, by their bits.
-#[derive(Default)]
-struct BitSet {
-    first: [u64; WORDS],
-    more: Vec<u64>,
-}
-
-impl BitSet {
-    fn has(&self, index: usize) -> bool {
-        let (word, bit) = (index / WORD, index % WORD);
-        let bits = self.first.get(word).or_else(|| self.more.get(word - WORDS));
-        bits.is_some_and(|bits| bits >> bit & 1 == 1)
-    }
-
-    /// Takes what this thread has noted and leaves it `next`.
-    fn exchange(next: Self) -> Self {
-        let mut taken = Self {
-            more: NOTED_MORE.replace(next.more),
-            ..Self::default()
-        };
-        NOTED.with(|noted| {
-            for ((to, from), next) in taken.first.iter_mut().zip(noted).zip(next.first) {
-                *to = from.replace(next);
-            }
-        });
-        taken
-    }
-}
+/// Slots of the table of tags that a thread has already added; a power of two well above the number of calls of
+/// [`cite!`](crate::cite).
+const SLOTS: usize = 1024;
 
 thread_local! {
     static COLLECTING: Cell<bool> = const { Cell::new(false) };
-    static NOTED: [Cell<u64>; WORDS] = const { [const { Cell::new(0) }; WORDS] };
-    static NOTED_MORE: RefCell<Vec<u64>> = const { RefCell::new(Vec::new()) };
+    static CURRENT: RefCell<Option<Provenance>> = const { RefCell::new(None) };
+    static ADDED: [Cell<Option<&'static str>>; SLOTS] = const { [const { Cell::new(None) }; SLOTS] };
 }
 
-/// Place in the code that evaluates an equation; made by [`cite!`](crate::cite).
-#[derive(Debug)]
-pub struct Site {
-    tag: &'static str,
-    /// One more than the index in the registry; 0 until first used.
-    number: AtomicUsize,
+/// Adds `tag` to the set that this thread collects into, if any.
+#[inline]
+pub fn note(tag: &'static str) {
+    if COLLECTING.get() {
+        add(tag);
+    }
 }
 
-impl Site {
-    /// The place with this tag.
-    #[must_use]
-    pub const fn new(tag: &'static str) -> Self {
-        Self {
-            tag,
-            number: AtomicUsize::new(0),
+/// Hot loops call this for every point, so a tag reaches the shared set once: a hash table of addresses with linear
+/// probing filters the others.
+fn add(tag: &'static str) {
+    // Fibonacci hashing: the upper bits of the product with 2⁶⁴ over the golden ratio.
+    let hash = (tag.as_ptr() as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    let start = (hash >> (u64::BITS - SLOTS.ilog2())) as usize;
+    let is_new = ADDED.with(|added| {
+        for slot in added[start..].iter().chain(&added[..start]) {
+            match slot.get() {
+                Some(known) if std::ptr::eq(known, tag) => return false,
+                Some(_) => {}
+                None => {
+                    slot.set(Some(tag));
+                    break;
+                }
+            }
         }
-    }
-
-    /// Notes the tag where somebody collects on this thread.
-    #[inline]
-    pub fn note(&self) {
-        if COLLECTING.get() {
-            self.note_bit();
-        }
-    }
-
-    fn note_bit(&self) {
-        let index = match self.number.load(Ordering::Relaxed) {
-            0 => self.register(),
-            number => number - 1,
-        };
-        let (word, bit) = (index / WORD, 1 << (index % WORD));
-        NOTED.with(|noted| match noted.get(word) {
-            Some(bits) => bits.set(bits.get() | bit),
-            None => NOTED_MORE.with_borrow_mut(|more| {
-                let word = word - WORDS;
-                more.resize(more.len().max(word + 1), 0);
-                more[word] |= bit;
-            }),
+        true
+    });
+    if is_new {
+        CURRENT.with_borrow(|current| {
+            if let Some(used) = current {
+                used.lock().insert(tag);
+            }
         });
     }
-
-    fn register(&self) -> usize {
-        let mut registry = REGISTRY.lock().unwrap_or_else(PoisonError::into_inner);
-        let index = registry
-            .iter()
-            .position(|known| *known == self.tag)
-            .unwrap_or_else(|| {
-                registry.push(self.tag);
-                registry.len() - 1
-            });
-        self.number.store(index + 1, Ordering::Relaxed);
-        index
-    }
 }
 
-/// Set of the equations that ran inside [`Provenance::collect`]; clones share the set, so that one
-/// goes into every task of a parallel computation.
+/// Set of the equations that ran inside [`Provenance::collect`]; clones share the set.
 #[derive(Debug, Clone, Default)]
 pub struct Provenance {
     tags: Arc<Mutex<BTreeSet<&'static str>>>,
@@ -149,65 +92,56 @@ impl Provenance {
         Self::default()
     }
 
-    /// Runs `work` and adds the tags of all equations that it evaluates on this thread.
+    /// Runs `work` and adds the tags of all equations that it evaluates on this thread, and on others in functions
+    /// [`carried`] there.
     ///
-    /// Of nested calls the innermost collects. Work that runs on other threads is collected by calling
-    /// this in each task.
+    /// Of nested calls the innermost collects.
     pub fn collect<T>(&self, work: impl FnOnce() -> T) -> T {
-        let _scope = Scope::enter(self);
+        let _scope = Scope {
+            outer: collect_into(Some(self.clone())),
+        };
         work()
     }
 
-    /// Adds the tags of `other`, of work that was done before and is used again.
+    /// Adds the tags of `other`, whose work was done before and is used again.
     pub fn include(&self, other: &Self) {
-        let found = other.tags();
-        self.tags
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .extend(found);
+        let tags = other.tags();
+        self.lock().extend(tags);
     }
 
     /// Tags collected so far, in alphabetical order.
     #[must_use]
     pub fn tags(&self) -> BTreeSet<&'static str> {
-        self.tags
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .clone()
+        self.lock().clone()
+    }
+
+    fn lock(&self) -> MutexGuard<'_, BTreeSet<&'static str>> {
+        self.tags.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-/// Collects until dropped, also where the work panics.
-struct Scope<'a> {
-    into: &'a Provenance,
-    outer: Option<BitSet>,
+/// `work` for the tasks of a parallel loop: on whichever thread it runs, its tags are added to the set that collects
+/// where `carried` is called.
+pub fn carried<A, T>(work: impl Fn(A) -> T + Sync) -> impl Fn(A) -> T + Sync {
+    let used = CURRENT.with_borrow(Clone::clone).unwrap_or_default();
+    move |input| used.collect(|| work(input))
 }
 
-impl<'a> Scope<'a> {
-    fn enter(into: &'a Provenance) -> Self {
-        let noted = BitSet::exchange(BitSet::default());
-        Self {
-            into,
-            outer: COLLECTING.replace(true).then_some(noted),
-        }
-    }
+/// Makes this thread collect into `next`; returns the set before.
+fn collect_into(next: Option<Provenance>) -> Option<Provenance> {
+    ADDED.with(|added| added.iter().for_each(|slot| slot.set(None)));
+    COLLECTING.set(next.is_some());
+    CURRENT.replace(next)
 }
 
-impl Drop for Scope<'_> {
+/// Restores the outer collection when dropped, also if the work panics.
+struct Scope {
+    outer: Option<Provenance>,
+}
+
+impl Drop for Scope {
     fn drop(&mut self) {
-        COLLECTING.set(self.outer.is_some());
-        let noted = BitSet::exchange(self.outer.take().unwrap_or_default());
-        let registry = REGISTRY.lock().unwrap_or_else(PoisonError::into_inner);
-        let mut tags = self
-            .into
-            .tags
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner);
-        for (index, tag) in registry.iter().enumerate() {
-            if noted.has(index) {
-                tags.insert(tag);
-            }
-        }
+        collect_into(self.outer.take());
     }
 }
 
@@ -257,12 +191,32 @@ mod tests {
     }
 
     #[test]
-    fn any_number_of_tags_is_told_apart() {
-        let names = (0..WORDS * WORD + 70).map(|k| format!("Many-{k}"));
-        let sites: Vec<Site> = names.map(|name| Site::new(name.leak())).collect();
+    fn a_carried_function_collects_where_it_was_made() {
         let used = Provenance::new();
-        used.collect(|| sites.iter().step_by(3).for_each(Site::note));
-        let expected: BTreeSet<_> = sites.iter().step_by(3).map(|site| site.tag).collect();
+        let work = used.collect(|| carried(|work: fn()| work()));
+        std::thread::scope(|scope| {
+            scope.spawn(|| work(first));
+            scope.spawn(|| Provenance::new().collect(|| work(second)));
+        });
+        assert_eq!(used.tags(), BTreeSet::from(["Test-1", "Test-2"]));
+        // Without a collection its tags go nowhere, whatever the thread that runs it collects.
+        let (alone, other) = (carried(|work: fn()| work()), Provenance::new());
+        other.collect(|| alone(first));
+        assert!(other.tags().is_empty());
+    }
+
+    #[test]
+    fn any_number_of_tags_is_distinguished() {
+        let names = (0..SLOTS + 70).map(|k| format!("Many-{k}"));
+        let tags: Vec<&'static str> = names.map(|name| &*name.leak()).collect();
+        let used = Provenance::new();
+        for _ in 0..2 {
+            used.collect(|| tags.iter().step_by(3).for_each(|tag| note(tag)));
+        }
+        let expected: BTreeSet<_> = tags.iter().step_by(3).copied().collect();
         assert_eq!(used.tags(), expected);
+        let all = Provenance::new();
+        all.collect(|| tags.iter().chain(&tags).for_each(|tag| note(tag)));
+        assert_eq!(all.tags().len(), tags.len());
     }
 }

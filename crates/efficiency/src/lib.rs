@@ -32,7 +32,6 @@
 pub mod breakdown;
 pub mod bulk_temperature;
 pub mod deformation;
-pub mod equations;
 pub mod error;
 pub mod loss_table;
 pub mod mesh_loss;
@@ -45,7 +44,6 @@ pub mod swept;
 
 pub use breakdown::{Breakdown, LossComponent, LossKind, MeshEfficiency, mesh_efficiency};
 pub use deformation::{RunningIn, SurfaceDeformation, SurfaceDeformationPower};
-pub use equations::EQUATIONS;
 pub use error::EfficiencyError;
 pub use mesh_loss::{MeshLoss, PositionLoss, RollingSurfaces, mesh_loss};
 pub use output_torque::{MeshOperation, PowerFlow};

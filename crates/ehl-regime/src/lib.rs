@@ -24,7 +24,6 @@
 
 pub mod attenuation;
 pub mod dimensionless;
-pub mod equations;
 pub mod error;
 pub mod film_elliptic;
 pub mod film_law;

@@ -47,8 +47,9 @@ impl RatedContact {
     /// Film thickness.
     ///
     /// ```text
-    /// h = 1600 ρ_n G_M^0.6 U^0.7 W^−0.13 S^0.22 µm                                  [Micropitting-1]
+    /// h = 1600 ρ_n G_M^0.6 U^0.7 W^−0.13 S^0.22 µm,
     /// G_M = 1e6 α_M E_r,  U = η_M v_Σ/(2000 E_r ρ_n),  W = 2π p²/E_r²,  S = α_B η_B/(α_M η_M)
+    /// in mm, N, m/s                                                                 [Micropitting-1]
     /// ```
     ///
     /// # Errors

@@ -124,8 +124,8 @@ impl FrictionLaw {
     /// Friction of a film: weights in m, pressures in Pa, films in m.
     ///
     /// ```text
-    /// μ = Σ wᵢ·[β·μ_b·p + (1 − β)·τ(p, Δu/h)]/Σ wᵢ·p                               [EHL-friction]
-    /// β = min(1, e^(−(h − H_b)/h_b)), e^(−h/h_b) or [h ≤ h_s]
+    /// μ = Σ wᵢ·[β·μ_b·p + (1 − β)·τ(p, Δu/h)]/Σ wᵢ·p,
+    /// β = min(1, e^(−(h − H_b)/h_b)), e^(−h/h_b) or [h ≤ h_s]                      [EHL-friction]
     /// ```
     ///
     /// The first weight is 1 on nodes in contact, so that it does not depend on H_b, which stands for no measured

@@ -16,7 +16,6 @@ pub mod amplitude_reduction;
 mod bands;
 pub mod batch_means;
 pub mod dimensionless;
-pub mod equations;
 pub mod error;
 pub mod evidence;
 mod fluid;

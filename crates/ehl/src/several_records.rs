@@ -1,5 +1,6 @@
 //! Records of one contact that begin at different places of its surfaces.
 
+use asperity_core::provenance::carried;
 use asperity_core::quantity::Length;
 use rayon::prelude::*;
 
@@ -28,7 +29,7 @@ pub fn record_several(
     let count = if has_beginnings { count.max(1) } else { 1 };
     (0..count)
         .into_par_iter()
-        .map(|number| {
+        .map(carried(|number| {
             let [first, second] = [0, 1].map(|surface| {
                 let part = (number as f64 * PARTS[surface]).fract();
                 periods[surface].map_or(Length::from_si(0.0), |period| period * part)
@@ -39,7 +40,7 @@ pub fn record_several(
                 ..contact.clone()
             };
             record_watched(&shifted, settings, |progress| watch(number, progress))
-        })
+        }))
         .collect()
 }
 

@@ -6,6 +6,7 @@
 //! converge with the grid and is no result; load on films below 20 and 50 nm, the mean film and friction
 //! converge. The first three half-widths of travel are a start-up.
 
+use asperity_core::provenance::carried;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, cite};
 use rayon::prelude::*;
@@ -261,14 +262,14 @@ pub fn record_offsets(
 ) -> Result<Vec<Solved<Record>>, EhlError> {
     offsets
         .par_iter()
-        .map(|(first, second)| {
+        .map(carried(|(first, second): &(Length, Length)| {
             let shifted = RoughContact {
                 surface_1: contact.surface_1.clone().shifted(*first),
                 surface_2: contact.surface_2.clone().shifted(*second),
                 ..contact.clone()
             };
             record(&shifted, settings)
-        })
+        }))
         .collect()
 }
 

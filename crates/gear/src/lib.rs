@@ -38,7 +38,6 @@ mod centre_distance;
 mod chebyshev;
 pub mod contact_length;
 pub mod edge_contact;
-pub mod equations;
 pub mod error;
 pub mod flank_coordinate;
 pub mod forces;
@@ -68,7 +67,6 @@ pub mod tooth_outline;
 pub mod transverse_tooth;
 
 pub use contact_length::ContactLengths;
-pub use equations::EQUATIONS;
 pub use error::{Gear, GearError};
 pub use flank_coordinate::FlankPoint;
 pub use forces::Forces;

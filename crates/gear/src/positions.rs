@@ -47,7 +47,11 @@ pub struct MeshPosition {
 }
 
 impl GearPair {
-    /// Places s_i and weights w_i with Σ w_i g(s_i) ≈ (b/(cos β_b p_et))·∫_A^E g ds   [Mean-1]
+    /// Positions and weights of the mean over a mesh cycle.
+    ///
+    /// ```text
+    /// ḡ = (b/(cos β_b p_et))·∫_A^E g ds ≈ Σ w_i g(s_i)                            [Mean-1]
+    /// ```
     ///
     /// This is the mean over a mesh cycle of the sum of g over all lines of contact. The weights
     /// sum to the mean length of the contact lines.

@@ -4,7 +4,6 @@
 //! consistent film of [`reynolds_cross`] or that of the [`paper`]. [`film_pressure`] gives the
 //! pressure along the film of any gap.
 
-pub mod equations;
 pub mod error;
 pub mod film_pressure;
 pub mod gap;
@@ -13,7 +12,6 @@ pub mod paper;
 pub mod reynolds_cross;
 pub mod velocity_profile;
 
-pub use equations::EQUATIONS;
 pub use error::FilmError;
 pub use model::{
     FilmConditions, FluidModel, pressure_difference_across, pressure_difference_over_thickness,

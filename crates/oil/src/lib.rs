@@ -21,7 +21,6 @@
 //! ```
 
 mod density;
-mod equations;
 mod error;
 mod heat;
 mod input;
@@ -32,7 +31,6 @@ mod viscosity_pressure;
 mod viscosity_temperature;
 
 pub use density::{DensityLine, dowson_higginson_density};
-pub use equations::EQUATIONS;
 pub use error::LubricantError;
 pub use heat::{cragoe_conductivity, cragoe_heat_capacity};
 pub use input::{LubricantInput, ViscosityLaw};

@@ -17,12 +17,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub mod equations;
 pub mod read;
 mod warning;
 pub mod write;
 
-pub use equations::EQUATIONS;
 pub use warning::Warning;
 
 /// The examples of the README, run as tests.

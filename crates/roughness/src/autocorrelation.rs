@@ -133,7 +133,11 @@ fn normalised(products: &[f64], n: usize) -> Vec<f64> {
     products.iter().enumerate().map(over_overlap).collect()
 }
 
-/// Shifts at which ρ first falls to 0.2 and to 1/e, linear between points              `[ACF-2]`
+/// Autocorrelation lengths, linear between points.
+///
+/// ```text
+/// smallest τ with ρ(τ) = 0.2 and with ρ(τ) = 1/e                                   [ACF-2]
+/// ```
 ///
 /// # Errors
 /// As [`autocorrelation`].

@@ -127,8 +127,12 @@ pub fn weights(cutoff: Length, spacing: Length) -> Result<Vec<f64>, DomainError>
 
 /// The mean line of `profile` at `cutoff` `[m]`, one height per point of the profile.
 ///
-/// w̄ᵢ = Σₖ w_k zᵢ₊ₖ inside; the ends as `ends` says ([`Ends::Cut`] computes them as
-/// [`Ends::Reg0`]; dropping them is left to [`prepare`](crate::preparation::prepare)).        [Gauss-4]
+/// ```text
+/// w̄ᵢ = Σₖ w_k zᵢ₊ₖ                                                                        [Gauss-4]
+/// ```
+///
+/// `ends` chooses the sum at the ends; [`Ends::Cut`] computes them as [`Ends::Reg0`], and
+/// [`prepare`](crate::preparation::prepare) drops them.
 ///
 /// # Errors
 /// When the cut-off is not positive, shorter than the spacing or longer than the profile.

@@ -294,8 +294,11 @@ impl Section {
     }
 }
 
-/// Field parameters over l_e; Rp, Rv mean over sections of the highest hill and the deepest dale
-/// whose extremum lies in the section, 0 where there is none                                         [Height-3]
+/// Field parameters over the evaluation length.
+///
+/// ```text
+/// Rp, Rv = mean over sections of the highest hill and the deepest dale with its extremum in the section, or 0  [Height-3]
+/// ```
 fn over_the_length(z: &[f64], parts: &[&[f64]], dx: f64) -> Raw {
     cite!("Height-3");
     let n = parts.len();

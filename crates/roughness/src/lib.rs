@@ -21,7 +21,6 @@ pub mod autocorrelation;
 mod blocks;
 pub mod composite;
 mod elements;
-pub mod equations;
 pub mod error;
 pub mod form;
 pub mod gaussian_filter;
@@ -42,7 +41,6 @@ pub mod spectral;
 pub mod summits;
 mod warning;
 
-pub use equations::EQUATIONS;
 pub use error::RoughnessError;
 pub use parameters::Parameters;
 pub use warning::Warning;

@@ -45,7 +45,11 @@ impl MaterialLevels {
         })
     }
 
-    /// Rmr(c) `[%]`, 0 above the highest point and 100 below the lowest              [Rmr-1]
+    /// Material ratio at a level `[%]`, 0 above the highest point and 100 below the lowest.
+    ///
+    /// ```text
+    /// Rmr(c) = Ml(c)/l_e                                                           [Rmr-1]
+    /// ```
     pub fn ratio(&self, level: Length) -> f64 {
         cite!("Rmr-1");
         let count = self.curve.len() as f64;
@@ -54,8 +58,11 @@ impl MaterialLevels {
         })
     }
 
-    /// Rmc(p): the level at which the material ratio is `ratio` `[%]`, that of the highest or lowest point at
-    /// the ends of the curve                                                        [Rmr-2]
+    /// Level at which the material ratio is `ratio` `[%]`; beyond the ends of the curve, the highest or lowest point.
+    ///
+    /// ```text
+    /// Rmr(Rmc(p)) = p                                                              [Rmr-2]
+    /// ```
     ///
     /// # Errors
     /// When the ratio is not within 0 and 100 %.
@@ -94,8 +101,11 @@ impl MaterialLevels {
         Ok(upper - lower)
     }
 
-    /// Rmr of ISO 4287 `[%]` at the depth `depth` below the level of the ratio `reference` `[%]`: Rmr(c₁),
-    /// c₁ = Rmc(reference) − depth                                                  [Rmr-4]
+    /// Rmr of ISO 4287 `[%]` at the depth `depth` below the level of the ratio `reference` `[%]`.
+    ///
+    /// ```text
+    /// Rmr = Rmr(c₁), c₁ = Rmc(Rmr0) − Rδc                                          [Rmr-4]
+    /// ```
     ///
     /// # Errors
     /// When the reference is not within 0 and 100 %.

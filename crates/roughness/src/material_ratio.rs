@@ -152,7 +152,11 @@ fn rk_of_curve(s: &[f64], line: Line) -> RkParameters {
     }
 }
 
-/// s: the heights `[m]` in falling order; point k has the material ratio (k + ½)/N        [Rk-2]
+/// Material ratio curve: the heights `[m]` in falling order.
+///
+/// ```text
+/// Mr_k = (k + ½)/N at the k-th highest point                                             [Rk-2]
+/// ```
 ///
 /// # Errors
 /// When a height is not finite.

@@ -25,7 +25,6 @@ pub mod benedict_kelley;
 pub mod boundary;
 pub mod conditions;
 pub mod doleschel;
-pub mod equations;
 pub mod error;
 pub mod eyring;
 pub mod film_friction;

@@ -21,7 +21,6 @@ mod calibrated;
 mod difference;
 mod drawn_losses;
 mod draws;
-pub(crate) mod equations;
 mod hypercube;
 mod mixture;
 pub(crate) mod pairs;
@@ -149,7 +148,7 @@ pub fn quantiles(
 /// Adds the equations of the band to those of the run.
 fn note(result: &mut RunResult, tags: &BTreeSet<&'static str>) {
     let before = result.equations.iter().map(|found| found.tag.as_ref());
-    let known = crate::equations::all().into_iter().map(|known| known.tag);
+    let known = crate::equations::all().iter().map(|known| known.tag);
     let before: BTreeSet<&str> = before.collect();
     let all: BTreeSet<&'static str> = known
         .filter(|tag| before.contains(tag) || tags.contains(tag))

@@ -28,7 +28,6 @@
 
 mod attenuated_traces;
 mod contact_table;
-pub mod equations;
 mod error;
 mod position_film;
 mod rough_contact;

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use asperity_core::provenance::{Provenance, Site};
+use asperity_core::provenance::{Provenance, note};
 use asperity_core::quantity::Length;
 use asperity_ehl::{Estimate, RecordSettings, transient};
 use rayon::prelude::*;
@@ -104,7 +104,7 @@ impl PathRecords {
     pub(crate) fn cite(&self) {
         let tags = self.places.iter().flat_map(|place| &place.record.tags);
         for equation in tags.filter_map(|tag| find(tag)) {
-            Site::new(equation.tag).note();
+            note(equation.tag);
         }
     }
 

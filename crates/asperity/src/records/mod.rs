@@ -5,7 +5,6 @@
 //! by its content, so that a second run solves nothing.
 
 mod along_path;
-pub mod equations;
 mod of_case;
 mod path_record;
 mod share;

@@ -5,13 +5,11 @@
 //! solver. Plane strain; traction q > 0 acts towards +x on the body below.
 
 mod carter;
-mod equations;
 mod mindlin;
 mod partial_slip;
 mod sliding;
 
 pub use carter::{carter_creepage, carter_traction};
-pub use equations::EQUATIONS;
 pub use mindlin::{mindlin_traction, stick_half_width};
 pub use partial_slip::{PartialSlip, partial_slip};
 pub use sliding::{Sliding, SlidingSettings, dundurs, sliding_pressure, solve_sliding};

@@ -10,13 +10,15 @@ use super::point::PlaneStress;
 use crate::ContactError;
 use crate::hertz_line::HertzLine;
 
-/// Stress at a point under a Hertz contact with traction q(x) = μ·p(x) towards +x          [Subsurface-2]
+/// Stress at a point under a Hertz contact with traction q(x) = μ·p(x) towards +x.
 ///
-/// m²,n² = ½·(√((b² − x² + z²)² + 4x²z²) ± (b² − x² + z²)), n with the sign of x;
-/// s = z² + n², d = m² + n²:
+/// ```text
 /// σ_xx = −(p₀/b)·(m·(1 + s/d) − 2z + μ·(2x − n·(2 − (z² − m²)/d))),
 /// σ_zz = −(p₀/b)·(m·(1 − s/d) + μ·n·(m² − z²)/d),
-/// τ_xz = −(p₀/b)·(n·(m² − z²)/d + μ·(m·(1 + s/d) − 2z)).
+/// τ_xz = −(p₀/b)·(n·(m² − z²)/d + μ·(m·(1 + s/d) − 2z)),
+/// s = z² + n²,  d = m² + n²,
+/// m², n² = ½·(√((b² − x² + z²)² + 4x²z²) ± (b² − x² + z²)), n with the sign of x         [Subsurface-2]
+/// ```
 ///
 /// `friction` is μ, of either sign.
 ///

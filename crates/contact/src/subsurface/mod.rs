@@ -20,7 +20,6 @@
 //! | ν | Poisson's ratio | - |
 
 mod axis;
-mod equations;
 mod field;
 mod hertz_stress;
 mod point;
@@ -29,7 +28,6 @@ mod strip;
 mod tests;
 
 pub use axis::{HERTZ_SHEAR_DEPTH, hertz_axis_shear, strip_axis_shear};
-pub use equations::EQUATIONS;
 pub use field::{Peak, StressField, YieldZone, graded_depths, subsurface_stress};
 pub use hertz_stress::hertz_stress;
 pub use point::PlaneStress;
