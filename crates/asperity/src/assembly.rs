@@ -4,7 +4,7 @@ use asperity_core::quantity::Power;
 use asperity_efficiency::output_torque::power_flow;
 use asperity_efficiency::{LossKind, MeshEfficiency, MeshOperation, equivalent_friction};
 
-use crate::balance::{Balance, Efficiency, Unbalanced};
+use crate::balance::{Unbalanced, efficiency, finite, sum};
 use crate::band::pair_sampling;
 use crate::band::pairs::means_of_pairs;
 use crate::case::{BulkReport, Case, CaseInput};
@@ -31,13 +31,15 @@ impl Solved<'_> {
     pub(crate) fn losses(self) -> Result<Losses, PositionError> {
         let (summary, gearbox) = self.with_gearbox()?;
         let path = self.path()?;
-        self.check(&summary, gearbox.as_ref(), &path)?;
+        let running_in = running_in(&self.loaded.case, &self.meshes);
+        check(&summary, &running_in, gearbox.as_ref(), &path)?;
         Ok(Losses {
             outside: attention::outside(self.loaded, &self.positions, &summary)?,
             summary,
             path,
             offsets: offset_rows(&self.meshes),
             pairs: self.pairs().and_then(|(_, sampling)| sampling),
+            running_in,
             run_in: None,
             bulk: bulk_report(&self.loaded.case),
             gearbox,
@@ -52,6 +54,9 @@ impl Solved<'_> {
     ) -> Result<Outcome, PositionError> {
         let case = &self.loaded.case;
         let (summary, gearbox) = self.with_gearbox()?;
+        let path = self.path()?;
+        let running_in = running_in(case, &self.meshes);
+        check(&summary, &running_in, gearbox.as_ref(), &path)?;
         let mut warnings = self.loaded.warnings.clone();
         let load = LoadReport::new(case, self.map)?;
         warnings.extend(attention::warnings(self.loaded, &self.positions, &summary)?);
@@ -73,14 +78,14 @@ impl Solved<'_> {
             formulation: case.formulation,
             published_laws: published_laws(&self)?,
             load,
-            path: self.path()?,
+            path,
             points: self.points(points)?,
             records,
             band: None,
             bulk: bulk_report(case),
             gearbox,
             micropitting,
-            running_in: running_in(case, &self.meshes),
+            running_in,
             run_in: None,
             summary,
             warnings,
@@ -158,10 +163,11 @@ impl Solved<'_> {
     pub(crate) fn run_in_flanks(&self, ran_in: RanIn) -> Result<RunInFlanks, PositionError> {
         let [measured, run_in] = ran_in.heights;
         let summary = self.summary()?;
-        self.check(&summary, None, &self.path()?)?;
+        let running_in = running_in(&self.loaded.case, &self.meshes);
+        check(&summary, &running_in, None, &self.path()?)?;
         Ok(RunInFlanks {
             summary,
-            running_in: running_in(&self.loaded.case, &self.meshes),
+            running_in,
             measured,
             run_in,
             cycles: ran_in.cycles,
@@ -209,75 +215,6 @@ impl Solved<'_> {
         Ok((summary, gearbox))
     }
 
-    /// Whether the numbers of a result can be, and be together.
-    fn check(
-        &self,
-        summary: &Summary,
-        gearbox: Option<&GearboxReport>,
-        path: &[PositionRow],
-    ) -> Result<(), PositionError> {
-        let sum = |of, total, parts: &[f64]| {
-            let unit = "W";
-            Balance {
-                of,
-                unit,
-                total,
-                parts,
-            }
-            .check()
-        };
-        let efficiency = |of, value, loss, input| {
-            Efficiency {
-                of,
-                value,
-                loss,
-                input,
-            }
-            .check()
-        };
-        let s = summary;
-        let [pinion, wheel] = s.deformation_w;
-        let running_in = running_in(&self.loaded.case, &self.meshes);
-        let first_pass = match running_in.included {
-            true => running_in.first_pass_w,
-            false => 0.0,
-        };
-        sum(
-            "loss",
-            s.loss_w,
-            &[s.sliding_w, s.rolling_w, pinion, wheel, first_pass],
-        )?;
-        let sliding = [s.film_w, s.lubricated_asperity_w, s.boundary_w];
-        sum("sliding loss", s.sliding_w, &sliding)?;
-        let along = |of: fn(&PositionRow) -> f64| {
-            let powers = path.iter().map(move |row| row.weight_m * of(row));
-            powers.collect::<Vec<f64>>()
-        };
-        let sliding = along(|row| row.sliding_w_per_m);
-        sum("sliding loss along the path", s.sliding_w, &sliding)?;
-        let rolling = along(|row| row.rolling_w_per_m);
-        sum("rolling loss along the path", s.rolling_w, &rolling)?;
-        efficiency("efficiency", s.efficiency, s.loss_w, s.power_in_w)?;
-        if let Some(found) = gearbox {
-            let parts = [s.loss_w, found.parts_w];
-            sum("loss of the gearbox", found.loss_w, &parts)?;
-            let [value, input] = [found.efficiency, found.power_in_w];
-            efficiency("efficiency of the gearbox", value, found.loss_w, input)?;
-        }
-        for (of, value, unit) in [
-            ("torque out", s.torque_out_nm, "N m"),
-            ("equivalent friction", s.mu_equivalent, "-"),
-            ("hysteresis", s.hysteresis_w, "W"),
-            ("elastic work", s.elastic_cycling_w, "W"),
-            ("share of the asperities", s.asperity_share, "-"),
-        ] {
-            if !value.is_finite() {
-                return Err(Unbalanced::NotFinite { of, value, unit }.into());
-            }
-        }
-        Ok(())
-    }
-
     fn summary(&self) -> Result<Summary, PositionError> {
         let case = &self.loaded.case;
         let (positions, meshes) = (&self.positions, &self.meshes);
@@ -293,6 +230,59 @@ impl Solved<'_> {
         summary.elastic_cycling_w = swept.elastic_cycling.si();
         Ok(summary)
     }
+}
+
+/// Invariants of a result: every number finite, parts that add up to their totals, efficiencies within 0 and 1.
+fn check(
+    s: &Summary,
+    running_in: &RunningIn,
+    gearbox: Option<&GearboxReport>,
+    path: &[PositionRow],
+) -> Result<(), Unbalanced> {
+    let along = |of: fn(&PositionRow) -> f64| {
+        let powers = path.iter().map(|row| row.weight_m * of(row));
+        powers.collect::<Vec<f64>>()
+    };
+    let [pinion, wheel] = s.deformation_w;
+    let first_pass = running_in.included_w();
+    let loss = [s.sliding_w, s.rolling_w, pinion, wheel, first_pass];
+    let sliding = [s.film_w, s.lubricated_asperity_w, s.boundary_w];
+    let sliding_along = along(|row| row.sliding_w_per_m);
+    let rolling_along = along(|row| row.rolling_w_per_m);
+    sum("loss", "W", s.loss_w, &loss)?;
+    sum("sliding loss", "W", s.sliding_w, &sliding)?;
+    sum(
+        "sliding loss along the path",
+        "W",
+        s.sliding_w,
+        &sliding_along,
+    )?;
+    sum(
+        "rolling loss along the path",
+        "W",
+        s.rolling_w,
+        &rolling_along,
+    )?;
+    efficiency("efficiency", s.efficiency, s.loss_w, s.power_in_w)?;
+    if let Some(of) = gearbox {
+        sum(
+            "loss of the gearbox",
+            "W",
+            of.loss_w,
+            &[s.loss_w, of.parts_w],
+        )?;
+        efficiency(
+            "efficiency of the gearbox",
+            of.efficiency,
+            of.loss_w,
+            of.power_in_w,
+        )?;
+    }
+    finite("torque out", "N m", s.torque_out_nm)?;
+    finite("equivalent friction", "-", s.mu_equivalent)?;
+    finite("hysteresis", "W", s.hysteresis_w)?;
+    finite("elastic work", "W", s.elastic_cycling_w)?;
+    finite("share of the asperities", "-", s.asperity_share)
 }
 
 fn offset_rows(meshes: &[MeshEfficiency]) -> Vec<OffsetRow> {
@@ -584,7 +574,50 @@ fn inputs(case: &Case) -> CaseInput {
 
 #[cfg(test)]
 mod tests {
-    use super::{deviation, median};
+    use super::{check, deviation, median};
+    use crate::pipeline::losses;
+    use crate::result::Losses;
+
+    #[test]
+    fn a_fault_in_the_balance_of_a_run_has_its_code() {
+        let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+        let case = crate::case::load_with(file, &|input| {
+            input.model.positions = Some(3);
+            input.model.offsets = Some(1);
+        });
+        let whole = losses(&case.unwrap(), &|_, _| {}).unwrap();
+        let code = |fault: fn(&mut Losses)| {
+            let mut faulty = whole.clone();
+            fault(&mut faulty);
+            let Losses {
+                summary,
+                running_in,
+                gearbox,
+                path,
+                ..
+            } = &faulty;
+            let checked = check(summary, running_in, gearbox.as_ref(), path);
+            checked.err().map(|fault| fault.code())
+        };
+        assert_eq!(code(|_| ()), None);
+        let sums: [fn(&mut Losses); 7] = [
+            |run| run.summary.loss_w *= 1.0 + 1e-6,
+            |run| run.summary.film_w += 1e-3,
+            |run| run.summary.deformation_w[1] += 1e-3,
+            |run| run.running_in.included = true,
+            |run| run.path[1].sliding_w_per_m *= 1.0 + 1e-6,
+            |run| run.path[2].rolling_w_per_m *= 1.0 + 1e-6,
+            |run| run.summary.efficiency -= 1e-6,
+        ];
+        assert_eq!(sums.map(code), [Some("E501"); 7]);
+        let impossible: [fn(&mut Losses); 4] = [
+            |run| run.summary.efficiency = 1.5,
+            |run| run.summary.rolling_w = f64::NAN,
+            |run| run.path[0].sliding_w_per_m = f64::INFINITY,
+            |run| run.summary.mu_equivalent = f64::NAN,
+        ];
+        assert_eq!(impossible.map(code), [Some("E308"); 4]);
+    }
 
     #[test]
     fn medians_and_deviations_of_few_values() {

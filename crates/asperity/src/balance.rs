@@ -51,96 +51,65 @@ impl Unbalanced {
     }
 }
 
-/// A total and its parts.
-#[derive(Debug, Clone, Copy)]
-pub struct Balance<'a> {
-    /// Name of the total.
-    pub of: &'static str,
-    /// Unit of total and parts.
-    pub unit: &'static str,
-    /// The total.
-    pub total: f64,
-    /// The parts.
-    pub parts: &'a [f64],
-}
-
-impl Balance<'_> {
-    /// Σ parts = total, all finite.
-    ///
-    /// # Errors
-    /// When a number is not finite, or the parts are not those of the total.
-    ///
-    /// ```
-    /// use asperity::balance::Balance;
-    /// let of = |total: f64| Balance { of: "loss", unit: "W", total, parts: &[560.0, 10.0] };
-    /// assert!(of(570.0).check().is_ok());
-    /// assert_eq!(of(580.0).check().unwrap_err().code(), "E501");
-    /// assert_eq!(of(f64::NAN).check().unwrap_err().code(), "E308");
-    /// ```
-    pub fn check(self) -> Result<(), Unbalanced> {
-        let Self {
-            of, unit, total, ..
-        } = self;
-        for &value in std::iter::once(&self.total).chain(self.parts) {
-            if !value.is_finite() {
-                return Err(Unbalanced::NotFinite { of, value, unit });
-            }
-        }
-        let parts: f64 = self.parts.iter().sum();
-        match (parts - total).abs() <= TOLERANCE * total.abs() {
-            true => Ok(()),
-            false => Err(Unbalanced::Sum {
-                of,
-                total,
-                parts,
-                unit,
-            }),
-        }
+/// Σ parts = total, all finite; `of` and `unit` name them in the error.
+///
+/// # Errors
+/// If a number is not finite, or the parts do not add up to the total.
+///
+/// ```
+/// use asperity::balance::sum;
+/// let loss = |total: f64| sum("loss", "W", total, &[560.0, 10.0]);
+/// assert!(loss(570.0).is_ok());
+/// assert_eq!(loss(580.0).unwrap_err().code(), "E501");
+/// assert_eq!(loss(f64::NAN).unwrap_err().code(), "E308");
+/// ```
+pub fn sum(
+    of: &'static str,
+    unit: &'static str,
+    total: f64,
+    parts: &[f64],
+) -> Result<(), Unbalanced> {
+    for &value in parts.iter().chain([&total]) {
+        finite(of, unit, value)?;
+    }
+    let parts: f64 = parts.iter().sum();
+    match (parts - total).abs() <= TOLERANCE * total.abs() {
+        true => Ok(()),
+        false => Err(Unbalanced::Sum {
+            of,
+            total,
+            parts,
+            unit,
+        }),
     }
 }
 
-/// An efficiency with the loss and the power that it is of.
-#[derive(Debug, Clone, Copy)]
-pub struct Efficiency {
-    /// Name of the efficiency.
-    pub of: &'static str,
-    /// The efficiency.
-    pub value: f64,
-    /// Loss, or energy lost.
-    pub loss: f64,
-    /// Power, or energy, that goes in.
-    pub input: f64,
+/// 0 ≤ η ≤ 1 and η = 1 − loss/input, with loss and input both powers or both energies.
+///
+/// # Errors
+/// If the efficiency is outside 0 to 1, or does not follow from loss and input.
+///
+/// ```
+/// use asperity::balance::efficiency;
+/// let of = |value: f64| efficiency("efficiency", value, 1.0, 100.0);
+/// assert!(of(0.99).is_ok());
+/// assert_eq!(of(1.01).unwrap_err().code(), "E308");
+/// assert_eq!(of(0.98).unwrap_err().code(), "E501");
+/// ```
+pub fn efficiency(of: &'static str, value: f64, loss: f64, input: f64) -> Result<(), Unbalanced> {
+    match (0.0..=1.0).contains(&value) {
+        true => sum(of, "-", 1.0, &[value, loss / input]),
+        false => Err(Unbalanced::Efficiency { of, value }),
+    }
 }
 
-impl Efficiency {
-    /// 0 ≤ η ≤ 1 and η = 1 − loss/input.
-    ///
-    /// # Errors
-    /// When the efficiency is outside 0 to 1, or of another loss.
-    ///
-    /// ```
-    /// use asperity::balance::Efficiency;
-    /// let of = |value: f64| Efficiency { of: "efficiency", value, loss: 1.0, input: 100.0 };
-    /// assert!(of(0.99).check().is_ok());
-    /// assert_eq!(of(1.01).check().unwrap_err().code(), "E308");
-    /// assert_eq!(of(0.98).check().unwrap_err().code(), "E501");
-    /// ```
-    pub fn check(self) -> Result<(), Unbalanced> {
-        let Self {
-            of,
-            value,
-            loss,
-            input,
-        } = self;
-        if !(0.0..=1.0).contains(&value) {
-            return Err(Unbalanced::Efficiency { of, value });
-        }
-        Balance {
-            of,
-            unit: "-",
-            total: 1.0,
-            parts: &[value, loss / input],
-        }
-        .check()
+/// A finite number.
+///
+/// # Errors
+/// If the number is infinite or not a number.
+pub fn finite(of: &'static str, unit: &'static str, value: f64) -> Result<(), Unbalanced> {
+    match value.is_finite() {
+        true => Ok(()),
+        false => Err(Unbalanced::NotFinite { of, value, unit }),
     }
 }

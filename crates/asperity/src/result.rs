@@ -383,6 +383,17 @@ pub struct RunningIn {
     pub included: bool,
 }
 
+impl RunningIn {
+    /// The part of the losses \[W\]: zero unless it is included.
+    #[must_use]
+    pub fn included_w(&self) -> f64 {
+        match self.included {
+            true => self.first_pass_w,
+            false => 0.0,
+        }
+    }
+}
+
 /// The mesh with flanks that have run in.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
@@ -511,7 +522,7 @@ pub struct OffsetRow {
     pub rolling_w: f64,
 }
 
-/// Losses of a case without fields, comparisons and running-in.
+/// Losses of a case, without fields and comparisons.
 #[derive(Debug, Clone, Serialize)]
 #[non_exhaustive]
 pub struct Losses {
@@ -524,6 +535,9 @@ pub struct Losses {
     /// Sampling error over all pairs of several traces; absent where each flank has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pairs: Option<PairSampling>,
+    /// Running-in loss of the first pass.
+    #[serde(skip)]
+    pub running_in: RunningIn,
     /// Losses with flanks that have run in, where the case asks for them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub run_in: Option<RunInFlanks>,

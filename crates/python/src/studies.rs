@@ -176,7 +176,7 @@ pub fn read_map(py: Python<'_>, folder: PathBuf) -> PyResult<Map> {
 type Column = (&'static str, fn(&Numbers) -> Option<f64>);
 
 /// The numbers of a point.
-const COLUMNS: [Column; 14] = [
+const COLUMNS: [Column; 15] = [
     ("loss_w", |n| Some(n.loss_w)),
     ("loss_torque_nm", |n| Some(n.loss_torque_nm)),
     ("loss_torque_deviation_nm", |n| n.loss_torque_deviation_nm),
@@ -193,6 +193,7 @@ const COLUMNS: [Column; 14] = [
     ("lubricated_asperity_w", |n| Some(n.lubricated_asperity_w)),
     ("boundary_w", |n| Some(n.boundary_w)),
     ("rolling_w", |n| Some(n.rolling_w)),
+    ("deformation_w", |n| Some(n.deformation_w)),
     ("mu_equivalent", |n| n.mu_equivalent),
     ("mixed_share", |n| Some(n.mixed_share)),
 ];

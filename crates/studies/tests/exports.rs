@@ -48,6 +48,7 @@ fn map_of(torque: &[f64], temperatures: &[f64]) -> Map {
                         lubricated_asperity_w: 0.0,
                         boundary_w: 0.0,
                         rolling_w: 0.0,
+                        deformation_w: 0.0,
                         mu_equivalent: None,
                         mixed_share: 0.0,
                     }),

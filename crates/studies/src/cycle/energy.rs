@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use asperity::balance::{Balance, Efficiency, Unbalanced};
+use asperity::balance::{Unbalanced, efficiency, finite, sum};
 use serde::Serialize;
 
 use super::coverage::{Coverage, Uncovered, moving_time, share};
@@ -163,29 +163,15 @@ pub fn evaluate(
     })
 }
 
-/// What cannot be in the energies of a finish is a fault of the program or of the map.
+/// Invariants of the energies of a finish.
 fn check(finish: &CycleFinish, drive_wh: f64) -> Result<(), Unbalanced> {
-    let lost = Balance {
-        of: "energy lost over the cycle",
-        unit: "Wh",
-        total: finish.lost_wh,
-        parts: &[finish.lost_drive_wh, finish.lost_coast_wh],
-    };
-    lost.check()?;
-    Balance {
-        of: "deviation of the energy lost",
-        unit: "Wh",
-        total: finish.deviation_wh,
-        parts: &[finish.deviation_wh],
-    }
-    .check()?;
-    let efficiency = finish.drive_efficiency.map(|value| Efficiency {
-        of: "efficiency while the pinion drives",
-        value,
-        loss: finish.lost_drive_wh,
-        input: drive_wh,
-    });
-    efficiency.map_or(Ok(()), Efficiency::check)
+    let parts = [finish.lost_drive_wh, finish.lost_coast_wh];
+    sum("energy lost over the cycle", "Wh", finish.lost_wh, &parts)?;
+    finite("deviation of the energy lost", "Wh", finish.deviation_wh)?;
+    let of = "efficiency while the pinion drives";
+    finish.drive_efficiency.map_or(Ok(()), |value| {
+        efficiency(of, value, finish.lost_drive_wh, drive_wh)
+    })
 }
 
 /// The energies of a finish.

@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::Error;
-use asperity::balance::{Balance, Efficiency, Unbalanced};
+use asperity::balance::{self, Unbalanced, sum};
 use asperity::case::LoadedCase;
 use asperity::core::cancel::checkpoint;
 use asperity::fingerprint::Fingerprint;
 use asperity::pipeline::Progress;
-use asperity::result::OffsetRow;
+use asperity::result::{Losses, OffsetRow};
 
 use super::axes::Axes;
 use super::band::{Banded, MapBand};
@@ -208,7 +208,7 @@ fn point(
                 true => extended(found, torque_nm, at),
                 false => numbers(found, (torque_nm < 0.0) != (computed_at < 0.0)),
             };
-            match check(&numbers, found, torque_nm, torque_nm.abs() / at) {
+            match check(&numbers, found.omega, torque_nm) {
                 Err(error) => point.code = Some(error.code().to_owned()),
                 Ok(()) if speed_rpm == 0.0 => point.numbers = Some(at_standstill(numbers)),
                 Ok(()) => point.numbers = Some(numbers),
@@ -220,42 +220,27 @@ fn point(
     point
 }
 
-/// Whether the numbers of a point at a torque can be, and be together; `share` of the sliding loss was taken.
-fn check(
-    numbers: &Numbers,
-    found: &Evaluated,
-    torque_nm: f64,
-    share: f64,
-) -> Result<(), Unbalanced> {
-    let sum = |of, unit, total, parts: &[f64]| {
-        Balance {
-            of,
-            unit,
-            total,
-            parts,
-        }
-        .check()
-    };
-    let n = numbers;
+/// Invariants of the numbers of a point, with the pinion at `omega` \[rad/s\].
+fn check(n: &Numbers, omega: f64, torque_nm: f64) -> Result<(), Unbalanced> {
     let sliding = [n.film_w, n.lubricated_asperity_w, n.boundary_w];
     sum("sliding loss", "W", n.sliding_w, &sliding)?;
-    let of_case = &found.losses.summary;
-    // Deformation is in no column of its own.
-    let rest = share.min(1.0) * (of_case.loss_w - of_case.sliding_w - of_case.rolling_w);
-    sum("loss", "W", n.loss_w, &[n.sliding_w, n.rolling_w, rest])?;
-    let torque = n.loss_torque_nm;
-    sum("loss torque", "N m", torque, &[n.loss_w / found.omega])?;
-    let pinion = torque_nm.abs() * found.omega;
-    let efficiency = n.efficiency.map(|value| Efficiency {
-        of: "efficiency",
-        value,
-        loss: n.loss_w,
-        input: match torque_nm < 0.0 {
-            true => pinion + n.loss_w,
-            false => pinion,
-        },
-    });
-    efficiency.map_or(Ok(()), Efficiency::check)
+    let loss = [n.sliding_w, n.rolling_w, n.deformation_w];
+    sum("loss", "W", n.loss_w, &loss)?;
+    sum("loss torque", "N m", n.loss_torque_nm, &[n.loss_w / omega])?;
+    let pinion = torque_nm.abs() * omega;
+    let input = match torque_nm < 0.0 {
+        true => pinion + n.loss_w,
+        false => pinion,
+    };
+    n.efficiency.map_or(Ok(()), |value| {
+        balance::efficiency("efficiency", value, n.loss_w, input)
+    })
+}
+
+/// Loss by deformation \[W\], with that of running-in if the case includes it.
+fn deformation(losses: &Losses) -> f64 {
+    let bodies: f64 = losses.summary.deformation_w.iter().sum();
+    bodies + losses.running_in.included_w()
 }
 
 /// The losses as they were computed, or with the other gear driving.
@@ -287,6 +272,7 @@ fn numbers(found: &Evaluated, is_reversed: bool) -> Numbers {
         lubricated_asperity_w: summary.lubricated_asperity_w,
         boundary_w: summary.boundary_w,
         rolling_w: summary.rolling_w,
+        deformation_w: deformation(&found.losses),
         mu_equivalent: mu,
         mixed_share: summary.mixed_share,
     }
@@ -325,6 +311,7 @@ fn extended(found: &Evaluated, torque_nm: f64, at: f64) -> Numbers {
         lubricated_asperity_w: share * summary.lubricated_asperity_w,
         boundary_w: share * summary.boundary_w,
         rolling_w: summary.rolling_w,
+        deformation_w: share * deformation(&found.losses),
         mu_equivalent: efficiency.map(|value| (1.0 - value) / summary.loss_factor_local),
         mixed_share: summary.mixed_share,
     }
@@ -341,6 +328,7 @@ fn at_standstill(numbers: Numbers) -> Numbers {
         lubricated_asperity_w: 0.0,
         boundary_w: 0.0,
         rolling_w: 0.0,
+        deformation_w: 0.0,
         ..numbers
     }
 }
@@ -375,4 +363,48 @@ fn warnings(finish: &FinishMap) -> Vec<MapWarning> {
         points: ranges(&at),
     };
     found.into_iter().map(warning).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Code of the point at `torque_nm` and 3000 1/min whose losses at 40 N m have a fault.
+    fn code(whole: &Evaluated, torque_nm: f64, fault: fn(&mut Evaluated)) -> Option<String> {
+        let mut faulty = whole.clone();
+        fault(&mut faulty);
+        let computed = Computed::from([((0, 40f64.to_bits()), vec![Ok(faulty)])]);
+        let sides = Sides {
+            from: [40.0; 2],
+            has_coast: false,
+            wanted: [vec![40.0], Vec::new()],
+        };
+        let point = point(&computed, &sides, &[3000.0], 0, [torque_nm, 3000.0, 90.0]);
+        assert_eq!(point.numbers.is_none(), point.code.is_some());
+        point.code
+    }
+
+    #[test]
+    fn a_fault_in_the_balance_of_a_point_has_its_code() {
+        let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+        let case = asperity::case::load_with(file, &|input| {
+            input.model.positions = Some(3);
+            input.model.offsets = Some(1);
+        });
+        let places: (&[f64], &[f64]) = (&[3000.0], &[90.0]);
+        let torque = torque_of(40.0);
+        let mut found = evaluate(&case.unwrap(), torque, places, &|_| false, &|| ());
+        let whole = found.remove(0).unwrap();
+        // As computed, with the wheel driving, and below the smallest torque that the traces resolve.
+        for torque_nm in [40.0, -40.0, 10.0] {
+            let code = |fault| code(&whole, torque_nm, fault);
+            assert_eq!(code(|_| ()), None);
+            let deformation = |point: &mut Evaluated| point.losses.summary.deformation_w[0] += 1.0;
+            assert_eq!(code(deformation).as_deref(), Some("E501"));
+            let sliding = |point: &mut Evaluated| point.losses.summary.sliding_w *= 1.01;
+            assert_eq!(code(sliding).as_deref(), Some("E501"));
+            let rolling = |point: &mut Evaluated| point.losses.summary.rolling_w = f64::NAN;
+            assert_eq!(code(rolling).as_deref(), Some("E308"));
+        }
+    }
 }

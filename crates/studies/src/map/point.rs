@@ -123,7 +123,9 @@ pub struct Numbers {
     pub boundary_w: f64,
     /// Rolling loss \[W\].
     pub rolling_w: f64,
-    /// Friction coefficient that explains the loss; none without torque.
+    /// Loss by deformation of the flanks \[W\], with that of running-in if the case includes it.
+    pub deformation_w: f64,
+    /// Friction coefficient that explains the loss; `None` without torque.
     pub mu_equivalent: Option<f64>,
     /// Share of the path in mixed lubrication.
     pub mixed_share: f64,

@@ -33,6 +33,9 @@ pub(super) struct Row<'a> {
     loss_torque_q05_nm: Option<f64>,
     #[serde(default)]
     loss_torque_q95_nm: Option<f64>,
+    /// Absent in older maps.
+    #[serde(default)]
+    deformation_w: Option<f64>,
 }
 
 /// Between two marks of a point.
@@ -64,14 +67,16 @@ impl<'a> Row<'a> {
             finish: asperity_storage::cell(&finish.name),
             loss_torque_q05_nm: quantile(0),
             loss_torque_q95_nm: quantile(1),
+            deformation_w: of(|n| n.deformation_w),
         }
     }
 
     /// The point, and whether its row is whole.
     pub(super) fn point(self) -> Option<Point> {
         let numbers = || {
+            let [loss_w, sliding_w, rolling_w] = [self.loss_w?, self.sliding_w?, self.rolling_w?];
             Some(Numbers {
-                loss_w: self.loss_w?,
+                loss_w,
                 loss_torque_nm: self.loss_torque_nm?,
                 loss_torque_deviation_nm: self.loss_torque_deviation_nm,
                 loss_torque_quantiles_nm: self
@@ -80,11 +85,12 @@ impl<'a> Row<'a> {
                     .map(|(low, high)| [low, high]),
                 efficiency: self.efficiency,
                 efficiency_deviation: self.efficiency_deviation,
-                sliding_w: self.sliding_w?,
+                sliding_w,
                 film_w: self.film_w?,
                 lubricated_asperity_w: self.lubricated_asperity_w?,
                 boundary_w: self.boundary_w?,
-                rolling_w: self.rolling_w?,
+                rolling_w,
+                deformation_w: self.deformation_w.unwrap_or(loss_w - sliding_w - rolling_w),
                 mu_equivalent: self.mu_equivalent,
                 mixed_share: self.mixed_share?,
             })
