@@ -3,10 +3,10 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use asperity::ehl::several_records::{mean_of, record_several};
-use asperity::ehl::{Estimate, PlasticCeiling, Record, RecordSettings};
+use asperity::ehl::{Estimate, Record, RecordSettings};
 use asperity::physical_sense::HIGHEST_PRESSURE;
 use asperity::quantity::Pressure;
-use asperity::referee::{RefereeContact, RefereeSettings, elastic_above_flow, shares};
+use asperity::referee::{RefereeContact, RefereeSettings, record_warnings, shares};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
@@ -80,7 +80,11 @@ pub fn ehl<'py>(
             );
             return Err(Failure::new("E308", message));
         }
-        let mut numbers = numbers(&solved.value, contact.record.ceiling);
+        let mut numbers = numbers(&solved.value);
+        let roughness = Some(contact.attenuated_roughness);
+        let warnings = record_warnings(&solved.value, roughness, contact.record.ceiling).into_iter();
+        let warnings = warnings.map(|(code, text)| json!({ "code": code, "text": text }));
+        numbers["warnings"] = warnings.collect();
         numbers["path_fraction"] = json!(place);
         numbers["attenuated_roughness_um"] = json!(contact.attenuated_roughness.si() * 1e6);
         numbers["steps"] = json!(solved.evidence.steps);
@@ -113,11 +117,10 @@ fn estimate(found: &Estimate) -> Value {
     json!({ "mean": found.mean, "standard_error": Some(found.standard_error).filter(|error| error.is_finite()) })
 }
 
-fn numbers(record: &Record, ceiling: Option<PlasticCeiling>) -> Value {
+fn numbers(record: &Record) -> Value {
     let scales = &record.scales;
     let finite =
         |estimate: &Estimate| Some(estimate.standard_error).filter(|error| error.is_finite());
-    let warning = elastic_above_flow(record.max_pressure, ceiling);
     let below: Vec<Value> = record
         .load_below
         .iter()
@@ -152,6 +155,5 @@ fn numbers(record: &Record, ceiling: Option<PlasticCeiling>) -> Value {
             "stepped": estimate(&friction.stepped),
             "film_alone": estimate(&friction.film),
         })),
-        "warnings": warning.map(|text| json!({ "code": "W435", "text": text })).into_iter().collect::<Vec<_>>(),
     })
 }

@@ -7,8 +7,9 @@ use asperity::ehl::{
     Estimate, NodeState, PlasticCeiling, Record, RecordSettings, RoughContact, Solved, Window,
 };
 use asperity::physical_sense::HIGHEST_PRESSURE;
-use asperity::referee::{LARGEST_ROUGHNESS, ShareComparison, elastic_above_flow};
+use asperity::referee::{ShareComparison, record_warnings};
 use asperity_core::quantity::Length;
+use asperity_storage::one_line;
 use serde_json::{Value, json};
 
 use super::failed::of_contact;
@@ -86,22 +87,7 @@ impl Recorded {
 
     /// Warnings with their codes.
     pub fn warnings(&self) -> Vec<(&'static str, String)> {
-        let mut warnings = Vec::new();
-        if let Some(ratio) = self
-            .roughness_over_film()
-            .filter(|r| *r > LARGEST_ROUGHNESS)
-        {
-            warnings.push((
-                "W415",
-                format!(
-                    "the roughness left in the contact is {ratio:.2} smooth films (above {LARGEST_ROUGHNESS}): the \
-                     modelled ridges cannot leak, so rely on measurements rather than on this solution"
-                ),
-            ));
-        }
-        let largest = self.solved.value.max_pressure;
-        warnings.extend(elastic_above_flow(largest, self.ceiling).map(|text| ("W435", text)));
-        warnings
+        record_warnings(&self.solved.value, self.attenuated_roughness, self.ceiling)
     }
 
     /// The record as JSON.
@@ -183,7 +169,7 @@ impl Recorded {
             "{}\n  half width {:.4}   p0 {:.4}   slide-to-roll {:.3}   M {:.1}, L {:.1}\n  \
              smooth central film {:.4} um   mean film {} um, spread {:.4} um\n  \
              solid share (below {:.0} nm) {} over {:.1} half-widths{}\n",
-            self.title,
+            one_line(&self.title),
             scales.half_width,
             scales.max_pressure,
             scales.slide_to_roll,

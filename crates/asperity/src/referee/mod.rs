@@ -17,4 +17,4 @@ pub(crate) use settings::smooth_contact;
 pub use settings::{
     LARGEST_ROUGHNESS, RefereeContact, RefereeSettings, attenuated_roughness, formula_film,
 };
-pub use yielding::elastic_above_flow;
+pub use yielding::{elastic_above_flow, record_warnings};

@@ -1,13 +1,37 @@
-//! Flow pressure against which the pressures of an elastic record are judged.
+//! Warnings about a record: ridges that cannot leak, and elastic pressures above the flow pressure.
 
-use asperity_core::quantity::Pressure;
-use asperity_ehl::PlasticCeiling;
+use asperity_core::quantity::{Length, Pressure};
+use asperity_ehl::{PlasticCeiling, Record};
 
+use super::settings::LARGEST_ROUGHNESS;
 use crate::case::STEEL_FLOW_PRESSURE;
 
 /// Flow pressure of the hardest steel of the conversion table, 68 HRC or 940 HV `[Hardness-1]`: a ceiling above it
 /// stands for elastic surfaces.
 const HARDEST_STEEL: Pressure = Pressure::from_si(9.218_251e9);
+
+/// Codes and texts of the warnings about a record: W415 if the attenuated roughness exceeds [`LARGEST_ROUGHNESS`]
+/// smooth films, W435 by [`elastic_above_flow`].
+#[must_use]
+pub fn record_warnings(
+    record: &Record,
+    attenuated_roughness: Option<Length>,
+    ceiling: Option<PlasticCeiling>,
+) -> Vec<(&'static str, String)> {
+    let ratio = attenuated_roughness.map(|roughness| roughness / record.smooth_film);
+    let rough = ratio.filter(|ratio| *ratio > LARGEST_ROUGHNESS).map(|ratio| {
+        format!(
+            "the roughness left in the contact is {ratio:.2} smooth films (above {LARGEST_ROUGHNESS}): the modelled \
+             ridges cannot leak, so rely on measurements rather than on this solution"
+        )
+    });
+    let elastic = elastic_above_flow(record.max_pressure, ceiling);
+    let warnings = [("W415", rough), ("W435", elastic)];
+    let warnings = warnings.into_iter();
+    warnings
+        .filter_map(|(code, text)| Some((code, text?)))
+        .collect()
+}
 
 /// Warning about a record whose `largest` pressure steel does not bear without yielding; `None` if its surfaces
 /// yield at a `ceiling` that a steel can have, or the pressure stays below the flow pressure of case-hardened steel.
