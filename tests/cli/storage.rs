@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::bench::{Bench, E_DRIVE};
+use crate::bench::{Bench, E_DRIVE, root};
 
 fn bench() -> Bench {
     let bench = Bench::new();
@@ -286,6 +286,47 @@ fn titles_and_names_of_files_begin_no_line_of_their_own() {
             "{}",
             said.out
         );
+    }
+    let case = format!("case\n{forged}.toml");
+    bench.write(&case, E_DRIVE);
+    let gearbox =
+        fs::read_to_string(root().join("crates/rexs/tests/gearboxes/chain.rexs")).unwrap();
+    let program = format!("applicationId=\"by&#10;{forged}\"");
+    let gearbox = gearbox.replace("applicationId=\"by hand\"", &program);
+    bench.write(
+        "chain.rexs",
+        gearbox.replace("name=\"", &format!("name=\"a&#10;{forged}")),
+    );
+    let output = format!("stage\n{forged}");
+    for arguments in [
+        &["contact", &case][..],
+        &["ehl", &case, "--smooth"],
+        &[
+            "ehl",
+            &case,
+            "--cells",
+            "64",
+            "--half-widths",
+            "1",
+            "--start",
+            "0",
+        ],
+        &["demo", &format!("demo\n{forged}")],
+        &["case", "from-rexs", "chain.rexs"],
+        &[
+            "case",
+            "from-rexs",
+            "chain.rexs",
+            "--stage",
+            "1",
+            "-o",
+            &output,
+        ],
+    ] {
+        let said = bench.run(arguments);
+        assert_eq!(said.status, 0, "{said:?}");
+        let both = said.out + &said.err;
+        assert!(both.contains(forged) && !forges(&both), "{both}");
     }
 }
 

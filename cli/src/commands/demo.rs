@@ -10,7 +10,7 @@ use serde_json::json;
 use super::presets::refused;
 use crate::args::Common;
 use crate::failure::Failure;
-use crate::output::{print_json, print_text};
+use crate::output::{print_json, print_text, shown};
 
 /// `asperity demo`
 pub fn demo(folder: Option<&Path>, paper: bool, common: &Common) -> Result<(), Failure> {
@@ -76,7 +76,7 @@ fn finish(
         let names: Vec<&str> = files.iter().map(|file| file.name).collect();
         return print_json(&json!({ "folder": folder, "files": names }));
     }
-    let name = folder.display();
+    let name = shown(folder);
     print_text(
         common,
         &format!("wrote {name}: {what}\nnext: asperity run {name}/case.toml{option}\n"),

@@ -7,12 +7,12 @@ use asperity_rexs::{
     CaseText, Flanks, Model, OperatingPoint, RexsError, Stage, StageKind, case_text,
     operating_points, stages,
 };
-use asperity_storage::whole_file;
+use asperity_storage::{one_line, whole_file};
 use serde_json::{Value, json};
 
 use crate::args::{Common, FromRexsArgs};
 use crate::failure::Failure;
-use crate::output::{beside, note, print_json, print_text, save};
+use crate::output::{beside, note, print_json, print_text, save, shown};
 
 /// Bytes of the largest gearbox file that is read.
 const LARGEST: u64 = 100_000_000;
@@ -52,10 +52,10 @@ fn written(case: &CaseText, output: &Path, number: usize, common: &Common) -> Re
     save(output, case.toml.as_bytes())?;
     if !common.quiet {
         for text in &case.notes {
-            note(text);
+            note(&one_line(text));
         }
     }
-    let name = output.display();
+    let name = shown(output);
     if common.json {
         return print_json(&json!({ "file": output, "stage": number, "notes": case.notes }));
     }
@@ -101,13 +101,18 @@ impl From<RexsError> for Listing {
 /// Stages, lubricants and operating points of a file.
 fn list(model: &Model, common: &Common) -> Result<(), Listing> {
     let stages = stages(model)?;
-    let mut text = format!("REXS {} by {}\n", model.version, model.program);
+    let mut text = format!(
+        "REXS {} by {}\n",
+        one_line(&model.version),
+        one_line(&model.program)
+    );
     let mut rows = Vec::new();
     for stage in &stages {
         let points = operating_points(model, stage)?;
-        let _ = writeln!(text, "stage {}: {}", stage.number, described(model, stage));
+        let kind = described(model, stage);
+        let _ = writeln!(text, "stage {}: {}", stage.number, one_line(&kind));
         for point in &points {
-            let _ = writeln!(text, "  {}", told(point));
+            let _ = writeln!(text, "  {}", one_line(&told(point)));
         }
         rows.push(row(model, stage, &points));
     }
@@ -120,11 +125,11 @@ fn list(model: &Model, common: &Common) -> Result<(), Listing> {
         .filter(|component| component.kind == "lubricant")
         .collect();
     for oil in &oils {
-        let at = |key: &str| oil.attributes.get(key).map_or("?", |value| &value.text);
+        let at = |key: &str| one_line(oil.attributes.get(key).map_or("?", |value| &value.text));
         let _ = writeln!(
             text,
             "lubricant {}: {} / {} mm2/s at 40 / 100 °C",
-            oil.name,
+            one_line(&oil.name),
             at("viscosity_at_40_degree_celsius"),
             at("viscosity_at_100_degree_celsius")
         );

@@ -83,7 +83,7 @@ impl Found {
         let mut text = format!(
             "{}\n  load {:.6}   approach {:.7} (datum {:.6})\n  contact fraction {:.6}   p_max {:.7}{hertz}\n  \
              plastic work {:.4e} J/m\n  {} iterations; duality gap {:.1e}, penetration {:.1e}, load error {:.1e}\n",
-            self.title,
+            asperity_storage::one_line(&self.title),
             s.load,
             s.approach,
             s.datum,

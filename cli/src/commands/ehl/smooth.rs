@@ -144,7 +144,7 @@ impl Smooth {
             "{}, smooth\n  half width {:.4}   p0 {:.4}   slide-to-roll {:.3}   M {:.1}, L {:.1}\n  \
              central film {:.4} um   minimum film {:.4} um at x/a {:.3}\n  \
              {spike}   pressure ends at x/a {:.3}   rolling force {:.2} N/m per surface\n",
-            self.title,
+            asperity_storage::one_line(&self.title),
             scales.half_width,
             scales.max_pressure,
             scales.slide_to_roll,
