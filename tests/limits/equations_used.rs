@@ -229,3 +229,32 @@ fn a_law_given_by_hand_is_the_law_named() {
     assert_ne!(plain.offsets, map.offsets);
     assert_eq!(map.offsets, own(&sharing).offsets);
 }
+
+#[test]
+fn the_fingerprint_of_a_case_includes_its_user_defined_laws() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases/e-drive.toml");
+    let loaded = load(&file, None).unwrap();
+    let with = |change: &dyn Fn(Case) -> Case| {
+        let mut loaded = loaded.clone();
+        loaded.case = change(loaded.case);
+        // A changed case keeps the laws.
+        let hotter = loaded.with_key("operation.temperature", "91 °C").unwrap();
+        assert_ne!(loaded.fingerprint(), hotter.fingerprint());
+        let back = hotter.with_key("operation.temperature", "90 °C").unwrap();
+        assert_eq!(loaded.fingerprint(), back.fingerprint());
+        loaded.fingerprint()
+    };
+    let laws: [&dyn Fn(Case) -> Case; 6] = [
+        &|case| case,
+        &|case| case.with_film_law(Arc::new(FilmLaw::Moes)),
+        &|case| case.with_film_law(Arc::new(FilmLaw::HamrockDowson)),
+        &|case| {
+            let law = case.film_friction();
+            case.with_film_friction(law)
+        },
+        &|case| case.with_load_share(Arc::new(LoadShareLaw::ZhuHu)),
+        &|case| case.with_load_distribution(Arc::new(asperity_gear::LoadLaw::MinPotential)),
+    ];
+    let distinct: BTreeSet<String> = laws.iter().map(|change| with(*change)).collect();
+    assert_eq!(distinct.len(), laws.len());
+}

@@ -53,3 +53,13 @@ pub struct Laws {
     /// Film against asperities, in place of `model.load_share`.
     pub load_share: Option<Arc<dyn LoadShare>>,
 }
+
+impl Laws {
+    /// Whether a law is user-defined.
+    pub(crate) fn is_any(&self) -> bool {
+        self.film.is_some()
+            || self.friction.is_some()
+            || self.load_distribution.is_some()
+            || self.load_share.is_some()
+    }
+}

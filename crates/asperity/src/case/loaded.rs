@@ -223,7 +223,8 @@ impl LoadedCase {
     }
 
     /// SHA-256 of all that decides the result: every key of the case, every byte of the files read for it, the version
-    /// of the program. Laws and fields that were set past the keys are not part of it.
+    /// of the program, and every user-defined law by its `Debug` text, which therefore must show all that the law
+    /// depends on. Fields that were set past the keys are not part of it, nor is the code of a law.
     ///
     /// ```
     /// use asperity::case;
@@ -236,7 +237,11 @@ impl LoadedCase {
     #[must_use]
     pub fn fingerprint(&self) -> String {
         // Debug prints every digit of a number.
-        let input = format!("{:?}", self.case.input);
+        let mut input = format!("{:?}", self.case.input);
+        let laws = &self.case.laws;
+        if laws.is_any() {
+            input += &format!("{laws:?}");
+        }
         let read = self.files_read().into_iter();
         let sums = read.fold(
             Fingerprint::default().with(input),
