@@ -138,3 +138,14 @@ def test_the_lubricated_contact_in_time_is_that_of_the_command(command):
     found = asperity.ehl(case, 0.25, cells=128, half_widths=2, start=0)
     for key in ("solid_share", "mean_film_um", "central_film_um", "max_pressure_pa", "steps", "load_error"):
         assert found[key] == expected[key], key
+    assert len(found["warnings"]) == len(expected["warnings"]) == 0
+
+
+def test_ridges_that_cannot_leak_are_warned_about_as_by_the_command(command):
+    case = CASES / "e-drive.toml"
+    slow = ["--position", "0.25", "--cells", "128", "--half-widths", "1", "--start", "0"]
+    expected = json_of(command, "ehl", case, *slow, "--set", "operation.speed=1000 1/min")["warnings"]
+    slow_case = asperity.Case(case).replace({"operation.speed": "1000 1/min"})
+    found = asperity.ehl(slow_case, 0.25, cells=128, half_widths=1, start=0)
+    assert [warning["code"] for warning in found["warnings"]] == ["W415"]
+    assert [warning["text"] for warning in found["warnings"]] == [expected[0]["text"]]
