@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 from held import ROOT, agree, report
 
 GOLDEN = ROOT / "crates/tribo-friction/tests/golden/film_friction.json"
-FAMILIES = json.loads((ROOT / "crates/tribo-friction/data/oil_families.json").read_text(encoding="utf-8"))["families"]
+FAMILIES = json.loads((ROOT / "crates/oil/data/oil_families.json").read_text(encoding="utf-8"))["families"]
 # Kinematic viscosity at 40 and 100 deg C [mm2/s], density at 15 deg C [kg/m3], family.
 OILS = {
     "e-fluid-70w75w": (30.8, 5.9, 845.0, "pao"),

@@ -18,7 +18,10 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("crates/roughness", &["asperity-core"]),
     ("crates/gear", &["asperity-core"]),
     ("crates/contact", &["asperity-core"]),
-    ("crates/ehl", &["asperity-core", "asperity-contact"]),
+    (
+        "crates/ehl",
+        &["asperity-core", "asperity-oil", "asperity-contact"],
+    ),
     ("crates/ehl-regime", &["asperity-core", "asperity-oil"]),
     ("crates/tribo-friction", &["asperity-core", "asperity-oil"]),
     ("crates/ns-film", &["asperity-core"]),

@@ -14,7 +14,7 @@ use asperity::load_share::{
     RoughWindow,
 };
 use asperity::load_share_law::{LoadShare, ShareConditions, SharedLoad};
-use asperity::oil::{BaseOil, LubricantInput, ViscosityLaw};
+use asperity::oil::{BaseOil, FilmRheology, LubricantInput, ViscosityLaw};
 use asperity::pipeline::{contact_tables, losses_with};
 use asperity::result::Summary;
 use asperity::surfaces::{Surfaces, Texture};
@@ -26,7 +26,6 @@ use asperity_core::quantity::{
 use asperity_ehl_regime::TraceSpectrum;
 use asperity_report::chart::{Axis, Chart, Dress, Line, Series};
 use asperity_tests::petry_johnson;
-use asperity_tribo_friction::{FilmRheology, OilFamily};
 
 use crate::load_share::{FEW, few, losses, shipped, summary, with};
 
@@ -395,7 +394,7 @@ fn jet_ester() -> FilmRheology {
         ..LubricantInput::default()
     };
     let oil = oil.resolve(Temperature::from_si(363.15)).unwrap();
-    FilmRheology::new(&oil, OilFamily::Ester).unwrap()
+    FilmRheology::new(&oil, BaseOil::Ester).unwrap()
 }
 
 /// T6: base oils of one viscosity in the FZG gears at 90 °C.

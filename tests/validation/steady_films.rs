@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use asperity::case::{Case, load};
-use asperity::ehl::{DensityLaw, LineContact, Oil, ShearLaw, SteadySettings, ViscosityLaw, steady};
+use asperity::ehl::{LineContact, Oil, SteadySettings, steady};
+use asperity::oil::{DensityLaw, PressureViscosityLaw, ShearLaw};
 use asperity::station::Station;
 use asperity_ehl_regime::FilmLaw;
 use asperity_tribo_friction::{RollingConditions, rolling_force};
@@ -29,7 +30,7 @@ fn rows(name: &str, case: &Case, station: &Station) -> [Comparison; 3] {
     let oil = Oil {
         viscosity: case.oil.dynamic_viscosity,
         pressure_viscosity: case.oil.pressure_viscosity,
-        viscosity_law: ViscosityLaw::Roelands { exponent: 0.6 },
+        viscosity_law: PressureViscosityLaw::Roelands { exponent: 0.6 },
         density_law: DensityLaw::DowsonHigginson,
         shear_law: ShearLaw::Newtonian,
     };

@@ -16,9 +16,8 @@ use asperity_core::quantity::{
     Density, Length, LineLoad, Pressure, SpecificHeat, Speed, Temperature, ThermalConductivity,
 };
 use asperity_ehl_regime::TraceSpectrum;
-use asperity_oil::{BaseOil, LubricantInput};
+use asperity_oil::{BaseOil, FilmRheology, LubricantInput};
 use asperity_roughness::generate::Ground;
-use asperity_tribo_friction::{FilmRheology, OilFamily};
 use criterion::{Criterion, criterion_group, criterion_main};
 
 /// Points of a trace and of the window, half a micrometre apart.
@@ -83,7 +82,7 @@ fn benches(criterion: &mut Criterion) {
     }
     .resolve(Temperature::from_si(363.15))
     .expect("an oil of the library");
-    let rheology = FilmRheology::new(&oil, OilFamily::Mineral).expect("its rheology");
+    let rheology = FilmRheology::new(&oil, BaseOil::Mineral).expect("its rheology");
     let settings = LoadShareSettings::default();
     let bulk = Temperature::from_si(363.15);
     let film = || PositionFilm::new(&rheology, &contact, black_box(bulk), &settings);

@@ -25,8 +25,7 @@ use asperity_contact::SolverSettings;
 use asperity_contact::hertz_line::HertzLine;
 use asperity_core::material::Material;
 use asperity_ehl_regime::TraceSpectrum;
-use asperity_oil::{BaseOil, LubricantInput, ViscosityLaw};
-use asperity_tribo_friction::{FilmRheology, OilFamily, TractionConstants};
+use asperity_oil::{BaseOil, FilmRheology, LubricantInput, TractionConstants, ViscosityLaw};
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
 
@@ -162,7 +161,7 @@ fn rheology(number: &dyn Fn(&str, f64) -> Outcome<f64>) -> Outcome<FilmRheology>
     let constants = TractionConstants {
         eyring_stress: Pressure::from_si(number("tau0", 4e6)?),
         limiting_shear: number("limit", 0.05)?,
-        ..TractionConstants::of(OilFamily::Pao)?
+        ..TractionConstants::of(BaseOil::Pao)?
     };
     let alpha = PressureViscosity::from_si(number("alpha", 1.8e-8)?);
     Ok(FilmRheology::with_alpha(&oil, constants, alpha, bulk())?)

@@ -3,10 +3,10 @@
 use asperity_core::Checked;
 use asperity_core::quantity::Length;
 use asperity_ehl_regime::inlet_flow::CentralFilm;
+use asperity_oil::FilmRheology;
 use asperity_tribo_friction::film_friction::solve;
 use asperity_tribo_friction::{
-    FilmContact, FilmFriction, FilmLineContact, FilmRheology, FilmSettings, FilmTraction,
-    FrictionError, ShearLaw,
+    FilmContact, FilmFriction, FilmLineContact, FilmSettings, FilmTraction, FrictionError,
 };
 
 /// Friction of a film of the oil of a case: shear law, limiting shear stress, heat of film and surfaces.
@@ -33,11 +33,7 @@ impl FilmAlone {
 
 impl FilmFriction for FilmAlone {
     fn name(&self) -> &str {
-        match self.rheology.laws().0 {
-            ShearLaw::Carreau => "carreau",
-            ShearLaw::Newton => "newton",
-            _ => "eyring",
-        }
+        self.rheology.laws().0.name()
     }
 
     fn traction(&self, at: &FilmContact<'_>) -> Result<Checked<FilmTraction>, FrictionError> {

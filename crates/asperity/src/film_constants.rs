@@ -2,11 +2,10 @@
 
 use asperity_core::quantity::Length;
 use asperity_efficiency::swept::{HYSTERESIS, HYSTERESIS_BAND};
+use asperity_oil::{LubricantError, Mark, base_oil_source};
 use asperity_tribo_friction::boundary::{
     BOUNDARY_FRICTION, BOUNDARY_FRICTION_BAND, BOUNDARY_LAYER, BOUNDARY_LAYER_BAND,
 };
-use asperity_tribo_friction::film_friction::{Mark, family_source};
-use asperity_tribo_friction::{FrictionError, OilFamily};
 use serde::{Deserialize, Serialize};
 
 use crate::case::{CalibratedName, Case};
@@ -30,7 +29,7 @@ pub struct FilmConstant {
 }
 
 /// The constants of the oil's family in use; none where neither film friction nor load share look at it.
-pub(crate) fn film_constants(case: &Case) -> Result<Vec<FilmConstant>, FrictionError> {
+pub(crate) fn film_constants(case: &Case) -> Result<Vec<FilmConstant>, LubricantError> {
     let (Some(_), Some(base)) = (&case.rheology, case.lubricant.base_oil()) else {
         return Ok(Vec::new());
     };
@@ -46,7 +45,7 @@ pub(crate) fn film_constants(case: &Case) -> Result<Vec<FilmConstant>, FrictionE
         "gold_factor_per_gpa" => !given_alpha,
         _ => true,
     };
-    let constants = OilFamily::from(base).constants()?;
+    let constants = base.constants()?;
     let constants = constants.into_iter().filter(|(name, _)| used(name));
     let of_oil = constants.map(|(name, constant)| FilmConstant {
         name: name.to_owned(),
@@ -54,7 +53,7 @@ pub(crate) fn film_constants(case: &Case) -> Result<Vec<FilmConstant>, FrictionE
         low: constant.low,
         high: constant.high,
         mark: constant.mark,
-        source: family_source(&constant.source)
+        source: base_oil_source(&constant.source)
             .unwrap_or_default()
             .to_owned(),
     });

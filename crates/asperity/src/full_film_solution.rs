@@ -2,9 +2,9 @@
 
 use asperity_core::quantity::Length;
 use asperity_ehl::traction::{Heat, TractionLaw, traction};
-use asperity_ehl::{Oil, ShearLaw, SteadySettings, ViscosityLaw, steady};
+use asperity_ehl::{Oil, SteadySettings, steady};
 use asperity_ehl_regime::inlet_flow::CentralFilm;
-use asperity_tribo_friction::{PressureLaw, ShearLaw as FilmShearLaw};
+use asperity_oil::{PressureLaw, PressureViscosityLaw};
 
 use crate::case::{Case, FullFilmName};
 use crate::error::PositionError;
@@ -97,9 +97,9 @@ fn recorded(
 }
 
 /// Viscosity over pressure of the film friction of the case.
-fn viscosity_law(case: &Case, of_film: ViscosityLaw) -> ViscosityLaw {
+fn viscosity_law(case: &Case, of_film: PressureViscosityLaw) -> PressureViscosityLaw {
     match case.model.film_pressure_law {
-        PressureLaw::Barus => ViscosityLaw::Barus,
+        PressureLaw::Barus => PressureViscosityLaw::Barus,
         _ => of_film,
     }
 }
@@ -111,18 +111,8 @@ fn traction_law(case: &Case) -> Result<TractionLaw, PositionError> {
         .as_ref()
         .ok_or(asperity_oil::LubricantError::NoBaseOil)?;
     let constants = rheology.constants();
-    let shear = match rheology.laws().0 {
-        FilmShearLaw::Newton => ShearLaw::Newtonian,
-        FilmShearLaw::Carreau => ShearLaw::Carreau {
-            modulus: constants.carreau.critical_stress,
-            exponent: constants.carreau.exponent,
-        },
-        _ => ShearLaw::Eyring {
-            stress: constants.eyring_stress,
-        },
-    };
     Ok(TractionLaw {
-        shear,
+        shear: constants.shear_law(rheology.laws().0),
         limit: Some(constants.limiting_shear),
         heat: Some(Heat {
             bulk: case.temperature,

@@ -15,9 +15,9 @@ use std::time::Duration;
 
 use asperity_core::quantity::Pressure;
 use asperity_ehl::{
-    MovingProfile, Oil, RecordSettings, RoughContact, ShearLaw, SteadySettings, Window, steady,
-    transient,
+    MovingProfile, Oil, RecordSettings, RoughContact, SteadySettings, Window, steady, transient,
 };
+use asperity_oil::ShearLaw;
 use common::{contact, gear_oil, waves};
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 

@@ -9,7 +9,8 @@
 //! relative to the contact.
 
 use asperity_core::quantity::{LineLoad, Speed};
-use asperity_ehl::{DensityLaw, LineContact, Oil, ShearLaw, SteadySettings, ViscosityLaw, steady};
+use asperity_ehl::{LineContact, Oil, SteadySettings, steady};
+use asperity_oil::{DensityLaw, PressureViscosityLaw, ShearLaw};
 
 /// Radius of the cam, eccentricity \[m\].
 const CAM: (f64, f64) = (15e-3, 5e-3);
@@ -20,7 +21,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let oil = Oil {
         viscosity: "10 mPa s".parse()?,
         pressure_viscosity: "18 1/GPa".parse()?,
-        viscosity_law: ViscosityLaw::Roelands { exponent: 0.6 },
+        viscosity_law: PressureViscosityLaw::Roelands { exponent: 0.6 },
         density_law: DensityLaw::DowsonHigginson,
         shear_law: ShearLaw::Newtonian,
     };

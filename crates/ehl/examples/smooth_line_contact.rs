@@ -6,15 +6,14 @@
 
 use std::time::Instant;
 
-use asperity_ehl::{
-    DensityLaw, LineContact, Oil, ShearLaw, SteadySettings, ViscosityLaw, Window, steady,
-};
+use asperity_ehl::{LineContact, Oil, SteadySettings, Window, steady};
+use asperity_oil::{DensityLaw, PressureViscosityLaw, ShearLaw};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let oil = Oil {
         viscosity: "10 mPa s".parse()?,
         pressure_viscosity: "18 1/GPa".parse()?,
-        viscosity_law: ViscosityLaw::Roelands { exponent: 0.6 },
+        viscosity_law: PressureViscosityLaw::Roelands { exponent: 0.6 },
         density_law: DensityLaw::DowsonHigginson,
         shear_law: ShearLaw::Newtonian,
     };

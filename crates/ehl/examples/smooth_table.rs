@@ -11,7 +11,8 @@
 use std::f64::consts::{PI, TAU};
 
 use asperity_core::quantity::{DynamicViscosity, Length, Pressure, PressureViscosity, Speed};
-use asperity_ehl::{DensityLaw, LineContact, Oil, ShearLaw, ViscosityLaw, graded};
+use asperity_ehl::{LineContact, Oil, graded};
+use asperity_oil::{DensityLaw, PressureViscosityLaw, ShearLaw};
 
 /// α of every oil \[1/Pa\].
 const ALPHA: f64 = 2e-8;
@@ -23,10 +24,10 @@ fn case(m: f64, l: f64, law: &str) -> Result<(LineContact, Oil), Box<dyn std::er
     let load = PI * radius * p_0 * p_0 / modulus;
     let group = (load / (2.0 * modulus * radius) / m).powi(2);
     let (viscosity_law, density_law) = match law {
-        "IV" => (ViscosityLaw::Isoviscous, DensityLaw::Incompressible),
-        "BI" => (ViscosityLaw::Barus, DensityLaw::Incompressible),
+        "IV" => (PressureViscosityLaw::Isoviscous, DensityLaw::Incompressible),
+        "BI" => (PressureViscosityLaw::Barus, DensityLaw::Incompressible),
         _ => (
-            ViscosityLaw::Roelands { exponent: 0.6 },
+            PressureViscosityLaw::Roelands { exponent: 0.6 },
             DensityLaw::DowsonHigginson,
         ),
     };

@@ -18,9 +18,10 @@ use std::time::Instant;
 use asperity_core::Profile;
 use asperity_core::quantity::{DynamicViscosity, Length, Pressure, PressureViscosity, Speed};
 use asperity_ehl::{
-    DensityLaw, FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling, RecordSettings,
-    RoughContact, ShearLaw, ViscosityLaw, transient,
+    FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling, RecordSettings, RoughContact,
+    transient,
 };
+use asperity_oil::{DensityLaw, PressureViscosityLaw, ShearLaw};
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
 
@@ -86,7 +87,7 @@ fn main() -> Outcome<()> {
     let oil = Oil {
         viscosity: eta0,
         pressure_viscosity: alpha,
-        viscosity_law: ViscosityLaw::Roelands {
+        viscosity_law: PressureViscosityLaw::Roelands {
             exponent: keys.number("z", 0.6)?,
         },
         density_law: DensityLaw::DowsonHigginson,

@@ -13,10 +13,11 @@ use std::f64::consts::PI;
 use asperity_contact::hertz_line::HertzLine;
 use asperity_core::quantity::{Length, LineLoad, Pressure, Speed};
 use asperity_core::{DomainError, cite};
+use asperity_oil::PressureViscosityLaw;
 use serde::{Deserialize, Serialize};
 
 use crate::error::EhlError;
-use crate::rheology::{Oil, ViscosityLaw};
+use crate::oil::Oil;
 
 /// Two cylinders in lubricated line contact.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -116,7 +117,7 @@ impl LineContact {
         let (eta, e_prime) = (oil.viscosity.si(), 2.0 * modulus);
         let speed_group = eta * 2.0 * u_m / (e_prime * r);
         let alpha = match oil.viscosity_law {
-            ViscosityLaw::Isoviscous => 0.0,
+            PressureViscosityLaw::Isoviscous => 0.0,
             _ => oil.pressure_viscosity.si(),
         };
         Ok(Scales {
@@ -169,15 +170,15 @@ impl Scales {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rheology::{DensityLaw, ShearLaw};
     use asperity_core::quantity::{DynamicViscosity, PressureViscosity};
+    use asperity_oil::{DensityLaw, ShearLaw};
 
     #[test]
     fn the_gear_case_has_its_dimensionless_numbers() {
         let oil = Oil {
             viscosity: DynamicViscosity::from_si(0.01),
             pressure_viscosity: PressureViscosity::from_si(1.8e-8),
-            viscosity_law: ViscosityLaw::Roelands { exponent: 0.6 },
+            viscosity_law: PressureViscosityLaw::Roelands { exponent: 0.6 },
             density_law: DensityLaw::DowsonHigginson,
             shear_law: ShearLaw::Newtonian,
         };

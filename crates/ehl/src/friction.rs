@@ -10,10 +10,9 @@
 
 use asperity_core::quantity::{DynamicViscosity, Length, Pressure, PressureViscosity};
 use asperity_core::{DomainError, cite};
+use asperity_oil::{LARGEST_BARUS_EXPONENT, ShearLaw, limited_stress};
 use serde::{Deserialize, Serialize};
 
-/// Largest exponent α·p of the viscosity under the limiting stress; beyond it the stress is the limit.
-const LARGEST_EXPONENT: f64 = 40.0;
 /// Thinnest film of the shear rate \[m\].
 const THINNEST: f64 = 2e-9;
 
@@ -108,17 +107,13 @@ impl FrictionLaw {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn film_stress(&self, pressure: f64, shear_rate: f64) -> f64 {
-        let exponent = (self.pressure_viscosity.si() * pressure).min(LARGEST_EXPONENT);
-        let tau_0 = self.eyring_stress.si();
-        let eyring = tau_0 * (self.viscosity.si() * exponent.exp() * shear_rate / tau_0).asinh();
-        let limit = self.limiting_stress.si() + self.limiting_slope * pressure;
-        // The smaller of the two in front keeps the fourth power from overflowing.
-        let (small, ratio) = if eyring < limit {
-            (eyring, eyring / limit)
-        } else {
-            (limit, limit / eyring)
+        let exponent = (self.pressure_viscosity.si() * pressure).min(LARGEST_BARUS_EXPONENT);
+        let law = ShearLaw::Eyring {
+            stress: self.eyring_stress,
         };
-        small / (1.0 + ratio.powi(4)).sqrt().sqrt()
+        let eyring = law.stress(self.viscosity.si() * exponent.exp(), shear_rate);
+        let limit = self.limiting_stress.si() + self.limiting_slope * pressure;
+        limited_stress([eyring, 0.0], [limit, 0.0])[0]
     }
 
     /// Friction of a film: weights in m, pressures in Pa, films in m.

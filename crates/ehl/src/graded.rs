@@ -6,6 +6,8 @@
 use asperity_core::cite;
 use serde::Serialize;
 
+use asperity_oil::RelativeViscosity;
+
 use crate::dimensionless::{LineContact, Scales};
 use crate::error::EhlError;
 use crate::evidence::{Evidence, Solved};
@@ -13,7 +15,7 @@ use crate::fluid::Fluid;
 use crate::grid::Grid;
 use crate::linear::DenseSystem;
 use crate::newton::{Effort, Limits, Newton, Problem, Solution};
-use crate::rheology::{Oil, Viscosity};
+use crate::oil::Oil;
 use crate::steady::{SteadyFilm, Window, hertz_start, parabola, transfer};
 
 /// Limits of the dense iteration, which has no linear tolerance.
@@ -166,7 +168,7 @@ fn first(
     cells: usize,
     work: &mut (usize, usize),
 ) -> Result<(Grid, Solution), Effort> {
-    let soft = fluid.viscosity == Viscosity::Constant && scales.moes_load >= 2.0;
+    let soft = fluid.viscosity == RelativeViscosity::Constant && scales.moes_load >= 2.0;
     let unit = (scales.moes_load / std::f64::consts::TAU).sqrt();
     let film = if soft {
         Scales {
@@ -184,7 +186,7 @@ fn first(
     let mut last = Err(Effort::default());
     for factor in steps {
         let viscosity = if *factor > 0.0 {
-            Viscosity::Exponential {
+            RelativeViscosity::Exponential {
                 slope: factor * unit,
             }
         } else {

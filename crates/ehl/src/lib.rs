@@ -26,8 +26,8 @@ mod hat_kernel;
 mod linear;
 pub mod moving_profile;
 mod newton;
+mod oil;
 mod reynolds;
-pub mod rheology;
 pub mod several_records;
 pub mod steady;
 mod stepper;
@@ -41,7 +41,7 @@ pub use evidence::{Evidence, Solved};
 pub use friction::{Friction, FrictionLaw};
 pub use moving_profile::MovingProfile;
 pub use newton::NodeState;
-pub use rheology::{DensityLaw, Oil, ShearLaw, ViscosityLaw};
+pub use oil::Oil;
 pub use steady::{SteadyFilm, SteadySettings, Warning, Window};
 pub use transient::{PlasticCeiling, Record, RecordSettings, RoughContact};
 

@@ -39,7 +39,7 @@ pub(crate) struct Reynolds {
     pub(crate) mass_slopes: [Vec<f64>; 3],
     /// Slopes of the balance of each inner node over pressure, film and void fraction.
     pub(crate) slopes: [Bands; 3],
-    log_viscosity: Vec<(f64, f64)>,
+    log_viscosity: Vec<[f64; 2]>,
     /// ρ·H³/λ with its slopes over pressure and film.
     conductance: Vec<[f64; 3]>,
 }
@@ -75,7 +75,7 @@ impl Reynolds {
             mass: zeros(),
             mass_slopes: [zeros(), zeros(), zeros()],
             slopes: std::array::from_fn(|_| Bands::zero(nodes)),
-            log_viscosity: vec![(0.0, 0.0); nodes],
+            log_viscosity: vec![[0.0, 0.0]; nodes],
             conductance: vec![[0.0; 3]; nodes],
         }
     }
@@ -101,7 +101,7 @@ impl Reynolds {
         for i in 0..self.mass.len() {
             let (p, h, void) = (fields.pressure[i], fields.film[i], fields.void[i]);
             self.log_viscosity[i] = fluid.viscosity.log(p);
-            let (rho, rho_slope) = fluid.density.relative(p);
+            let [rho, rho_slope] = fluid.density.at(p);
             let open = h.max(LEAST_FILM);
             let conductance = rho * open * open * open / fluid.speed;
             self.conductance[i] = [
@@ -120,12 +120,12 @@ impl Reynolds {
     fn face(&mut self, grid: &Grid, fluid: &Fluid, fields: Fields, i: usize) {
         let (h, [w_0, w_1, w_2]) = (grid.spacing[i], grid.to_face[i]);
         let before = i.saturating_sub(1);
-        let [plain, by_a, by_b] = log_mean(self.log_viscosity[i].0, self.log_viscosity[i + 1].0);
+        let [plain, by_a, by_b] = log_mean(self.log_viscosity[i][0], self.log_viscosity[i + 1][0]);
         let film = 0.5 * (fields.film[i].max(LEAST_FILM) + fields.film[i + 1].max(LEAST_FILM));
         let thinned = fluid.thinning.fluidity(plain, film);
         let phi = thinned.value;
-        let a_slope = thinned.by_fluidity * by_a * self.log_viscosity[i].1;
-        let b_slope = thinned.by_fluidity * by_b * self.log_viscosity[i + 1].1;
+        let a_slope = thinned.by_fluidity * by_a * self.log_viscosity[i][1];
+        let b_slope = thinned.by_fluidity * by_b * self.log_viscosity[i + 1][1];
         let (here, there) = (self.conductance[i], self.conductance[i + 1]);
         let mean = 0.5 * (here[0] + there[0]);
         let gradient = (fields.pressure[i + 1] - fields.pressure[i]) / h;
@@ -197,21 +197,21 @@ fn add_face(bands: &mut Bands, i: usize, slopes: [f64; 3]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fluid::Thinning;
-    use crate::rheology::{DensityLaw, Oil, ShearLaw, ViscosityLaw};
+    use crate::oil::Oil;
     use asperity_core::quantity::{DynamicViscosity, PressureViscosity};
+    use asperity_oil::{DensityLaw, PressureViscosityLaw, ShearLaw, ShearThinning};
 
-    fn fluid(thinning: Thinning) -> Fluid {
+    fn fluid(thinning: ShearThinning) -> Fluid {
         let oil = Oil {
             viscosity: DynamicViscosity::from_si(0.01),
             pressure_viscosity: PressureViscosity::from_si(1.8e-8),
-            viscosity_law: ViscosityLaw::Roelands { exponent: 0.6 },
+            viscosity_law: PressureViscosityLaw::Roelands { exponent: 0.6 },
             density_law: DensityLaw::DowsonHigginson,
             shear_law: ShearLaw::Newtonian,
         };
         Fluid {
-            viscosity: oil.viscosity_of(1.2e9),
-            density: oil.density_of(1.2e9),
+            viscosity: oil.viscosity_over(1.2e9),
+            density: oil.density_law.relative(1.2e9),
             thinning,
             speed: 0.005,
         }
@@ -242,9 +242,9 @@ mod tests {
             (0..n).map(|i| 0.2 + 0.1 * wave(i, 0.9)).collect(),
         ];
         let thinnings = [
-            Thinning::None,
-            Thinning::Eyring { rate: 0.01 },
-            Thinning::Carreau {
+            ShearThinning::None,
+            ShearThinning::Eyring { rate: 0.01 },
+            ShearThinning::Carreau {
                 rate: 0.01,
                 exponent: 0.45,
             },

@@ -7,6 +7,7 @@
 use asperity_core::cancel::checkpoint;
 use asperity_core::cite;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
+use asperity_oil::PressureViscosityLaw;
 use serde::{Deserialize, Serialize};
 
 use crate::dimensionless::{LineContact, Scales};
@@ -16,7 +17,7 @@ use crate::fluid::Fluid;
 use crate::grid::Grid;
 use crate::linear::{ElasticSystem, FourierSystem};
 use crate::newton::{Effort, Limits, Newton, NodeState, Problem, Solution, Unknowns};
-use crate::rheology::Oil;
+use crate::oil::Oil;
 
 /// The number of cells must be a multiple of this.
 pub(crate) const CELL_MULTIPLE: usize = 64;
@@ -171,11 +172,12 @@ pub struct SteadyFilm {
 /// When an input is outside its domain or no start converges.
 ///
 /// ```
-/// use asperity_ehl::{DensityLaw, LineContact, Oil, ShearLaw, SteadySettings, ViscosityLaw, steady};
+/// use asperity_ehl::{LineContact, Oil, SteadySettings, steady};
+/// use asperity_oil::{DensityLaw, ShearLaw, PressureViscosityLaw};
 /// let oil = Oil {
 ///     viscosity: "10 mPa s".parse()?,
 ///     pressure_viscosity: "18 1/GPa".parse()?,
-///     viscosity_law: ViscosityLaw::Roelands { exponent: 0.6 },
+///     viscosity_law: PressureViscosityLaw::Roelands { exponent: 0.6 },
 ///     density_law: DensityLaw::DowsonHigginson,
 ///     shear_law: ShearLaw::Newtonian,
 /// };
@@ -500,7 +502,7 @@ fn warnings(scales: &Scales, oil: &Oil, grid: &Grid, central: f64) -> Vec<Warnin
         warnings.push(Warning::InletUnresolved { cells });
     }
     let exponent = oil.pressure_viscosity.si() * scales.max_pressure.si();
-    if oil.viscosity_law == crate::rheology::ViscosityLaw::Barus && exponent > 14.0 {
+    if oil.viscosity_law == PressureViscosityLaw::Barus && exponent > 14.0 {
         warnings.push(Warning::SteepBarus { exponent });
     }
     warnings

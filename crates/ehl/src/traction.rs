@@ -16,15 +16,14 @@ use std::f64::consts::PI;
 use asperity_core::material::Material;
 use asperity_core::quantity::{PerKelvin, Pressure, Temperature, ThermalConductivity};
 use asperity_core::{DomainError, cite};
+use asperity_oil::{HeatedViscosity, RelativeViscosity, ShearLaw};
 use serde::Serialize;
 
 use crate::dimensionless::LineContact;
 use crate::error::EhlError;
-use crate::rheology::{Oil, ShearLaw, Viscosity};
+use crate::oil::Oil;
 use crate::steady::SteadyFilm;
 
-/// Temperature of Roelands' law at which its exponent ends (Roelands 1966) \[K\].
-const ROELANDS_ZERO: f64 = 138.0;
 /// Most iterations of the temperatures.
 const ITERATIONS: usize = 400;
 /// Change of the shear stress at which they end \[Pa\].
@@ -33,6 +32,8 @@ const TOLERANCE: f64 = 1e2;
 const DAMPING: f64 = 0.3;
 /// Pressure below which a place carries no traction \[Pa\].
 const LEAST_PRESSURE: f64 = 1e3;
+/// Largest ln(η/η₀) that is evaluated: the exponential stays finite, and the shear stress is the limit by far.
+const LARGEST_LOG: f64 = 120.0;
 
 /// Heat of the film and the bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -101,7 +102,7 @@ pub fn traction(
     let state = State::new(oil, &scales, film, law.shear, limit);
     match &law.heat {
         None => {
-            let stress = state.stresses(None, 0.0);
+            let stress = state.stresses(|p, _| state.viscosity.log(p)[0]);
             Ok(state.summary(contact, &stress, None, 0))
         }
         Some(heat) => state.thermal(contact, heat),
@@ -113,7 +114,7 @@ struct State {
     dx: f64,
     pressure: Vec<f64>,
     film: Vec<f64>,
-    viscosity: Viscosity,
+    viscosity: RelativeViscosity,
     ambient: f64,
     sliding: f64,
     shear: ShearLaw,
@@ -139,7 +140,7 @@ impl State {
             dx: (film.x[1] - film.x[0]) * scales.half_width.si(),
             pressure: film.pressure.iter().map(|p| p * p_0).collect(),
             film: film.film.iter().map(|h| h * scales.film).collect(),
-            viscosity: oil.viscosity_of(1.0),
+            viscosity: oil.viscosity_over(1.0),
             ambient: oil.viscosity.si(),
             sliding: scales.sliding.abs(),
             shear,
@@ -147,53 +148,34 @@ impl State {
         }
     }
 
-    /// Shear stress at every node; `thermal` gives the rises, the bulk temperature and β.
-    fn stresses(&self, thermal: Option<(&Rises, &Heat)>, exponent: f64) -> Vec<f64> {
+    /// Shear stress at every node, where ln(η/η₀) is `log` of the pressure and the node.
+    fn stresses(&self, log: impl Fn(f64, usize) -> f64) -> Vec<f64> {
         (0..self.pressure.len())
             .map(|i| {
                 let p = self.pressure[i];
                 if p <= LEAST_PRESSURE {
                     return 0.0;
                 }
-                let mut log = self.viscosity.log(p).0;
-                if let Some((rises, heat)) = thermal {
-                    log = thermal_log(log, rises.film[i], heat, exponent);
-                }
-                let eta = self.ambient * log.min(120.0).exp();
+                let eta = self.ambient * log(p, i).min(LARGEST_LOG).exp();
                 let rate = self.sliding / self.film[i];
-                shear_stress(self.shear, eta, rate).min(self.limit * p)
+                self.shear.stress(eta, rate).min(self.limit * p)
             })
             .collect()
     }
 
     /// Fixed point of stress and temperatures.
     fn thermal(&self, contact: &LineContact, heat: &Heat) -> Result<Traction, EhlError> {
-        let bulk = DomainError::positive("bulk temperature", heat.bulk)?;
-        let beta = DomainError::positive("temperature coefficient", heat.temperature_coefficient)?;
-        DomainError::require(
-            bulk > ROELANDS_ZERO,
-            "bulk temperature",
-            bulk,
-            "K",
-            "must be above 138 K for Roelands' law",
-        )?;
+        let viscosity =
+            HeatedViscosity::new(self.viscosity, heat.bulk, heat.temperature_coefficient)?;
         let k_f = DomainError::positive("conductivity of the oil", heat.oil_conductivity)?;
-        // ln(η/η₀) + A scales as ((T − 138)/(T₀ − 138))^−s with s·A = β·(T₀ − 138).
-        let exponent = match self.viscosity {
-            Viscosity::Power {
-                slope,
-                bend,
-                exponent,
-            } => beta * (bulk - ROELANDS_ZERO) / (slope / (bend * exponent)),
-            _ => 0.0,
-        };
         let flash = Flash::new(contact, heat, self.dx, self.pressure.len())?;
         let n = self.pressure.len();
         let mut rises = Rises {
             film: vec![0.0; n],
             surface: vec![0.0; n],
         };
-        let mut stress = self.stresses(Some((&rises, heat)), exponent);
+        let stresses = |film_rise: &[f64]| self.stresses(|p, i| viscosity.log(p, film_rise[i]));
+        let mut stress = stresses(&rises.film);
         let mut change = f64::INFINITY;
         for iteration in 1..=ITERATIONS {
             let sources: Vec<f64> = stress.iter().map(|t| t * self.sliding).collect();
@@ -207,7 +189,7 @@ impl State {
                 };
                 rises.film[i] += DAMPING * (wanted - rises.film[i]);
             }
-            let wanted = self.stresses(Some((&rises, heat)), exponent);
+            let wanted = stresses(&rises.film);
             change = 0.0;
             for (t, new) in stress.iter_mut().zip(wanted) {
                 change = f64::max(change, (new - *t).abs());
@@ -247,32 +229,6 @@ impl State {
     }
 }
 
-/// Logarithm of the viscosity at a raised temperature.
-///
-/// ```text
-/// ln(η/η₀) + A = A·(1 + p/p_r)^z·((T − 138)/(T₀ − 138))^−s,  A = α·p_r/z       [Roelands-thermal]
-/// ```
-fn thermal_log(log: f64, rise: f64, heat: &Heat, exponent: f64) -> f64 {
-    let bulk = heat.bulk.si();
-    if exponent == 0.0 {
-        return log - heat.temperature_coefficient.si() * rise;
-    }
-    let base = heat.temperature_coefficient.si() * (bulk - ROELANDS_ZERO) / exponent;
-    let cooled = ((bulk + rise - ROELANDS_ZERO) / (bulk - ROELANDS_ZERO)).powf(-exponent);
-    (log + base) * cooled - base
-}
-
-fn shear_stress(law: ShearLaw, eta: f64, rate: f64) -> f64 {
-    match law {
-        ShearLaw::Newtonian => eta * rate,
-        ShearLaw::Eyring { stress } => stress.si() * (eta * rate / stress.si()).asinh(),
-        ShearLaw::Carreau { modulus, exponent } => {
-            let ratio = eta * rate / modulus.si();
-            eta * rate * (1.0 + ratio * ratio).powf(0.5 * (exponent - 1.0))
-        }
-    }
-}
-
 /// Temperature of the surfaces under a moving distribution of heat.
 struct Flash {
     /// Rise at a distance behind a cell of unit heat.
@@ -283,7 +239,6 @@ impl Flash {
     /// ΔT(x) = ∫ q(x′)/√(x − x′) dx′/(√(π·ρ·c·k)·(√u₁ + √u₂)), constant heat in each cell  `[Flash-film]`
     fn new(contact: &LineContact, heat: &Heat, dx: f64, count: usize) -> Result<Self, EhlError> {
         cite!("Flash-film");
-        cite!("Roelands-thermal");
         let material = &heat.material;
         let rho = DomainError::positive("density of the bodies", material.density)?;
         let c = DomainError::positive("heat capacity of the bodies", material.heat_capacity)?;

@@ -20,7 +20,7 @@ use crate::fluid::Fluid;
 use crate::friction::{BoundaryFilms, Friction, FrictionLaw};
 use crate::moving_profile::MovingProfile;
 use crate::newton::{Ceiling, Limits, NodeState};
-use crate::rheology::Oil;
+use crate::oil::Oil;
 use crate::steady::{self, Window, check_cells, solve_sequence};
 use crate::stepper::{StepSettings, Stepper};
 

@@ -11,8 +11,9 @@ mod common;
 use asperity_core::quantity::{Length, Pressure, Speed};
 use asperity_ehl::{
     EhlError, LineContact, MovingProfile, NodeState, Oil, PlasticCeiling, Record, RecordSettings,
-    RoughContact, ShearLaw, Solved, SteadySettings, ViscosityLaw, Window, steady, transient,
+    RoughContact, Solved, SteadySettings, Window, steady, transient,
 };
+use asperity_oil::{PressureViscosityLaw, ShearLaw};
 use common::{contact, gear_oil, uniform, waves};
 
 fn settings(cells: usize, start: f64, length: f64) -> RecordSettings {
@@ -87,7 +88,7 @@ fn forty_cold_starts_converge() {
 }
 
 /// A random smooth problem; what it is, where it was refused.
-fn random_smooth(state: &mut u64, cells: usize) -> Option<(ViscosityLaw, f64, f64)> {
+fn random_smooth(state: &mut u64, cells: usize) -> Option<(PressureViscosityLaw, f64, f64)> {
     let mut between = |low: f64, high: f64| low * (high / low).powf(uniform(state));
     let (p_0, u_m, eta) = (
         between(0.2e9, 3e9),
@@ -96,9 +97,9 @@ fn random_smooth(state: &mut u64, cells: usize) -> Option<(ViscosityLaw, f64, f6
     );
     let alpha = between(0.5e-8, 3e-8);
     let viscosity_law = match (uniform(state) * 4.0) as usize {
-        0 => ViscosityLaw::Isoviscous,
-        1 => ViscosityLaw::Barus,
-        _ => ViscosityLaw::Roelands {
+        0 => PressureViscosityLaw::Isoviscous,
+        1 => PressureViscosityLaw::Barus,
+        _ => PressureViscosityLaw::Roelands {
             exponent: 0.4 + 0.4 * uniform(state),
         },
     };
@@ -169,8 +170,8 @@ fn one_set_of_numbers_has_one_film() {
             pressure_viscosity: asperity_core::quantity::PressureViscosity::from_si(
                 1.8e-8 * 115.4e9 / modulus,
             ),
-            viscosity_law: ViscosityLaw::Barus,
-            density_law: asperity_ehl::DensityLaw::Incompressible,
+            viscosity_law: PressureViscosityLaw::Barus,
+            density_law: asperity_oil::DensityLaw::Incompressible,
             shear_law: ShearLaw::Newtonian,
         };
         let solved = steady::solve(&pair, &oil, &SteadySettings::default())
@@ -394,7 +395,7 @@ fn nonsense_is_refused() {
     assert!(matches!(bad(100), EhlError::Cells { .. }));
     assert!(matches!(bad(0), EhlError::Cells { .. }));
     let mut oil = gear_oil();
-    oil.viscosity_law = ViscosityLaw::Roelands { exponent: f64::NAN };
+    oil.viscosity_law = PressureViscosityLaw::Roelands { exponent: f64::NAN };
     let settings = SteadySettings::default();
     assert!(steady::solve(&contact(1e9, 1.0, 0.0), &oil, &settings).is_err());
     let window = SteadySettings {

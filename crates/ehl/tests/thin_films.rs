@@ -11,9 +11,9 @@ mod common;
 use asperity_core::quantity::{DynamicViscosity, Length, Pressure, PressureViscosity};
 use asperity_ehl::amplitude_reduction::{remaining_amplitude, wave_parameter};
 use asperity_ehl::{
-    FrictionLaw, MovingProfile, Oil, Record, RecordSettings, RoughContact, ShearLaw, Solved,
-    transient,
+    FrictionLaw, MovingProfile, Oil, Record, RecordSettings, RoughContact, Solved, transient,
 };
+use asperity_oil::ShearLaw;
 use common::{WAVES, contact, gear_oil, wave_length, waves};
 
 /// Two surfaces of the same `rq` \[m\] at the mean speed `u_m` \[m/s\], slide-to-roll ratio 0.2, Eyring stress 5 MPa.

@@ -11,9 +11,9 @@ use asperity_core::quantity::{
 use asperity_ehl::amplitude_reduction::{remaining_amplitude, wave_parameter};
 use asperity_ehl::traction::{Heat, TractionLaw, traction};
 use asperity_ehl::{
-    DensityLaw, MovingProfile, RecordSettings, RoughContact, ShearLaw, SteadySettings,
-    ViscosityLaw, Window, graded, steady, transient,
+    MovingProfile, RecordSettings, RoughContact, SteadySettings, Window, graded, steady, transient,
 };
+use asperity_oil::{DensityLaw, PressureViscosityLaw, ShearLaw};
 use common::{contact, gear_oil, moes, of_moes};
 
 #[test]
@@ -101,7 +101,7 @@ fn the_window_floods_the_inlet() {
 fn rows_of_the_smooth_table_are_met() {
     // Central film, minimum film, errors of an independent dense program on graded grids up to 1280
     // cells. Tolerance: three times its error, and the error of the coarser grids here.
-    let roelands = ViscosityLaw::Roelands { exponent: 0.6 };
+    let roelands = PressureViscosityLaw::Roelands { exponent: 0.6 };
     let compressible = DensityLaw::DowsonHigginson;
     let rows = [
         (20.0, 5.0, roelands, compressible, 3.0345, 2.5474),
@@ -109,7 +109,7 @@ fn rows_of_the_smooth_table_are_met() {
         (
             10.0,
             1.0,
-            ViscosityLaw::Barus,
+            PressureViscosityLaw::Barus,
             DensityLaw::Incompressible,
             2.1365,
             1.6482,
@@ -117,7 +117,7 @@ fn rows_of_the_smooth_table_are_met() {
         (
             100.0,
             2.0,
-            ViscosityLaw::Barus,
+            PressureViscosityLaw::Barus,
             DensityLaw::Incompressible,
             1.7871,
             1.3496,
@@ -143,7 +143,7 @@ fn a_rigid_isoviscous_film_is_that_of_martin() {
     let (pair, oil) = of_moes(
         0.2,
         0.0,
-        ViscosityLaw::Isoviscous,
+        PressureViscosityLaw::Isoviscous,
         DensityLaw::Incompressible,
     );
     let found = graded::reference(&pair, &oil, None, 160, 1).unwrap().value;

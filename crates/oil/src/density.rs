@@ -11,10 +11,10 @@
 //! | ρ₀ | density at ambient pressure | kg/m³ |
 //! | p | pressure | Pa |
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
-use asperity_core::error::DomainError;
 use asperity_core::quantity::{Density, PerKelvin, Pressure, Temperature};
+use asperity_core::{DomainError, cite};
 
 /// Coefficient of the numerator (Dowson and Higginson 1966) \[1/Pa\].
 const DOWSON_HIGGINSON_RISE: f64 = 0.6e-9;
@@ -45,7 +45,7 @@ impl DensityLine {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn at(&self, temperature: Temperature) -> Result<Density, DomainError> {
-        asperity_core::cite!("Density-1");
+        cite!("Density-1");
         let rho = DomainError::positive("density", self.density)?;
         Ok(Density::from_si(rho * self.remainder(temperature)?))
     }
@@ -93,11 +93,62 @@ pub fn dowson_higginson_density(
     density: Density,
     pressure: Pressure,
 ) -> Result<Density, DomainError> {
-    asperity_core::cite!("Density-2");
+    cite!("Density-2");
     let rho0 = DomainError::positive("density", density)?;
     let p = DomainError::non_negative("pressure", pressure)?;
-    let rise = DOWSON_HIGGINSON_RISE * p / (1.0 + DOWSON_HIGGINSON_BEND * p);
-    Ok(Density::from_si(rho0 * (1.0 + rise)))
+    let relative = DensityLaw::DowsonHigginson.relative(1.0).at(p)[0];
+    Ok(Density::from_si(rho0 * relative))
+}
+
+/// Density over pressure, by name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DensityLaw {
+    /// The same density at every pressure.
+    Incompressible,
+    /// ρ = ρ₀·(1 + 0.6·10⁻⁹·p/(1 + 1.7·10⁻⁹·p)).
+    DowsonHigginson,
+}
+
+impl DensityLaw {
+    /// The law over the pressure in units of `unit` \[Pa\].
+    ///
+    /// ```
+    /// use asperity_oil::DensityLaw;
+    /// let [relative, _] = DensityLaw::DowsonHigginson.relative(1e9).at(1.0);
+    /// assert!((relative - 1.2222).abs() < 1e-4);
+    /// ```
+    #[must_use]
+    pub fn relative(self, unit: f64) -> RelativeDensity {
+        match self {
+            Self::Incompressible => RelativeDensity {
+                rise: 0.0,
+                bend: 0.0,
+            },
+            Self::DowsonHigginson => RelativeDensity {
+                rise: DOWSON_HIGGINSON_RISE * unit,
+                bend: DOWSON_HIGGINSON_BEND * unit,
+            },
+        }
+    }
+}
+
+/// Relative density ρ/ρ₀ over a scaled pressure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RelativeDensity {
+    rise: f64,
+    bend: f64,
+}
+
+impl RelativeDensity {
+    /// ρ/ρ₀ and its slope; a negative pressure counts as zero.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, pressure: f64) -> [f64; 2] {
+        let p = pressure.max(0.0);
+        let below = 1.0 + self.bend * p;
+        [1.0 + self.rise * p / below, self.rise / (below * below)]
+    }
 }
 
 #[cfg(test)]

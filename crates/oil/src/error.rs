@@ -1,6 +1,7 @@
 //! Errors of a lubricant.
 
-use asperity_core::error::DomainError;
+use asperity_core::DomainError;
+use asperity_core::numerics::RootError;
 
 /// Errors of the properties of a lubricant.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -60,6 +61,18 @@ pub enum LubricantError {
         /// The names there are.
         known: Vec<String>,
     },
+    /// The viscosity law has no value between -60 °C and 500 °C.
+    #[error("the oil has no viscosity between -60 °C and 500 °C")]
+    NoViscosityAtAnyTemperature,
+    /// The data file of the base oils cannot be read.
+    #[error("oil families: {reason}")]
+    BaseOils {
+        /// Message of the JSON reader.
+        reason: String,
+    },
+    /// The iteration for the shear stress of a film with its own heat does not converge.
+    #[error("the shear stress of the heated film has no solution: {0}")]
+    HeatedStress(RootError),
     /// A data file of the library that cannot be read.
     #[error("the oil library file {file} cannot be read: {reason}")]
     Library {

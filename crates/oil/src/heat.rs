@@ -9,9 +9,8 @@
 //! | d | density at 15.6 °C relative to that of water | - |
 //! | t | temperature | °C |
 
-use asperity_core::checked::{Checked, FittedRange};
-use asperity_core::error::DomainError;
 use asperity_core::quantity::{Density, SpecificHeat, Temperature, ThermalConductivity};
+use asperity_core::{Checked, DomainError, FittedRange, OutOfRange, cite};
 
 /// Density of water at 15.6 °C \[kg/m³\].
 const WATER: f64 = 999.0;
@@ -38,7 +37,7 @@ pub fn cragoe_conductivity(
     density_15: Density,
     temperature: Temperature,
 ) -> Result<Checked<ThermalConductivity>, DomainError> {
-    asperity_core::cite!("Cragoe-1");
+    cite!("Cragoe-1");
     /// Cragoe's 0.813 BTU in/(h ft² °F) \[W/(m K)\].
     const SCALE: f64 = 0.1172;
     /// Cragoe's 0.0003 1/°F \[1/K\].
@@ -65,7 +64,7 @@ pub fn cragoe_heat_capacity(
     density_15: Density,
     temperature: Temperature,
 ) -> Result<Checked<SpecificHeat>, DomainError> {
-    asperity_core::cite!("Cragoe-2");
+    cite!("Cragoe-2");
     /// Cragoe's 0.388 + 0.00045·32 BTU/(lb °F) \[J/(kg K)\].
     const SCALE: f64 = 1685.0;
     /// Cragoe's 0.00045 BTU/(lb °F²) [J/(kg K²)].
@@ -80,7 +79,7 @@ pub fn cragoe_heat_capacity(
 fn gravity_and_celsius(
     density_15: Density,
     temperature: Temperature,
-) -> Result<(f64, f64, Vec<asperity_core::OutOfRange>), DomainError> {
+) -> Result<(f64, f64, Vec<OutOfRange>), DomainError> {
     let d = DomainError::positive("density at 15 °C", density_15)? / WATER;
     DomainError::positive("temperature", temperature)?;
     let t = temperature.celsius();

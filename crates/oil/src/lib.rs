@@ -1,9 +1,20 @@
-//! The oil: viscosity, density, pressure-viscosity coefficient and heat properties.
+//! The lubricating oil: every law and every constant of viscosity, density, shear stress and heat.
 //!
-//! A case file holds a [`LubricantInput`]: the name of an oil of the library, or its numbers, or
-//! both (numbers then replace those of the library). [`LubricantInput::resolve`] makes a
-//! [`Lubricant`] of it and lists what it had to assume; [`Lubricant::at`] gives everything the
-//! film and friction formulas ask for at one temperature.
+//! | property | laws | used by |
+//! |---|---|---|
+//! | viscosity over temperature | [`AstmD341`], [`Vogel`], [`GivenViscosity`] | [`Lubricant`] |
+//! | viscosity over pressure | [`barus`], [`roelands`], [`PressureViscosityLaw`] by name and constants | formulas, elastohydrodynamic solver |
+//! | the same in a film under a limiting stress | [`PressureLaw`] by name | [`FilmRheology`] |
+//! | viscosity over pressure and temperature | [`HeatedViscosity`] | traction of the elastohydrodynamic film |
+//! | pressure-viscosity coefficient | [`gold_pressure_viscosity`] | [`Lubricant`], [`FilmRheology`] |
+//! | density | [`DensityLine`] over temperature, [`DensityLaw`] over pressure | [`Lubricant`], elastohydrodynamic solver |
+//! | shear stress | [`ShearLaw`], [`ShearLawName`], [`limited_stress`] | [`FilmRheology`], elastohydrodynamic solver |
+//! | heat | [`cragoe_conductivity`], [`cragoe_heat_capacity`] | [`Lubricant`] |
+//!
+//! A case file holds a [`LubricantInput`]: the name of an oil of the library, or its properties, or
+//! both (properties then replace those of the library). [`LubricantInput::resolve`] returns a
+//! [`Lubricant`] with a list of its assumptions; [`Lubricant::at`] returns the [`LubricantState`] at one
+//! temperature, which film and friction formulas use.
 //!
 //! ```
 //! use asperity_oil::{LubricantInput, BaseOil, ViscosityLaw};
@@ -20,25 +31,41 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod base_oil;
 mod density;
 mod error;
 mod heat;
 mod input;
 mod library;
+mod lubricant;
 mod pressure_viscosity;
-mod resolved;
+mod rheology;
+mod shear_law;
+mod traction_constants;
 mod viscosity_pressure;
+mod viscosity_table;
 mod viscosity_temperature;
 
-pub use density::{DensityLine, dowson_higginson_density};
+pub use base_oil::{BaseOil, BaseOilData, Mark, MarkedValue, base_oil_source};
+pub use density::{DensityLaw, DensityLine, RelativeDensity, dowson_higginson_density};
 pub use error::LubricantError;
 pub use heat::{cragoe_conductivity, cragoe_heat_capacity};
 pub use input::{LubricantInput, ViscosityLaw};
 pub use library::{LibraryOil, library};
+pub use lubricant::{Assumption, Lubricant, LubricantState};
 pub use pressure_viscosity::{
-    BaseOil, HIGHEST_PLAUSIBLE, LOWEST_PLAUSIBLE, gold_pressure_viscosity,
-    plausible_pressure_viscosity,
+    HIGHEST_PLAUSIBLE, LOWEST_PLAUSIBLE, gold_pressure_viscosity, plausible_pressure_viscosity,
 };
-pub use resolved::{Assumption, Lubricant, LubricantState};
-pub use viscosity_pressure::{barus, roelands, roelands_exponent};
+pub use rheology::{FilmOilState, FilmPoint, FilmRheology};
+pub use shear_law::{ShearLaw, ShearLawName, ShearThinning, TangentFluidity, limited_stress};
+pub use traction_constants::{AMBIENT_LIMIT, CarreauConstants, TractionConstants};
+pub use viscosity_pressure::{
+    HeatedViscosity, LARGEST_BARUS_EXPONENT, PressureLaw, PressureViscosityLaw, RelativeViscosity,
+    barus, roelands, roelands_exponent,
+};
 pub use viscosity_temperature::{AstmD341, GivenViscosity, Vogel};
+
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,5 +1,4 @@
-//! The pressure-viscosity coefficient: an estimate from the class of base oil, and a guard
-//! against slips of its unit.
+//! The pressure-viscosity coefficient: an estimate from the family of the base oil, and a check for wrong units.
 //!
 //! Gold and others (2001) correlate α, taken between ambient pressure and 0.2 GPa, with the
 //! kinematic viscosity. The constants are those that Fernandes, Martins and Seabra (2013) use for
@@ -12,13 +11,10 @@
 //! | ν | kinematic viscosity in mm²/s | - |
 //! | s, t | constants of the base oil | 1/GPa, - |
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use asperity_core::quantity::{KinematicViscosity, PressureViscosity};
+use asperity_core::{Checked, DomainError, FittedRange, cite};
 
-use crate::LubricantError;
-use asperity_core::checked::{Checked, FittedRange};
-use asperity_core::error::DomainError;
-use asperity_core::quantity::{KinematicViscosity, PerKelvin, PressureViscosity};
+use crate::{BaseOil, LubricantError};
 
 const MM2_PER_M2: f64 = 1e6;
 const PASCAL_PER_GPA: f64 = 1e9;
@@ -37,64 +33,6 @@ pub const LOWEST_PLAUSIBLE: PressureViscosity = PressureViscosity::from_si(2e-9)
 pub const HIGHEST_PLAUSIBLE: PressureViscosity = PressureViscosity::from_si(1e-7);
 /// Slips of the unit, as powers of ten: mm²/N for m²/N, 1/GPa for 1/Pa, and a factor thousand.
 const UNIT_SLIPS: [i32; 6] = [6, -6, 9, -9, 3, -3];
-
-/// Class of base oil.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum BaseOil {
-    /// Paraffinic mineral oil.
-    Mineral,
-    /// Naphthenic mineral oil: constants of paraffinic oil, which underrate its α.
-    Naphthenic,
-    /// Hydrocracked oil of API group III, automatic transmission fluid (judgement between its neighbours).
-    GroupIii,
-    /// Polyalphaolefin, e-fluids on that base.
-    Pao,
-    /// Ester.
-    Ester,
-    /// Polyalkylene glycol.
-    Polyglycol,
-}
-
-impl BaseOil {
-    /// The name in a case file.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Mineral => "mineral",
-            Self::Naphthenic => "naphthenic",
-            Self::GroupIii => "group-iii",
-            Self::Pao => "pao",
-            Self::Ester => "ester",
-            Self::Polyglycol => "polyglycol",
-        }
-    }
-
-    /// Gold's s \[1/GPa\] and t of α = s ν^t (Fernandes and others 2013, α at 0.2 GPa).
-    ///
-    /// ```
-    /// use asperity_oil::BaseOil;
-    /// assert_eq!(BaseOil::Pao.gold_constants(), [7.382, 0.1335]);
-    /// ```
-    pub const fn gold_constants(self) -> [f64; 2] {
-        match self {
-            Self::Mineral | Self::Naphthenic => [9.904, 0.1390],
-            Self::GroupIii => [8.5, 0.1360],
-            Self::Pao => [7.382, 0.1335],
-            Self::Ester => [6.605, 0.1360],
-            Self::Polyglycol => [5.489, 0.1485],
-        }
-    }
-
-    /// Thermal expansion relative to the density at 15 °C (Fernandes and others 2013).
-    pub const fn thermal_expansion(self) -> PerKelvin {
-        PerKelvin::from_si(match self {
-            Self::Mineral | Self::Naphthenic | Self::GroupIii => 5.8e-4,
-            Self::Pao => 5.5e-4,
-            Self::Ester => 8.1e-4,
-            Self::Polyglycol => 7.1e-4,
-        })
-    }
-}
 
 /// α = s·ν^t 1/GPa, ν in mm²/s                                                [Gold-1]
 ///
@@ -121,7 +59,7 @@ pub fn gold_pressure_viscosity(
     base_oil: BaseOil,
     viscosity: KinematicViscosity,
 ) -> Result<Checked<PressureViscosity>, DomainError> {
-    asperity_core::cite!("Gold-1");
+    cite!("Gold-1");
     let nu = DomainError::positive("kinematic viscosity", viscosity)? * MM2_PER_M2;
     let [s, t] = base_oil.gold_constants();
     let mut outside = Vec::new();

@@ -1,23 +1,35 @@
-//! Viscosity over pressure at a fixed temperature.
+//! Viscosity over pressure.
 //!
 //! Barus' exponential is right in slope at zero pressure and far too steep beyond about half a
 //! gigapascal; Roelands' form bends it over. Both have the same slope α at zero pressure.
+//! Roelands' exponent follows from α and η₀ ([`roelands_exponent`]), or is given
+//! ([`PressureViscosityLaw::Roelands`]).
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | η₀ | viscosity at ambient pressure | Pa s |
 //! | α | pressure-viscosity coefficient, d(ln η)/dp at p = 0 | 1/Pa |
 //! | p | pressure | Pa |
-//! | Z | Roelands' exponent | - |
+//! | Z, z | Roelands' exponent from α and η₀, and given | - |
+//! | p_r | Roelands' pressure, 1/p_r = 5.1·10⁻⁹ 1/Pa | Pa |
+//! | T, T₀ | temperature, and where η₀ and α hold | K |
+//! | β | −(dη/dT)/η at T₀ and ambient pressure | 1/K |
 
-use asperity_core::checked::{Checked, FittedRange};
-use asperity_core::error::DomainError;
-use asperity_core::quantity::{DynamicViscosity, Pressure, PressureViscosity};
+use asperity_core::quantity::{
+    DynamicViscosity, PerKelvin, Pressure, PressureViscosity, Temperature,
+};
+use asperity_core::{Checked, DomainError, FittedRange, cite};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 /// Roelands' constant 1/p_r = 5.1·10⁻⁹ 1/Pa (Roelands 1966).
-const ROELANDS_PER_PASCAL: f64 = 5.1e-9;
+pub(crate) const ROELANDS_PER_PASCAL: f64 = 5.1e-9;
 /// Roelands' constant −ln η_r with η_r = 6.31·10⁻⁵ Pa s (Roelands 1966).
-const ROELANDS_LOG: f64 = 9.67;
+pub(crate) const ROELANDS_LOG: f64 = 9.67;
+/// Temperature at which Roelands' law ends (Roelands 1966) \[K\].
+const ROELANDS_ZERO: f64 = 138.0;
+/// Largest exponent α·p of Barus' law below a limiting shear stress: beyond it the shear stress is the limit.
+pub const LARGEST_BARUS_EXPONENT: f64 = 40.0;
 /// Range in which Barus' law has no serious error (Stachowiak and Batchelor 2014).
 const BARUS_RANGE: FittedRange = FittedRange {
     name: "pressure",
@@ -46,7 +58,7 @@ pub fn barus(
     pressure_viscosity: PressureViscosity,
     pressure: Pressure,
 ) -> Result<Checked<DynamicViscosity>, DomainError> {
-    asperity_core::cite!("Barus-1");
+    cite!("Barus-1");
     let eta0 = DomainError::positive("viscosity", viscosity)?;
     let alpha = DomainError::positive("pressure-viscosity coefficient", pressure_viscosity)?;
     let p = DomainError::non_negative("pressure", pressure)?;
@@ -73,7 +85,7 @@ pub fn roelands_exponent(
     viscosity: DynamicViscosity,
     pressure_viscosity: PressureViscosity,
 ) -> Result<f64, DomainError> {
-    asperity_core::cite!("Roelands-1");
+    cite!("Roelands-1");
     let alpha = DomainError::positive("pressure-viscosity coefficient", pressure_viscosity)?;
     Ok(alpha / (ROELANDS_PER_PASCAL * roelands_log(viscosity)?))
 }
@@ -95,15 +107,18 @@ pub fn roelands(
     pressure_viscosity: PressureViscosity,
     pressure: Pressure,
 ) -> Result<DynamicViscosity, DomainError> {
-    asperity_core::cite!("Roelands-2");
+    cite!("Roelands-2");
     let p = DomainError::non_negative("pressure", pressure)?;
     let z = roelands_exponent(viscosity, pressure_viscosity)?;
-    // (1 + x)^Z − 1 through ln_1p and exp_m1: no digit is lost at small pressures.
-    let growth = (z * (ROELANDS_PER_PASCAL * p).ln_1p()).exp_m1();
     finite(
-        viscosity.si() * (roelands_log(viscosity)? * growth).exp(),
+        viscosity.si() * (roelands_log(viscosity)? * roelands_growth(z, p)).exp(),
         p,
     )
+}
+
+/// (1 + 5.1·10⁻⁹·p)^Z − 1, through `ln_1p` and `exp_m1`: no digit is lost at small pressures.
+pub(crate) fn roelands_growth(exponent: f64, pressure: f64) -> f64 {
+    (exponent * (ROELANDS_PER_PASCAL * pressure).ln_1p()).exp_m1()
 }
 
 /// ln η₀ + 9.67, which must be positive.
@@ -129,6 +144,197 @@ fn finite(viscosity: f64, pressure: f64) -> Result<DynamicViscosity, DomainError
         "is too high for a finite viscosity",
     )?;
     Ok(DynamicViscosity::from_si(viscosity))
+}
+
+/// Name of a pressure-viscosity law whose constants follow from α and η₀.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[non_exhaustive]
+pub enum PressureLaw {
+    /// η = η₀ exp(min(α p, 40)).
+    #[default]
+    Barus,
+    /// Roelands, with the exponent that gives α at ambient pressure.
+    Roelands,
+}
+
+/// Pressure-viscosity law with its constants, except α.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PressureViscosityLaw {
+    /// The same viscosity at every pressure.
+    Isoviscous,
+    /// η = η₀·exp(α·p).
+    Barus,
+    /// ln(η/η₀) = (α·p_r/z)·((1 + p/p_r)^z − 1) with a given exponent z.
+    Roelands {
+        /// Exponent z, 0 < z ≤ 1.
+        exponent: f64,
+    },
+}
+
+impl PressureViscosityLaw {
+    /// Checks α, which an isoviscous oil does not use, and the exponent.
+    ///
+    /// # Errors
+    /// When a constant is outside its domain.
+    pub fn validate(self, pressure_viscosity: PressureViscosity) -> Result<(), DomainError> {
+        if self != Self::Isoviscous {
+            DomainError::positive("pressure-viscosity coefficient", pressure_viscosity)?;
+        }
+        if let Self::Roelands { exponent } = self {
+            DomainError::require(
+                exponent > 0.0 && exponent <= 1.0,
+                "Roelands' exponent",
+                exponent,
+                "-",
+                "must lie above 0 and not above 1",
+            )?;
+        }
+        Ok(())
+    }
+
+    /// The law over the pressure in units of `unit` \[Pa\].
+    ///
+    /// ```text
+    /// ln(η/η₀) = (α·p_r/z)·((1 + p/p_r)^z − 1)                            [Roelands-free]
+    /// ```
+    ///
+    /// ```
+    /// use asperity_oil::PressureViscosityLaw;
+    /// let law = PressureViscosityLaw::Roelands { exponent: 0.6 };
+    /// let [log, _] = law.relative("18 1/GPa".parse()?, 1e9).log(1.0);
+    /// assert!((log - 11.526).abs() < 1e-3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn relative(self, pressure_viscosity: PressureViscosity, unit: f64) -> RelativeViscosity {
+        let slope = pressure_viscosity.si() * unit;
+        match self {
+            Self::Isoviscous => RelativeViscosity::Constant,
+            Self::Barus => RelativeViscosity::Exponential { slope },
+            Self::Roelands { exponent } => {
+                cite!("Roelands-free");
+                RelativeViscosity::Power {
+                    slope,
+                    bend: ROELANDS_PER_PASCAL * unit,
+                    exponent,
+                }
+            }
+        }
+    }
+}
+
+/// Logarithm of the relative viscosity η/η₀ over a scaled pressure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RelativeViscosity {
+    /// ln(η/η₀) = 0.
+    Constant,
+    /// ln(η/η₀) = slope·p.
+    Exponential {
+        /// α in units of the pressure.
+        slope: f64,
+    },
+    /// ln(η/η₀) = slope/(bend·exponent)·((1 + bend·p)^exponent − 1).
+    Power {
+        /// α in units of the pressure.
+        slope: f64,
+        /// 1/p_r in units of the pressure.
+        bend: f64,
+        /// Exponent z.
+        exponent: f64,
+    },
+}
+
+impl RelativeViscosity {
+    /// ln(η/η₀) and its slope; a negative pressure counts as zero.
+    #[inline]
+    #[must_use]
+    pub fn log(&self, pressure: f64) -> [f64; 2] {
+        let p = pressure.max(0.0);
+        match *self {
+            Self::Constant => [0.0, 0.0],
+            Self::Exponential { slope } => [slope * p, slope],
+            Self::Power {
+                slope,
+                bend,
+                exponent,
+            } => {
+                let base = 1.0 + bend * p;
+                let power = base.powf(exponent - 1.0);
+                let log = slope / (bend * exponent) * (power * base - 1.0);
+                [log, slope * power]
+            }
+        }
+    }
+}
+
+/// Relative viscosity at temperatures above T₀: Roelands' law over pressure and temperature, or exponential over
+/// temperature where the law over pressure is not Roelands'.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HeatedViscosity {
+    relative: RelativeViscosity,
+    /// T₀ \[K\].
+    reference: f64,
+    /// β \[1/K\].
+    coefficient: f64,
+    /// Exponent s; 0 where the law over pressure is not Roelands'.
+    exponent: f64,
+}
+
+impl HeatedViscosity {
+    /// The law with the temperature coefficient β at T₀; `relative` is over the pressure in Pa.
+    ///
+    /// # Errors
+    /// When T₀ is not above 138 K, or β is not positive.
+    pub fn new(
+        relative: RelativeViscosity,
+        reference: Temperature,
+        coefficient: PerKelvin,
+    ) -> Result<Self, DomainError> {
+        cite!("Roelands-thermal");
+        let reference = DomainError::positive("bulk temperature", reference)?;
+        let coefficient = DomainError::positive("temperature coefficient", coefficient)?;
+        DomainError::require(
+            reference > ROELANDS_ZERO,
+            "bulk temperature",
+            reference,
+            "K",
+            "must be above 138 K for Roelands' law",
+        )?;
+        // ln(η/η₀) + A scales as ((T − 138)/(T₀ − 138))^−s with s·A = β·(T₀ − 138).
+        let exponent = match relative {
+            RelativeViscosity::Power {
+                slope,
+                bend,
+                exponent,
+            } => coefficient * (reference - ROELANDS_ZERO) / (slope / (bend * exponent)),
+            RelativeViscosity::Constant | RelativeViscosity::Exponential { .. } => 0.0,
+        };
+        Ok(Self {
+            relative,
+            reference,
+            coefficient,
+            exponent,
+        })
+    }
+
+    /// ln(η/η₀) at a pressure \[Pa\] and a temperature `rise` \[K\] above T₀.
+    ///
+    /// ```text
+    /// ln(η/η₀) + A = A·(1 + p/p_r)^z·((T − 138)/(T₀ − 138))^−s,  A = α·p_r/z       [Roelands-thermal]
+    /// ```
+    #[must_use]
+    pub fn log(&self, pressure: f64, rise: f64) -> f64 {
+        let log = self.relative.log(pressure)[0];
+        if self.exponent == 0.0 {
+            return log - self.coefficient * rise;
+        }
+        let above_zero = self.reference - ROELANDS_ZERO;
+        let base = self.coefficient * above_zero / self.exponent;
+        let cooled = ((self.reference + rise - ROELANDS_ZERO) / above_zero).powf(-self.exponent);
+        (log + base) * cooled - base
+    }
 }
 
 #[cfg(test)]
@@ -177,5 +383,35 @@ mod tests {
             )
             .is_err()
         );
+    }
+
+    #[test]
+    fn roelands_with_free_exponent_starts_with_alpha_and_tends_to_barus() {
+        let law = |exponent| RelativeViscosity::Power {
+            slope: 21.6,
+            bend: 6.12,
+            exponent,
+        };
+        assert!((law(0.6).log(1e-9)[0] / 21.6e-9 - 1.0).abs() < 1e-6);
+        assert!((law(1.0).log(0.7)[0] - 21.6 * 0.7).abs() < 1e-12);
+        // 1.2 GPa, α 18 1/GPa, z 0.6: 21.6/(6.12·0.6)·(7.12^0.6 − 1).
+        assert!((law(0.6).log(1.0)[0] - 13.2179).abs() < 1e-3);
+        for exponent in [0.4, 0.6, 0.9] {
+            let law = law(exponent);
+            let difference = (law.log(0.8 + 1e-6)[0] - law.log(0.8 - 1e-6)[0]) / 2e-6;
+            assert!((law.log(0.8)[1] / difference - 1.0).abs() < 1e-8);
+        }
+    }
+
+    #[test]
+    fn both_forms_of_roelands_law_agree_where_the_exponent_is_that_of_alpha() {
+        let exponent = roelands_exponent(ETA0, ALPHA).unwrap();
+        let law = PressureViscosityLaw::Roelands { exponent }.relative(ALPHA, 1.0);
+        for p in [0.0, 1e6, 0.4e9, 2e9] {
+            let given = law.log(p)[0];
+            let derived = (roelands(ETA0, ALPHA, Pressure::from_si(p)).unwrap() / ETA0).ln();
+            // 1 is subtracted from a number close to it.
+            assert!((given - derived).abs() < 1e-13 * derived.max(10.0), "{p}");
+        }
     }
 }

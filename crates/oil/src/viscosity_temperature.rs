@@ -18,9 +18,8 @@ use std::f64::consts::LN_10;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use asperity_core::checked::{Checked, FittedRange};
-use asperity_core::error::DomainError;
 use asperity_core::quantity::{DynamicViscosity, KinematicViscosity, PerKelvin, Temperature};
+use asperity_core::{Checked, DomainError, FittedRange, cite};
 
 /// Additive constant of ASTM D341 for viscosities above 2 mm²/s.
 const ASTM_C: f64 = 0.7;
@@ -74,7 +73,7 @@ impl AstmD341 {
         at_40: KinematicViscosity,
         at_100: KinematicViscosity,
     ) -> Result<Self, DomainError> {
-        asperity_core::cite!("ASTM-1");
+        cite!("ASTM-1");
         let y1 = ordinate("viscosity at 40 °C", at_40)?;
         let y2 = ordinate("viscosity at 100 °C", at_100)?;
         DomainError::require(
@@ -107,7 +106,7 @@ impl AstmD341 {
         &self,
         temperature: Temperature,
     ) -> Result<Checked<KinematicViscosity>, DomainError> {
-        asperity_core::cite!("ASTM-2");
+        cite!("ASTM-2");
         let t = DomainError::positive("temperature", temperature)?;
         let nu = 10f64.powf(10f64.powf(self.a - self.b * t.log10())) - ASTM_C;
         DomainError::require(
@@ -140,7 +139,7 @@ impl AstmD341 {
         &self,
         temperature: Temperature,
     ) -> Result<PerKelvin, DomainError> {
-        asperity_core::cite!("ASTM-3");
+        cite!("ASTM-3");
         let nu = self.kinematic_viscosity(temperature)?.value.si() * MM2_PER_M2;
         let log = LN_10 * 10f64.powf(self.a - self.b * temperature.si().log10());
         Ok(PerKelvin::from_si(
@@ -191,7 +190,7 @@ impl Vogel {
         &self,
         temperature: Temperature,
     ) -> Result<DynamicViscosity, DomainError> {
-        asperity_core::cite!("Vogel-1");
+        cite!("Vogel-1");
         let k = DomainError::positive("limit viscosity", self.limit_viscosity)?;
         let distance = self.distance(temperature)?;
         let eta = k * (self.slope_kelvin / distance).exp();
@@ -220,7 +219,7 @@ impl Vogel {
         &self,
         temperature: Temperature,
     ) -> Result<PerKelvin, DomainError> {
-        asperity_core::cite!("Vogel-2");
+        cite!("Vogel-2");
         let distance = self.distance(temperature)?;
         Ok(PerKelvin::from_si(
             self.slope_kelvin / (distance * distance),
@@ -286,7 +285,7 @@ impl GivenViscosity {
         &self,
         temperature: Temperature,
     ) -> Result<Checked<DynamicViscosity>, DomainError> {
-        asperity_core::cite!("Reynolds-eta");
+        cite!("Reynolds-eta");
         let eta = DomainError::positive("viscosity", self.viscosity)?;
         let t = DomainError::positive("temperature", temperature)?;
         let reference =

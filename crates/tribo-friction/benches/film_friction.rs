@@ -6,10 +6,8 @@ use asperity_core::material::Material;
 use asperity_core::quantity::{
     Density, Length, LineLoad, Pressure, SpecificHeat, Speed, Temperature, ThermalConductivity,
 };
-use asperity_oil::{BaseOil, LubricantInput};
-use asperity_tribo_friction::{
-    FilmHeat, FilmLineContact, FilmRheology, FilmSettings, OilFamily, film_friction,
-};
+use asperity_oil::{BaseOil, FilmRheology, LubricantInput};
+use asperity_tribo_friction::{FilmHeat, FilmLineContact, FilmSettings, film_friction};
 use criterion::{Criterion, criterion_group, criterion_main};
 
 fn film(criterion: &mut Criterion) {
@@ -29,7 +27,7 @@ fn film(criterion: &mut Criterion) {
     let Ok(oil) = input.resolve(Temperature::from_si(363.15)) else {
         return;
     };
-    let Ok(rheology) = FilmRheology::new(&oil, OilFamily::Mineral) else {
+    let Ok(rheology) = FilmRheology::new(&oil, BaseOil::Mineral) else {
         return;
     };
     let contact = FilmLineContact {
@@ -54,7 +52,7 @@ fn film(criterion: &mut Criterion) {
         });
     }
     criterion.bench_function("rheology of an oil", |bencher| {
-        bencher.iter(|| FilmRheology::new(black_box(&oil), OilFamily::Mineral));
+        bencher.iter(|| FilmRheology::new(black_box(&oil), BaseOil::Mineral));
     });
 }
 

@@ -2,11 +2,9 @@
 
 use asperity_core::material::Material;
 use asperity_core::quantity::{Length, Speed, Temperature};
-use asperity_oil::{BaseOil, LubricantInput, ViscosityLaw};
+use asperity_oil::{BaseOil, FilmRheology, LubricantInput, ViscosityLaw};
 use asperity_tribo_friction::xu::{XuConditions, XuLaw};
-use asperity_tribo_friction::{
-    FilmLineContact, FilmRheology, FilmSettings, OilFamily, film_friction,
-};
+use asperity_tribo_friction::{FilmLineContact, FilmSettings, film_friction};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let steel = Material {
@@ -27,7 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         ..LubricantInput::default()
     }
     .resolve("90 °C".parse()?)?;
-    let rheology = FilmRheology::new(&oil, OilFamily::Pao)?;
+    let rheology = FilmRheology::new(&oil, BaseOil::Pao)?;
     println!("  °C   film law     K  | Xu, asperities included");
     for celsius in [-20.0, 20.0, 60.0, 90.0, 120.0] {
         let temperature = Temperature::from_celsius(celsius);

@@ -27,32 +27,23 @@ pub enum FrictionError {
         /// Number of fluid pressures.
         fluid: usize,
     },
-    /// A coefficient file that does not read.
+    /// A coefficient file that cannot be read.
     #[error("coefficient file: {reason}")]
     CoefficientFile {
         /// Line, from 1.
         line: usize,
         /// Column, from 1.
         column: usize,
-        /// Finding of the JSON reader, with its place.
+        /// Message of the JSON reader, with its place.
         reason: String,
     },
-    /// The oil has no state at a temperature that film friction needs.
+    /// The oil has no state or no shear stress at a temperature of the film.
     #[error(transparent)]
     Lubricant(#[from] LubricantError),
-    /// An oil whose law gives no viscosity between -60 °C and 500 °C.
-    #[error("the oil has no viscosity between -60 °C and 500 °C")]
-    NoViscosity,
-    /// The data of the oil families does not read.
-    #[error("oil families: {reason}")]
-    OilFamilies {
-        /// Finding of the reader.
-        reason: String,
-    },
     /// A scalar equation without root.
     #[error("the {quantity} has no solution: {source}")]
     NoRoot {
-        /// Name that was looked for.
+        /// Name of the quantity.
         quantity: &'static str,
         /// Error of the root search.
         source: RootError,

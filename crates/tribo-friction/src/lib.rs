@@ -42,8 +42,7 @@ pub mod xu;
 pub use conditions::{FrictionConditions, MeshConditions};
 pub use error::FrictionError;
 pub use film_friction::{
-    FilmFrictionSolution, FilmHeat, FilmLineContact, FilmRheology, FilmSettings, LoadedFilm,
-    OilFamily, PressureLaw, ShearLaw, TractionConstants,
+    FilmFrictionSolution, FilmHeat, FilmLineContact, FilmSettings, LoadedFilm,
 };
 pub use film_friction_law::{FilmContact, FilmFriction, FilmTraction, NamedFriction};
 pub use flash::{FlashConditions, flash_temperature};

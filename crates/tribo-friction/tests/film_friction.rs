@@ -20,13 +20,13 @@ use asperity_core::quantity::{
     Density, DynamicViscosity, KinematicViscosity, Length, LineLoad, PerKelvin, Pressure,
     PressureViscosity, SpecificHeat, Speed, Temperature, ThermalConductivity,
 };
-use asperity_oil::{LubricantInput, ViscosityLaw};
-use asperity_tribo_friction::boundary::{SharedFriction, boundary_share};
-use asperity_tribo_friction::film_friction::{CarreauConstants, LoadedFilm, solve};
-use asperity_tribo_friction::{
-    FilmFrictionSolution, FilmHeat, FilmLineContact, FilmRheology, FilmSettings, OilFamily,
-    PressureLaw, ShearLaw, TractionConstants,
+use asperity_oil::{
+    BaseOil, CarreauConstants, FilmRheology, LubricantInput, PressureLaw, ShearLawName,
+    TractionConstants, ViscosityLaw,
 };
+use asperity_tribo_friction::boundary::{SharedFriction, boundary_share};
+use asperity_tribo_friction::film_friction::{LoadedFilm, solve};
+use asperity_tribo_friction::{FilmFrictionSolution, FilmHeat, FilmLineContact, FilmSettings};
 use proptest::prelude::*;
 use serde::Deserialize;
 use std::num::NonZeroUsize;
@@ -64,9 +64,9 @@ fn lubricant(nu: [f64; 2], density: f64) -> asperity_oil::Lubricant {
 
 fn oil(name: &str) -> FilmRheology {
     let (nu, density, family) = match name {
-        "M100" => ([96.0, 10.6], 882.0, OilFamily::Mineral),
-        "PAO100" => ([94.1, 14.0], 840.0, OilFamily::Pao),
-        _ => ([30.8, 5.9], 845.0, OilFamily::Pao),
+        "M100" => ([96.0, 10.6], 882.0, BaseOil::Mineral),
+        "PAO100" => ([94.1, 14.0], 840.0, BaseOil::Pao),
+        _ => ([30.8, 5.9], 845.0, BaseOil::Pao),
     };
     FilmRheology::new(&lubricant(nu, density), family).unwrap()
 }
@@ -205,12 +205,12 @@ fn a_newtonian_isothermal_film_has_its_closed_form() {
     let (mut first, mut struve) = (0.0, 0.0);
     let limits = TractionConstants {
         limiting_shear: 1e9,
-        ..TractionConstants::of(OilFamily::Pao).unwrap()
+        ..TractionConstants::of(BaseOil::Pao).unwrap()
     };
     let rheology = oil("e-fluid")
         .with_constants(limits)
         .unwrap()
-        .with_laws(ShearLaw::Newton, PressureLaw::Barus);
+        .with_laws(ShearLawName::Newton, PressureLaw::Barus);
     let contact = e_drive(1e-6);
     let state = rheology.state(contact.temperature).unwrap();
     let solution = solve(&rheology, &contact, settings(96, FilmHeat::Isothermal))
@@ -251,12 +251,12 @@ fn a_newtonian_isothermal_film_has_its_closed_form() {
 fn at_high_slip_the_coefficient_is_the_limiting_shear() {
     let constants = TractionConstants {
         ambient_limit: Pressure::from_si(0.0),
-        ..TractionConstants::of(OilFamily::Mineral).unwrap()
+        ..TractionConstants::of(BaseOil::Mineral).unwrap()
     };
     let rheology = oil("M100")
         .with_constants(constants)
         .unwrap()
-        .with_laws(ShearLaw::Newton, PressureLaw::Roelands);
+        .with_laws(ShearLawName::Newton, PressureLaw::Roelands);
     let mut contact = e_drive(1.9);
     contact.film = Length::from_si(1e-9);
     contact.temperature = celsius(-40.0);
@@ -270,12 +270,12 @@ fn the_limiting_stress_falls_with_temperature_from_90_c() {
     let constants = TractionConstants {
         ambient_limit: Pressure::from_si(0.0),
         limiting_shear_fall: PerKelvin::from_si(0.005),
-        ..TractionConstants::of(OilFamily::Mineral).unwrap()
+        ..TractionConstants::of(BaseOil::Mineral).unwrap()
     };
     let rheology = oil("M100")
         .with_constants(constants)
         .unwrap()
-        .with_laws(ShearLaw::Newton, PressureLaw::Roelands);
+        .with_laws(ShearLawName::Newton, PressureLaw::Roelands);
     let mut contact = e_drive(1.9);
     contact.film = Length::from_si(1e-10);
     for t in [40.0, 90.0] {
@@ -292,7 +292,7 @@ fn a_slow_film_is_newtonian_whatever_its_eyring_stress() {
     let of = |stress: f64| {
         let constants = TractionConstants {
             eyring_stress: Pressure::from_si(stress),
-            ..TractionConstants::of(OilFamily::Pao).unwrap()
+            ..TractionConstants::of(BaseOil::Pao).unwrap()
         };
         isothermal(
             &oil("e-fluid").with_constants(constants).unwrap(),
@@ -323,7 +323,7 @@ fn what_a_solution_says_of_its_stress_and_heat_agrees() {
 
 #[test]
 fn constants_that_no_oil_has_are_refused_by_name() {
-    let good = TractionConstants::of(OilFamily::Mineral).unwrap();
+    let good = TractionConstants::of(BaseOil::Mineral).unwrap();
     let mut all = [good; 6];
     all[0].limiting_shear = 0.0;
     all[1].limiting_shear_fall = PerKelvin::from_si(-1e-3);
@@ -388,15 +388,15 @@ fn the_roots_of_stress_and_temperature_leave_no_residual() {
 #[test]
 fn the_slope_over_surface_temperature_is_that_of_the_friction() {
     for (shear, pressure) in [
-        (ShearLaw::Eyring, PressureLaw::Barus),
-        (ShearLaw::Eyring, PressureLaw::Roelands),
-        (ShearLaw::Carreau, PressureLaw::Roelands),
-        (ShearLaw::Newton, PressureLaw::Barus),
+        (ShearLawName::Eyring, PressureLaw::Barus),
+        (ShearLawName::Eyring, PressureLaw::Roelands),
+        (ShearLawName::Carreau, PressureLaw::Roelands),
+        (ShearLawName::Newton, PressureLaw::Barus),
     ] {
         // A limiting stress that falls with temperature adds its own slope.
         let constants = TractionConstants {
             limiting_shear_fall: PerKelvin::from_si(0.004),
-            ..TractionConstants::of(OilFamily::Mineral).unwrap()
+            ..TractionConstants::of(BaseOil::Mineral).unwrap()
         };
         let rheology = oil("M100").with_constants(constants).unwrap();
         let rheology = rheology.with_laws(shear, pressure);
@@ -417,7 +417,7 @@ fn the_slope_over_surface_temperature_is_that_of_the_friction() {
 #[test]
 fn viscosity_rises_with_pressure_by_the_law_asked_for() {
     let (pressure, alpha, sliding, film) = (0.4e9_f64, 1e-8, 1e-6, 1e-6);
-    let constants = TractionConstants::of(OilFamily::Mineral).unwrap();
+    let constants = TractionConstants::of(BaseOil::Mineral).unwrap();
     let stress = |law, pressure| {
         let rheology = FilmRheology::with_alpha(
             &lubricant([96.0, 10.6], 882.0),
@@ -425,7 +425,7 @@ fn viscosity_rises_with_pressure_by_the_law_asked_for() {
             PressureViscosity::from_si(alpha),
             celsius(90.0),
         );
-        let rheology = rheology.unwrap().with_laws(ShearLaw::Newton, law);
+        let rheology = rheology.unwrap().with_laws(ShearLawName::Newton, law);
         let found = rheology.shear_stress(
             Pressure::from_si(pressure),
             celsius(90.0),
@@ -454,7 +454,7 @@ fn roelands_gives_less_friction_than_barus_for_thin_oils() {
     // A third of it in the Petry-Johnson conditions, the reason why Barus is the default.
     let contact = e_drive(0.3);
     let barus = friction(&oil("e-fluid"), &contact, 16).coefficient;
-    let other = oil("e-fluid").with_laws(ShearLaw::Eyring, PressureLaw::Roelands);
+    let other = oil("e-fluid").with_laws(ShearLawName::Eyring, PressureLaw::Roelands);
     let roelands = friction(&other, &contact, 16).coefficient;
     assert!(roelands < 0.6 * barus, "{roelands} {barus}");
 }
@@ -466,7 +466,7 @@ fn a_carreau_film_without_thinning_is_newtonian() {
             exponent: 1.0,
             ..CarreauConstants::default()
         },
-        ..TractionConstants::of(OilFamily::Pao).unwrap()
+        ..TractionConstants::of(BaseOil::Pao).unwrap()
     };
     let of = |law| {
         let rheology = oil("e-fluid")
@@ -475,7 +475,7 @@ fn a_carreau_film_without_thinning_is_newtonian() {
             .with_laws(law, PressureLaw::Barus);
         friction(&rheology, &e_drive(0.2), 16).coefficient
     };
-    assert!((of(ShearLaw::Carreau) / of(ShearLaw::Newton) - 1.0).abs() < 1e-13);
+    assert!((of(ShearLawName::Carreau) / of(ShearLawName::Newton) - 1.0).abs() < 1e-13);
 }
 
 #[test]
@@ -622,7 +622,7 @@ proptest! {
         prop_assert!(tau.residual.abs() <= 1e-7 * tau.value);
         // Without sliding nothing rubs, and a little sliding rubs in proportion.
         prop_assert_eq!(friction(&rheology, &at(0.0), 16).coefficient, 0.0);
-        let newton = rheology.clone().with_laws(ShearLaw::Newton, PressureLaw::Barus);
+        let newton = rheology.clone().with_laws(ShearLawName::Newton, PressureLaw::Barus);
         let slow = at(1e-12);
         // The limiting stress enters with the fourth power of its share.
         let (eyring, newton) = (isothermal(&rheology, &slow, 32), isothermal(&newton, &slow, 32));
@@ -654,7 +654,7 @@ proptest! {
                 ..LubricantInput::default()
             };
             let lubricant = lubricant.resolve(celsius(90.0)).unwrap();
-            let family = TractionConstants::of(OilFamily::Mineral).unwrap();
+            let family = TractionConstants::of(BaseOil::Mineral).unwrap();
             let constants = TractionConstants {
                 ambient_limit: family.ambient_limit * pressure,
                 eyring_stress: family.eyring_stress * pressure,

@@ -3,11 +3,8 @@
 use std::path::Path;
 
 use asperity::ehl::traction::Heat;
-use asperity::ehl::{
-    DensityLaw, FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling, RoughContact,
-    ShearLaw, ViscosityLaw,
-};
-use asperity::oil::LubricantInput;
+use asperity::ehl::{FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling, RoughContact};
+use asperity::oil::{AMBIENT_LIMIT, DensityLaw, LubricantInput, PressureViscosityLaw, ShearLaw};
 use asperity::referee::attenuated_roughness;
 use asperity_core::Profile;
 use asperity_core::material::Material;
@@ -23,8 +20,6 @@ use crate::failure::Failure;
 
 /// Eyring stress of the friction law where the film is Newtonian.
 const EYRING_STRESS: Pressure = Pressure::from_si(5e6);
-/// Limiting stress of the film without pressure.
-const AMBIENT_LIMIT: Pressure = Pressure::from_si(2e6);
 /// Thickness of the boundary layer.
 const BOUNDARY_LAYER: Length = Length::from_si(10e-9);
 /// Steel of the bodies, whose heat the thermal traction needs.
@@ -74,11 +69,11 @@ pub fn read(args: &EhlArgs) -> Result<Bare, Failure> {
         viscosity,
         pressure_viscosity,
         viscosity_law: match bare.viscosity_law {
-            ViscosityLawArg::Roelands => ViscosityLaw::Roelands {
+            ViscosityLawArg::Roelands => PressureViscosityLaw::Roelands {
                 exponent: bare.roelands,
             },
-            ViscosityLawArg::Barus => ViscosityLaw::Barus,
-            ViscosityLawArg::Isoviscous => ViscosityLaw::Isoviscous,
+            ViscosityLawArg::Barus => PressureViscosityLaw::Barus,
+            ViscosityLawArg::Isoviscous => PressureViscosityLaw::Isoviscous,
         },
         density_law: match bare.viscosity_law {
             ViscosityLawArg::Roelands => DensityLaw::DowsonHigginson,

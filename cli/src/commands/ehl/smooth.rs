@@ -2,8 +2,9 @@
 
 use asperity::ehl::traction::{Heat, Traction, TractionLaw, traction};
 use asperity::ehl::{
-    FrictionLaw, RoughContact, ShearLaw, Solved, SteadyFilm, SteadySettings, Warning, steady,
+    FrictionLaw, RoughContact, Solved, SteadyFilm, SteadySettings, Warning, steady,
 };
+use asperity::oil::ShearLaw;
 use serde_json::{Value, json};
 
 use super::failed::of_contact;

@@ -1,7 +1,7 @@
 //! Other laws and readings of the model, printed beside the band and never in it.
 
 use asperity_core::quantity::Length;
-use asperity_tribo_friction::PressureLaw;
+use asperity_oil::PressureLaw;
 
 use crate::case::{LoadShareName, LoadedCase};
 use crate::load_share::SpotSpeed;

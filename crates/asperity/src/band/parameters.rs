@@ -16,8 +16,8 @@
 
 use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::inlet_flow::Lay;
+use asperity_oil::{ShearLawName, TractionConstants};
 use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION_BAND, BOUNDARY_LAYER_BAND};
-use asperity_tribo_friction::{OilFamily, ShearLaw, TractionConstants};
 
 use crate::case::{CalibratedName, LoadedCase};
 use crate::error::PositionError;
@@ -149,7 +149,7 @@ impl UncertainParameter {
             Self::BoundaryLayer => supply == Some(InletSupply::Rough),
             Self::Lay => supply == Some(InletSupply::Rough),
             Self::LimitingShear => shear.is_some(),
-            Self::EyringStress => shear == Some(ShearLaw::Eyring),
+            Self::EyringStress => shear == Some(ShearLawName::Eyring),
         }
     }
 
@@ -203,7 +203,7 @@ impl UncertainParameter {
 fn eyring_range(loaded: &LoadedCase, value: f64) -> Result<[f64; 2], PositionError> {
     let known = match loaded.case.lubricant.base_oil() {
         Some(base) => {
-            let stress = &OilFamily::from(base).data()?.eyring_stress;
+            let stress = &base.data()?.eyring_stress;
             stress.low.zip(stress.high)
         }
         None => None,

@@ -34,14 +34,6 @@ pub enum CaseError {
         /// Place in the case file.
         place: Place,
     },
-    /// The oil has no film friction.
-    #[error("{place}: {source}")]
-    FilmFriction {
-        /// Place in the case file.
-        place: Place,
-        /// Cause.
-        source: asperity_tribo_friction::FrictionError,
-    },
     /// Not TOML, or not JSON.
     #[error("{place}: {message}")]
     Syntax {
@@ -267,7 +259,7 @@ impl CaseError {
                 source: LubricantError::ImplausiblePressureViscosity { .. },
                 ..
             } => "E207",
-            Self::Lubricant { .. } | Self::FilmFriction { .. } => "E208",
+            Self::Lubricant { .. } => "E208",
             Self::Domain {
                 key: "model.tolerance",
                 source,
@@ -317,7 +309,6 @@ impl CaseError {
             | Self::Impossible { place, .. }
             | Self::NotForTheseGears { place, .. }
             | Self::Lubricant { place, .. }
-            | Self::FilmFriction { place, .. }
             | Self::UnknownSteel { place, .. }
             | Self::OpenNamed { place, .. }
             | Self::NoTraces { place, .. }

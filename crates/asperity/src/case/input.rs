@@ -14,13 +14,12 @@ use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay};
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
 use asperity_gear::{AmountDirection, LoadLaw, PathOfContact, Plane};
 use asperity_ns_film::FluidModel;
-use asperity_oil::LubricantInput;
+use asperity_oil::{LubricantInput, PressureLaw};
 use asperity_profile_io::read::{
     Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator, TraceLine, Uneven,
 };
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
-use asperity_tribo_friction::PressureLaw;
 use schemars::JsonSchema;
 use serde::de::value::{SeqAccessDeserializer, StrDeserializer};
 use serde::de::{IntoDeserializer, SeqAccess, Visitor};

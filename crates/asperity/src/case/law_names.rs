@@ -1,6 +1,8 @@
 //! Names of the laws of friction and load share in a case file.
 
-use asperity_tribo_friction::{FrictionLaw, ShearLaw};
+use asperity_tribo_friction::FrictionLaw;
+
+use asperity_oil::ShearLawName;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -41,11 +43,11 @@ pub enum FilmFrictionLaw {
 impl FilmFrictionLaw {
     /// The shear law of a film alone; none for a published law.
     #[must_use]
-    pub const fn shear_law(self) -> Option<ShearLaw> {
+    pub const fn shear_law(self) -> Option<ShearLawName> {
         match self {
-            Self::Eyring => Some(ShearLaw::Eyring),
-            Self::Carreau => Some(ShearLaw::Carreau),
-            Self::Newton => Some(ShearLaw::Newton),
+            Self::Eyring => Some(ShearLawName::Eyring),
+            Self::Carreau => Some(ShearLawName::Carreau),
+            Self::Newton => Some(ShearLawName::Newton),
             _ => None,
         }
     }

@@ -6,8 +6,9 @@ use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay};
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
 use asperity_gear::{GearPair, LoadLaw};
 use asperity_ns_film::FluidModel;
+use asperity_oil::PressureLaw;
 use asperity_tribo_friction::boundary::BOUNDARY_LAYER;
-use asperity_tribo_friction::{FrictionSettings, PressureLaw, RoughnessReading};
+use asperity_tribo_friction::{FrictionSettings, RoughnessReading};
 use serde::Serialize;
 
 use super::defaults::Defaults;

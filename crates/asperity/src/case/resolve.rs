@@ -4,11 +4,10 @@ use asperity_core::material::{Material, reduced_modulus};
 use asperity_core::quantity::{AngularSpeed, Length, Pressure, Quantity, Temperature, Torque};
 use asperity_core::{DomainError, OutOfRange};
 use asperity_gear::{GearPair, LoadConditions, LoadMapSettings, MicroGeometry};
-use asperity_oil::{Lubricant, LubricantError, LubricantState};
+use asperity_oil::{FilmRheology, Lubricant, LubricantError, LubricantState, TractionConstants};
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::preparation::Preparation;
-use asperity_tribo_friction::{FilmRheology, FrictionError, TractionConstants};
 
 use super::bulk::{BulkModel, FoundBulk, bulk_model};
 use super::calibrated;
@@ -158,11 +157,11 @@ pub(super) fn resolve_checked(
                 operation.temperature,
                 input.calibration.as_ref(),
             )
-            .map_err(rheology_at(source))?;
+            .map_err(lubricant_at(source))?;
             // One film in the whole run: as thick as the film friction has it.
             let state = rheology
                 .state(operation.temperature)
-                .map_err(rheology_at(source))?;
+                .map_err(lubricant_at(source))?;
             oil_state.pressure_viscosity = state.pressure_viscosity;
             oil_state.thermal_conductivity = state.conductivity;
             Some(rheology)
@@ -206,11 +205,8 @@ fn rheology(
     model: &Model,
     bulk: Temperature,
     calibration: Option<&CalibrationInput>,
-) -> Result<FilmRheology, RheologyError> {
-    let family = lubricant
-        .base_oil()
-        .ok_or(RheologyError::Oil(LubricantError::NoBaseOil))?
-        .into();
+) -> Result<FilmRheology, LubricantError> {
+    let family = lubricant.base_oil().ok_or(LubricantError::NoBaseOil)?;
     let mut constants = TractionConstants::of(family)?;
     if let Some(given) = lubricant.given_thermal_conductivity() {
         constants.conductivity = given;
@@ -227,31 +223,6 @@ fn rheology(
     };
     let shear = model.film_friction.shear_law().unwrap_or_default();
     Ok(rheology.with_laws(shear, model.film_pressure_law))
-}
-
-/// Reason why the oil has no rheology.
-enum RheologyError {
-    Oil(LubricantError),
-    Friction(FrictionError),
-}
-
-impl From<FrictionError> for RheologyError {
-    fn from(error: FrictionError) -> Self {
-        Self::Friction(error)
-    }
-}
-
-fn rheology_at<E: Into<RheologyError>>(source: &Source) -> impl Fn(E) -> CaseError + use<'_, E> {
-    |error| match error.into() {
-        RheologyError::Oil(error) => lubricant_at(source)(error),
-        RheologyError::Friction(FrictionError::Domain(error)) => {
-            domain(source, key_of("lubricant", error.name))(error)
-        }
-        RheologyError::Friction(error) => CaseError::FilmFriction {
-            place: source.place_of_key("lubricant"),
-            source: error,
-        },
-    }
 }
 
 fn preparation(

@@ -5,6 +5,7 @@ use asperity_core::DomainError;
 use asperity_core::numerics::RootError;
 use asperity_core::quantity::Pressure;
 use asperity_ehl_regime::RegimeError;
+use asperity_oil::LubricantError;
 use asperity_tribo_friction::FrictionError;
 
 /// Errors of a load share solution.
@@ -23,6 +24,9 @@ pub enum LoadShareError {
     /// Friction refuses the numbers.
     #[error(transparent)]
     Friction(#[from] FrictionError),
+    /// The oil has no state or no shear stress at a temperature of the film.
+    #[error(transparent)]
+    Lubricant(#[from] LubricantError),
     /// A flow pressure that the film pressure alone reaches.
     #[error(
         "flow pressure {flow_pressure} is below {least}, one and a half times the Hertz pressure: the flank would yield under the film alone"

@@ -9,8 +9,9 @@ use asperity_ehl_regime::inlet_flow::{
     CentralFilm, LARGEST_SHARE, Lay, inlet_factor, supplied_gap,
 };
 use asperity_ehl_regime::{FilmConditions, FilmLaw, MoesNumbers, ThermalLaw, thermal_loading};
+use asperity_oil::FilmRheology;
 use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION, BOUNDARY_LAYER, SharedFriction};
-use asperity_tribo_friction::{FilmHeat, FilmLineContact, FilmRheology, FilmSettings, LoadedFilm};
+use asperity_tribo_friction::{FilmHeat, FilmLineContact, FilmSettings, LoadedFilm};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -131,7 +132,7 @@ impl Default for LoadShareSettings {
 ///
 /// ```no_run
 /// # use asperity::load_share::*;
-/// # fn example(contact: LineContact, rheology: &asperity_tribo_friction::FilmRheology,
+/// # fn example(contact: LineContact, rheology: &asperity_oil::FilmRheology,
 /// #     tables: &[ContactTable], spectra: [&asperity_ehl_regime::TraceSpectrum; 2], starts: &[[usize; 2]],
 /// #     points: usize) -> Result<(), Box<dyn std::error::Error>> {
 /// let settings = LoadShareSettings::default();

@@ -14,7 +14,7 @@ use asperity_core::cite;
 use asperity_core::quantity::{Length, Pressure, Speed, Temperature};
 use asperity_ehl_regime::FilmGroups;
 use asperity_ehl_regime::film_line::moes;
-use asperity_tribo_friction::FilmRheology;
+use asperity_oil::FilmRheology;
 use asperity_tribo_friction::boundary::boundary_share;
 
 use super::error::LoadShareError;

@@ -4,13 +4,12 @@ use asperity_contact::hertz_line::HertzLine;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, Profile};
 use asperity_ehl::{
-    DensityLaw, FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling, RecordSettings,
-    RoughContact, ShearLaw, ViscosityLaw,
+    FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling, RecordSettings, RoughContact,
 };
 use asperity_ehl_regime::inlet_flow::CentralFilm;
 use asperity_ehl_regime::{FilmConditions, FilmLaw, MoesNumbers, TraceSpectrum};
+use asperity_oil::{DensityLaw, FilmRheology, PressureViscosityLaw, ShearLaw};
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
-use asperity_tribo_friction::FilmRheology;
 
 use super::error::RefereeError;
 use crate::case::{Case, LoadedCase};
@@ -166,7 +165,7 @@ fn oil_of(case: &Case, shear_law: ShearLaw) -> Oil {
     Oil {
         viscosity: case.oil.dynamic_viscosity,
         pressure_viscosity: case.oil.pressure_viscosity,
-        viscosity_law: ViscosityLaw::Roelands { exponent: ROELANDS },
+        viscosity_law: PressureViscosityLaw::Roelands { exponent: ROELANDS },
         density_law: DensityLaw::DowsonHigginson,
         shear_law,
     }
@@ -186,7 +185,7 @@ fn line_contact(case: &Case, station: &Station) -> LineContact {
 pub(super) fn rheology(case: &Case) -> Result<FilmRheology, RefereeError> {
     match (&case.rheology, case.lubricant.base_oil()) {
         (Some(rheology), _) => Ok(rheology.clone()),
-        (None, Some(base)) => Ok(FilmRheology::new(&case.lubricant, base.into())?),
+        (None, Some(base)) => Ok(FilmRheology::new(&case.lubricant, base)?),
         (None, None) => Err(RefereeError::NoBaseOil),
     }
 }

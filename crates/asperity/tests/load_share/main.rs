@@ -26,11 +26,9 @@ use asperity_core::quantity::{
 };
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_ehl_regime::{ThermalLaw, TraceSpectrum};
-use asperity_oil::{LubricantInput, ViscosityLaw};
+use asperity_oil::{BaseOil, FilmRheology, LubricantInput, ViscosityLaw};
 use asperity_roughness::preparation::{Preparation, prepare};
-use asperity_tribo_friction::{
-    FilmLineContact, FilmRheology, FilmSettings, OilFamily, film_friction,
-};
+use asperity_tribo_friction::{FilmLineContact, FilmSettings, film_friction};
 use serde::Deserialize;
 
 const STEEL: Material = Material {
@@ -132,8 +130,8 @@ fn superfinished() -> &'static Flanks {
 
 fn oil(name: &str) -> FilmRheology {
     let (nu, density, family) = match name {
-        "M100" => ([96.0, 10.6], 882.0, OilFamily::Mineral),
-        _ => ([30.8, 5.9], 845.0, OilFamily::Pao),
+        "M100" => ([96.0, 10.6], 882.0, BaseOil::Mineral),
+        _ => ([30.8, 5.9], 845.0, BaseOil::Pao),
     };
     let lubricant = LubricantInput {
         viscosity: Some(ViscosityLaw::AstmD341 {

@@ -15,7 +15,7 @@
 //! `rough_inlet` of asperity-ehl-regime.
 
 use asperity_core::quantity::DynamicViscosity;
-use asperity_tribo_friction::TractionConstants;
+use asperity_oil::TractionConstants;
 use proptest::prelude::*;
 use proptest::test_runner::Config;
 
@@ -272,7 +272,7 @@ fn in_units(drawn: &Drawn, units: &Units) -> LoadShareSolution {
     }
     lubricant.density = Some(Density::from_si(850.0 * density));
     let lubricant = lubricant.resolve(celsius(90.0)).unwrap();
-    let family = TractionConstants::of(OilFamily::Pao).unwrap();
+    let family = TractionConstants::of(BaseOil::Pao).unwrap();
     let constants = TractionConstants {
         ambient_limit: family.ambient_limit * pressure,
         eyring_stress: family.eyring_stress * pressure,

@@ -7,14 +7,15 @@
 
 use asperity_core::Profile;
 use asperity_core::quantity::{DynamicViscosity, Length, Pressure, PressureViscosity, Speed};
-use asperity_ehl::{DensityLaw, LineContact, Oil, ShearLaw, ViscosityLaw};
+use asperity_ehl::{LineContact, Oil};
+use asperity_oil::{DensityLaw, PressureViscosityLaw, ShearLaw};
 
 /// Oil of the gear case: 10 mPa s, α 18 1/GPa, Roelands 0.6, compressible, Newtonian.
 pub fn gear_oil() -> Oil {
     Oil {
         viscosity: DynamicViscosity::from_si(0.01),
         pressure_viscosity: PressureViscosity::from_si(1.8e-8),
-        viscosity_law: ViscosityLaw::Roelands { exponent: 0.6 },
+        viscosity_law: PressureViscosityLaw::Roelands { exponent: 0.6 },
         density_law: DensityLaw::DowsonHigginson,
         shear_law: ShearLaw::Newtonian,
     }
@@ -36,7 +37,7 @@ pub fn contact(p_0: f64, u_m: f64, slide_to_roll: f64) -> LineContact {
 pub fn of_moes(
     m: f64,
     l: f64,
-    viscosity_law: ViscosityLaw,
+    viscosity_law: PressureViscosityLaw,
     density_law: DensityLaw,
 ) -> (LineContact, Oil) {
     let (radius, modulus, alpha) = (10e-3, 115.4e9, 2e-8);

@@ -1,8 +1,8 @@
 //! Inputs: the case with its defaults, the files, the equations and their sources.
 
 use asperity::flank_record::FlankRecord;
+use asperity::oil::Mark;
 use asperity::result::{FilmConstant, RunResult};
-use asperity::tribo_friction::film_friction::Mark;
 use maud::{Markup, html};
 use serde_json::Value;
 

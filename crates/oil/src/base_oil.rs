@@ -1,4 +1,4 @@
-//! Families of oils: the constants of film friction that no data sheet states.
+//! Families of base oils, and the constants that no data sheet states.
 //!
 //! | symbol | field | unit |
 //! |---|---|---|
@@ -7,18 +7,37 @@
 //! | k | `conductivity` at ambient pressure | W/(m K) |
 //! | c₁, c₂ | `conductivity_rise`, `conductivity_bend` in k(p) = k (1 + c₁ p/(1 + c₂ p)) | 1/GPa |
 //!
-//! The numbers are data (`data/oil_families.json`), each with its band where one is known, its source and
-//! how sure it is ([`Mark`]). Gold's constants for α are those of the base oil in `asperity-core`. The families are those of the base oil; additives are not in them.
+//! The numbers are data (`data/oil_families.json`), each with its range if one is known, its source and its
+//! confidence ([`Mark`]). Effects of additives are not included.
 
+use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
-use asperity_oil::BaseOil;
+use asperity_core::quantity::PerKelvin;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::error::FrictionError;
+use crate::LubricantError;
 
-const DATA: &str = include_str!("../../data/oil_families.json");
+const DATA: &str = include_str!("../data/oil_families.json");
+
+/// Class of base oil.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum BaseOil {
+    /// Paraffinic mineral oil.
+    Mineral,
+    /// Naphthenic mineral oil: constants of paraffinic oil, which underrate its α.
+    Naphthenic,
+    /// Hydrocracked oil of API group III, automatic transmission fluid (judgement between its neighbours).
+    GroupIii,
+    /// Polyalphaolefin, e-fluids on that base.
+    Pao,
+    /// Ester.
+    Ester,
+    /// Polyalkylene glycol.
+    Polyglycol,
+}
 
 /// Confidence in a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -28,22 +47,22 @@ pub enum Mark {
     Seen,
     /// Fitted here to measurements of its source.
     Calibrated,
-    /// From memory; the text of the source was not reached.
+    /// From memory; the text of the source was not available.
     Memory,
     /// Judgement of this project.
     Judged,
 }
 
-/// A number with its band, its source and how sure it is.
+/// A number with its range, its source and its confidence.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct MarkedValue {
     /// The default.
     pub value: f64,
-    /// Lower end of the band, where one is known.
+    /// Lower end of the range, if known.
     #[serde(default)]
     pub low: Option<f64>,
-    /// Upper end of the band, where one is known.
+    /// Upper end of the range, if known.
     #[serde(default)]
     pub high: Option<f64>,
     /// Confidence.
@@ -52,11 +71,11 @@ pub struct MarkedValue {
     pub source: String,
 }
 
-/// Constants of one family of oils.
+/// Constants of a base oil for film friction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct OilFamilyData {
-    /// Name of the family in a case file.
+pub struct BaseOilData {
+    /// Name of the base oil in a case file.
     pub name: String,
     /// Limiting shear stress over pressure Λ.
     pub limiting_shear: MarkedValue,
@@ -72,58 +91,13 @@ pub struct OilFamilyData {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
-    sources: std::collections::BTreeMap<String, String>,
-    families: Vec<OilFamilyData>,
+struct DataFile {
+    sources: BTreeMap<String, String>,
+    families: Vec<BaseOilData>,
 }
 
-/// Family of the base oil.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
-#[non_exhaustive]
-pub enum OilFamily {
-    /// Paraffinic mineral oil.
-    Mineral,
-    /// Naphthenic mineral oil.
-    Naphthenic,
-    /// Hydrocracked oil of API group III, automatic transmission fluid.
-    GroupIii,
-    /// Polyalphaolefin, e-fluids on that base.
-    Pao,
-    /// Ester.
-    Ester,
-    /// Polyalkylene glycol.
-    Polyglycol,
-}
-
-impl From<BaseOil> for OilFamily {
-    fn from(base: BaseOil) -> Self {
-        match base {
-            BaseOil::Mineral => Self::Mineral,
-            BaseOil::Naphthenic => Self::Naphthenic,
-            BaseOil::GroupIii => Self::GroupIii,
-            BaseOil::Pao => Self::Pao,
-            BaseOil::Ester => Self::Ester,
-            BaseOil::Polyglycol => Self::Polyglycol,
-        }
-    }
-}
-
-impl From<OilFamily> for BaseOil {
-    fn from(family: OilFamily) -> Self {
-        match family {
-            OilFamily::Mineral => Self::Mineral,
-            OilFamily::Naphthenic => Self::Naphthenic,
-            OilFamily::GroupIii => Self::GroupIii,
-            OilFamily::Pao => Self::Pao,
-            OilFamily::Ester => Self::Ester,
-            OilFamily::Polyglycol => Self::Polyglycol,
-        }
-    }
-}
-
-impl OilFamily {
-    /// Every family, in the order of the data file.
+impl BaseOil {
+    /// Every base oil, in the order of the data file.
     pub const ALL: [Self; 6] = [
         Self::Mineral,
         Self::Naphthenic,
@@ -146,43 +120,71 @@ impl OilFamily {
         }
     }
 
-    /// The constants of the family.
+    /// Gold's s \[1/GPa\] and t of α = s ν^t (Fernandes and others 2013, α at 0.2 GPa).
+    ///
+    /// ```
+    /// use asperity_oil::BaseOil;
+    /// assert_eq!(BaseOil::Pao.gold_constants(), [7.382, 0.1335]);
+    /// ```
+    #[must_use]
+    pub const fn gold_constants(self) -> [f64; 2] {
+        match self {
+            Self::Mineral | Self::Naphthenic => [9.904, 0.1390],
+            Self::GroupIii => [8.5, 0.1360],
+            Self::Pao => [7.382, 0.1335],
+            Self::Ester => [6.605, 0.1360],
+            Self::Polyglycol => [5.489, 0.1485],
+        }
+    }
+
+    /// Thermal expansion relative to the density at 15 °C (Fernandes and others 2013).
+    #[must_use]
+    pub const fn thermal_expansion(self) -> PerKelvin {
+        PerKelvin::from_si(match self {
+            Self::Mineral | Self::Naphthenic | Self::GroupIii => 5.8e-4,
+            Self::Pao => 5.5e-4,
+            Self::Ester => 8.1e-4,
+            Self::Polyglycol => 7.1e-4,
+        })
+    }
+
+    /// The constants for film friction.
     ///
     /// # Errors
-    /// When the data file does not read or lacks the family; a test reads them all.
+    /// When the data file cannot be read or lacks the base oil; a test reads them all.
     ///
     /// ```
-    /// use asperity_tribo_friction::OilFamily;
-    /// let pao = OilFamily::Pao.data()?;
+    /// use asperity_oil::BaseOil;
+    /// let pao = BaseOil::Pao.data()?;
     /// assert_eq!((pao.limiting_shear.value, pao.limiting_shear.low), (0.035, Some(0.030)));
-    /// # Ok::<(), asperity_tribo_friction::FrictionError>(())
+    /// # Ok::<(), asperity_oil::LubricantError>(())
     /// ```
-    pub fn data(self) -> Result<&'static OilFamilyData, FrictionError> {
-        let lost = |reason: String| FrictionError::OilFamilies { reason };
-        let file = file().as_ref().map_err(|reason| lost(reason.clone()))?;
+    pub fn data(self) -> Result<&'static BaseOilData, LubricantError> {
+        let unreadable = |reason: String| LubricantError::BaseOils { reason };
+        let file = data_file()
+            .as_ref()
+            .map_err(|reason| unreadable(reason.clone()))?;
         file.families
             .iter()
             .find(|family| family.name == self.name())
-            .ok_or_else(|| lost(format!("no family {}", self.name())))
+            .ok_or_else(|| unreadable(format!("no family {}", self.name())))
     }
-}
 
-impl OilFamily {
-    /// Every constant of the family by the name that output gives it, Gold's of the base oil among them.
+    /// Every constant by its name in a result, including Gold's.
     ///
     /// # Errors
     /// As [`data`](Self::data).
     ///
     /// ```
-    /// use asperity_tribo_friction::{OilFamily, film_friction::Mark};
-    /// let constants = OilFamily::Ester.constants()?;
+    /// use asperity_oil::{BaseOil, Mark};
+    /// let constants = BaseOil::Ester.constants()?;
     /// assert!(constants.iter().any(|(name, value)| *name == "limiting_shear" && value.mark == Mark::Judged));
-    /// # Ok::<(), asperity_tribo_friction::FrictionError>(())
+    /// # Ok::<(), asperity_oil::LubricantError>(())
     /// ```
-    pub fn constants(self) -> Result<Vec<(&'static str, MarkedValue)>, FrictionError> {
+    pub fn constants(self) -> Result<Vec<(&'static str, MarkedValue)>, LubricantError> {
         let data = self.data()?;
-        let [factor, exponent] = BaseOil::from(self).gold_constants();
-        // No constants of Group III were found; they are judged between those of mineral oil and PAO.
+        let [factor, exponent] = self.gold_constants();
+        // No source states constants of group III; they are judged between those of mineral oil and PAO.
         let (mark, source) = match self {
             Self::GroupIii => (Mark::Judged, "own"),
             _ => (Mark::Memory, "gold_2001"),
@@ -206,20 +208,20 @@ impl OilFamily {
     }
 }
 
-/// Text of the source with this key.
+/// Text of the source of a [`MarkedValue`] by its key.
 ///
 /// ```
-/// use asperity_tribo_friction::film_friction::family_source;
-/// assert!(family_source("arana_2019").is_some_and(|text| text.contains("Arana")));
+/// use asperity_oil::base_oil_source;
+/// assert!(base_oil_source("arana_2019").is_some_and(|text| text.contains("Arana")));
 /// ```
 #[must_use]
-pub fn family_source(key: &str) -> Option<&'static str> {
-    let file = file().as_ref().ok()?;
+pub fn base_oil_source(key: &str) -> Option<&'static str> {
+    let file = data_file().as_ref().ok()?;
     file.sources.get(key).map(String::as_str)
 }
 
-fn file() -> &'static Result<File, String> {
-    static FILE: OnceLock<Result<File, String>> = OnceLock::new();
+fn data_file() -> &'static Result<DataFile, String> {
+    static FILE: OnceLock<Result<DataFile, String>> = OnceLock::new();
     FILE.get_or_init(|| serde_json::from_str(DATA).map_err(|error| error.to_string()))
 }
 
@@ -228,8 +230,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_number_lies_in_its_band_and_names_a_source() {
-        for family in OilFamily::ALL {
+    fn every_number_lies_in_its_range_and_names_a_source() {
+        for family in BaseOil::ALL {
             let data = family.data().unwrap();
             for number in [
                 &data.limiting_shear,
@@ -241,16 +243,20 @@ mod tests {
                 assert!(number.value > 0.0);
                 assert!(number.low.is_none_or(|low| low < number.value));
                 assert!(number.high.is_none_or(|high| high > number.value));
-                assert!(family_source(&number.source).is_some(), "{}", number.source);
+                assert!(
+                    base_oil_source(&number.source).is_some(),
+                    "{}",
+                    number.source
+                );
             }
             for (name, constant) in family.constants().unwrap() {
-                assert!(family_source(&constant.source).is_some(), "{name}");
+                assert!(base_oil_source(&constant.source).is_some(), "{name}");
             }
             assert!(data.limiting_shear.low.is_some() && data.limiting_shear.high.is_some());
         }
         assert_eq!(
-            file().as_ref().unwrap().families.len(),
-            OilFamily::ALL.len()
+            data_file().as_ref().unwrap().families.len(),
+            BaseOil::ALL.len()
         );
     }
 }

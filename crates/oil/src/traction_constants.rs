@@ -1,18 +1,16 @@
-//! Constants of an oil that decide its traction, beside its viscosity; the symbols are those of `rheology`.
+//! Constants of an oil for film friction besides its viscosity; symbols as in `rheology`.
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{PerKelvin, Pressure, ThermalConductivity};
-use asperity_oil::BaseOil;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::oil_family::OilFamily;
-use crate::error::FrictionError;
+use crate::{BaseOil, LubricantError, ShearLaw, ShearLawName};
 
-/// Limiting shear stress at ambient pressure (judgement) \[Pa\].
-const LIMIT_AT_AMBIENT: f64 = 2e6;
+/// Limiting shear stress τ_L0 at ambient pressure (judgement).
+pub const AMBIENT_LIMIT: Pressure = Pressure::from_si(2e6);
 
-/// Constants of the Carreau-Yasuda law; no set for gear oils was found, the default is judgement.
+/// Constants of the Carreau-Yasuda law; no source states them for gear oils, the defaults are judgement.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct CarreauConstants {
@@ -34,7 +32,7 @@ impl Default for CarreauConstants {
     }
 }
 
-/// Properties of an oil for film friction beside its viscosity.
+/// Properties of an oil for film friction besides its viscosity.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TractionConstants {
@@ -59,26 +57,41 @@ pub struct TractionConstants {
 }
 
 impl TractionConstants {
-    /// The constants of a family of oils.
+    /// The constants of a base oil.
     ///
     /// # Errors
-    /// As [`OilFamily::data`].
-    pub fn of(family: OilFamily) -> Result<Self, FrictionError> {
+    /// As [`BaseOil::data`].
+    pub fn of(family: BaseOil) -> Result<Self, LubricantError> {
         let data = family.data()?;
         Ok(Self {
             limiting_shear: data.limiting_shear.value,
             limiting_shear_fall: PerKelvin::from_si(0.0),
-            ambient_limit: Pressure::from_si(LIMIT_AT_AMBIENT),
+            ambient_limit: AMBIENT_LIMIT,
             eyring_stress: Pressure::from_si(data.eyring_stress.value),
             carreau: CarreauConstants::default(),
             conductivity: ThermalConductivity::from_si(data.conductivity.value),
             conductivity_rise: data.conductivity_rise.value,
             conductivity_bend: data.conductivity_bend.value,
-            gold_exponent: BaseOil::from(family).gold_constants()[1],
+            gold_exponent: family.gold_constants()[1],
         })
     }
 
-    pub(super) fn validate(&self) -> Result<(), DomainError> {
+    /// The shear law of this name with its constants; Carreau's with the sharpness 2.
+    #[must_use]
+    pub fn shear_law(&self, name: ShearLawName) -> ShearLaw {
+        match name {
+            ShearLawName::Newton => ShearLaw::Newtonian,
+            ShearLawName::Eyring => ShearLaw::Eyring {
+                stress: self.eyring_stress,
+            },
+            ShearLawName::Carreau => ShearLaw::Carreau {
+                modulus: self.carreau.critical_stress,
+                exponent: self.carreau.exponent,
+            },
+        }
+    }
+
+    pub(crate) fn validate(&self) -> Result<(), DomainError> {
         DomainError::non_negative("fall of the limiting shear", self.limiting_shear_fall)?;
         DomainError::non_negative("limiting shear stress at p = 0", self.ambient_limit)?;
         DomainError::positive("Eyring stress", self.eyring_stress)?;

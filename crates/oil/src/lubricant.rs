@@ -7,12 +7,11 @@ use crate::{
     Vogel, cragoe_conductivity, cragoe_heat_capacity, gold_pressure_viscosity, library,
     plausible_pressure_viscosity,
 };
-use asperity_core::checked::Checked;
-use asperity_core::error::DomainError;
 use asperity_core::quantity::{
     Density, DynamicViscosity, KinematicViscosity, PerKelvin, PressureViscosity, SpecificHeat,
     Temperature, ThermalConductivity,
 };
+use asperity_core::{Checked, DomainError, OutOfRange};
 
 /// The temperature that data sheets state the density at, 15 °C.
 const DATA_SHEET_TEMPERATURE: Temperature = Temperature::from_si(288.15);
@@ -407,7 +406,7 @@ impl Lubricant {
         &self,
         temperature: Temperature,
         density: Density,
-        outside: &mut Vec<asperity_core::OutOfRange>,
+        outside: &mut Vec<OutOfRange>,
     ) -> Result<(DynamicViscosity, PerKelvin), LubricantError> {
         Ok(match self.viscosity {
             Viscosity::AstmD341(law) => {
@@ -431,7 +430,7 @@ impl Lubricant {
 }
 
 /// The value, its notes moved to `outside`.
-fn noted<T>(checked: Checked<T>, outside: &mut Vec<asperity_core::OutOfRange>) -> T {
+fn noted<T>(checked: Checked<T>, outside: &mut Vec<OutOfRange>) -> T {
     outside.extend(checked.outside);
     checked.value
 }

@@ -2,19 +2,17 @@
 //!
 //! Cubic Hermite interpolation of ln η₀ through values and exact slopes, half a kelvin apart: the
 //! interpolation error is h⁴/384 of the fourth derivative, below 10⁻⁹ in ln η₀ for mineral and
-//! synthetic oils above -20 °C, 10⁻¹¹ at working temperatures. Beyond the ends the last slope is kept, and
-//! this is reported to the caller.
+//! synthetic oils above -20 °C, 10⁻¹¹ at working temperatures. Beyond the ends ln η₀ continues with the last slope.
 
 use asperity_core::quantity::{DynamicViscosity, PerKelvin, Temperature};
-use asperity_oil::Lubricant;
 
-use crate::error::FrictionError;
+use crate::{Lubricant, LubricantError};
 
 /// Distance of the entries \[K\].
 const STEP: f64 = 0.5;
-/// First and last temperature asked for: −60 °C and 500 °C, where film friction ends for any oil.
+/// Range of the table: −60 °C to 500 °C, beyond the temperatures of any lubricated contact.
 const SPAN: [f64; 2] = [213.15, 773.15];
-/// Viscosities above this are left out at the cold end: no oil flows there \[Pa s\].
+/// Largest viscosity of the table, at its cold end: no oil flows there \[Pa s\].
 const THICKEST: f64 = 1e6;
 
 /// ln η₀ and its slope over temperature.
@@ -30,7 +28,7 @@ impl ViscosityTable {
     /// The table of a law that gives η₀ and β = −(dη/dT)/η, over the temperatures where it does.
     pub(crate) fn new(
         law: impl Fn(Temperature) -> Option<(DynamicViscosity, PerKelvin)>,
-    ) -> Result<Self, FrictionError> {
+    ) -> Result<Self, LubricantError> {
         let count = ((SPAN[1] - SPAN[0]) / STEP) as usize;
         let mut first = SPAN[0];
         let mut entries = Vec::with_capacity(count + 1);
@@ -52,13 +50,13 @@ impl ViscosityTable {
             }
         }
         if entries.len() < 2 {
-            return Err(FrictionError::NoViscosity);
+            return Err(LubricantError::NoViscosityAtAnyTemperature);
         }
         Ok(Self { first, entries })
     }
 
     /// The table of a lubricant.
-    pub(crate) fn of(lubricant: &Lubricant) -> Result<Self, FrictionError> {
+    pub(crate) fn of(lubricant: &Lubricant) -> Result<Self, LubricantError> {
         Self::new(|t| {
             let state = lubricant.at(t).ok()?.value;
             Some((state.dynamic_viscosity, state.temperature_coefficient))
@@ -98,13 +96,13 @@ impl ViscosityTable {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity_oil::LubricantInput;
+    use crate::{BaseOil, LubricantInput};
 
     #[test]
     fn the_table_is_the_law_between_its_entries() {
         let oil = LubricantInput {
             oil: Some("m100".to_owned()),
-            base_oil: Some(asperity_oil::BaseOil::Mineral),
+            base_oil: Some(BaseOil::Mineral),
             ..LubricantInput::default()
         };
         let oil = oil.resolve("90 °C".parse().unwrap()).unwrap();
