@@ -58,7 +58,7 @@ impl Token {
 
     /// Runs `work` with this as the token of the thread.
     pub fn run<T>(&self, work: impl FnOnce() -> T) -> T {
-        /// The token before, which is that of the thread again however the work ends.
+        /// The previous token, restored when the work ends, also by a panic.
         struct Outer(Option<Token>);
         impl Drop for Outer {
             fn drop(&mut self) {

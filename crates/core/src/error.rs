@@ -19,7 +19,7 @@ pub struct DomainError {
     pub rule: &'static str,
 }
 
-/// Six digits that mean something; a number without unit stands alone.
+/// The value rounded to six significant digits, with its unit if it has one.
 fn value_with_unit(value: f64, unit: &str) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
     let number = if rounded.is_finite() {

@@ -1,4 +1,4 @@
-//! Hardness of steel: its scales, and the strength that it stands for.
+//! Hardness of steel: its scales, and the strength that it indicates.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -15,11 +15,11 @@ use crate::error::DomainError;
 use crate::quantity::Pressure;
 use crate::unit_text;
 
-/// Standard acceleration of gravity \[m/s²\]: 1 kgf/mm² is so many MPa.
+/// Standard acceleration of gravity \[m/s²\], the number of MPa in 1 kgf/mm².
 const KILOGRAM_FORCE: f64 = 9.80665;
 
 /// HRC, HB (tungsten carbide ball) and HV of non-austenitic steel, every fifth row of ASTM E140, table 1. Some programs
-/// give 613 HB at 60 HRC, which is no such ball's: 58 HRC has 611 HB and 653 HV.
+/// give 613 HB at 60 HRC, which does not fit this ball: 58 HRC has 611 HB and 653 HV.
 const SCALES: [(f64, f64, f64); 11] = [
     (20.0, 226.0, 238.0),
     (25.0, 253.0, 266.0),
@@ -82,7 +82,7 @@ pub struct Hardness {
     pub scale: HardnessScale,
 }
 
-/// A text that is no hardness.
+/// A text that is not a hardness.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("\"{text}\" is no hardness; write it as \"60 HRC\", \"700 HV\" or \"300 HB\"")]
 pub struct HardnessError {

@@ -255,7 +255,7 @@ quantities! {
 }
 
 impl Temperature {
-    /// The temperature of so many °C.
+    /// The temperature from its number of degrees Celsius.
     ///
     /// ```
     /// use asperity_core::quantity::Temperature;

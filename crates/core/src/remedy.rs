@@ -168,7 +168,7 @@ impl Remedy {
         }])
     }
 
-    /// The same, or give `setting` a value.
+    /// Adds the alternative to give `setting` a value.
     #[must_use]
     pub fn or_set(mut self, setting: Setting, to: Value) -> Self {
         self.0.push(Action::Set {
@@ -179,14 +179,14 @@ impl Remedy {
         self
     }
 
-    /// The same, or do something elsewhere.
+    /// Adds the alternative to do something elsewhere.
     #[must_use]
     pub fn or_do(mut self, what: impl Into<Cow<'static, str>>) -> Self {
         self.0.push(Action::Do { what: what.into() });
         self
     }
 
-    /// The same, the last action with its end: "to fill them", "if x is another column".
+    /// Adds the purpose of the last action, or its condition: "to fill them", "if x is another column".
     #[must_use]
     pub fn because(mut self, reason: impl Into<Cow<'static, str>>) -> Self {
         if let Some(Action::Set { why, .. }) = self.0.last_mut() {

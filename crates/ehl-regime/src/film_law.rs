@@ -8,7 +8,7 @@
 //! | `hamrock-dowson` | P14, k → ∞, W = F/(E′R²) | P13, k → ∞, W = F/(E′R²) |
 //! | `hamrock-dowson-line` | P14, k → ∞, W = w/(E′R) | P13, k → ∞, W = w/(E′R) |
 //!
-//! Moes and Ertel–Grubin give one film thickness only. The minimum beside them is
+//! Moes and Ertel–Grubin give one film thickness only. Their minimum is
 //! Dowson–Higginson's own fit: an independent formula, not a ratio applied to the central film.
 
 use asperity_core::quantity::{Force, Length};
@@ -80,7 +80,7 @@ impl FilmLaw {
 
     /// The exponent X of the speed group U in the central film, which Λ* needs.
     ///
-    /// Moes' form is no power law; its elastic piezoviscous asymptote H_EP √U_Σ goes with
+    /// Moes' form is not a power law; its elastic piezoviscous asymptote H_EP √U_Σ goes with
     /// U^(3/4): 1/16 from M^(−1/8), 3/16 from L^(3/4) and 1/2.
     pub const fn speed_exponent(self) -> f64 {
         match self {

@@ -1,6 +1,6 @@
-//! Film thickness law as an extension point: the laws of this crate and any law of a user's own.
+//! Film thickness law as an extension point: the laws of this crate and user-defined laws.
 //!
-//! Every [`FilmLaw`] of a case file is one; a user-defined law is a type with three functions.
+//! Every [`FilmLaw`] of a case file implements [`FilmThicknessLaw`]; a user-defined law is a type with three functions.
 
 use std::fmt::Debug;
 use std::sync::Arc;

@@ -11,7 +11,7 @@
 //! Sources: M. Masjedi and M. M. Khonsari, ASME J. Tribol. 134 (2012) 011503, line contact: only the abstract
 //! could be read, the constants are from memory, source not reached. K. L. Johnson, J. A. Greenwood and
 //! S. Y. Poon, Wear 19 (1972) 91: the film of mixed lubrication carries the share (h_c/h̄)^6.3. Both were made
-//! for statistical roughness whose asperities meet undeformed at the mean gap.
+//! for statistical roughness whose undeformed asperities touch at the mean gap.
 
 use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{Checked, DomainError, FittedRange, cite};

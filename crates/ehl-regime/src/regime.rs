@@ -73,7 +73,7 @@ pub enum LoadShareLaw {
 
 impl LoadShareLaw {
     /// The share c_f of the load that the film carries, from both film parameters (each law
-    /// looks at its own).
+    /// uses its own).
     ///
     /// # Errors
     /// When the parameter is negative or NaN.

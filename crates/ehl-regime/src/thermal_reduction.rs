@@ -28,7 +28,7 @@ use crate::error::RegimeError;
 /// Least numerator of Gupta's factor (judgement: 0.49 or more on an e-drive down to -30 °C).
 const LEAST_NUMERATOR: f64 = 0.3;
 
-/// Where Gupta's numerator stands above its floor: no published range is narrower.
+/// Range in which Gupta's numerator is above its lower bound: no published range is narrower.
 const GUPTA_NUMERATOR: FittedRange = FittedRange {
     name: "13.2 (p0/E') L^0.42",
     low: 0.0,
@@ -37,8 +37,8 @@ const GUPTA_NUMERATOR: FittedRange = FittedRange {
     correlation: "Gupta (numerator held at 0.3)",
 };
 
-/// Where the factor falls more steeply with the speed than the isothermal film rises (V_e^0.69, Dowson and Toyoda),
-/// so that the film would thin as the gears turn faster.
+/// Range in which the factor falls less steeply with the speed than the isothermal film rises (V_e^0.69, Dowson and
+/// Toyoda); outside it the film would thin as the gears turn faster.
 const GUPTA_FALL: FittedRange = FittedRange {
     name: "-d ln(factor)/d ln(speed)",
     low: 0.0,

@@ -21,7 +21,7 @@ pub enum EhlError {
     /// The grid cannot be halved often enough for the two-level solver.
     #[error("{cells} cells: give a multiple of {multiple} between {least} and {most}")]
     Cells {
-        /// Cells asked for.
+        /// Requested cells.
         cells: usize,
         /// Number they must be a multiple of.
         multiple: usize,

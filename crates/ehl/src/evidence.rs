@@ -14,13 +14,13 @@ pub struct Solved<T> {
     pub evidence: Evidence,
 }
 
-/// Residuals of a solution and the work it took; of a record, the worst of its steps.
+/// Residuals of a solution and its iterations; of a record, the largest residuals of its steps.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Evidence {
     /// |∫P dX − π/2|·2/π.
     pub load_error: f64,
     /// Largest violation of a node's conditions: the balance of full and cavitated nodes over the
-    /// mean flux, the film of contact nodes beside the boundary film over a²/R.
+    /// mean flux, the film of contact nodes minus the boundary film over a²/R.
     pub complementarity: f64,
     /// Oil that full and cavitated nodes gain or lose: |sum of their balances| over the mean flux.
     pub mass_balance: f64,

@@ -38,7 +38,7 @@ pub struct FrictionLaw {
 /// Friction of one state of the film, over the normal load.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Friction {
-    /// The film alone, everywhere.
+    /// Film friction everywhere.
     pub film: f64,
     /// Boundary friction with the weight min(1, e^(−(h − H_b)/h_b)), the film with the rest.
     pub shifted: f64,
@@ -123,9 +123,9 @@ impl FrictionLaw {
     /// β = min(1, e^(−(h − H_b)/h_b)), e^(−h/h_b) or [h ≤ h_s]                      [EHL-friction]
     /// ```
     ///
-    /// The first weight is 1 on nodes in contact, so that it does not depend on H_b, which stands for no measured
-    /// length. Where no film is below H_b, it is the second times e^(H_b/h_b), and so is the difference of the
-    /// friction from that of the film.
+    /// The first weight is 1 on nodes in contact, so that it does not depend on H_b, which is not a measured
+    /// length. If no film is below H_b, the first weight is the second times e^(H_b/h_b), and so is the difference
+    /// between the friction and the film friction.
     pub(crate) fn friction(
         &self,
         nodes: impl Iterator<Item = (f64, f64, f64)>,

@@ -1,7 +1,7 @@
 //! Steady film on graded grids with dense factors: reference values for tables.
 //!
 //! The nodes cluster where pressure and film bend; grids are doubled and the last two extrapolated
-//! (Richardson, second order). O(n³): seconds at a thousand nodes, so not for daily use.
+//! (Richardson, second order). O(n³): seconds at a thousand nodes.
 
 use asperity_core::cite;
 use serde::Serialize;
@@ -18,7 +18,7 @@ use crate::newton::{Effort, Limits, Newton, Problem, Solution};
 use crate::oil::Oil;
 use crate::steady::{SteadyFilm, Window, hertz_start, parabola, transfer};
 
-/// Limits of the dense iteration, which has no linear tolerance.
+/// Limits of the dense iteration: tight, because the direct solution leaves no linear residual.
 const LIMITS: Limits = Limits {
     tolerance: 1e-9,
     linear_tolerance: 0.0,
@@ -28,9 +28,9 @@ const LIMITS: Limits = Limits {
     flips: 0,
     load: 1e-10,
 };
-/// Points at which densities of nodes are integrated.
+/// Points at which node densities are integrated: many more than nodes, so that their rounding does not show.
 const FINE: usize = 20_000;
-/// Largest rise of the node distance per distance.
+/// Largest growth of the node distance per distance: neighbouring cells differ by at most 6 %.
 const GROWTH: f64 = 0.06;
 /// Pressure-viscosity slopes, over p₀, from which an isoviscous film is reached by continuation.
 const SOFTENING: [f64; 5] = [1.0, 0.6, 0.3, 0.1, 0.0];
@@ -51,7 +51,7 @@ pub struct ReferenceFilm {
     pub central: Extrapolated,
     /// Minimum film.
     pub minimum: Extrapolated,
-    /// Flux over that of one unit of film of ambient density.
+    /// Flux over the flux of one unit of film of ambient density.
     pub flux: Extrapolated,
     /// Central film of every grid, coarse to fine.
     pub sequence: Vec<f64>,
@@ -263,7 +263,7 @@ fn roots_of_curvature(grid: &Grid, values: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// Places that part the integral of a density into `cells` equal parts.
+/// Places that divide the integral of a density into `cells` equal parts.
 fn equal_parts(places: &[f64], densities: &[f64], cells: usize) -> Vec<f64> {
     let mut sums = vec![0.0];
     for (x, d) in places.windows(2).zip(densities.windows(2)) {

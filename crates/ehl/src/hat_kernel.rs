@@ -59,7 +59,7 @@ pub(crate) fn hat_matrix(grid: &Grid) -> Vec<f64> {
 
 /// First column of the periodic inverse of the kernel, `period` nodes of distance `spacing`.
 ///
-/// The symbol of the continuum is 1/|q|; that of the hats is its aliased sum with the square of the
+/// The symbol of the continuum is 1/|q|; the symbol of the hats is its aliased sum with the square of the
 /// cardinal sine. The constant, which the kernel leaves free, gets half of the first wave's value.
 pub(crate) fn inverse_column(spacing: f64, period: usize, count: usize) -> Vec<f64> {
     let step = 2.0 * PI / (period as f64 * spacing);

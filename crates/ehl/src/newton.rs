@@ -1,8 +1,20 @@
-//! Newton's method on the balances of all nodes with a primal-dual active set.
+//! Newton's method on the mass balances of all nodes with a primal-dual active set.
 //!
-//! A node is full (P > 0, H ≥ H_b, its balance holds), cavitated (P = 0, void fraction θ > 0, H ≥ H_b, its
-//! balance holds) or in contact (P ≥ 0, H = H_b, its balance may only lack oil: a boundary film supplies oil
-//! and swallows none). Above a ceiling of the pressure the surface yields locally.
+//! | state of a node | unknown | condition | changes its state when |
+//! |---|---|---|---|
+//! | full | P | balance = 0, H ≥ H_b | P < 0: cavitated; H < H_b: contact |
+//! | cavitated | void fraction θ | balance = 0, P = 0 | θ < 0: full; H < H_b: contact |
+//! | contact | P | H = H_b, balance ≥ 0 | P < 0: cavitated; balance < 0: full |
+//! | at the ceiling of P | depth of flow d | P = P_flow | d < 0: elastic |
+//!
+//! The cavitation conserves mass (Jakobsson, Floberg and Olsson; θ as in Elrod 1981). A node in contact has the
+//! boundary film H_b; its balance may only lack oil, which the boundary film supplies.
+//!
+//! Each iteration solves the linearised equations with the present states, then moves every node whose condition is
+//! violated to another state. This primal-dual active set is a semismooth Newton method (Hintermüller, Ito and Kunisch,
+//! SIAM J. Optim. 13, 2002, 865-888): most time steps converge in seven iterations, but a node on the border of two
+//! states may alternate between them without end. The constants `..._FROM` below resolve such cycles; each later one
+//! relaxes the conditions further.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -15,25 +27,26 @@ use crate::grid::Grid;
 use crate::linear::{ElasticSystem, Linearised};
 use crate::reynolds::{Fields, Reynolds, Storage};
 
-/// Largest void fraction: some oil is left at every node.
+/// Largest void fraction: the oil of a node, (1 − θ)·ρ·H, stays positive.
 const MAX_VOID: f64 = 1.0 - 1e-9;
-/// Oil that a node in contact may swallow, over the boundary film: the residual that the linear systems of a
+/// Oil that a node in contact may absorb, over the boundary film: the residual that the linear systems of a
 /// converged step leave.
 const SWALLOW_TOLERANCE: f64 = 1e-3;
-/// Iteration from which a node on the border of two states keeps its state within [`HYSTERESIS`]: most steps need
-/// seven iterations, and a node that still changes its state then usually alternates.
+/// Iteration from which a node on the border of two states keeps its state within [`HYSTERESIS`]: most steps converge in
+/// seven iterations, and a node that still changes its state after them usually alternates.
 const HYSTERESIS_FROM: usize = 9;
-/// Film that such a node may lack out of contact, and oil that it may swallow in contact, over the boundary film.
+/// Film that such a node may lack out of contact, and oil that it may absorb in contact, over the boundary film.
 const HYSTERESIS: f64 = 1e-2;
 /// Iteration from which such a node may stay out of contact with a film down to [`THINNEST_FILM`]: its oil is
-/// conserved, and only the boundary film, which stands for no measured length, is undercut.
+/// conserved, and only H_b, which is not a measured length, is undercut.
 const NO_NEW_CONTACT_FROM: usize = 12;
 /// Thinnest film of a node out of contact, over the boundary film.
 const THINNEST_FILM: f64 = 0.01;
-/// Iteration from which no contact is released: a node that is too thin out of contact and swallows oil in contact
-/// has no consistent state.
+/// Iteration from which no contact is released: a node that is too thin out of contact and absorbs oil in contact
+/// has no consistent state, and is held in contact.
 const NO_RELEASE_FROM: usize = 20;
-/// Nodes without a consistent state that an accepted solution may hold in contact.
+/// Largest number of nodes without a consistent state in an accepted solution; with more of them the time step is
+/// repeated at half its length. [`Effort::loose`] reports them.
 const MAX_HELD_NODES: usize = 2;
 
 /// State of a node of the film.
@@ -56,11 +69,11 @@ pub(crate) struct Unknowns {
     pub(crate) state: Vec<NodeState>,
     /// Approach h₀ of the rigid bodies.
     pub(crate) rigid: f64,
-    /// Depth to which a node at the ceiling has flowed; none where it has not.
+    /// Depth to which a node at the ceiling has flowed; `None` for an elastic node.
     pub(crate) flow: Vec<Option<f64>>,
 }
 
-/// Ceiling of the pressure: a node below it is elastic, one at it flows to the depth d that keeps it there.
+/// Ceiling of the pressure: a node below it is elastic; a node at it has flowed plastically to the depth d.
 ///
 /// Hᵢ += dᵢ, 0 ≤ dᵢ ⊥ P_flow − Pᵢ ≥ 0                                       `[EHL-ceiling]`
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,7 +94,7 @@ pub(crate) struct Problem<'a> {
     pub(crate) ceiling: Option<Ceiling>,
 }
 
-/// When to stop.
+/// Limits of the iteration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Limits {
     /// Largest change of the pressure in the last iteration.
@@ -99,11 +112,13 @@ pub(crate) struct Limits {
     pub(crate) load: f64,
 }
 
-/// Residual over the square of the last change: what is left is then that of Newton's method.
+/// Residual of the linear system over the square of the last change. Newton's error is about the square of the change,
+/// so that a tenth of it does not slow the convergence (inexact Newton: Eisenstat and Walker, SIAM J. Sci. Comput. 17,
+/// 1996, 16-32).
 const FORCING: f64 = 0.1;
 
 impl Limits {
-    /// Residual of the next linear system, no finer than Newton's method is there.
+    /// Residual of the next linear system, no smaller than the error of the Newton step needs.
     ///
     /// clamp(0.1·δ², tightest, loosest), δ the last change of the pressure.
     fn forcing(&self, effort: &Effort) -> f64 {
@@ -142,7 +157,7 @@ pub(crate) struct Solution {
     pub(crate) effort: Effort,
 }
 
-/// Arrays of the iteration, kept between problems on one grid.
+/// Arrays of the iteration, reused for every problem on one grid.
 pub(crate) struct Newton {
     reynolds: Reynolds,
     film: Vec<f64>,
@@ -174,7 +189,7 @@ impl Newton {
     /// Solves `problem` from `start`.
     ///
     /// # Errors
-    /// With what the last iteration did, when it does not converge.
+    /// The effort spent, when the iteration does not converge.
     pub(crate) fn solve(
         &mut self,
         problem: &Problem,
@@ -187,6 +202,7 @@ impl Newton {
         }
         let mut unknowns = start;
         let mut effort = Effort::default();
+        // Evaluate, test, change the states that the balances refute, solve the linear system, step.
         loop {
             if checkpoint().is_err() {
                 // The caller passes a checkpoint before it tries again.
@@ -196,6 +212,8 @@ impl Newton {
             let load = problem.grid.integral(&unknowns.pressure) / FRAC_PI_2;
             let is_loaded = (load - 1.0).abs() <= limits.load;
             let least = -release_limit(effort.iterations) * problem.contact_film;
+            // The last change of the pressure measures the error. A residual of the balances does not: their size varies
+            // by decades between inlet and contact.
             let is_settled = effort.change < limits.tolerance && effort.flips <= limits.flips;
             if effort.iterations > 0 && is_loaded && is_settled {
                 let most = if effort.iterations < NO_RELEASE_FROM {
@@ -203,7 +221,7 @@ impl Newton {
                 } else {
                     MAX_HELD_NODES
                 };
-                let held = self.swallowing(least, &unknowns);
+                let held = self.absorbing(least, &unknowns);
                 if held <= most {
                     effort.loose = held > 0;
                     return Ok(self.solution(unknowns, effort));
@@ -265,15 +283,15 @@ impl Newton {
         }
     }
 
-    /// Number of nodes in contact with a balance below `least`.
-    fn swallowing(&self, least: f64, unknowns: &Unknowns) -> usize {
+    /// Number of nodes in contact that absorb oil: with a balance below `least`.
+    fn absorbing(&self, least: f64, unknowns: &Unknowns) -> usize {
         let nodes = unknowns.state.iter().zip(&self.balance);
         nodes
             .filter(|(state, balance)| **state == NodeState::Contact && **balance < least)
             .count()
     }
 
-    /// Releases the nodes in contact that would swallow oil.
+    /// Releases the nodes in contact that absorb oil.
     fn release(&self, least: f64, unknowns: &mut Unknowns) {
         for (state, balance) in unknowns.state.iter_mut().zip(&self.balance) {
             if *state == NodeState::Contact && *balance < least {
@@ -286,6 +304,7 @@ impl Newton {
     fn linearise(&mut self, problem: &Problem, unknowns: &Unknowns) {
         let nodes = self.film.len();
         let [pressure, film, void] = &mut self.reynolds.slopes;
+        // Row of each node: P = 0 at both ends, H = H_b in contact, else the balance.
         for i in 0..nodes {
             let is_cavitated = unknowns.state[i] == NodeState::Cavitated;
             self.masked[i] = is_cavitated || unknowns.flow[i].is_some();
@@ -303,6 +322,7 @@ impl Newton {
             }
         }
         self.right[nodes] = FRAC_PI_2 - problem.grid.integral(&unknowns.pressure);
+        // Column of each node: the slope over its own unknown, so that one matrix serves all states.
         for k in 0..4 {
             let (local, p) = (&mut self.local.diagonal[k], &pressure.diagonal[k]);
             local.copy_from_slice(p);
@@ -319,7 +339,7 @@ impl Newton {
         }
     }
 
-    /// Takes the damped step and changes states.
+    /// Applies the damped step and changes the states of nodes that violate their condition.
     fn advance(
         &mut self,
         problem: &Problem,
@@ -333,6 +353,7 @@ impl Newton {
             self.change[i] = if self.masked[i] { 0.0 } else { self.step[i] };
         }
         effort.change = largest(&self.change);
+        // One factor for all unknowns keeps the linear relation between film and pressure.
         let factor = (limits.largest_change / effort.change).min(1.0);
         system.displacement(&self.change, &mut self.displacement);
         let approach = self.step[nodes];
@@ -343,6 +364,7 @@ impl Newton {
                 Some(_) => self.step[i],
                 None => 0.0,
             };
+            // The film after the step; it is linear in pressure and approach, so no further product is needed.
             let film = self.film[i] + factor * (self.displacement[i] + approach + flowed);
             unknowns.pressure[i] += factor * self.change[i];
             match &mut unknowns.flow[i] {
@@ -379,7 +401,7 @@ impl Newton {
     }
 }
 
-/// Puts node `i` at the ceiling or takes it off; whether that changed.
+/// Moves node `i` to the ceiling or off it; returns whether its state changed.
 fn flow_changes(ceiling: Option<Ceiling>, unknowns: &mut Unknowns, i: usize) -> bool {
     let Some(ceiling) = ceiling else {
         return false;
@@ -407,7 +429,7 @@ fn least_film(iterations: usize) -> f64 {
     }
 }
 
-/// Oil that a node in contact may swallow, over the boundary film.
+/// Oil that a node in contact may absorb, over the boundary film.
 fn release_limit(iterations: usize) -> f64 {
     if iterations < HYSTERESIS_FROM {
         SWALLOW_TOLERANCE
@@ -427,7 +449,7 @@ fn largest(values: &[f64]) -> f64 {
     })
 }
 
-/// State of a node after a change of its pressure, void fraction and film, by the condition that it violates.
+/// State of a node after a step, from the condition that its pressure, void fraction or film violates.
 ///
 /// A cavitated node whose film is below the boundary film comes into contact: its pressure becomes an unknown that
 /// rises from 0 and widens the film to H_b, and its void is gone.

@@ -1,8 +1,8 @@
 //! Steady film of smooth surfaces: cold start, grid sequence, results.
 //!
-//! An even grid is solved on coarser grids first, of a quarter of the cells or fewer, each from the one before. Where
-//! the sequence fails, it is tried with tight linear systems, then the finest grid from the Hertz pressure, then
-//! continuation from a thicker film.
+//! An even grid is solved on coarser grids first (cascadic multigrid: each solution is the start on the next finer
+//! grid, never corrected on a coarser one). If the sequence fails, it is repeated with tight linear systems, then the
+//! finest grid is solved from the Hertz pressure, then by continuation from a thicker film, whose inlet is less steep.
 
 use asperity_core::cancel::checkpoint;
 use asperity_core::cite;
@@ -19,16 +19,18 @@ use crate::linear::{ElasticSystem, FourierSystem};
 use crate::newton::{Effort, Limits, Newton, NodeState, Problem, Solution, Unknowns};
 use crate::oil::Oil;
 
-/// The number of cells must be a multiple of this.
+/// The number of cells must be a multiple of this, for the coarse level of the preconditioner and the grid sequence.
 pub(crate) const CELL_MULTIPLE: usize = 64;
+/// Largest number of cells.
 const MOST_CELLS: usize = 1 << 16;
 /// Fewest cells of a grid in the sequence.
 const COARSEST: usize = 64;
-/// Cells that the inlet zone must span on the coarsest grid of a longer sequence.
+/// Cells that the inlet zone must span on a grid coarser than a quarter of the cells: the solution on a grid that skips
+/// the inlet has another film thickness, and so is a poor start.
 const COARSE_INLET: f64 = 1.0;
 /// Limits of the steady iteration.
 pub(crate) const LIMITS: Limits = Limits {
-    // What is left after a step of this size is its square, and the linear tolerance of it.
+    // The error after a step of this size is its square, 1e-11, plus the linear tolerance times it, 3e-11.
     tolerance: 3e-6,
     linear_tolerance: 1e-5,
     loosest: 1e-3,
@@ -37,7 +39,7 @@ pub(crate) const LIMITS: Limits = Limits {
     flips: 0,
     load: 1e-10,
 };
-/// Limits on the grids before the finest.
+/// Limits on the grids before the finest, whose discretisation error is larger than these.
 const COARSE_LIMITS: Limits = Limits {
     tolerance: 2e-2,
     linear_tolerance: 1e-4,
@@ -45,7 +47,7 @@ const COARSE_LIMITS: Limits = Limits {
     load: 1e-2,
     ..LIMITS
 };
-/// Factors of λ in the continuation from a thicker film.
+/// Factors of λ in the continuation from a thicker film; the film grows with λ^0.7 as in film formulas.
 const CONTINUATION: [f64; 5] = [30.0, 10.0, 5.0, 2.0, 1.0];
 
 /// Window and grid of a steady solution.
@@ -114,7 +116,7 @@ impl Window {
     }
 }
 
-/// Caution about a solution.
+/// Warning about a solution.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub enum Warning {
@@ -128,7 +130,7 @@ pub enum Warning {
         /// α·p₀.
         exponent: f64,
     },
-    /// Pressure above 4 GPa: the viscosity law is extrapolated far.
+    /// Pressure above 4 GPa, far beyond the measurements of any viscosity law.
     ExtrapolatedViscosity {
         /// Largest pressure.
         pressure: Pressure,
@@ -154,7 +156,7 @@ pub struct SteadyFilm {
     pub minimum_film: Length,
     /// Place of the thinnest film over a.
     pub minimum_place: f64,
-    /// Flux of oil over that of its ambient density through one a²/R: ρH at the centre.
+    /// Flux of oil over the flux at ambient density through one a²/R: ρH at the centre.
     pub flux: f64,
     /// Pressure spike before the outlet over p₀ and its place over a, if there is one.
     pub spike: Option<(f64, f64)>,
@@ -162,7 +164,7 @@ pub struct SteadyFilm {
     pub exit: f64,
     /// Rolling force on one surface, ∫ (h/2)·dp/dx dx.
     pub rolling_force: LineLoad,
-    /// Cautions.
+    /// Warnings.
     pub warnings: Vec<Warning>,
 }
 
@@ -199,21 +201,21 @@ pub fn solve(
     let window = settings
         .window
         .unwrap_or_else(|| Window::tabulated(&scales));
-    let found = solve_sequence(&scales, &fluid, window, settings.cells, &LIMITS)?;
+    let solved = solve_sequence(&scales, &fluid, window, settings.cells, &LIMITS)?;
     let evidence = Evidence {
-        newton_iterations: found.newton_iterations,
-        gmres_iterations: found.gmres_iterations,
-        ..Evidence::of(&found.grid, &found.solution, 0.0)
+        newton_iterations: solved.newton_iterations,
+        gmres_iterations: solved.gmres_iterations,
+        ..Evidence::of(&solved.grid, &solved.solution, 0.0)
     };
-    let film = SteadyFilm::new(&scales, oil, &found.grid, found.solution);
+    let film = SteadyFilm::new(&scales, oil, &solved.grid, solved.solution);
     Ok(Solved {
         value: film,
         evidence,
     })
 }
 
-/// Converged solution on an even grid with its system.
-pub(crate) struct Found {
+/// Converged solution on an even grid with its solver.
+pub(crate) struct EvenGridSolution {
     pub(crate) grid: Grid,
     pub(crate) system: FourierSystem,
     pub(crate) newton: Newton,
@@ -222,7 +224,7 @@ pub(crate) struct Found {
     pub(crate) gmres_iterations: usize,
 }
 
-/// One even grid with what solves on it.
+/// An even grid with its solver.
 struct Level {
     grid: Grid,
     gap: Vec<f64>,
@@ -293,7 +295,7 @@ pub(crate) fn solve_sequence(
     window: Window,
     cells: usize,
     limits: &Limits,
-) -> Result<Found, EhlError> {
+) -> Result<EvenGridSolution, EhlError> {
     let (cells, window) = (check_cells(cells)?, window.check()?);
     let film = scales.film_guess();
     let mut work = (0, 0);
@@ -310,7 +312,7 @@ pub(crate) fn solve_sequence(
         })
         .or_else(|_| continuation(fluid, film, &mut level, tight, &mut work));
     match result {
-        Ok(solution) => Ok(Found {
+        Ok(solution) => Ok(EvenGridSolution {
             grid: level.grid,
             system: level.system,
             newton: level.newton,
@@ -361,7 +363,7 @@ fn sequence(
     level.solve(fluid, start, limits, work)
 }
 
-/// Parts of the cells on the grids before the finest: as coarse as the inlet zone allows.
+/// Number of cells of the finest grid over the number of cells of each grid before it: as coarse as the inlet zone allows.
 fn parts(cells: usize, window: Window, film: f64) -> Vec<usize> {
     let inlet = (0.53 * film).powf(2.0 / 3.0);
     let fits = |part: usize| {
@@ -377,7 +379,7 @@ fn parts(cells: usize, window: Window, film: f64) -> Vec<usize> {
         .collect()
 }
 
-/// From a film of many times λ down to the film asked for.
+/// Continuation from a film of 30 times λ down to the requested film.
 fn continuation(
     fluid: &Fluid,
     film: f64,
@@ -400,7 +402,7 @@ fn continuation(
     last
 }
 
-/// Hertz pressure, the film `film` at its thinnest, a void behind the contact.
+/// Start from the Hertz pressure, with `film` at the thinnest place and a void behind the contact.
 pub(crate) fn hertz_start(grid: &Grid, system: &mut impl ElasticSystem, film: f64) -> Unknowns {
     let mut pressure: Vec<f64> = grid
         .x

@@ -1,5 +1,9 @@
 //! Time steps of a rough contact: second-order backward differences, advected starts, halved steps.
 //!
+//! Every step is one nonlinear problem of [`newton`](crate::newton) with the storage of oil. A step that does not
+//! converge is repeated at half its length, and the length recovers by doubling. The roughness in the contact moves
+//! with the oil at the mean speed, so a start whose rough part is shifted by the step is close to the solution.
+//!
 //! | symbol | meaning |
 //! |---|---|
 //! | T | time in half-widths travelled at the mean speed |
@@ -18,11 +22,11 @@ use crate::linear::FourierSystem;
 use crate::moving_profile::MovingProfile;
 use crate::newton::{Ceiling, Limits, Newton, NodeState, Problem, Solution, Unknowns};
 use crate::reynolds::Storage;
-use crate::steady::{Found, parabola};
+use crate::steady::{EvenGridSolution, parabola};
 
-/// Smallest part of a step.
+/// Shortest step: this part of the longest. A step that still fails is an error.
 const SMALLEST_PART: usize = 64;
-/// Range of x/a over which the starting state of a step is advected.
+/// Range of x/a in which the start of a step is advected: inlet and contact, before the film ruptures.
 const ADVECTED: (f64, f64) = (-2.0, 1.0);
 
 /// Boundary film, ceiling and step of a rough contact.
@@ -45,7 +49,7 @@ struct Surface {
     start: f64,
 }
 
-/// A contact at one time, and what takes it on.
+/// State of a contact at one time, with the solver of its next step.
 pub(crate) struct Stepper {
     pub(crate) grid: Grid,
     pub(crate) scales: Scales,
@@ -70,21 +74,21 @@ pub(crate) struct Stepper {
 }
 
 impl Stepper {
-    /// The contact of `found`, smooth at T = 0, with two surfaces.
+    /// The contact at T = 0, `smooth`, with two surfaces.
     pub(crate) fn new(
-        found: Found,
+        smooth: EvenGridSolution,
         scales: Scales,
         fluid: Fluid,
         profiles: [MovingProfile; 2],
         settings: StepSettings,
     ) -> Self {
-        let Found {
+        let EvenGridSolution {
             grid,
             mut system,
             newton,
             solution,
             ..
-        } = found;
+        } = smooth;
         system.prepare_transient();
         let a = scales.half_width.si();
         let inlet = grid.x[0] * a;
@@ -122,7 +126,7 @@ impl Stepper {
         }
     }
 
-    /// Takes one converged step, halved as often as needed; its length.
+    /// Advances one step, halving it until Newton's method converges; returns its length.
     ///
     /// # Errors
     /// When the smallest step does not converge.
@@ -155,10 +159,11 @@ impl Stepper {
         }
     }
 
-    /// Solves at time T + step; the last change of the pressure when that fails.
+    /// Solves at time T + step; the error is the last change of the pressure.
     fn attempt(&mut self, step: f64) -> Result<Solution, f64> {
         self.set_gap(self.time + step);
         let rate = self.set_past(step);
+        // The start only affects the number of iterations, not the solution.
         let start = self.advected(step);
         let problem = Problem {
             grid: &self.grid,
@@ -185,6 +190,8 @@ impl Stepper {
         let risen = (time / self.settings.ramp).min(1.0);
         self.gap.copy_from_slice(&self.smooth_gap);
         for surface in self.surfaces.iter().filter(|s| !s.profile.is_smooth()) {
+            // A single profile enters the window from its tapered end; a periodic one fills it at once and rises in
+            // height instead.
             let factor = if surface.profile.length().is_some() {
                 1.0
             } else {
@@ -220,7 +227,7 @@ impl Stepper {
         (1.0 + 2.0 * omega) / ((1.0 + omega) * step)
     }
 
-    /// Start of a step: the rough part of the pressure and the states travel on at the mean speed.
+    /// Start of a step: the rough part of the pressure and the states, shifted at the mean speed.
     fn advected(&self, step: f64) -> Unknowns {
         let known = &self.now.unknowns;
         let mut start = known.clone();

@@ -24,11 +24,12 @@ use crate::error::EhlError;
 use crate::oil::Oil;
 use crate::steady::SteadyFilm;
 
-/// Most iterations of the temperatures.
+/// Largest number of iterations of the temperatures.
 const ITERATIONS: usize = 400;
-/// Change of the shear stress at which they end \[Pa\].
+/// Change of the shear stress at which they end \[Pa\]: about 1e-5 of a typical stress.
 const TOLERANCE: f64 = 1e2;
-/// Part of the new value in an iteration.
+/// Share of the new value in an iteration: more stress heats the film, which lowers the stress, so full steps alternate
+/// around the solution.
 const DAMPING: f64 = 0.3;
 /// Pressure below which a place carries no traction \[Pa\].
 const LEAST_PRESSURE: f64 = 1e3;
@@ -48,7 +49,7 @@ pub struct Heat {
     pub material: Material,
 }
 
-/// Inputs of the traction beside the film.
+/// Inputs of the traction besides the film.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TractionLaw {
     /// Shear law.

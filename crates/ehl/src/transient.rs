@@ -1,9 +1,9 @@
 //! Transient contact of two rough surfaces, recorded: load against film, films, pressures, friction.
 //!
-//! Three boundary films bear three names: `contact_film` is the thickness at which a node counts as in
+//! Three boundary films have three names: `contact_film` is the thickness at which a node counts as in
 //! contact, `solid_film` the film below which load counts as carried by solids, and `boundary_layer`
 //! (of the friction law) the layer over which boundary friction fades. Load on contact nodes does not
-//! converge with the grid and is no result; load on films below 20 and 50 nm, the mean film and friction
+//! converge with the grid and is not a result; load on films below 20 and 50 nm, the mean film and friction
 //! converge. The first three half-widths of travel are a start-up.
 
 use asperity_core::provenance::carried;
@@ -24,12 +24,12 @@ use crate::oil::Oil;
 use crate::steady::{self, Window, check_cells, solve_sequence};
 use crate::stepper::{StepSettings, Stepper};
 
-/// Films of the distribution unless others are asked for \[m\].
+/// Default films of the load-against-film distribution \[m\].
 const FILMS: [f64; 6] = [5e-9, 1e-8, 2e-8, 5e-8, 1e-7, 2e-7];
 
 /// Limits of a time step.
 const STEP_LIMITS: Limits = Limits {
-    // What is left after a step of this size is below 1e-6.
+    // The error after a step of this size is its square, below 1e-6: less than the error of the time step.
     tolerance: 5e-4,
     linear_tolerance: 1e-3,
     loosest: 1e-3,
@@ -39,7 +39,7 @@ const STEP_LIMITS: Limits = Limits {
     load: 1e-6,
 };
 
-/// Limits of the smooth start, which must stay as it is where nothing is rough.
+/// Limits of the smooth start: tight, so that the film of smooth surfaces stays constant over the steps.
 const START_LIMITS: Limits = Limits {
     tolerance: 1e-8,
     linear_tolerance: 1e-6,
@@ -133,7 +133,7 @@ pub struct LoadBelow {
 /// Friction over the load, averaged over a record.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct MeanFriction {
-    /// The film alone, everywhere.
+    /// Film friction everywhere.
     pub film: Estimate,
     /// Boundary friction with the weight min(1, e^(−(h − H_b)/h_b)): the friction of the record.
     pub shifted: Estimate,
@@ -208,9 +208,9 @@ pub struct Record {
     pub mean_pressure: Vec<f64>,
     /// Mean over time of the film over a²/R on the nodes.
     pub mean_film_on_nodes: Vec<f64>,
-    /// Every step, on request.
+    /// Every step, if requested.
     pub history: Vec<Moment>,
-    /// Frames, on request.
+    /// Frames, if requested.
     pub frames: Vec<Frame>,
     /// Places of the nodes over a.
     pub x: Vec<f64>,
@@ -273,7 +273,7 @@ pub fn record_offsets(
         .collect()
 }
 
-/// Records a rough contact; `watch` sees every step and stops the record by returning false.
+/// Records a rough contact; `watch` is called after every step and stops the record by returning false.
 ///
 /// # Errors
 /// As [`record`]; [`EhlError::Stopped`] when `watch` returns false.
@@ -285,7 +285,7 @@ pub fn record_watched(
     settings.validate()?;
     let scales = contact.contact.scales(&contact.oil)?;
     let fluid = Fluid::new(&contact.oil, &scales);
-    let found = solve_sequence(
+    let smooth = solve_sequence(
         &scales,
         &fluid.newtonian(),
         settings.window,
@@ -295,17 +295,18 @@ pub fn record_watched(
     let mut evidence = Evidence {
         newton_iterations: 0,
         gmres_iterations: 0,
-        ..Evidence::of(&found.grid, &found.solution, 0.0)
+        ..Evidence::of(&smooth.grid, &smooth.solution, 0.0)
     };
-    let smooth_film = scales.film_length(found.grid.interpolate(&found.solution.film, 0.0));
+    let smooth_film = scales.film_length(smooth.grid.interpolate(&smooth.solution.film, 0.0));
     let surfaces = [contact.surface_1.clone(), contact.surface_2.clone()];
     let step_settings = settings.steps(&scales);
-    let mut stepper = Stepper::new(found, scales, fluid, surfaces, step_settings);
+    let mut stepper = Stepper::new(smooth, scales, fluid, surfaces, step_settings);
     let start = settings.start.max(stepper.filled_after());
     let mut recorder = Recorder::new(settings, &scales, step_settings);
     let mut end = start + settings.length;
     let longest = settings.until.map_or(end, |(_, longest)| start + longest);
     stepper.check_lengths(longest.max(end))?;
+    // A record ends at `end`, or block by block up to `longest` until the standard error is reached.
     while stepper.time < end - 1e-9 {
         let step = stepper.advance()?;
         evidence.join(&Evidence {
@@ -335,7 +336,7 @@ pub fn record_watched(
     })
 }
 
-/// Travel of a block of the standard errors.
+/// Travel of a block of the standard errors, in half-widths.
 const BLOCK: f64 = 1.0;
 
 impl RecordSettings {
@@ -565,7 +566,7 @@ impl<'a> Recorder<'a> {
         }
     }
 
-    /// Whether the standard error asked for is reached.
+    /// Whether the requested standard error is reached.
     fn is_settled(&self, settings: &RecordSettings) -> bool {
         settings.until.is_none_or(|(error, longest)| {
             self.means.estimate(SOLID).standard_error <= error

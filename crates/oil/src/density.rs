@@ -1,7 +1,7 @@
 //! Density over temperature and pressure.
 //!
 //! Over temperature the density falls linearly from a known value; the thermal expansion of the
-//! classes of base oil is that of the gear oils in Fernandes, Martins and Seabra (2013). Over
+//! base oils is taken from the gear oils of Fernandes, Martins and Seabra (2013). Over
 //! pressure Dowson and Higginson's form, which ends at 1.353 times the ambient density.
 //!
 //! | symbol | meaning | unit |

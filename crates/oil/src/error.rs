@@ -23,7 +23,7 @@ pub enum LubricantError {
         "the lubricant has no temperature coefficient: a viscosity given at one temperature needs beta_T = -(d eta/dT)/eta, typically 0.02 to 0.06 1/K; give temperature_coefficient, or use the law astm-d341 or vogel"
     )]
     NoTemperatureCoefficient,
-    /// A temperature coefficient beside a law that already fixes it.
+    /// A temperature coefficient in addition to a law that already determines it.
     #[error(
         "temperature_coefficient is given, but the viscosity law {law} already fixes it; leave it out"
     )]
@@ -41,7 +41,7 @@ pub enum LubricantError {
         "the lubricant has no base_oil (mineral, naphthenic, group-iii, pao, ester, polyglycol), which film friction needs: its limiting shear stress is that of the family. Where nobody knows it, set lubricant.assume_base_oil"
     )]
     NoBaseOil,
-    /// α far from every oil: as good as always a slip of the unit.
+    /// α far from every oil: almost always a wrong unit.
     #[error("alpha = {value:e} m2/N is {}", verdict(*.value, *.low, *.shift))]
     ImplausiblePressureViscosity {
         /// The coefficient seen \[1/Pa\].
@@ -56,7 +56,7 @@ pub enum LubricantError {
     /// A name that the oil library does not have.
     #[error("there is no oil \"{name}\" in the library; it has: {}", .known.join(", "))]
     UnknownOil {
-        /// The name asked for.
+        /// The requested name.
         name: String,
         /// The names there are.
         known: Vec<String>,

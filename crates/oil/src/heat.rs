@@ -1,12 +1,12 @@
 //! Thermal conductivity and specific heat capacity of oils, estimated when not given.
 //!
-//! Cragoe's formulas for petroleum products (1929), from density and temperature alone: within
+//! Cragoe's formulas for petroleum products (1929), from density and temperature only: within
 //! about 10 % for the conductivity and 4 % for the heat capacity of liquid petroleum products
 //! between 0 °C and 200 °C. Synthetic oils conduct up to a fifth better.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | d | density at 15.6 °C relative to that of water | - |
+//! | d | density at 15.6 °C relative to water | - |
 //! | t | temperature | °C |
 
 use asperity_core::quantity::{Density, SpecificHeat, Temperature, ThermalConductivity};

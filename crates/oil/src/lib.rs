@@ -12,7 +12,7 @@
 //! | heat | [`cragoe_conductivity`], [`cragoe_heat_capacity`] | [`Lubricant`] |
 //!
 //! A case file holds a [`LubricantInput`]: the name of an oil of the library, or its properties, or
-//! both (properties then replace those of the library). [`LubricantInput::resolve`] returns a
+//! both (the properties then replace the library's). [`LubricantInput::resolve`] returns a
 //! [`Lubricant`] with a list of its assumptions; [`Lubricant::at`] returns the [`LubricantState`] at one
 //! temperature, which film and friction formulas use.
 //!

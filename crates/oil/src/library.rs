@@ -30,13 +30,13 @@ const FILES: [(&str, &str); 4] = [
 /// An oil of the library.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LibraryOil {
-    /// Name that a case file asks for.
+    /// Name in a case file.
     pub name: String,
     /// Source of the numbers.
     pub source: String,
     /// Notes for its use.
     pub note: String,
-    /// How well each of its keys is known.
+    /// Certainty of each key.
     pub certainty: BTreeMap<String, Certainty>,
     /// The numbers.
     pub lubricant: LubricantInput,
@@ -89,7 +89,7 @@ pub fn library() -> Result<Vec<LibraryOil>, LubricantError> {
     Ok(oils)
 }
 
-/// The oil of this name, whatever the case of its letters.
+/// The oil of this name, in upper or lower case.
 pub(crate) fn find(name: &str) -> Result<LibraryOil, LubricantError> {
     let mut oils = library()?;
     match oils

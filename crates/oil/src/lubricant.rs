@@ -23,7 +23,7 @@ pub struct Assumption {
     pub key: &'static str,
     /// Value used, as text with a unit, or the formula.
     pub value: String,
-    /// Why, or where it comes from.
+    /// Reason or source.
     pub source: &'static str,
 }
 
@@ -133,7 +133,7 @@ impl LubricantInput {
         Ok(lubricant)
     }
 
-    /// This input with the values of the library's oil it names.
+    /// This input completed by the library's oil that it names.
     fn complete(&self) -> Result<Self, LubricantError> {
         Ok(match &self.oil {
             Some(name) => self.over(&library::find(name)?.lubricant),
@@ -141,9 +141,8 @@ impl LubricantInput {
         })
     }
 
-    /// This input with a viscosity given at one temperature, and the density with it, stated at `bulk` where they
-    /// state no temperature of their own: for a case whose temperature is changed afterwards, because the oil
-    /// becomes thinner as it is heated, and its values stay those of the temperature they were given for.
+    /// This input, where a viscosity given at one temperature, and its density, hold at `bulk` unless they state a
+    /// temperature: for a case whose temperature is changed afterwards, so that the oil becomes thinner as it is heated.
     ///
     /// # Errors
     /// When the oil is not in the library.
@@ -186,7 +185,7 @@ impl LubricantInput {
         Ok(stated)
     }
 
-    /// This input, with what it leaves out taken from `base`.
+    /// This input, completed by the values of `base`.
     fn over(&self, base: &Self) -> Self {
         Self {
             oil: self.oil.clone(),

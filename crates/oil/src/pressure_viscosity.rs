@@ -31,7 +31,7 @@ const GOLD_RANGE: FittedRange = FittedRange {
 pub const LOWEST_PLAUSIBLE: PressureViscosity = PressureViscosity::from_si(2e-9);
 /// Highest plausible α \[1/Pa\]; see [`LOWEST_PLAUSIBLE`].
 pub const HIGHEST_PLAUSIBLE: PressureViscosity = PressureViscosity::from_si(1e-7);
-/// Slips of the unit, as powers of ten: mm²/N for m²/N, 1/GPa for 1/Pa, and a factor thousand.
+/// Wrong units, as powers of ten: mm²/N for m²/N, 1/GPa for 1/Pa, and a factor thousand.
 const UNIT_SLIPS: [i32; 6] = [6, -6, 9, -9, 3, -3];
 
 /// α = s·ν^t 1/GPa, ν in mm²/s                                                [Gold-1]
@@ -70,11 +70,11 @@ pub fn gold_pressure_viscosity(
     })
 }
 
-/// The coefficient itself when some oil could have it.
+/// The coefficient itself if it is plausible.
 ///
 /// # Errors
-/// When it is not positive, or outside 2·10⁻⁹ to 10⁻⁷ 1/Pa; the error says which slip of the unit
-/// explains the number.
+/// When it is not positive, or outside 2·10⁻⁹ to 10⁻⁷ 1/Pa; the error names the wrong unit
+/// that explains the number.
 ///
 /// ```
 /// use asperity_oil::plausible_pressure_viscosity;

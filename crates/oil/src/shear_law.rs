@@ -11,11 +11,10 @@
 
 use asperity_core::quantity::Pressure;
 use asperity_core::{DomainError, cite};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Name of a shear law whose constants are those of an oil.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+/// Name of a shear law; the oil gives its constants ([`TractionConstants::shear_law`](crate::TractionConstants::shear_law)).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum ShearLawName {

@@ -146,7 +146,7 @@ fn finite(viscosity: f64, pressure: f64) -> Result<DynamicViscosity, DomainError
     Ok(DynamicViscosity::from_si(viscosity))
 }
 
-/// Name of a pressure-viscosity law whose constants follow from α and η₀.
+/// Law of viscosity against pressure in the film.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]

@@ -35,7 +35,7 @@ const ASTM_RANGE: FittedRange = FittedRange {
     unit: "mm2/s",
     correlation: "ASTM D341",
 };
-/// How far Reynolds' exponential is carried from its point. Own choice: over 20 K it departs from
+/// Range of Reynolds' exponential around its temperature. Own choice: over 20 K it departs from
 /// ASTM D341 by a tenth for an ISO VG 100 mineral oil at 60 °C.
 const REYNOLDS_RANGE: FittedRange = FittedRange {
     name: "distance from the temperature of the given viscosity",

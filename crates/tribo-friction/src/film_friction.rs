@@ -18,8 +18,8 @@
 //! slower surfaces enter with the speed 2 κ/a.
 //!
 //! Checked against two independent programs in fourteen conditions (one is
-//! `references/film_friction.py`). The ranges noted are those over
-//! which the law was looked at beside measured gears: own choice.
+//! `references/film_friction.py`). A warning outside the ranges
+//! of the comparison with measured gears (own choice).
 
 use std::borrow::Cow;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -74,7 +74,7 @@ pub struct FilmLineContact {
     pub speeds: [Speed; 2],
     /// Central film thickness h with its thermal reduction.
     pub film: Length,
-    /// Bulk temperature T₀ of the flanks, also that of the oil entering.
+    /// Bulk temperature T₀ of the flanks and of the oil at the inlet.
     pub temperature: Temperature,
     /// The two bodies.
     pub bodies: [Material; 2],
@@ -140,9 +140,9 @@ struct Node {
     stress: Option<f64>,
 }
 
-/// The film of one line contact, ready to be asked at any surface temperature.
+/// The film of one line contact, for evaluation at any surface temperature.
 ///
-/// Keeps the stresses of the last temperature as the start of the next.
+/// Stores the stresses of the last temperature as the start of the next.
 #[derive(Debug, Clone)]
 pub struct LoadedFilm<'a> {
     rheology: &'a FilmRheology,
@@ -227,7 +227,7 @@ impl<'a> LoadedFilm<'a> {
         })
     }
 
-    /// Inputs outside the ranges over which the law was looked at.
+    /// Inputs outside the ranges in which the law was compared with measured gears.
     #[must_use]
     pub fn outside(&self) -> &[OutOfRange] {
         &self.outside
@@ -247,7 +247,7 @@ impl<'a> LoadedFilm<'a> {
     /// ```
     ///
     /// # Errors
-    /// When a stress has no root, which no finite input brings about.
+    /// When a stress has no root, which no finite input causes.
     pub fn friction_at(&mut self, rise: f64) -> Result<[f64; 2], FrictionError> {
         cite!("Film-friction");
         cite!("Limiting-shear");
@@ -271,7 +271,7 @@ impl<'a> LoadedFilm<'a> {
     /// # Errors
     /// As [`friction_at`](Self::friction_at).
     pub fn solve(&mut self) -> Result<Checked<FilmFrictionSolution>, FrictionError> {
-        // From scratch, so that the answer does not depend on what was asked before.
+        // From scratch, so that the result does not depend on earlier evaluations.
         for node in &mut self.nodes {
             node.stress = None;
         }
@@ -351,7 +351,7 @@ impl<'a> LoadedFilm<'a> {
     }
 }
 
-/// Gauss-Legendre nodes and weights; those of the default order are made once.
+/// Gauss-Legendre nodes and weights; the default order is computed once.
 fn rule(order: NonZeroUsize) -> Cow<'static, [(f64, f64)]> {
     static DEFAULT: OnceLock<Vec<(f64, f64)>> = OnceLock::new();
     let make = || {

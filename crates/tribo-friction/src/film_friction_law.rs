@@ -1,6 +1,6 @@
-//! Friction law of the film as an extension point: the laws of this crate and any law of a user's own.
+//! Friction law of the film as an extension point: the laws of this crate and user-defined laws.
 //!
-//! A law sees the whole local contact ([`FilmContact`]): a regression reads `position`, a law that
+//! A law gets the whole local contact ([`FilmContact`]): a regression reads `position`, a law that
 //! integrates shear stress over the contact reads speeds, moduli, temperatures, steels and the oil at
 //! any temperature as well.
 
@@ -28,7 +28,7 @@ pub struct FilmContact<'a> {
     pub half_width: Length,
     /// Steel of both bodies, with conductivity, density and specific heat.
     pub materials: [Material; 2],
-    /// Bulk temperature of the flanks, which is that of the inlet.
+    /// Bulk temperature of the flanks and of the oil at the inlet.
     pub bulk_temperature: Temperature,
     /// Oil at the temperature that `position` was made for: bulk, or bulk and flash with feedback.
     pub oil: LubricantState,
@@ -59,7 +59,7 @@ impl FilmTraction {
         }
     }
 
-    /// The same with the temperature rises \[K\] of surfaces and film.
+    /// Adds the temperature rises \[K\] of surfaces and film.
     #[must_use]
     pub const fn with_rises(self, surface: f64, film: f64) -> Self {
         Self {

@@ -8,7 +8,7 @@
 //! | V | pitch line speed | m/s |
 //!
 //! Source: ISO/TR 14179-1:2001 (from AGMA). Range 2 to 25 m/s and 1.4 to 14 N/mm²; outside it
-//! the report asks for values from experience. The report's text was not at hand: formula and
+//! the report requires values from experience. The report's text was not available: formula and
 //! range are textbook knowledge. The coefficient belongs to the report's own mesh loss
 //! P = f_m T₁ n₁ cos²β_w/(9549 M); it is lower than a local one and falls with load.
 

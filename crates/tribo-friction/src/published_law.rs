@@ -1,7 +1,7 @@
-//! Published friction laws, for a comparison that applies each of them whole.
+//! Published friction laws, for a comparison of complete laws.
 //!
-//! A law fitted to gears, rollers or mixed-EHL solutions has asperities inside. It is printed as its own
-//! coefficient times its own loss factor, beside whether it stays within what it was fitted to, and never
+//! A law fitted to gears, rollers or mixed-EHL solutions includes asperity friction. A comparison prints its
+//! coefficient times its loss factor, and whether the inputs are within its fitted range; the coefficient never
 //! enters a formula that adds a boundary part.
 //!
 //! | law | asperities inside | fitted to |
@@ -25,11 +25,11 @@ use crate::friction_law::FrictionLaw;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Asperities {
-    /// The coefficient is that of rough flanks in mixed friction.
+    /// The coefficient holds for rough flanks in mixed friction.
     Included,
     /// The law shares the load between film and boundary itself.
     Shared,
-    /// The coefficient is that of a full film.
+    /// The coefficient holds for a full film.
     Excluded,
     /// Nothing is known of the coefficient.
     Unknown,
@@ -73,7 +73,7 @@ const fn gigapascals(low: f64, high: f64, correlation: &'static str) -> Option<F
 }
 
 impl FrictionLaw {
-    /// Notes on the law beside its formula.
+    /// Properties of the law besides its formula.
     ///
     /// ```
     /// use asperity_tribo_friction::{FrictionLaw, published_law::Asperities};
@@ -179,8 +179,7 @@ impl PublishedLaw {
         Ok(outside)
     }
 
-    /// The largest Hertz pressure, where it lies outside those that the law was fitted at and the law does not
-    /// look at it itself.
+    /// The largest Hertz pressure, if it is outside the fitted range and the law does not check it itself.
     ///
     /// # Errors
     /// When the pressure is negative.

@@ -11,7 +11,7 @@ use super::good_fft_length;
 ///
 /// T is given by its first column c, T_ij = c_|i−j|; entries beyond the column are zero, so a
 /// filter kernel is given by its right half. The circulant that embeds T is symmetric, hence its
-/// symbol is real: one real number per frequency is kept.
+/// symbol is real: one real number per frequency is stored.
 ///
 /// ```
 /// use asperity_core::numerics::SymmetricToeplitz;

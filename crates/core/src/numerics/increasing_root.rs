@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::RootError;
 
-/// Most evaluations: bisection alone narrows any bracket of doubles to rounding with fewer than
+/// Largest number of evaluations: even pure bisection narrows any bracket of doubles to rounding with fewer than
 /// this.
 const MAX_EVALUATIONS: usize = 1100;
 /// Evaluations after which every other step is a bisection: on a kink the steps may alternate without end.

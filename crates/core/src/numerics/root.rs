@@ -3,7 +3,7 @@
 /// A root with what is known about it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Root {
-    /// Root of the function, to the width asked for.
+    /// Root of the function, to the requested width.
     pub value: f64,
     /// The function there.
     pub residual: f64,

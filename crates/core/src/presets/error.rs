@@ -9,7 +9,7 @@ pub enum PresetError {
     Unknown {
         /// Kind of preset, in the plural: gears or steels.
         kind: &'static str,
-        /// The name asked for.
+        /// The requested name.
         name: String,
         /// The names there are.
         known: Vec<String>,

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::error::PresetError;
 use super::sources::{OWN_CHOICE, PresetSource};
 
-/// How well a number of a preset is known.
+/// Certainty of a number of a preset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Certainty {
     /// Read in the source itself: a paper, a data sheet, a file of its maker.
@@ -43,11 +43,11 @@ impl std::fmt::Display for Certainty {
 pub struct Figure<T> {
     /// The number, with its unit.
     pub value: T,
-    /// How well it is known.
+    /// Certainty.
     pub certainty: Certainty,
     /// Key of its source.
     pub source: String,
-    /// How it was derived, or what it was taken over from.
+    /// Derivation, or the number that it was copied from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
 }
@@ -70,13 +70,13 @@ impl<T> Figure<T> {
 pub struct FigureRow<'a> {
     /// Key of the number in a case file.
     pub key: &'static str,
-    /// The value as a case file has it.
+    /// The value as written in a case file.
     pub value: String,
-    /// How well it is known.
+    /// Certainty.
     pub certainty: Certainty,
     /// Key of its source.
     pub source: &'a str,
-    /// How it was derived, or what it was taken over from.
+    /// Derivation, or the number that it was copied from.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub note: Option<&'a str>,
 }

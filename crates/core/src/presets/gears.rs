@@ -15,9 +15,9 @@ const FILE: &str = "gears.json";
 pub struct GearPreset {
     /// Name to ask for it by.
     pub name: String,
-    /// What the gears are.
+    /// Description of the gears.
     pub title: String,
-    /// What is known of them, and what is not.
+    /// Known and unknown properties.
     pub note: String,
     /// The geometry.
     pub gears: GearFigures,
@@ -114,7 +114,7 @@ impl GearPreset {
 /// The gears in `text`, whose numbers all have a source in `sources`.
 ///
 /// # Errors
-/// When the text is not that of gears, a number has no certainty, or its source is not in the list.
+/// When the text does not describe gears, a number has no certainty, or its source is not in the list.
 pub fn read_gears(text: &str, sources: &[PresetSource]) -> Result<Vec<GearPreset>, PresetError> {
     let gears: Vec<GearPreset> = serde_json::from_str(text).map_err(|error| PresetError::File {
         file: FILE,

@@ -19,14 +19,14 @@ pub const POWDER_METAL: &str = "powder-metal";
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SteelPreset {
-    /// Name that a case file asks for.
+    /// Name in a case file.
     pub name: String,
     /// Material number of EN 10027-2, where there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub number: Option<String>,
     /// Heat treatment of the flanks.
     pub treatment: String,
-    /// What is known of it, and what is not.
+    /// Known and unknown properties.
     pub note: String,
     /// Young's modulus.
     pub young: Figure<Pressure>,
@@ -43,7 +43,7 @@ pub struct SteelPreset {
 }
 
 impl SteelPreset {
-    /// Every number, as a case file has it.
+    /// Every number, as written in a case file.
     pub fn rows(&self) -> Vec<FigureRow<'_>> {
         fn quoted<Q: Quantity>(value: &Q) -> String {
             format!("\"{value}\"")
@@ -67,7 +67,7 @@ impl SteelPreset {
 /// The steels in `text`, whose numbers all have a source in `sources`.
 ///
 /// # Errors
-/// When the text is not that of steels, a number has no certainty, or its source is not in the list.
+/// When the text does not describe steels, a number has no certainty, or its source is not in the list.
 pub fn read_steels(text: &str, sources: &[PresetSource]) -> Result<Vec<SteelPreset>, PresetError> {
     let steels: Vec<SteelPreset> =
         serde_json::from_str(text).map_err(|error| PresetError::File {

@@ -18,7 +18,7 @@ impl BandMatrix {
         self.values.resize(rows * (2 * half + 1), 0.0);
     }
 
-    /// Row `i`, whose first element stands in column i − half width.
+    /// Row `i`, whose first element is in column i − half width.
     pub(crate) fn row_mut(&mut self, i: usize) -> &mut [f64] {
         let width = 2 * self.half + 1;
         &mut self.values[i * width..(i + 1) * width]

@@ -60,7 +60,7 @@ impl DenseSystem {
     }
 }
 
-/// Takes the pressure of cavitated nodes out of a row.
+/// Sets the elements of cavitated nodes, whose pressure is not unknown, to zero.
 fn mask(row: &mut [f64], cavitated: &[bool]) {
     for (value, cavitated) in row.iter_mut().zip(cavitated) {
         if *cavitated {

@@ -1,7 +1,7 @@
 //! Fine level of the preconditioner: banded factors.
 //!
-//! Without storage the near field of the kernel is kept: band(local + film·K). With storage the balance
-//! of a node is nearly that of its film, so the film is the unknown: z = G·[band(local·G + film)]⁻¹ with
+//! Without storage the matrix is the near field of the kernel, band(local + film·K). With storage the balance of a node
+//! depends almost only on its own film, so the film is the unknown: z = G·[band(local·G + film)]⁻¹ with
 //! the periodic inverse G of the kernel.
 
 use asperity_core::numerics::SymmetricToeplitz;
@@ -12,7 +12,8 @@ use crate::hat_kernel::inverse_column;
 
 /// Half width of the near field without storage.
 const NEAR_FIELD: usize = 6;
-/// Half width of the inverse kernel with storage.
+/// Half width of the inverse kernel with storage: the inverse decays with the square of the distance, the kernel only
+/// with its logarithm.
 const INVERSE_FIELD: usize = 4;
 
 pub(crate) struct FineLevel {
@@ -114,7 +115,7 @@ fn near_field_row(system: &Linearised, kernel: &[f64], i: usize, row: &mut [f64]
     }
 }
 
-/// Row of local·G + film, and of local alone where the unknown is the void fraction.
+/// Row of local·G + film; only of local in the columns of nodes whose unknown is the void fraction.
 fn inverse_row(system: &Linearised, inverse: &[f64], i: usize, half: usize, row: &mut [f64]) {
     let nodes = system.weights.len();
     if i == 0 || i + 1 == nodes {

@@ -1,4 +1,9 @@
 //! Linear systems on an even grid: fast products with the kernel, two-level preconditioned GMRES.
+//!
+//! The matrix is film·K + local with the dense, symmetric Toeplitz kernel K of the elastic half-planes. It is never
+//! formed: K·p costs two FFTs, and GMRES (Saad and Schultz, SIAM J. Sci. Stat. Comput. 7, 1986, 856-869) needs only
+//! products. Long waves, which K makes stiff, and the load balance are solved on the coarse level, short waves by banded
+//! factors on the fine level; the two corrections are applied one after the other.
 
 use asperity_core::numerics::SymmetricToeplitz;
 
@@ -9,7 +14,8 @@ use super::small_lu::dot;
 use super::system::{ElasticSystem, LinearEffort, Linearised};
 use crate::hat_kernel::hat_column;
 
-/// Most iterations of one linear solution.
+/// Largest number of iterations of a linear solution. A solution at the cap is still used as a Newton step and counted
+/// by [`LinearEffort::capped`].
 const CAP: usize = 80;
 /// Coarse cells on grids of at least `COARSE_CELLS`·`LEAST_RATIO` cells.
 const COARSE_CELLS: usize = 64;

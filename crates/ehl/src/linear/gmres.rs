@@ -1,4 +1,8 @@
-//! Generalised minimal residuals with a preconditioner on the right.
+//! Generalised minimal residuals (GMRES) with a preconditioner on the right.
+//!
+//! The preconditioner is on the right so that the residual of the original equations is minimised. There are no
+//! restarts: the cap of iterations bounds the memory. Corrections are stored next to the basis, so that the preconditioner need not
+//! be applied again for the solution and may vary between iterations (flexible GMRES, Saad 1993).
 
 use super::small_lu::dot;
 use super::system::LinearEffort;
@@ -8,7 +12,7 @@ pub(crate) trait Preconditioned {
     fn apply(&mut self, residual: &[f64], correction: &mut [f64], image: &mut [f64]);
 }
 
-/// Arrays of the iteration, kept between solutions.
+/// Arrays of the iteration, reused for every solution.
 #[derive(Default)]
 pub(crate) struct Gmres {
     basis: Vec<Vec<f64>>,
@@ -20,7 +24,7 @@ pub(crate) struct Gmres {
 }
 
 impl Gmres {
-    /// Writes into `solution` what reduces the residual to `tolerance` times `right`.
+    /// Solves to a residual of `tolerance` times `right`, or up to `cap` iterations.
     pub(crate) fn solve(
         &mut self,
         operator: &mut impl Preconditioned,
@@ -79,11 +83,12 @@ impl Gmres {
         }
     }
 
-    /// One more vector of the basis; the residual left.
+    /// Adds a vector to the basis; returns the remaining residual.
     fn step(&mut self, operator: &mut impl Preconditioned, k: usize) -> f64 {
         let (known, new) = self.basis.split_at_mut(k + 1);
         let image = &mut new[0];
         operator.apply(&known[k], &mut self.corrections[k], image);
+        // Modified Gram-Schmidt against the basis; the coefficients are a column of the Hessenberg matrix.
         let column = &mut self.triangle[k];
         for (value, vector) in column.iter_mut().zip(known.iter()) {
             *value = dot(image, vector);
@@ -95,6 +100,7 @@ impl Gmres {
         if norm > 0.0 {
             image.iter_mut().for_each(|value| *value /= norm);
         }
+        // Earlier Givens rotations, then the one that removes the element below the diagonal.
         for (i, (c, s)) in self.rotations.iter().enumerate() {
             let (a, b) = (column[i], column[i + 1]);
             column[i] = c * a + s * b;
@@ -114,7 +120,7 @@ impl Gmres {
         (s * last).abs()
     }
 
-    /// Adds the combination of the corrections with the least residual.
+    /// Back substitution: adds the combination of the corrections with the smallest residual.
     fn combine(&self, count: usize, solution: &mut [f64]) {
         let mut weights = self.right[..count].to_vec();
         for i in (0..count).rev() {

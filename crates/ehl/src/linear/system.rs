@@ -1,4 +1,4 @@
-//! The linearised balances, and what solves them.
+//! The linearised balances and the interface of their solvers.
 
 use crate::bands::Bands;
 
