@@ -10,8 +10,7 @@ use asperity::ContactTables;
 use asperity::PositionError;
 use asperity::case::LoadedCase;
 use asperity::load_share::{
-    AttenuatedTraces, ContactTable, LineContact, LoadShareSettings, PositionFilm, RoughContact,
-    RoughWindow,
+    AttenuatedTraces, ContactTable, LoadShareSettings, PositionFilm, RoughContact, RoughWindow,
 };
 use asperity::load_share_law::{LoadShare, ShareConditions, SharedLoad};
 use asperity::oil::{BaseOil, FilmRheology, LubricantInput, ViscosityLaw};
@@ -20,6 +19,7 @@ use asperity::result::Summary;
 use asperity::surfaces::{Surfaces, Texture};
 use asperity_contact::SolverSettings;
 use asperity_core::Profile;
+use asperity_core::line_contact::LineContact;
 use asperity_core::quantity::{
     Density, KinematicViscosity, Length, LineLoad, PerKelvin, Pressure, Speed, Temperature,
 };

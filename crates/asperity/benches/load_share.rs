@@ -6,11 +6,11 @@ use std::path::Path;
 
 use asperity::case::load;
 use asperity::load_share::{
-    AttenuatedTraces, ContactTable, LineContact, LoadShareSettings, PositionFilm, RoughContact,
-    RoughWindow,
+    AttenuatedTraces, ContactTable, LoadShareSettings, PositionFilm, RoughContact, RoughWindow,
 };
 use asperity::pipeline::{contact_tables, losses_with, run};
 use asperity_contact::SolverSettings;
+use asperity_core::line_contact::LineContact;
 use asperity_core::material::Material;
 use asperity_core::quantity::{
     Density, Length, LineLoad, Pressure, SpecificHeat, Speed, Temperature, ThermalConductivity,

@@ -14,8 +14,7 @@ use std::collections::HashMap;
 use std::f64::consts::PI;
 
 use asperity::load_share::{
-    AttenuatedTraces, ContactTable, LineContact, LoadShareSettings, PositionFilm, RoughContact,
-    RoughWindow,
+    AttenuatedTraces, ContactTable, LoadShareSettings, PositionFilm, RoughContact, RoughWindow,
 };
 use asperity::quantity::{
     Density, DynamicViscosity, Length, LineLoad, PerKelvin, Pressure, PressureViscosity,
@@ -23,6 +22,7 @@ use asperity::quantity::{
 };
 use asperity_contact::SolverSettings;
 use asperity_contact::hertz_line::HertzLine;
+use asperity_core::line_contact::LineContact;
 use asperity_core::material::Material;
 use asperity_ehl_regime::TraceSpectrum;
 use asperity_oil::{BaseOil, FilmRheology, LubricantInput, TractionConstants, ViscosityLaw};

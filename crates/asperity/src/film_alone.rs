@@ -1,6 +1,7 @@
 //! Friction of a film without asperities, as a law of the pipeline.
 
 use asperity_core::Checked;
+use asperity_core::line_contact::LineContact;
 use asperity_core::quantity::Length;
 use asperity_ehl_regime::inlet_flow::CentralFilm;
 use asperity_oil::FilmRheology;
@@ -38,13 +39,15 @@ impl FilmFriction for FilmAlone {
 
     fn traction(&self, at: &FilmContact<'_>) -> Result<Checked<FilmTraction>, FrictionError> {
         let contact = FilmLineContact {
-            load: at.position.load,
-            radius: at.position.radius,
-            modulus: at.modulus,
-            speeds: at.surface_speeds,
+            line: LineContact {
+                load: at.position.load,
+                radius: at.position.radius,
+                modulus: at.modulus,
+                speeds: at.surface_speeds,
+                bodies: at.materials,
+            },
             film: self.film(at),
             temperature: at.bulk_temperature,
-            bodies: at.materials,
         };
         let solved = solve(&self.rheology, &contact, FilmSettings::default())?;
         Ok(solved.map(|solution| {

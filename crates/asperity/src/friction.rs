@@ -5,8 +5,8 @@ use asperity_core::cite;
 use asperity_core::quantity::{Length, LineLoad, Pressure, Speed, Temperature};
 use asperity_oil::{LubricantState, roelands};
 use asperity_tribo_friction::{
-    FilmContact, FilmFriction, FlashConditions, FrictionConditions, MeshConditions,
-    flash_temperature, mixed_friction,
+    FilmContact, FilmFriction, FrictionConditions, MeshConditions, flash_temperature,
+    mixed_friction,
 };
 
 use crate::branch::Carried;
@@ -77,15 +77,8 @@ pub(crate) fn smooth(
 
 /// Flash temperature \[K\] of a contact whose whole friction coefficient is `mu`.
 pub(crate) fn flash(case: &Case, station: &Station, mu: f64) -> Result<f64, PositionError> {
-    Ok(flash_temperature(&FlashConditions {
-        friction: mu,
-        load: station.load,
-        first_speed: station.motion.u1,
-        second_speed: station.motion.u2,
-        half_width: station.hertz.half_width,
-        first: case.materials[0],
-        second: case.materials[1],
-    })?)
+    let contact = station.line_contact(case.materials);
+    Ok(flash_temperature(&contact, station.hertz.half_width, mu)?)
 }
 
 /// The local contact at `station` with the oil in the state `oil`.

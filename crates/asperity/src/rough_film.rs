@@ -2,6 +2,7 @@
 
 use asperity_contact::SolverSettings;
 use asperity_core::Checked;
+use asperity_core::line_contact::LineContact;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::inlet_flow::Lay;
 
@@ -11,8 +12,8 @@ use crate::contact_tables::{FoundContact, KeptContact};
 use crate::encounter::Encounter;
 use crate::error::PositionError;
 use crate::load_share::{
-    AttenuatedTraces, ContactState, ContactTable, LineContact, LoadShareSettings,
-    LoadShareSolution, PositionFilm, RoughContact, RoughWindow, SmoothFilm,
+    AttenuatedTraces, ContactState, ContactTable, LoadShareSettings, LoadShareSolution,
+    PositionFilm, RoughContact, RoughWindow, SmoothFilm,
 };
 use crate::station::Station;
 use crate::surfaces::{Surfaces, Texture};
@@ -62,7 +63,7 @@ impl<'a> RoughFilm<'a> {
             share_factor: model.asperity_share_factor,
             ..LoadShareSettings::default()
         };
-        let contact = line_contact(case, station);
+        let contact = station.line_contact(case.materials);
         let smooth = SmoothFilm {
             central: station.film.central,
             thermal_factor: station.thermal_reduction,
@@ -146,19 +147,13 @@ pub(crate) fn without_film(
     composite: &[f64],
     spacing: Length,
 ) -> Result<ContactState, PositionError> {
-    let mut contact = rough_contact(case, &line_contact(case, station), composite, spacing)?;
+    let mut contact = rough_contact(
+        case,
+        &station.line_contact(case.materials),
+        composite,
+        spacing,
+    )?;
     Ok(contact.at(1.0)?)
-}
-
-/// The loaded line contact of a position.
-fn line_contact(case: &Case, station: &Station) -> LineContact {
-    LineContact {
-        load: station.load,
-        radius: station.motion.radius,
-        modulus: case.modulus,
-        speeds: [station.motion.u1, station.motion.u2],
-        bodies: case.materials,
-    }
 }
 
 /// The contact of one window at every share.
@@ -168,7 +163,12 @@ pub(crate) fn table(
     encounter: &Encounter,
 ) -> Result<FoundContact, PositionError> {
     let (composite, spacing) = (encounter.composite(), encounter.spacing);
-    let mut contact = rough_contact(case, &line_contact(case, station), &composite, spacing)?;
+    let mut contact = rough_contact(
+        case,
+        &station.line_contact(case.materials),
+        &composite,
+        spacing,
+    )?;
     Ok(FoundContact {
         first_touch: contact.first_touch_gap(),
         table: Some(ContactTable::build(&mut contact)?),

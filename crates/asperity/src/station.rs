@@ -2,6 +2,8 @@
 
 use asperity_contact::hertz_line::HertzLine;
 use asperity_core::OutOfRange;
+use asperity_core::line_contact::LineContact;
+use asperity_core::material::Material;
 use asperity_core::quantity::{Length, LineLoad};
 use asperity_ehl_regime::{FilmConditions, FilmThickness};
 use asperity_gear::Kinematics;
@@ -65,4 +67,17 @@ pub struct Station {
     pub film_shown: FilmThickness,
     /// Inputs that left their fitted range.
     pub outside: Vec<OutOfRange>,
+}
+
+impl Station {
+    /// The loaded line contact of bodies of these materials.
+    pub fn line_contact(&self, bodies: [Material; 2]) -> LineContact {
+        LineContact {
+            load: self.load,
+            radius: self.motion.radius,
+            modulus: self.film_conditions.modulus,
+            speeds: [self.motion.u1, self.motion.u2],
+            bodies,
+        }
+    }
 }

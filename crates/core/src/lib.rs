@@ -9,6 +9,7 @@ pub mod cancel;
 pub mod checked;
 pub mod error;
 pub mod hardness;
+pub mod line_contact;
 pub mod material;
 pub mod numerics;
 pub mod powder_metal;

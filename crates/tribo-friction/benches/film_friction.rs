@@ -2,6 +2,7 @@
 
 use std::hint::black_box;
 
+use asperity_core::line_contact::LineContact;
 use asperity_core::material::Material;
 use asperity_core::quantity::{
     Density, Length, LineLoad, Pressure, SpecificHeat, Speed, Temperature, ThermalConductivity,
@@ -31,13 +32,15 @@ fn film(criterion: &mut Criterion) {
         return;
     };
     let contact = FilmLineContact {
-        load: LineLoad::from_si(300e3),
-        radius: Length::from_si(9e-3),
-        modulus: Pressure::from_si(115.385e9),
-        speeds: [Speed::from_si(4.6), Speed::from_si(3.4)],
+        line: LineContact {
+            load: LineLoad::from_si(300e3),
+            radius: Length::from_si(9e-3),
+            modulus: Pressure::from_si(115.385e9),
+            speeds: [Speed::from_si(4.6), Speed::from_si(3.4)],
+            bodies: [steel, steel],
+        },
         film: Length::from_si(0.26e-6),
         temperature: Temperature::from_si(363.15),
-        bodies: [steel, steel],
     };
     for (name, heat) in [
         ("heated film, 16 nodes", FilmHeat::FilmAndSurfaces),

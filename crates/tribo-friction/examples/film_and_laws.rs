@@ -1,5 +1,6 @@
 //! The film law alone, and a published law alone, over the temperature of an e-fluid.
 
+use asperity_core::line_contact::LineContact;
 use asperity_core::material::Material;
 use asperity_core::quantity::{Length, Speed, Temperature};
 use asperity_oil::{BaseOil, FilmRheology, LubricantInput, ViscosityLaw};
@@ -31,13 +32,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let temperature = Temperature::from_celsius(celsius);
         let speeds = [Speed::from_si(8.125), Speed::from_si(4.875)];
         let contact = FilmLineContact {
-            load: "144 N/mm".parse()?,
-            radius: "4.5 mm".parse()?,
-            modulus: "115.385 GPa".parse()?,
-            speeds,
+            line: LineContact {
+                load: "144 N/mm".parse()?,
+                radius: "4.5 mm".parse()?,
+                modulus: "115.385 GPa".parse()?,
+                speeds,
+                bodies: [steel, steel],
+            },
             film: Length::from_si(0.15e-6),
             temperature,
-            bodies: [steel, steel],
         };
         let film = film_friction::solve(&rheology, &contact, FilmSettings::default())?.value;
         let xu = XuLaw::default().coefficient(&XuConditions {
@@ -45,7 +48,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             max_pressure: film.max_pressure,
             viscosity: rheology.state(temperature)?.viscosity,
             entrainment: Speed::from_si(6.5),
-            radius: contact.radius,
+            radius: contact.line.radius,
             combined_roughness: Length::from_si(0.1e-6),
         })?;
         let note = if xu.outside.is_empty() {

@@ -26,9 +26,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use std::num::NonZeroUsize;
 use std::sync::OnceLock;
 
+use asperity_core::line_contact::LineContact;
 use asperity_core::material::Material;
 use asperity_core::numerics::{Solved, newton_root};
-use asperity_core::quantity::{Length, LineLoad, Pressure, Speed, Temperature};
+use asperity_core::quantity::{Length, Pressure, Temperature};
 use asperity_core::{Checked, DomainError, FittedRange, OutOfRange, cite};
 use asperity_oil::{FilmPoint, FilmRheology};
 use gauss_quad::GaussLegendre;
@@ -64,20 +65,12 @@ const RANGES: [FittedRange; 4] = [
 /// A smooth film in a line contact.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FilmLineContact {
-    /// Load per length of contact line w.
-    pub load: LineLoad,
-    /// Relative radius of curvature R.
-    pub radius: Length,
-    /// Reduced modulus E*.
-    pub modulus: Pressure,
-    /// Surface speeds u₁, u₂ in the direction of motion.
-    pub speeds: [Speed; 2],
+    /// Load, geometry, speeds and bodies.
+    pub line: LineContact,
     /// Central film thickness h with its thermal reduction.
     pub film: Length,
     /// Bulk temperature T₀ of the flanks and of the oil at the inlet.
     pub temperature: Temperature,
-    /// The two bodies.
-    pub bodies: [Material; 2],
 }
 
 /// Heating included in the film friction.
@@ -168,25 +161,24 @@ impl<'a> LoadedFilm<'a> {
         contact: &FilmLineContact,
         settings: FilmSettings,
     ) -> Result<Self, FrictionError> {
-        let w = DomainError::positive("line load", contact.load)?;
-        let r = DomainError::positive("radius", contact.radius)?;
-        let e = DomainError::positive("reduced modulus", contact.modulus)?;
+        let line = &contact.line;
+        let w = DomainError::positive("line load", line.load)?;
+        let r = DomainError::positive("radius", line.radius)?;
+        let e = DomainError::positive("reduced modulus", line.modulus)?;
         let h = DomainError::positive("film", contact.film)?;
         let bulk = DomainError::positive("bulk temperature", contact.temperature)?;
-        let [u1, u2] = contact.speeds;
+        let [u1, u2] = line.speeds;
         let u = [
             DomainError::finite("speed of the first surface", u1)?,
             DomainError::finite("speed of the second surface", u2)?,
         ];
-        let entrainment = DomainError::positive("entrainment speed", (u1 + u2) * 0.5)?;
+        let entrainment = DomainError::positive("entrainment speed", line.entrainment())?;
         let viscosity = rheology.state(contact.temperature)?.viscosity;
         let half_width = (4.0 * w * r / (PI * e)).sqrt();
         let max_pressure = 2.0 * w / (PI * half_width);
         let sliding = (u[0] - u[1]).abs();
         let rise = match settings.heat {
-            FilmHeat::FilmAndSurfaces => {
-                surface_rise_per_friction(w, u, half_width, &contact.bodies)?
-            }
+            FilmHeat::FilmAndSurfaces => surface_rise_per_friction(w, u, half_width, &line.bodies)?,
             FilmHeat::Isothermal => 0.0,
         };
         let mut outside = Vec::new();
@@ -398,7 +390,7 @@ fn surface_rise_per_friction(
 ///
 /// ```
 /// use asperity_oil::{BaseOil, FilmRheology, LubricantInput};
-/// use asperity_core::material::Material;
+/// use asperity_core::{line_contact::LineContact, material::Material};
 /// use asperity_tribo_friction::{FilmLineContact, FilmSettings, film_friction::solve};
 /// let steel = Material {
 ///     young: "210 GPa".parse()?, poisson: 0.3, elastic_limit: "1500 MPa".parse()?,
@@ -408,11 +400,12 @@ fn surface_rise_per_friction(
 ///     oil: Some("m100".into()), base_oil: Some(BaseOil::Mineral), ..LubricantInput::default()
 /// }.resolve("90 °C".parse()?)?;
 /// let rheology = FilmRheology::new(&oil, BaseOil::Mineral)?;
-/// let friction = solve(&rheology, &FilmLineContact {
+/// let line = LineContact {
 ///     load: "300 N/mm".parse()?, radius: "9 mm".parse()?, modulus: "115.385 GPa".parse()?,
-///     speeds: ["4.6 m/s".parse()?, "3.4 m/s".parse()?], film: "0.26004 um".parse()?,
-///     temperature: "90 °C".parse()?, bodies: [steel, steel],
-/// }, FilmSettings::default())?;
+///     speeds: ["4.6 m/s".parse()?, "3.4 m/s".parse()?], bodies: [steel, steel],
+/// };
+/// let contact = FilmLineContact { line, film: "0.26004 um".parse()?, temperature: "90 °C".parse()? };
+/// let friction = solve(&rheology, &contact, FilmSettings::default())?;
 /// assert!((friction.value.coefficient - 0.0380).abs() < 5e-5);
 /// assert!(friction.outside.is_empty());
 /// # Ok::<(), Box<dyn std::error::Error>>(())

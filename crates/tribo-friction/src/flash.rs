@@ -14,36 +14,17 @@
 //! ahead of the contact and the formula reads too high. Both surfaces must move through the
 //! contact in the same direction.
 
+use asperity_core::line_contact::LineContact;
 use asperity_core::material::Material;
-use asperity_core::quantity::{Length, LineLoad, Speed};
+use asperity_core::quantity::{Length, Speed};
 use asperity_core::{DomainError, cite};
-use serde::Serialize;
 
 use crate::error::FrictionError;
 
 /// Blok's constant of a semi-elliptic source.
 const SEMI_ELLIPSE: f64 = 1.11;
 
-/// One mesh position: the inputs of the flash temperature.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct FlashConditions {
-    /// Friction coefficient μ.
-    pub friction: f64,
-    /// Load per length of contact line w.
-    pub load: LineLoad,
-    /// Surface speed of the pinion's flank u₁.
-    pub first_speed: Speed,
-    /// Surface speed of the wheel's flank u₂.
-    pub second_speed: Speed,
-    /// Half width of the Hertz contact a.
-    pub half_width: Length,
-    /// The pinion's material.
-    pub first: Material,
-    /// The wheel's material.
-    pub second: Material,
-}
-
-/// Largest rise of the surface temperature in the contact.
+/// Largest rise of the surface temperature in a contact with this Hertz half width and friction coefficient.
 ///
 /// ```text
 /// ΔT = 1.11 μ w |u₁ − u₂|/( (B₁ √u₁ + B₂ √u₂) √(2a) ),  B = √(k ρ c)             [Blok]
@@ -56,33 +37,37 @@ pub struct FlashConditions {
 /// both speeds 0.
 ///
 /// ```
-/// use asperity_core::material::Material;
-/// use asperity_tribo_friction::{FlashConditions, flash_temperature};
+/// use asperity_core::{line_contact::LineContact, material::Material};
+/// use asperity_tribo_friction::flash_temperature;
 /// let steel = Material {
 ///     young: "210 GPa".parse()?, poisson: 0.3, elastic_limit: "235 MPa".parse()?,
 ///     density: "7830 kg/m3".parse()?, conductivity: "45 W/(m K)".parse()?, heat_capacity: "465 J/(kg K)".parse()?,
 /// };
-/// let rise = flash_temperature(&FlashConditions {
-///     friction: 0.0627, load: "113.41 N/mm".parse()?, first_speed: "3.5532 m/s".parse()?,
-///     second_speed: "4.9907 m/s".parse()?, half_width: "0.1112 mm".parse()?, first: steel, second: steel,
-/// })?;
+/// let contact = LineContact {
+///     load: "113.41 N/mm".parse()?, radius: "9.88 mm".parse()?, modulus: "115.385 GPa".parse()?,
+///     speeds: ["3.5532 m/s".parse()?, "4.9907 m/s".parse()?], bodies: [steel, steel],
+/// };
+/// let rise = flash_temperature(&contact, "0.1112 mm".parse()?, 0.0627)?;
 /// assert!((rise - 14.4).abs() < 0.1);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn flash_temperature(position: &FlashConditions) -> Result<f64, FrictionError> {
+pub fn flash_temperature(
+    contact: &LineContact,
+    half_width: Length,
+    friction: f64,
+) -> Result<f64, FrictionError> {
     cite!("Blok");
     let mu = DomainError::require(
-        position.friction.is_finite() && position.friction >= 0.0,
+        friction.is_finite() && friction >= 0.0,
         "friction coefficient",
-        position.friction,
+        friction,
         "-",
         "must be finite and not negative",
     )?;
-    let w = DomainError::positive("line load", position.load)?;
-    let speeds = [position.first_speed, position.second_speed];
-    let [first, second] = conductions([&position.first, &position.second], speeds)?;
-    let a = DomainError::positive("half width", position.half_width)?;
-    let sliding = (speeds[0].si() - speeds[1].si()).abs();
+    let w = DomainError::positive("line load", contact.load)?;
+    let [first, second] = conductions(contact.bodies.each_ref(), contact.speeds)?;
+    let a = DomainError::positive("half width", half_width)?;
+    let sliding = contact.sliding().si().abs();
     Ok(SEMI_ELLIPSE * mu * w * sliding / ((first + second) * (2.0 * a).sqrt()))
 }
 

@@ -45,7 +45,7 @@ pub use film_friction::{
     FilmFrictionSolution, FilmHeat, FilmLineContact, FilmSettings, LoadedFilm,
 };
 pub use film_friction_law::{FilmContact, FilmFriction, FilmTraction, NamedFriction};
-pub use flash::{FlashConditions, flash_temperature};
+pub use flash::flash_temperature;
 pub use friction_law::{FrictionLaw, FrictionSettings};
 pub use mixed::{MixedFriction, mixed_friction};
 pub use published_law::PublishedLaw;

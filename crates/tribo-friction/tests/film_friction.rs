@@ -15,6 +15,7 @@
     reason = "helpers of tests may unwrap as tests do"
 )]
 
+use asperity_core::line_contact::LineContact;
 use asperity_core::material::Material;
 use asperity_core::quantity::{
     Density, DynamicViscosity, KinematicViscosity, Length, LineLoad, PerKelvin, Pressure,
@@ -94,13 +95,15 @@ fn isothermal(oil: &FilmRheology, contact: &FilmLineContact, nodes: usize) -> f6
 /// 144 N/mm on 4.5 mm radius at 6.5 m/s and 0.15 um film.
 fn e_drive(slide_to_roll: f64) -> FilmLineContact {
     FilmLineContact {
-        load: LineLoad::from_si(144e3),
-        radius: Length::from_si(4.5e-3),
-        modulus: Pressure::from_si(MODULUS),
-        speeds: speeds(6.5, slide_to_roll),
+        line: LineContact {
+            load: LineLoad::from_si(144e3),
+            radius: Length::from_si(4.5e-3),
+            modulus: Pressure::from_si(MODULUS),
+            speeds: speeds(6.5, slide_to_roll),
+            bodies: [STEEL, STEEL],
+        },
         film: Length::from_si(0.15e-6),
         temperature: celsius(90.0),
-        bodies: [STEEL, STEEL],
     }
 }
 
@@ -140,13 +143,15 @@ fn golden() -> Vec<Condition> {
 
 fn contact_of(c: &Condition) -> FilmLineContact {
     FilmLineContact {
-        load: LineLoad::from_si(c.w_N_per_m),
-        radius: Length::from_si(c.R_m),
-        modulus: Pressure::from_si(MODULUS),
-        speeds: speeds(c.Ve, c.SRR),
+        line: LineContact {
+            load: LineLoad::from_si(c.w_N_per_m),
+            radius: Length::from_si(c.R_m),
+            modulus: Pressure::from_si(MODULUS),
+            speeds: speeds(c.Ve, c.SRR),
+            bodies: [STEEL, STEEL],
+        },
         film: Length::from_si(c.h_m),
         temperature: celsius(c.T_C),
-        bodies: [STEEL, STEEL],
     }
 }
 
@@ -228,10 +233,10 @@ fn a_newtonian_isothermal_film_has_its_closed_form() {
         one *= half * half / ((k + 1.0) * (k + 2.0));
         two *= half * half / ((k + 0.5) * (k + 1.5));
     }
-    let sliding = (contact.speeds[0].si() - contact.speeds[1].si()).abs();
+    let sliding = (contact.line.speeds[0].si() - contact.line.speeds[1].si()).abs();
     let expected =
         state.viscosity.si() * sliding / contact.film.si() * 2.0 * solution.half_width.si()
-            / contact.load.si()
+            / contact.line.load.si()
             * 0.5
             * std::f64::consts::PI
             * (first + struve);
@@ -374,7 +379,7 @@ fn the_roots_of_stress_and_temperature_leave_no_residual() {
             solution.evidence
         );
         let wall = Temperature::from_si(contact.temperature.si() + rise);
-        let sliding = Speed::from_si(contact.speeds[0].si() - contact.speeds[1].si());
+        let sliding = Speed::from_si(contact.line.speeds[0].si() - contact.line.speeds[1].si());
         let tau = rheology
             .shear_stress(solution.max_pressure, wall, sliding, contact.film)
             .unwrap();
@@ -500,16 +505,16 @@ fn cold_oil_leaves_the_range_with_a_note_and_impossible_input_is_refused() {
         solve(&rheology, &contact, FilmSettings::default()).is_err()
     };
     assert!(refused(|c| c.film = Length::from_si(0.0)));
-    assert!(refused(|c| c.load = LineLoad::from_si(-1.0)));
+    assert!(refused(|c| c.line.load = LineLoad::from_si(-1.0)));
     assert!(refused(
-        |c| c.speeds = [Speed::from_si(f64::NAN), Speed::from_si(1.0)]
+        |c| c.line.speeds = [Speed::from_si(f64::NAN), Speed::from_si(1.0)]
     ));
     assert!(refused(
-        |c| c.speeds = [Speed::from_si(-1.0), Speed::from_si(0.5)]
+        |c| c.line.speeds = [Speed::from_si(-1.0), Speed::from_si(0.5)]
     ));
     assert!(refused(|c| c.temperature = celsius(700.0)));
     assert!(refused(
-        |c| c.bodies[1].conductivity = ThermalConductivity::from_si(0.0)
+        |c| c.line.bodies[1].conductivity = ThermalConductivity::from_si(0.0)
     ));
 }
 
@@ -518,7 +523,7 @@ fn unlike_bodies_share_the_heat_by_their_own_constants() {
     // A second body without conduction leaves all heat to the first: B1 sqrt(u1) alone.
     let rheology = oil("e-fluid");
     let mut contact = e_drive(0.5);
-    contact.bodies[1].heat_capacity = SpecificHeat::from_si(1e-9);
+    contact.line.bodies[1].heat_capacity = SpecificHeat::from_si(1e-9);
     let alone = LoadedFilm::new(&rheology, &contact, FilmSettings::default()).unwrap();
     let a = (4.0 * 144e3 * 4.5e-3 / (std::f64::consts::PI * MODULUS)).sqrt();
     let b = (45.0_f64 * 7830.0 * 465.0).sqrt();
@@ -564,19 +569,22 @@ proptest! {
     ) {
         let rheology = oil(["e-fluid", "M100", "PAO100"][which]);
         let contact = FilmLineContact {
-            load: LineLoad::from_si(load),
-            radius: Length::from_si(radius),
-            speeds: speeds(entrainment, slide_to_roll),
+            line: LineContact {
+                load: LineLoad::from_si(load),
+                radius: Length::from_si(radius),
+                speeds: speeds(entrainment, slide_to_roll),
+                ..e_drive(0.0).line
+            },
             film: Length::from_si(film),
             temperature: celsius(temperature),
-            ..e_drive(0.0)
         };
         let heated = friction(&rheology, &contact, 16);
         let mu = heated.coefficient;
         prop_assert!(mu > 0.0);
         // Even in the sliding speed: the bodies change places.
-        let [u1, u2] = contact.speeds;
-        let mirrored = friction(&rheology, &FilmLineContact { speeds: [u2, u1], ..contact }, 16);
+        let [u1, u2] = contact.line.speeds;
+        let line = LineContact { speeds: [u2, u1], ..contact.line };
+        let mirrored = friction(&rheology, &FilmLineContact { line, ..contact }, 16);
         prop_assert!((mirrored.coefficient / mu - 1.0).abs() < 1e-13);
         // Heat only lowers it.
         let cold = isothermal(&rheology, &contact, 16);
@@ -603,11 +611,13 @@ proptest! {
     ) {
         let rheology = oil(["e-fluid", "M100", "PAO100"][which]);
         let at = |slide_to_roll: f64| FilmLineContact {
-            load: LineLoad::from_si(load),
-            speeds: speeds(entrainment, slide_to_roll),
+            line: LineContact {
+                load: LineLoad::from_si(load),
+                speeds: speeds(entrainment, slide_to_roll),
+                ..e_drive(0.0).line
+            },
             film: Length::from_si(film),
             temperature: celsius(temperature),
-            ..e_drive(0.0)
         };
         let contact = at(slide_to_roll);
         let found = friction(&rheology, &contact, 16);
@@ -617,7 +627,7 @@ proptest! {
         prop_assert!((mu / found.coefficient - 1.0).abs() < 1e-12);
         // F1 at exit, in the middle of the contact.
         let wall = Temperature::from_si(contact.temperature.si() + found.surface_rise);
-        let [u1, u2] = contact.speeds.map(Speed::si);
+        let [u1, u2] = contact.line.speeds.map(Speed::si);
         let tau = rheology.shear_stress(found.max_pressure, wall, Speed::from_si(u1 - u2), contact.film).unwrap();
         prop_assert!(tau.residual.abs() <= 1e-7 * tau.value);
         // Without sliding nothing rubs, and a little sliding rubs in proportion.
@@ -672,15 +682,17 @@ proptest! {
                 heat_capacity: STEEL.heat_capacity * (length / time).powi(2),
                 ..STEEL
             };
-            let contact = e_drive(slide_to_roll);
+            let line = e_drive(slide_to_roll).line;
             friction(&rheology, &FilmLineContact {
-                load: contact.load * (pressure * length),
-                radius: contact.radius * length,
-                modulus: contact.modulus * pressure,
-                speeds: contact.speeds.map(|u| u * (length / time)),
+                line: LineContact {
+                    load: line.load * (pressure * length),
+                    radius: line.radius * length,
+                    modulus: line.modulus * pressure,
+                    speeds: line.speeds.map(|u| u * (length / time)),
+                    bodies: [steel, steel],
+                },
                 film: Length::from_si(film * length),
                 temperature: celsius(temperature),
-                bodies: [steel, steel],
             }, 16)
         };
         let (one, other) = (of(1.0, 1.0, 1.0), of(length, time, mass));

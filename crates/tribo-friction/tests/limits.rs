@@ -8,13 +8,14 @@
 mod reference_case;
 
 use asperity_core::DomainError;
+use asperity_core::line_contact::LineContact;
 use asperity_core::quantity::{
     DynamicViscosity, KinematicViscosity, Length, LineLoad, Pressure, Speed, Temperature,
 };
 use asperity_tribo_friction::{
-    FilmTraction, FlashConditions, FrictionConditions, FrictionError, FrictionLaw,
-    FrictionSettings, MeshConditions, RollingConditions, XuCalibration, XuCoefficients, XuLaw,
-    doleschel, flash_temperature, matsumoto, mixed_friction, rolling_force,
+    FilmTraction, FrictionConditions, FrictionError, FrictionLaw, FrictionSettings, MeshConditions,
+    RollingConditions, XuCalibration, XuCoefficients, XuLaw, doleschel, flash_temperature,
+    matsumoto, mixed_friction, rolling_force,
 };
 use reference_case::{ALPHA, LOAD, MODULUS, OIL, POSITIONS, STEEL, conditions};
 
@@ -358,22 +359,20 @@ fn rolling_refuses_what_does_not_roll() {
 
 #[test]
 fn equal_surface_speeds_make_no_flash() {
-    let rolling = FlashConditions {
-        friction: 0.1,
+    let rolling = LineContact {
         load: LOAD,
-        first_speed: Speed::from_si(4.0),
-        second_speed: Speed::from_si(4.0),
-        half_width: Length::from_si(1e-4),
-        first: STEEL,
-        second: STEEL,
+        radius: Length::from_si(0.01),
+        modulus: MODULUS,
+        speeds: [Speed::from_si(4.0); 2],
+        bodies: [STEEL; 2],
     };
-    assert_eq!(flash_temperature(&rolling), Ok(0.0));
-    let still = FlashConditions {
-        first_speed: Speed::from_si(0.0),
-        second_speed: Speed::from_si(0.0),
+    let half_width = Length::from_si(1e-4);
+    assert_eq!(flash_temperature(&rolling, half_width, 0.1), Ok(0.0));
+    let still = LineContact {
+        speeds: [Speed::from_si(0.0); 2],
         ..rolling
     };
-    assert!(flash_temperature(&still).is_err());
+    assert!(flash_temperature(&still, half_width, 0.1).is_err());
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! Scaling and monotonicity of friction and rolling.
 
+use asperity_core::line_contact::LineContact;
 use asperity_core::material::Material;
 use asperity_core::quantity::{
     Density, DynamicViscosity, Length, LineLoad, Pressure, PressureViscosity, SpecificHeat, Speed,
@@ -7,8 +8,8 @@ use asperity_core::quantity::{
 };
 use asperity_tribo_friction::xu::XuConditions;
 use asperity_tribo_friction::{
-    FlashConditions, RollingConditions, RoughnessReading, XuCoefficients, XuLaw, doleschel,
-    flash_temperature, matsumoto, mixed_friction, rolling_force,
+    RollingConditions, RoughnessReading, XuCoefficients, XuLaw, doleschel, flash_temperature,
+    matsumoto, mixed_friction, rolling_force,
 };
 use proptest::prelude::*;
 
@@ -164,16 +165,14 @@ proptest! {
             heat_capacity: SpecificHeat::from_si(465.0),
         };
         let at = |first, second| {
-            flash_temperature(&FlashConditions {
-                friction: mu,
+            let contact = LineContact {
                 load: LineLoad::from_si(1e5),
-                first_speed: Speed::from_si(first),
-                second_speed: Speed::from_si(second),
-                half_width: Length::from_si(1e-4),
-                first: steel,
-                second: steel,
-            })
-            .unwrap()
+                radius: Length::from_si(0.01),
+                modulus: Pressure::from_si(115e9),
+                speeds: [first, second].map(Speed::from_si),
+                bodies: [steel; 2],
+            };
+            flash_temperature(&contact, Length::from_si(1e-4), mu).unwrap()
         };
         let b = (45.0 * 7830.0 * 465.0_f64).sqrt();
         let expected = 1.11 * mu * 1e5 * (first.sqrt() - second.sqrt()).abs() / (b * 2e-4_f64.sqrt());

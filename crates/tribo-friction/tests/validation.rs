@@ -10,6 +10,7 @@
 
 mod reference_case;
 
+use asperity_core::line_contact::LineContact;
 use asperity_core::material::Material;
 use asperity_core::quantity::{
     Density, DynamicViscosity, Length, LineLoad, Pressure, PressureViscosity, SpecificHeat, Speed,
@@ -20,8 +21,8 @@ use asperity_tribo_friction::flash::heat_share;
 use asperity_tribo_friction::rolling::goksem_factor;
 use asperity_tribo_friction::xu::XuConditions;
 use asperity_tribo_friction::{
-    FlashConditions, FrictionLaw, FrictionSettings, RollingConditions, RoughnessReading, XuLaw,
-    doleschel, eyring, flash_temperature, matsumoto, mixed_friction, rolling_force,
+    FrictionLaw, FrictionSettings, RollingConditions, RoughnessReading, XuLaw, doleschel, eyring,
+    flash_temperature, matsumoto, mixed_friction, rolling_force,
 };
 use reference_case::{ALPHA, LOAD, MODULUS, OIL, POSITIONS, Position, STEEL, conditions};
 
@@ -247,16 +248,16 @@ fn longer_goksem_form_of_the_reference_case() {
 #[test]
 fn flash_temperature_of_the_reference_case() {
     for position in &POSITIONS {
-        let rise = flash_temperature(&FlashConditions {
-            friction: position.xu[0],
+        let contact = LineContact {
             load: LOAD,
-            first_speed: Speed::from_si(position.entrainment + 0.5 * position.sliding),
-            second_speed: Speed::from_si(position.entrainment - 0.5 * position.sliding),
-            half_width: Length::from_si(position.half_width_um * 1e-6),
-            first: STEEL,
-            second: STEEL,
-        })
-        .unwrap();
+            radius: Length::from_si(position.radius_mm * 1e-3),
+            modulus: MODULUS,
+            speeds: [0.5, -0.5]
+                .map(|part| Speed::from_si(position.entrainment + part * position.sliding)),
+            bodies: [STEEL; 2],
+        };
+        let half_width = Length::from_si(position.half_width_um * 1e-6);
+        let rise = flash_temperature(&contact, half_width, position.xu[0]).unwrap();
         match position.flash {
             // The surface speeds are reconstructed from V_e and V_s: a few digits lost in
             // their difference.
@@ -277,16 +278,14 @@ fn two_flanks_share_the_heat_that_makes_them_equally_hot() {
         ..STEEL
     };
     let speeds = [5.0, 3.2].map(Speed::from_si);
-    let pair = FlashConditions {
-        friction: 0.05,
+    let pair = LineContact {
         load: LOAD,
-        first_speed: speeds[0],
-        second_speed: speeds[1],
-        half_width: Length::from_si(1e-4),
-        first: STEEL,
-        second: bronze,
+        radius: Length::from_si(0.01),
+        modulus: MODULUS,
+        speeds,
+        bodies: [STEEL, bronze],
     };
-    let together = flash_temperature(&pair).unwrap();
+    let together = flash_temperature(&pair, Length::from_si(1e-4), 0.05).unwrap();
     let share = heat_share([&STEEL, &bronze], speeds).unwrap();
     let heat = 0.05 * LOAD.si() * (5.0 - 3.2);
     for (steel, speed, part) in [(STEEL, 5.0, share), (bronze, 3.2, 1.0 - share)] {

@@ -38,8 +38,6 @@ pub use attenuated_traces::AttenuatedTraces;
 pub(crate) use attenuated_traces::deviation;
 pub use contact_table::{ContactTable, TABLE_SHARES, TableRow};
 pub use error::LoadShareError;
-pub use position_film::{
-    InletSupply, LineContact, LoadShareSettings, PositionFilm, SmoothFilm, SpotSpeed,
-};
+pub use position_film::{InletSupply, LoadShareSettings, PositionFilm, SmoothFilm, SpotSpeed};
 pub use rough_contact::{ContactState, RoughContact, RoughWindow, Spot};
 pub use solution::{LineLosses, LoadShareSolution, ShareEvidence};

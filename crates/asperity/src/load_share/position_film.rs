@@ -1,9 +1,9 @@
 //! The film of one position at one temperature, and the load share of any window there.
 
 use asperity_contact::hertz_line::HertzLine;
-use asperity_core::material::Material;
+use asperity_core::line_contact::LineContact;
 use asperity_core::numerics::{Solved, secant_root};
-use asperity_core::quantity::{Length, LineEnergy, LineLoad, Pressure, Speed, Temperature};
+use asperity_core::quantity::{Length, LineEnergy, Pressure, Speed, Temperature};
 use asperity_core::{Checked, DomainError, FittedRange, OutOfRange, cite};
 use asperity_ehl_regime::inlet_flow::{
     CentralFilm, LARGEST_SHARE, Lay, inlet_factor, supplied_gap,
@@ -39,21 +39,6 @@ const COMPARED: FittedRange = FittedRange {
     unit: "-",
     correlation: "the mixed-EHL solutions that the load share was compared with",
 };
-
-/// A loaded line contact in motion.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LineContact {
-    /// Load per length of contact line w.
-    pub load: LineLoad,
-    /// Relative radius of curvature R.
-    pub radius: Length,
-    /// Reduced modulus E*.
-    pub modulus: Pressure,
-    /// Surface speeds u₁, u₂ in the direction of motion.
-    pub speeds: [Speed; 2],
-    /// The two bodies.
-    pub bodies: [Material; 2],
-}
 
 /// Mean gap that the inlet supplies without asperity contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -132,7 +117,7 @@ impl Default for LoadShareSettings {
 ///
 /// ```no_run
 /// # use asperity::load_share::*;
-/// # fn example(contact: LineContact, rheology: &asperity_oil::FilmRheology,
+/// # fn example(contact: asperity_core::line_contact::LineContact, rheology: &asperity_oil::FilmRheology,
 /// #     tables: &[ContactTable], spectra: [&asperity_ehl_regime::TraceSpectrum; 2], starts: &[[usize; 2]],
 /// #     points: usize) -> Result<(), Box<dyn std::error::Error>> {
 /// let settings = LoadShareSettings::default();
@@ -238,13 +223,9 @@ impl<'a> PositionFilm<'a> {
         let film = LoadedFilm::new(
             rheology,
             &FilmLineContact {
-                load: contact.load,
-                radius: contact.radius,
-                modulus: contact.modulus,
-                speeds: contact.speeds,
+                line: *contact,
                 film: central,
                 temperature: bulk,
-                bodies: contact.bodies,
             },
             settings.film,
         )?;

@@ -15,7 +15,7 @@ use crate::case::LoadedCase;
 use crate::chosen_laws::ChosenLaws;
 use crate::decision::lambda_star_of;
 use crate::load_share::{
-    AttenuatedTraces, ContactTable, InletSupply, LineContact, LoadShareSettings, LoadShareSolution,
+    AttenuatedTraces, ContactTable, InletSupply, LoadShareSettings, LoadShareSolution,
     PositionFilm, RoughContact, RoughWindow, SmoothFilm,
 };
 use crate::local_roughness::Roughness;
@@ -131,13 +131,7 @@ fn referee_share(record: &Record) -> f64 {
 
 fn windows(loaded: &LoadedCase, contact: &RefereeContact) -> Result<Vec<Window>, RefereeError> {
     let case = &loaded.case;
-    let line = LineContact {
-        load: contact.rough.contact.load,
-        radius: contact.rough.contact.radius,
-        modulus: contact.rough.contact.modulus,
-        speeds: [contact.rough.contact.speed_1, contact.rough.contact.speed_2],
-        bodies: case.materials,
-    };
+    let line = contact.station.line_contact(case.materials);
     let [pinion, wheel] = case.flow_pressure.map(Pressure::si);
     let [first, second] = &contact.traces;
     let spacing = first.spacing();

@@ -14,11 +14,12 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use asperity::load_share::{
-    AttenuatedTraces, ContactTable, InletSupply, LineContact, LoadShareError, LoadShareSettings,
+    AttenuatedTraces, ContactTable, InletSupply, LoadShareError, LoadShareSettings,
     LoadShareSolution, PositionFilm, RoughContact, RoughWindow, SpotSpeed,
 };
 use asperity_contact::SolverSettings;
 use asperity_core::Profile;
+use asperity_core::line_contact::LineContact;
 use asperity_core::material::Material;
 use asperity_core::quantity::{
     Density, KinematicViscosity, Length, LineLoad, PerKelvin, Pressure, PressureViscosity,
@@ -366,13 +367,9 @@ fn smooth_flanks_have_the_film_friction_alone() {
     let alone = film_friction::solve(
         &rheology,
         &FilmLineContact {
-            load: contact.load,
-            radius: contact.radius,
-            modulus: contact.modulus,
-            speeds: contact.speeds,
+            line: contact,
             film: film.smooth_film(),
             temperature: celsius(90.0),
-            bodies: contact.bodies,
         },
         FilmSettings::default(),
     )

@@ -135,13 +135,9 @@ proptest! {
         let mut film = PositionFilm::new(&rheology, contact, bulk, &LoadShareSettings::default()).unwrap();
         let found = film.share(&table, Length::from_si(0.0)).unwrap().value;
         let alone = FilmLineContact {
-            load: contact.load,
-            radius: contact.radius,
-            modulus: contact.modulus,
-            speeds: contact.speeds,
+            line: *contact,
             film: film.smooth_film(),
             temperature: bulk,
-            bodies: contact.bodies,
         };
         let alone = film_friction::solve(&rheology, &alone, FilmSettings::default()).unwrap().value;
         prop_assert_eq!((found.asperity_share, found.inlet_factor), (0.0, 1.0));
