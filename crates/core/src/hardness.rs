@@ -98,10 +98,10 @@ impl Hardness {
     pub fn vickers(self) -> Result<f64, DomainError> {
         let table = |of: fn(&(f64, f64, f64)) -> f64, unit, rule| {
             let rows = SCALES.windows(2);
-            let found = rows.into_iter().find(|rows| {
+            let bracket = rows.into_iter().find(|rows| {
                 of(&rows[1]).is_finite() && (of(&rows[0])..=of(&rows[1])).contains(&self.number)
             });
-            let rows = found.ok_or(DomainError {
+            let rows = bracket.ok_or(DomainError {
                 name: "hardness",
                 value: self.number,
                 unit,
@@ -241,10 +241,10 @@ mod tests {
             (58.0, 611.0, 653.0),
         ] {
             for (number, scale) in [(rockwell, "HRC"), (brinell, "HB")] {
-                let found = of(&format!("{number} {scale}")).vickers().unwrap();
+                let computed = of(&format!("{number} {scale}")).vickers().unwrap();
                 assert!(
-                    (found / vickers - 1.0).abs() < 0.01,
-                    "{number} {scale}: {found}"
+                    (computed / vickers - 1.0).abs() < 0.01,
+                    "{number} {scale}: {computed}"
                 );
             }
         }

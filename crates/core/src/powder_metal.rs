@@ -137,11 +137,11 @@ mod tests {
             (7.40, 170.0),
         ];
         for (density, expected) in rows {
-            let found = young(of(density)).unwrap();
+            let computed = young(of(density)).unwrap();
             // The standard prints multiples of 5 GPa.
-            let off = found.value.si() / 1e9 - expected;
+            let off = computed.value.si() / 1e9 - expected;
             assert!(off.abs() <= 2.5, "{density}: {off}");
-            assert!(found.outside.is_empty());
+            assert!(computed.outside.is_empty());
         }
         // Without pores what steel has.
         let whole = young(of(7.829)).unwrap();
@@ -163,9 +163,9 @@ mod tests {
     fn the_strength_is_that_of_both_ends_of_the_standard() {
         // 105 and 170 thousand psi of 6.894757 kPa.
         for (density, ksi) in [(6.75, 105.0), (7.4, 170.0)] {
-            let found = strength(of(density)).unwrap();
-            assert!((found.value.si() / (ksi * 6.894757e6) - 1.0).abs() < 1e-3);
-            assert!(found.outside.is_empty());
+            let computed = strength(of(density)).unwrap();
+            assert!((computed.value.si() / (ksi * 6.894757e6) - 1.0).abs() < 1e-3);
+            assert!(computed.outside.is_empty());
         }
         // FD-0405-130HT, another steel of the standard: 970 MPa at 7.05 g/cm3.
         let other = strength(of(7.05)).unwrap().value.si();
@@ -176,15 +176,15 @@ mod tests {
     fn the_conductivity_is_that_of_maxwell_and_below_the_mixture() {
         let k0 = ThermalConductivity::from_si(45.0);
         for p in [0.01, 0.05, 0.1, 0.19] {
-            let found = conductivity(k0, PORE_FREE * (1.0 - p)).unwrap().si();
+            let computed = conductivity(k0, PORE_FREE * (1.0 - p)).unwrap().si();
             // Maxwell's formula for spheres of conductivity zero in a body of k₀.
             let (body, pore) = (45.0, 0.0);
             let maxwell = body * (2.0 * body + pore - 2.0 * p * (body - pore))
                 / (2.0 * body + pore + p * (body - pore));
-            assert!((found / maxwell - 1.0).abs() < 1e-12);
-            assert!(found < 45.0 * (1.0 - p));
+            assert!((computed / maxwell - 1.0).abs() < 1e-12);
+            assert!(computed < 45.0 * (1.0 - p));
             // Few spheres take away one and a half times their volume.
-            assert!((found - 45.0 * (1.0 - 1.5 * p)).abs() < 45.0 * 0.8 * p * p);
+            assert!((computed - 45.0 * (1.0 - 1.5 * p)).abs() < 45.0 * 0.8 * p * p);
         }
     }
 }

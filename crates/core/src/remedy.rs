@@ -226,14 +226,14 @@ impl std::fmt::Display for Remedy {
             Action::Set { settings, to, why } => {
                 let keys: Vec<&str> = settings.iter().map(|setting| setting.key()).collect();
                 let keys = keys.join(" and ");
-                let told = match to {
+                let phrase = match to {
                     Value::Any => format!("set {keys}"),
                     Value::This(value) | Value::OneOf(value) => format!("set {keys} to {value}"),
                     Value::Like(value) => format!("set {keys}, e.g. {value}"),
                 };
                 match why.as_ref() {
-                    "" => told,
-                    why => format!("{told} {why}"),
+                    "" => phrase,
+                    why => format!("{phrase} {why}"),
                 }
             }
         }))

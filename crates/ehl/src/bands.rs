@@ -67,9 +67,9 @@ mod tests {
         let input: Vec<f64> = (0..n).map(|i| 1.0 + (i * i) as f64).collect();
         let mut output = vec![0.5; n];
         bands.multiply_add(&input, &mut output);
-        for (i, found) in output.iter().enumerate() {
+        for (i, value) in output.iter().enumerate() {
             let row: f64 = bands.row(i).map(|(j, v)| v * input[j]).sum();
-            assert_eq!(*found, 0.5 + row);
+            assert_eq!(*value, 0.5 + row);
         }
     }
 }

@@ -88,10 +88,10 @@ mod tests {
             // Four steps a block, block means 0, 1, 2, 3 in turn.
             record.add(&[f64::from(k / 4 % 4)], 0.25);
         }
-        let found = record.estimate(0);
+        let estimate = record.estimate(0);
         assert_eq!(record.blocks(), 100);
-        assert!((found.mean - 1.5).abs() < 1e-12);
+        assert!((estimate.mean - 1.5).abs() < 1e-12);
         let expected = (1.25_f64 / 99.0).sqrt();
-        assert!((found.standard_error - expected).abs() < 1e-12);
+        assert!((estimate.standard_error - expected).abs() < 1e-12);
     }
 }

@@ -85,8 +85,8 @@ mod tests {
     #[test]
     fn faces_of_an_even_grid_have_the_weights_of_the_quadratic() {
         let grid = Grid::uniform(-2.0, 1.0, 6);
-        for (found, expected) in grid.to_face[3].iter().zip([-0.125, 0.75, 0.375]) {
-            assert!((found - expected).abs() < 1e-14);
+        for (weight, expected) in grid.to_face[3].iter().zip([-0.125, 0.75, 0.375]) {
+            assert!((weight - expected).abs() < 1e-14);
         }
         assert!((grid.integral(&[1.0; 7]) - 3.0).abs() < 1e-14);
         assert_eq!(grid.interpolate(&grid.x, 0.3), 0.3);

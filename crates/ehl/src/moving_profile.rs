@@ -73,12 +73,12 @@ impl MovingProfile {
             "m",
             "must span at least one point and at most half of the profile",
         )?;
-        let kept = profile.len() - faded;
+        let length = profile.len() - faded;
         let z = profile.heights();
-        let mut heights = z[..kept].to_vec();
+        let mut heights = z[..length].to_vec();
         for (k, height) in heights.iter_mut().take(faded).enumerate() {
             let angle = 0.5 * PI * (k as f64 + 0.5) / faded as f64;
-            *height = angle.sin() * *height + angle.cos() * z[kept + k];
+            *height = angle.sin() * *height + angle.cos() * z[length + k];
         }
         Ok(Self {
             heights,

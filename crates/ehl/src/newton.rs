@@ -122,11 +122,11 @@ impl Limits {
     ///
     /// clamp(0.1·δ², tightest, loosest), δ the last change of the pressure.
     fn forcing(&self, effort: &Effort) -> f64 {
-        let wanted = match effort.iterations {
+        let residual = match effort.iterations {
             0 => self.loosest,
             _ => FORCING * effort.change * effort.change,
         };
-        wanted.clamp(self.linear_tolerance, self.loosest)
+        residual.clamp(self.linear_tolerance, self.loosest)
     }
 }
 

@@ -285,14 +285,14 @@ mod tests {
                     };
                     let (up, down) = (moved(1e-6), moved(-1e-6));
                     for i in 1..n - 1 {
-                        let found: f64 = reynolds.slopes[field]
+                        let slope: f64 = reynolds.slopes[field]
                             .row(i)
                             .filter(|(column, _)| *column == j)
                             .map(|(_, value)| value)
                             .sum();
                         let expected = (up[i] - down[i]) / 2e-6;
                         let scale = 1.0 + expected.abs();
-                        assert!((found - expected).abs() < 1e-6 * scale, "{field} {i} {j}");
+                        assert!((slope - expected).abs() < 1e-6 * scale, "{field} {i} {j}");
                     }
                 }
             }

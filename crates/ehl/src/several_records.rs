@@ -83,12 +83,12 @@ pub fn mean_of(records: &[Solved<Record>]) -> Option<Solved<Record>> {
     let friction = |of: fn(&crate::transient::MeanFriction) -> Estimate| {
         mean(&|r| r.friction.map_or(Estimate::default(), |f| of(&f)))
     };
-    if let Some(found) = &mut value.friction {
-        found.film = friction(|f| f.film);
-        found.shifted = friction(|f| f.shifted);
-        found.graded = friction(|f| f.graded);
-        found.stepped = friction(|f| f.stepped);
-        found.boundary_share = friction(|f| f.boundary_share);
+    if let Some(means) = &mut value.friction {
+        means.film = friction(|f| f.film);
+        means.shifted = friction(|f| f.shifted);
+        means.graded = friction(|f| f.graded);
+        means.stepped = friction(|f| f.stepped);
+        means.boundary_share = friction(|f| f.boundary_share);
     }
     let spread = |record: &Solved<Record>| record.value.film_spread.si().powi(2);
     value.film_spread = Length::from_si((records.iter().map(spread).sum::<f64>() / count).sqrt());

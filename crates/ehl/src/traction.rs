@@ -183,16 +183,16 @@ impl State {
             rises.surface = flash.rise(&sources);
             for (i, source) in sources.iter().enumerate() {
                 let new = rises.surface[i] + source * self.film[i] / (12.0 * k_f);
-                let wanted = if self.pressure[i] > LEAST_PRESSURE {
+                let target = if self.pressure[i] > LEAST_PRESSURE {
                     new
                 } else {
                     0.0
                 };
-                rises.film[i] += DAMPING * (wanted - rises.film[i]);
+                rises.film[i] += DAMPING * (target - rises.film[i]);
             }
-            let wanted = stresses(&rises.film);
+            let target = stresses(&rises.film);
             change = 0.0;
-            for (t, new) in stress.iter_mut().zip(wanted) {
+            for (t, new) in stress.iter_mut().zip(target) {
                 change = f64::max(change, (new - *t).abs());
                 *t += DAMPING * (new - *t);
             }

@@ -408,10 +408,13 @@ mod tests {
         let exponent = roelands_exponent(ETA0, ALPHA).unwrap();
         let law = PressureViscosityLaw::Roelands { exponent }.relative(ALPHA, 1.0);
         for p in [0.0, 1e6, 0.4e9, 2e9] {
-            let given = law.log(p)[0];
+            let law_value = law.log(p)[0];
             let derived = (roelands(ETA0, ALPHA, Pressure::from_si(p)).unwrap() / ETA0).ln();
             // 1 is subtracted from a number close to it.
-            assert!((given - derived).abs() < 1e-13 * derived.max(10.0), "{p}");
+            assert!(
+                (law_value - derived).abs() < 1e-13 * derived.max(10.0),
+                "{p}"
+            );
         }
     }
 }

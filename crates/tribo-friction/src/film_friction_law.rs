@@ -119,7 +119,7 @@ impl FilmFriction for NamedFriction {
     }
 
     fn traction(&self, contact: &FilmContact<'_>) -> Result<Checked<FilmTraction>, FrictionError> {
-        let found = self.law.coefficient(&self.settings, &contact.position)?;
-        Ok(found.map(FilmTraction::of))
+        let coefficient = self.law.coefficient(&self.settings, &contact.position)?;
+        Ok(coefficient.map(FilmTraction::of))
     }
 }

@@ -38,11 +38,11 @@ mod tests {
             n == 1
         };
         for n in 1..3000 {
-            let found = good_fft_length(n);
+            let computed = good_fft_length(n);
             let expected = (n.max(2)..)
                 .find(|m| m.is_multiple_of(2) && smooth(*m))
                 .unwrap();
-            assert_eq!(found, expected, "for {n}");
+            assert_eq!(computed, expected, "for {n}");
         }
     }
 }

@@ -181,9 +181,9 @@ mod tests {
     fn steps_that_lead_to_and_fro_over_a_kink_end() {
         // √|x| with its sign: Newton's step from x leads to −x.
         let root = |x: f64| (x.signum() * x.abs().sqrt(), 0.5 / x.abs().sqrt());
-        let found = newton_root(|x| root(x - 0.3), [0.0, 1.0], 0.5, 1e-8).unwrap();
-        assert!((found.value - 0.3).abs() < 1e-8, "{found:?}");
-        assert!(found.iterations < 150);
+        let computed = newton_root(|x| root(x - 0.3), [0.0, 1.0], 0.5, 1e-8).unwrap();
+        assert!((computed.value - 0.3).abs() < 1e-8, "{computed:?}");
+        assert!(computed.iterations < 150);
     }
 
     #[test]

@@ -144,8 +144,8 @@ mod tests {
             (30.0, 0.99, 2.750),
             (120.0, 0.95, 1.980),
         ] {
-            let found = student_t_quantile(confidence, freedom);
-            assert!((found - expected).abs() < 6e-4, "{freedom} {found}");
+            let computed = student_t_quantile(confidence, freedom);
+            assert!((computed - expected).abs() < 6e-4, "{freedom} {computed}");
         }
     }
 
@@ -163,9 +163,9 @@ mod tests {
     fn between_whole_degrees_of_freedom_the_quantile_falls() {
         let mut before = f64::INFINITY;
         for tenth in 10..400 {
-            let found = student_t_quantile(0.95, f64::from(tenth) / 10.0);
-            assert!(found < before && found > 1.95, "{tenth} {found}");
-            before = found;
+            let computed = student_t_quantile(0.95, f64::from(tenth) / 10.0);
+            assert!(computed < before && computed > 1.95, "{tenth} {computed}");
+            before = computed;
         }
     }
 

@@ -147,8 +147,8 @@ pub fn gears() -> Result<Vec<GearPreset>, PresetError> {
 /// When no gears have the name.
 pub fn gear(name: &str) -> Result<GearPreset, PresetError> {
     let mut gears = gears()?;
-    let found = (gears.iter()).position(|one| one.name.eq_ignore_ascii_case(name.trim()));
-    found
+    let index = (gears.iter()).position(|one| one.name.eq_ignore_ascii_case(name.trim()));
+    index
         .map(|index| gears.swap_remove(index))
         .ok_or_else(|| PresetError::Unknown {
             kind: "gears",

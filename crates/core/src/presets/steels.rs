@@ -105,8 +105,8 @@ pub fn steel(name: &str) -> Result<SteelPreset, PresetError> {
         let named = |text: &str| text.eq_ignore_ascii_case(name.trim());
         named(&steel.name) || steel.number.as_deref().is_some_and(named)
     };
-    let found = steels.iter().position(is_it);
-    found
+    let index = steels.iter().position(is_it);
+    index
         .map(|index| steels.swap_remove(index))
         .ok_or_else(|| PresetError::Unknown {
             kind: "steels",

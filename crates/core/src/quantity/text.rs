@@ -20,9 +20,9 @@ fn bare<Q: Quantity>(number: impl std::fmt::Display) -> QuantityError {
 }
 
 fn find_unit<Q: Quantity>(unit: &str) -> Option<&'static Unit> {
-    let wanted = unit_text::normalise(unit);
+    let spelling = unit_text::normalise(unit);
     Q::UNITS.iter().find(|unit| {
-        unit_text::normalise(unit.symbol) == wanted || unit.spellings.contains(&wanted.as_str())
+        unit_text::normalise(unit.symbol) == spelling || unit.spellings.contains(&spelling.as_str())
     })
 }
 
@@ -50,14 +50,14 @@ pub(super) fn parse<Q: Quantity>(text: &str) -> Result<Q, QuantityError> {
     if unit.is_empty() {
         return Err(bare::<Q>(number));
     }
-    let Some(found) = find_unit::<Q>(unit) else {
+    let Some(matching) = find_unit::<Q>(unit) else {
         return Err(QuantityError::UnknownUnit {
             quantity: Q::NAME,
             unit: unit.to_owned(),
             accepted: accepted::<Q>(),
         });
     };
-    let value = unit_value(number, found.scale).ok_or_else(|| QuantityError::NotANumber {
+    let value = unit_value(number, matching.scale).ok_or_else(|| QuantityError::NotANumber {
         quantity: Q::NAME,
         text: text.trim().to_owned(),
         accepted: accepted::<Q>(),

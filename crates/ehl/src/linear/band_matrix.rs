@@ -106,8 +106,8 @@ mod tests {
             .collect();
         matrix.factor();
         matrix.solve(&mut right);
-        for (found, expected) in right.iter().zip(&solution) {
-            assert!((found - expected).abs() < 1e-14);
+        for (value, expected) in right.iter().zip(&solution) {
+            assert!((value - expected).abs() < 1e-14);
         }
     }
 }

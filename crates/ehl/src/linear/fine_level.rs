@@ -21,7 +21,7 @@ pub(crate) struct FineLevel {
     kernel: Vec<f64>,
     inverse: Option<Inverse>,
     free: Vec<f64>,
-    kept: Vec<f64>,
+    solution: Vec<f64>,
 }
 
 struct Inverse {
@@ -36,7 +36,7 @@ impl FineLevel {
             kernel: kernel[..kernel.len().min(NEAR_FIELD + 4)].to_vec(),
             inverse: None,
             free: Vec::new(),
-            kept: Vec::new(),
+            solution: Vec::new(),
         }
     }
 
@@ -48,7 +48,7 @@ impl FineLevel {
             column,
         });
         self.free = vec![0.0; cells + 1];
-        self.kept = vec![0.0; cells + 1];
+        self.solution = vec![0.0; cells + 1];
     }
 
     pub(crate) fn set_up(&mut self, system: &Linearised) {
@@ -88,11 +88,13 @@ impl FineLevel {
             }
         }
         let (first_value, last_value) = (residual[0], residual[last]);
-        self.kept.copy_from_slice(residual);
+        self.solution.copy_from_slice(residual);
         inverse.product.apply(&self.free, residual);
-        for ((value, kept), cavitated) in residual.iter_mut().zip(&self.kept).zip(system.masked) {
+        for ((value, solution), cavitated) in
+            residual.iter_mut().zip(&self.solution).zip(system.masked)
+        {
             if *cavitated {
-                *value = *kept;
+                *value = *solution;
             }
         }
         residual[0] = first_value;

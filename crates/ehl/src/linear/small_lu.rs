@@ -141,8 +141,8 @@ mod tests {
             .collect();
         matrix.factor();
         matrix.solve(&mut right);
-        for (found, expected) in right.iter().zip(&solution) {
-            assert!((found - expected).abs() < 1e-11, "{found} {expected}");
+        for (value, expected) in right.iter().zip(&solution) {
+            assert!((value - expected).abs() < 1e-11, "{value} {expected}");
         }
     }
 }
