@@ -1,6 +1,6 @@
 """Share of the load that touching roughness carries, and the friction with it. Needs numpy and scipy. Half a minute.
 
-Computes the 18 windows of `crates/asperity/tests/golden/load_share.json` from the traces in `fixtures/profiles`:
+Computes the 18 windows of `crates/mixed-film/tests/golden/load_share.json` from the traces in `fixtures/profiles`:
 preparation by Gaussian filters (2.5 um, 0.25 mm); attenuation of the waves 1/(1 + 0.125 N + 0.04 N^2), N = (l/a) M^(3/4)
 L^(-1/2); inlet factor sqrt(1 + 2.342 (s/h_c)^2); contact of the flanks under (1 - phi) of Hertz' pressure from the film by
 the conjugate gradients of `rough_contact.py`; phi where the mean gap over 0.8 a is h_c Psi (1 - phi)^(-0.16); films of the
@@ -17,7 +17,7 @@ from held import ROOT, compare, report
 from rough_contact import Free, solve, strip_kernel
 from table_2 import gupta, moes
 
-GOLDEN = ROOT / "crates/asperity/tests/golden/load_share.json"
+GOLDEN = ROOT / "crates/mixed-film/tests/golden/load_share.json"
 FILES = {"ground": ("ground_pinion.csv", "ground_wheel.csv"),
          "superfinished": ("superfinished.csv", "superfinished_wheel.csv")}
 SPACING, FLOW, BULK, LAYER = 0.5e-6, 7e9, 363.15, 10e-9

@@ -27,6 +27,17 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("crates/ns-film", &["asperity-core"]),
     ("crates/efficiency", &["asperity-core"]),
     (
+        "crates/mixed-film",
+        &[
+            "asperity-core",
+            "asperity-contact",
+            "asperity-ehl-regime",
+            "asperity-oil",
+            "asperity-roughness",
+            "asperity-tribo-friction",
+        ],
+    ),
+    (
         "crates/asperity",
         &[
             "asperity-core",
@@ -39,6 +50,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "asperity-ehl-regime",
             "asperity-tribo-friction",
             "asperity-ns-film",
+            "asperity-mixed-film",
             "asperity-efficiency",
             "asperity-storage",
         ],

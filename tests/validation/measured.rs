@@ -9,10 +9,10 @@ use std::sync::{Arc, OnceLock};
 use asperity::ContactTables;
 use asperity::PositionError;
 use asperity::case::LoadedCase;
-use asperity::load_share::{
+use asperity::load_share_law::{LoadShare, ShareConditions, SharedLoad};
+use asperity::mixed_film::{
     AttenuatedTraces, ContactTable, LoadShareSettings, PositionFilm, RoughContact, RoughWindow,
 };
-use asperity::load_share_law::{LoadShare, ShareConditions, SharedLoad};
 use asperity::oil::{BaseOil, FilmRheology, LubricantInput, ViscosityLaw};
 use asperity::pipeline::{contact_tables, losses_with};
 use asperity::result::Summary;

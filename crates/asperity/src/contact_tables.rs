@@ -10,10 +10,10 @@ use asperity_gear::{GearPair, LoadLaw, LoadMap, LoadMapSettings, MicroGeometry};
 use crate::case::Case;
 use crate::encounter::Encounter;
 use crate::error::PositionError;
-use crate::load_share::ContactTable;
 use crate::local_roughness::Roughness;
 use crate::station::Station;
 use crate::surfaces::Surfaces;
+use asperity_mixed_film::ContactTable;
 
 /// Contact tables of every position and offset of a case, made by
 /// [`pipeline::contact_tables`](crate::pipeline::contact_tables).

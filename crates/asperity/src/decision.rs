@@ -10,11 +10,11 @@ use crate::chosen_laws::ChosenLaws;
 use crate::encounter::Encounter;
 use crate::error::PositionError;
 use crate::friction;
-use crate::load_share::LoadShareSolution;
 use crate::load_share_law::{ShareConditions, SharedLoad};
 use crate::local_roughness::Roughness;
 use crate::records::RecordedShare;
 use crate::station::Station;
+use asperity_mixed_film::LoadShareSolution;
 
 /// The regime, what decides it, and how film and asperities share the load.
 #[derive(Debug, Clone, Copy, PartialEq)]

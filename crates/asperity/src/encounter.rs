@@ -2,11 +2,11 @@
 
 use asperity_contact::two_flanks::TwoFlanks;
 use asperity_core::Profile;
+use asperity_core::profile::mirrored_window;
 use asperity_core::quantity::Length;
 
 use crate::error::PositionError;
 use crate::local_roughness::Roughness;
-use crate::placement::reflected;
 use crate::station::{Resolution, Station};
 use crate::surfaces::{Surfaces, Texture};
 
@@ -171,6 +171,6 @@ fn around(
     reach: usize,
 ) -> Result<(Profile, isize), PositionError> {
     let start = middle as isize - reach as isize;
-    let window = reflected(profile.heights(), start, 2 * reach + 1);
+    let window = mirrored_window(profile.heights(), start, 2 * reach + 1);
     Ok((Profile::new(profile.spacing(), window)?, start))
 }

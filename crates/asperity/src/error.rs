@@ -9,8 +9,8 @@ use asperity_ehl::EhlError;
 
 use crate::balance::Unbalanced;
 use crate::case::{CaseError, Place, Source};
-use crate::load_share::LoadShareError;
 use crate::message::explain;
+use asperity_mixed_film::LoadShareError;
 
 /// Errors at a mesh position.
 #[derive(Debug, Clone, thiserror::Error)]

@@ -16,10 +16,10 @@ use asperity_tribo_friction::FilmContact;
 use crate::case::LoadShareName;
 use crate::encounter::Encounter;
 use crate::error::PositionError;
-use crate::load_share::{InletSupply, LoadShareSolution};
 use crate::local_roughness::Roughness;
 use crate::records::RecordedShare;
 use crate::station::Station;
+use asperity_mixed_film::{InletSupply, LoadShareSolution};
 
 /// Film and asperities at one mesh position and one offset: the inputs of a load-sharing law.
 #[derive(Debug, Clone, Copy)]

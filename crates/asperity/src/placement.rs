@@ -119,28 +119,9 @@ pub(crate) fn check_coverage(coverage: f64) -> Result<(), PositionError> {
     }
 }
 
-/// `n` heights from index `start` on, which may be negative; beyond the ends the trace is mirrored.
-pub(crate) fn reflected(heights: &[f64], start: isize, n: usize) -> Vec<f64> {
-    let last = heights.len() as isize - 1;
-    let period = (2 * last).max(1);
-    let at = |i: isize| {
-        let i = i.rem_euclid(period);
-        heights[(if i > last { period - i } else { i }) as usize]
-    };
-    (0..n as isize).map(|k| at(start + k)).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_window_beyond_the_end_is_the_mirror_image() {
-        let heights = [0.0, 1.0, 2.0, 3.0];
-        assert_eq!(reflected(&heights, -2, 4), [2.0, 1.0, 0.0, 1.0]);
-        assert_eq!(reflected(&heights, 2, 4), [2.0, 3.0, 2.0, 1.0]);
-        assert_eq!(reflected(&heights, 1, 2), [1.0, 2.0]);
-    }
 
     #[test]
     fn a_contact_finds_its_window_by_the_arc() {

@@ -8,11 +8,11 @@ use crate::contact_tables::KeptContact;
 use crate::contact_view::ContactView;
 use crate::friction::{InFilm, Rubbing};
 use crate::full_film::FullFilm;
-use crate::load_share::LoadShareSolution;
 use crate::local_roughness::Roughness;
 use crate::records::RecordedShare;
 use crate::result::PositionFields;
 use crate::station::Station;
+use asperity_mixed_film::LoadShareSolution;
 
 /// A mesh position with everything that varies over the offsets.
 #[derive(Debug, Clone)]

@@ -11,12 +11,12 @@ use crate::chosen_laws::ChosenLaws;
 use crate::contact_tables::{FoundContact, KeptContact};
 use crate::encounter::Encounter;
 use crate::error::PositionError;
-use crate::load_share::{
+use crate::station::Station;
+use crate::surfaces::{Surfaces, Texture};
+use asperity_mixed_film::{
     AttenuatedTraces, ContactState, ContactTable, LoadShareSettings, LoadShareSolution,
     PositionFilm, RoughContact, RoughWindow, SmoothFilm,
 };
-use crate::station::Station;
-use crate::surfaces::{Surfaces, Texture};
 
 /// Loosest tolerance of the contacts that decide the loss: at 1e-4 it would move by 3e-5.
 const LOOSEST_TOLERANCE: f64 = 1e-8;

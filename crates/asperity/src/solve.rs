@@ -16,7 +16,6 @@ use crate::formulation::{self, Scene, Strategy};
 use crate::friction::{self, InFilm, Rubbing};
 use crate::full_film::FullFilm;
 use crate::full_film_solution::full_film_at;
-use crate::load_share::LoadShareSolution;
 use crate::local_roughness::Roughness;
 use crate::physical_sense::check_station;
 use crate::position::{ContactNumbers, Offset, Position, PrintedDeformation};
@@ -24,6 +23,7 @@ use crate::records::{PathRecords, RecordedShare};
 use crate::rough_film::RoughFilm;
 use crate::station::Station;
 use crate::surfaces::Surfaces;
+use asperity_mixed_film::LoadShareSolution;
 
 /// Everything that is the same at all positions of a run.
 pub(crate) struct Run<'a> {

@@ -13,11 +13,11 @@ use serde::Serialize;
 
 use crate::error::PositionError;
 use crate::flank_form::FlankForm;
-use crate::load_share::AttenuatedTraces;
 use crate::local_roughness::{Roughness, peaks};
 use crate::placement::Placement;
 use crate::station::Station;
-use crate::trace_spectra::TraceSpectra;
+use asperity_mixed_film::AttenuatedTraces;
+use asperity_mixed_film::TraceSpectra;
 
 /// λs at which summits are measured when no noise filter was asked for: the usual stylus filter.
 const SUMMIT_WINDOW: Length = Length::from_si(2.5e-6);

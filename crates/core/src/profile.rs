@@ -132,3 +132,21 @@ impl Profile {
         })
     }
 }
+
+/// `points` heights from index `start`, which may be negative; beyond its ends the trace is mirrored.
+///
+/// ```
+/// use asperity_core::profile::mirrored_window;
+/// let heights = [0.0, 1.0, 2.0, 3.0];
+/// assert_eq!(mirrored_window(&heights, -2, 4), [2.0, 1.0, 0.0, 1.0]);
+/// assert_eq!(mirrored_window(&heights, 2, 4), [2.0, 3.0, 2.0, 1.0]);
+/// ```
+pub fn mirrored_window(heights: &[f64], start: isize, points: usize) -> Vec<f64> {
+    let last = heights.len() as isize - 1;
+    let period = (2 * last).max(1);
+    let at = |i: isize| {
+        let i = i.rem_euclid(period);
+        heights[(if i > last { period - i } else { i }) as usize]
+    };
+    (0..points as isize).map(|k| at(start + k)).collect()
+}

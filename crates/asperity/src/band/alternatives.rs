@@ -4,7 +4,7 @@ use asperity_core::quantity::Length;
 use asperity_oil::PressureLaw;
 
 use crate::case::{LoadShareName, LoadedCase};
-use crate::load_share::SpotSpeed;
+use asperity_mixed_film::SpotSpeed;
 
 /// Upper end of the boundary layer.
 const THICK_LAYER: Length = Length::from_si(20e-9);

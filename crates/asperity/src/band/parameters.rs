@@ -21,7 +21,7 @@ use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION_BAND, BOUNDARY_LAYER_B
 
 use crate::case::{CalibratedName, LoadedCase};
 use crate::error::PositionError;
-use crate::load_share::InletSupply;
+use asperity_mixed_film::InletSupply;
 
 /// Parameters that can be drawn, each along its own axis of the hypercube whatever the others are.
 pub(crate) const AXES: [UncertainParameter; 5] = [

@@ -33,7 +33,7 @@ use super::gearbox_input::GearboxInput;
 use super::law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
 use super::micropitting_input::MicropittingInput;
 use super::trace_list::TraceList;
-use crate::load_share::SpotSpeed;
+use asperity_mixed_film::SpotSpeed;
 
 /// A case: gears, steel, oil, operation, two measured flanks, and the model to use.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

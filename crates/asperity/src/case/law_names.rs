@@ -6,7 +6,7 @@ use asperity_oil::ShearLawName;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::load_share::InletSupply;
+use asperity_mixed_film::InletSupply;
 
 /// Friction in the film.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]

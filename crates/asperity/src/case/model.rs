@@ -18,7 +18,7 @@ use super::input::{EhlInput, Formulation, ModelInput, NamedPoint, OneOrTwo, Path
 use super::law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
 use super::model_defaults::ModelDefaults;
 use super::source::Source;
-use crate::load_share::SpotSpeed;
+use asperity_mixed_film::SpotSpeed;
 
 /// Choices of the model, all made.
 #[derive(Debug, Clone, PartialEq, Serialize)]

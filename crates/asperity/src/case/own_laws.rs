@@ -7,8 +7,8 @@ use asperity_gear::{GearError, LoadConditions, LoadDistribution, LoadMap};
 use asperity_tribo_friction::{FilmFriction, NamedFriction};
 
 use super::resolve::Case;
-use crate::film_alone::FilmAlone;
 use crate::load_share_law::LoadShare;
+use asperity_mixed_film::FilmAlone;
 
 impl Case {
     /// The case with a user-defined film thickness law.

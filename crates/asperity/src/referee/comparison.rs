@@ -14,12 +14,12 @@ use super::settings::{RefereeContact, rheology};
 use crate::case::LoadedCase;
 use crate::chosen_laws::ChosenLaws;
 use crate::decision::lambda_star_of;
-use crate::load_share::{
+use crate::local_roughness::Roughness;
+use crate::surfaces::{Surfaces, Texture};
+use asperity_mixed_film::{
     AttenuatedTraces, ContactTable, InletSupply, LoadShareSettings, LoadShareSolution,
     PositionFilm, RoughContact, RoughWindow, SmoothFilm,
 };
-use crate::local_roughness::Roughness;
-use crate::surfaces::{Surfaces, Texture};
 
 /// Windows of the traces that the laws are averaged over.
 const WINDOWS: usize = 8;

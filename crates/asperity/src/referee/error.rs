@@ -4,7 +4,7 @@ use asperity_ehl::EhlError;
 use asperity_oil::LubricantError;
 
 use crate::error::PositionError;
-use crate::load_share::LoadShareError;
+use asperity_mixed_film::LoadShareError;
 
 /// Errors of the transient reference solution.
 #[derive(Debug, Clone, thiserror::Error)]

@@ -5,8 +5,8 @@ use asperity_core::numerics::secant_root;
 use asperity_core::quantity::{Length, LineEnergy, Pressure};
 use asperity_ehl_regime::inlet_flow::LARGEST_SHARE;
 
-use super::error::LoadShareError;
-use super::rough_contact::{ContactState, RoughContact, Spot};
+use crate::error::LoadShareError;
+use crate::rough_contact::{ContactState, RoughContact, Spot};
 
 /// Asperity shares of the table, the largest last.
 pub const TABLE_SHARES: [f64; 12] = [
@@ -75,18 +75,18 @@ pub struct ContactTable {
 
 /// Two neighbouring rows with their weights.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Between<'a> {
-    pub(super) rows: [(&'a TableRow, f64); 2],
+pub(crate) struct Between<'a> {
+    pub(crate) rows: [(&'a TableRow, f64); 2],
 }
 
 impl Between<'_> {
     /// The larger number of the two rows.
-    pub(super) fn worst(&self, of: impl Fn(&TableRow) -> f64) -> f64 {
+    pub(crate) fn worst(&self, of: impl Fn(&TableRow) -> f64) -> f64 {
         self.rows.iter().map(|(row, _)| of(row)).fold(0.0, f64::max)
     }
 
     /// A number between the two rows.
-    pub(super) fn mean(&self, of: impl Fn(&TableRow) -> f64) -> f64 {
+    pub(crate) fn mean(&self, of: impl Fn(&TableRow) -> f64) -> f64 {
         self.rows.iter().map(|(row, weight)| weight * of(row)).sum()
     }
 }
@@ -144,7 +144,7 @@ impl ContactTable {
     /// ```text
     /// g(φ) = h̄(φ);  φ = 0 if g(0) ≤ h̄(0), 0.99 if g(0.99) > h̄(0.99)            [Load-share]
     /// ```
-    pub(super) fn share(
+    pub(crate) fn share(
         &self,
         supply: impl Fn(f64) -> f64,
     ) -> Result<asperity_core::numerics::Solved, LoadShareError> {
@@ -177,7 +177,7 @@ impl ContactTable {
     }
 
     /// The rows beside a share; below the first row that alone.
-    pub(super) fn between(&self, asperity_share: f64) -> Between<'_> {
+    pub(crate) fn between(&self, asperity_share: f64) -> Between<'_> {
         let last = self.rows.len() - 1;
         let k = self
             .rows
@@ -201,7 +201,7 @@ impl ContactTable {
 }
 
 /// The share at the ends, where gap and supply do not meet between them.
-pub(super) fn end_share(
+pub(crate) fn end_share(
     first_touch: f64,
     supply: &impl Fn(f64) -> f64,
     gap: impl FnOnce(f64) -> f64,

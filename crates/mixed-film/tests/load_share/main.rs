@@ -1,5 +1,5 @@
 //! The load share against an independent program (`references/load_share.py` computes its windows anew), and
-//! what must hold whatever the numbers: single windows here, drawn ones in `properties`, whole flanks that run in in `run_in`.
+//! what must hold whatever the numbers: single windows here, drawn ones in `properties`.
 
 #![allow(clippy::disallowed_methods, reason = "tests read their own files")]
 #![allow(
@@ -8,15 +8,10 @@
 )]
 
 mod properties;
-mod run_in;
 
 use std::path::Path;
 use std::sync::OnceLock;
 
-use asperity::load_share::{
-    AttenuatedTraces, ContactTable, InletSupply, LoadShareError, LoadShareSettings,
-    LoadShareSolution, PositionFilm, RoughContact, RoughWindow, SpotSpeed,
-};
 use asperity_contact::SolverSettings;
 use asperity_core::Profile;
 use asperity_core::line_contact::LineContact;
@@ -27,6 +22,10 @@ use asperity_core::quantity::{
 };
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_ehl_regime::{ThermalLaw, TraceSpectrum};
+use asperity_mixed_film::{
+    AttenuatedTraces, ContactTable, InletSupply, LoadShareError, LoadShareSettings,
+    LoadShareSolution, PositionFilm, RoughContact, RoughWindow, SpotSpeed,
+};
 use asperity_oil::{BaseOil, FilmRheology, LubricantInput, ViscosityLaw};
 use asperity_roughness::preparation::{Preparation, prepare};
 use asperity_tribo_friction::{FilmLineContact, FilmSettings, film_friction};

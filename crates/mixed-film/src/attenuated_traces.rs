@@ -1,11 +1,11 @@
 //! Both whole traces as the inlet of one contact leaves them.
 
 use asperity_core::DomainError;
+use asperity_core::profile::mirrored_window;
 use asperity_core::quantity::Length;
 use asperity_ehl_regime::TraceSpectrum;
 
-use super::error::LoadShareError;
-use crate::placement::reflected;
+use crate::error::LoadShareError;
 
 /// Two prepared traces, attenuated for one contact, from which windows are cut.
 #[derive(Debug, Clone)]
@@ -15,7 +15,7 @@ pub struct AttenuatedTraces {
 
 impl AttenuatedTraces {
     /// The traces behind two spectra at a wavelength scale of
-    /// [`PositionFilm::nabla_per_length`](super::PositionFilm::nabla_per_length).
+    /// [`PositionFilm::nabla_per_length`](crate::PositionFilm::nabla_per_length).
     ///
     /// # Errors
     /// When the scale is negative or not finite.
@@ -47,7 +47,7 @@ impl AttenuatedTraces {
     }
 
     /// The same of windows that may reach beyond the ends of their traces, where these are mirrored.
-    pub(crate) fn reflected_rms(
+    pub(crate) fn mirrored_rms(
         &self,
         starts: [isize; 2],
         points: usize,
@@ -59,7 +59,7 @@ impl AttenuatedTraces {
         if let (Some(first), Some(second)) = (inside(0), inside(1)) {
             return self.window_rms([first, second], points);
         }
-        let part = |k: usize| reflected(&self.heights[k], starts[k], points);
+        let part = |k: usize| mirrored_window(&self.heights[k], starts[k], points);
         Ok(deviation(&part(0), &part(1)))
     }
 }

@@ -17,38 +17,38 @@ use asperity_ehl_regime::film_line::moes;
 use asperity_oil::FilmRheology;
 use asperity_tribo_friction::boundary::boundary_share;
 
-use super::error::LoadShareError;
-use super::rough_contact::Spot;
+use crate::error::LoadShareError;
+use crate::rough_contact::Spot;
 
 /// Thinnest film that the shear rate of a spot is taken of.
 const THINNEST: f64 = 1e-9;
 
 /// Data common to all spots of a contact.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct SpotConditions<'a> {
-    pub(super) rheology: &'a FilmRheology,
-    pub(super) wall: Temperature,
-    pub(super) modulus: f64,
+pub(crate) struct SpotConditions<'a> {
+    pub(crate) rheology: &'a FilmRheology,
+    pub(crate) wall: Temperature,
+    pub(crate) modulus: f64,
     /// Speed that carries oil into a spot.
-    pub(super) entrainment: f64,
-    pub(super) sliding: f64,
-    pub(super) boundary_layer: Length,
+    pub(crate) entrainment: f64,
+    pub(crate) sliding: f64,
+    pub(crate) boundary_layer: Length,
 }
 
 /// Friction of all spots of a contact, as means over their load.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct SpotFriction {
+pub(crate) struct SpotFriction {
     /// Share β on the boundary layer.
-    pub(super) boundary_share: f64,
+    pub(crate) boundary_share: f64,
     /// (1 − β) μ_a.
-    pub(super) lubricated: f64,
+    pub(crate) lubricated: f64,
     /// Film h_a.
-    pub(super) film: f64,
+    pub(crate) film: f64,
 }
 
 impl SpotFriction {
     /// μ_a of the lubricated part; 0 where there is none.
-    pub(super) fn asperity_coefficient(&self) -> f64 {
+    pub(crate) fn asperity_coefficient(&self) -> f64 {
         let share = 1.0 - self.boundary_share;
         if share > 0.0 {
             self.lubricated / share
@@ -58,7 +58,7 @@ impl SpotFriction {
     }
 
     /// This and another by their weights.
-    pub(super) fn add(&mut self, other: &Self, weight: f64) {
+    pub(crate) fn add(&mut self, other: &Self, weight: f64) {
         self.boundary_share += weight * other.boundary_share;
         self.lubricated += weight * other.lubricated;
         self.film += weight * other.film;
@@ -75,7 +75,7 @@ impl SpotConditions<'_> {
     ///
     /// # Errors
     /// When a spot has no film.
-    pub(super) fn friction(&self, spots: &[Spot]) -> Result<SpotFriction, LoadShareError> {
+    pub(crate) fn friction(&self, spots: &[Spot]) -> Result<SpotFriction, LoadShareError> {
         cite!("Spot-friction");
         let state = self.rheology.state(self.wall)?;
         let modulus = 2.0 * self.modulus;

@@ -1,14 +1,8 @@
-//! Cost of a load share: the table of a window, and what another temperature then costs.
+//! Cost of a load share: the contact table of a window, then film and share at one temperature.
 #![allow(clippy::expect_used, missing_docs)] // a bench stops when its contact does not solve
 
 use std::hint::black_box;
-use std::path::Path;
 
-use asperity::case::load;
-use asperity::load_share::{
-    AttenuatedTraces, ContactTable, LoadShareSettings, PositionFilm, RoughContact, RoughWindow,
-};
-use asperity::pipeline::{contact_tables, losses_with, run};
 use asperity_contact::SolverSettings;
 use asperity_core::line_contact::LineContact;
 use asperity_core::material::Material;
@@ -16,6 +10,9 @@ use asperity_core::quantity::{
     Density, Length, LineLoad, Pressure, SpecificHeat, Speed, Temperature, ThermalConductivity,
 };
 use asperity_ehl_regime::TraceSpectrum;
+use asperity_mixed_film::{
+    AttenuatedTraces, ContactTable, LoadShareSettings, PositionFilm, RoughContact, RoughWindow,
+};
 use asperity_oil::{BaseOil, FilmRheology, LubricantInput};
 use asperity_roughness::generate::Ground;
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -104,27 +101,5 @@ fn benches(criterion: &mut Criterion) {
     });
 }
 
-/// The shipped e-drive case on one thread, so that its time is one of the processor.
-fn whole_case(criterion: &mut Criterion) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases/e-drive.toml");
-    let case = load(&path, None).expect("a shipped case");
-    let tables = contact_tables(&case).expect("solved contacts");
-    let warmer = case
-        .with_key("operation.temperature", "60 °C")
-        .expect("a temperature");
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
-    let pool = pool.expect("a thread");
-    criterion.bench_function("e-drive, another temperature by kept contacts", |bencher| {
-        bencher.iter(|| {
-            pool.install(|| losses_with(&tables, black_box(&warmer), &|_, _| {}).expect("losses"))
-        });
-    });
-    let mut slow = criterion.benchmark_group("e-drive");
-    slow.sample_size(10);
-    slow.bench_function("whole run", |bencher| {
-        bencher.iter(|| pool.install(|| run(black_box(&case), &|_, _| {}).expect("a run")));
-    });
-}
-
-criterion_group!(load_share, benches, whole_case);
+criterion_group!(load_share, benches);
 criterion_main!(load_share);

@@ -9,11 +9,12 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use asperity_core::Profile;
+use asperity_core::profile::mirrored_window;
 use asperity_core::quantity::Length;
 use asperity_ehl_regime::TraceSpectrum;
 
-use crate::load_share::{AttenuatedTraces, LoadShareError, deviation};
-use crate::placement::reflected;
+use crate::attenuated_traces::{AttenuatedTraces, deviation};
+use crate::error::LoadShareError;
 
 /// Number of pieces that are transformed at less cost than a whole trace of as many points: the windows of a contact are
 /// usually 16.
@@ -21,7 +22,7 @@ const PIECES: usize = 16;
 
 /// Spectra of two traces and of their pieces, each made when it is first needed.
 #[derive(Debug, Default)]
-pub(crate) struct TraceSpectra {
+pub struct TraceSpectra {
     whole: OnceLock<[TraceSpectrum; 2]>,
     /// By trace, first point and number of points.
     pieces: Mutex<BTreeMap<(usize, isize, usize), Arc<TraceSpectrum>>>,
@@ -30,7 +31,10 @@ pub(crate) struct TraceSpectra {
 impl TraceSpectra {
     /// Standard deviation of the sum of two windows of `points` points that begin at `starts`, where waves are attenuated
     /// by `nabla_per_length`; `whole` holds the attenuated traces once they were needed.
-    pub(crate) fn window_rms(
+    ///
+    /// # Errors
+    /// When a window is empty or the wavelength scale is not finite.
+    pub fn window_rms(
         &self,
         traces: [&Profile; 2],
         (starts, points): ([isize; 2], usize),
@@ -43,11 +47,11 @@ impl TraceSpectra {
             return self.pieces_rms(traces, (starts, points), piece, nabla_per_length);
         }
         if let Some(attenuated) = whole {
-            return attenuated.reflected_rms(starts, points);
+            return attenuated.mirrored_rms(starts, points);
         }
         let [first, second] = self.of_whole(traces)?;
         let attenuated = AttenuatedTraces::new([first, second], nabla_per_length)?;
-        whole.insert(attenuated).reflected_rms(starts, points)
+        whole.insert(attenuated).mirrored_rms(starts, points)
     }
 
     fn of_whole(&self, traces: [&Profile; 2]) -> Result<&[TraceSpectrum; 2], LoadShareError> {
@@ -90,7 +94,7 @@ impl TraceSpectra {
         if let Some(made) = known().get(&key) {
             return Ok(Arc::clone(made));
         }
-        let mut heights = reflected(trace.heights(), begin, points);
+        let mut heights = mirrored_window(trace.heights(), begin, points);
         let (from, to) = (heights[0], heights[points - 1]);
         let step = (to - from) / (points - 1) as f64;
         for (i, z) in heights.iter_mut().enumerate() {
@@ -160,7 +164,7 @@ mod tests {
                 let [first, second] = spectra.of_whole(both).unwrap();
                 let whole = AttenuatedTraces::new([first, second], nabla).unwrap();
                 for starts in [[50_000, 90_001], [123_457, 20_000]] {
-                    let exact = whole.reflected_rms(starts, points).unwrap();
+                    let exact = whole.mirrored_rms(starts, points).unwrap();
                     let mut unused = None;
                     let of_piece = spectra.window_rms(both, (starts, points), nabla, &mut unused);
                     let off = of_piece.unwrap() / exact - 1.0;

@@ -1,4 +1,4 @@
-//! Friction of a film without asperities, as a law of the pipeline.
+//! Friction of a film without asperities, as a friction law.
 
 use asperity_core::Checked;
 use asperity_core::line_contact::LineContact;
@@ -12,13 +12,15 @@ use asperity_tribo_friction::{
 
 /// Friction of a film of the oil of a case: shear law, limiting shear stress, heat of film and surfaces.
 #[derive(Debug, Clone)]
-pub(crate) struct FilmAlone {
+pub struct FilmAlone {
     rheology: FilmRheology,
     central_film: CentralFilm,
 }
 
 impl FilmAlone {
-    pub(crate) fn new(rheology: &FilmRheology, central_film: CentralFilm) -> Self {
+    /// The law of an oil with `rheology` and the central film by `central_film`.
+    #[must_use]
+    pub fn new(rheology: &FilmRheology, central_film: CentralFilm) -> Self {
         Self {
             rheology: rheology.clone(),
             central_film,

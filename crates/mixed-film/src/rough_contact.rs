@@ -12,7 +12,7 @@ use asperity_core::quantity::{Length, LineEnergy, LineLoad, Pressure};
 use asperity_core::{DomainError, cite};
 use serde::Serialize;
 
-use super::error::LoadShareError;
+use crate::error::LoadShareError;
 
 /// Share of the Hertz half width over which the gap is averaged.
 const CORE: f64 = 0.8;

@@ -15,11 +15,11 @@ use asperity_tribo_friction::{FilmHeat, FilmLineContact, FilmSettings, LoadedFil
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::contact_table::{ContactTable, end_share};
-use super::error::LoadShareError;
-use super::rough_contact::{ContactState, RoughContact, Spot};
-use super::solution::{LineLosses, LoadShareSolution, ShareEvidence};
-use super::spots::{SpotConditions, SpotFriction};
+use crate::contact_table::{ContactTable, end_share};
+use crate::error::LoadShareError;
+use crate::rough_contact::{ContactState, RoughContact, Spot};
+use crate::solution::{LineLosses, LoadShareSolution, ShareEvidence};
+use crate::spots::{SpotConditions, SpotFriction};
 
 /// Relative step at which the secant iteration for friction ends: it leaves some 1e-12.
 const TOLERANCE: f64 = 1e-9;
@@ -116,8 +116,8 @@ impl Default for LoadShareSettings {
 /// The film of one line contact at one temperature, for all its windows.
 ///
 /// ```no_run
-/// # use asperity::load_share::*;
-/// # fn example(contact: asperity_core::line_contact::LineContact, rheology: &asperity_oil::FilmRheology,
+/// # use asperity_mixed_film::*;
+/// # fn example(contact: rheology: &asperity_tribo_friction::FilmRheology,
 /// #     tables: &[ContactTable], spectra: [&asperity_ehl_regime::TraceSpectrum; 2], starts: &[[usize; 2]],
 /// #     points: usize) -> Result<(), Box<dyn std::error::Error>> {
 /// let settings = LoadShareSettings::default();
@@ -245,7 +245,7 @@ impl<'a> PositionFilm<'a> {
         })
     }
 
-    /// Dimensionless wavelength of a metre in this contact, for [`AttenuatedTraces`](super::AttenuatedTraces).
+    /// Dimensionless wavelength of a metre in this contact, for [`AttenuatedTraces`](crate::AttenuatedTraces).
     #[must_use]
     pub fn nabla_per_length(&self) -> f64 {
         self.nabla

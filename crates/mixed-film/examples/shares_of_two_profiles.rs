@@ -1,7 +1,7 @@
 //! Solved load share of two profiles over entrainment speeds, averaged over windows of the profiles.
 //!
 //! ```text
-//! cargo run --release -p asperity --example shares_of_two_profiles first.txt second.txt [key=value ...]
+//! cargo run --release -p asperity-mixed-film --example shares_of_two_profiles first.txt second.txt [key=value ...]
 //! ```
 //!
 //! The files hold one height in metres a line. Keys, SI units: `dx`, `amplitude` (factor on the heights),
@@ -13,18 +13,18 @@
 use std::collections::HashMap;
 use std::f64::consts::PI;
 
-use asperity::load_share::{
-    AttenuatedTraces, ContactTable, LoadShareSettings, PositionFilm, RoughContact, RoughWindow,
-};
-use asperity::quantity::{
-    Density, DynamicViscosity, Length, LineLoad, PerKelvin, Pressure, PressureViscosity,
-    SpecificHeat, Speed, Temperature, ThermalConductivity,
-};
 use asperity_contact::SolverSettings;
 use asperity_contact::hertz_line::HertzLine;
 use asperity_core::line_contact::LineContact;
 use asperity_core::material::Material;
+use asperity_core::quantity::{
+    Density, DynamicViscosity, Length, LineLoad, PerKelvin, Pressure, PressureViscosity,
+    SpecificHeat, Speed, Temperature, ThermalConductivity,
+};
 use asperity_ehl_regime::TraceSpectrum;
+use asperity_mixed_film::{
+    AttenuatedTraces, ContactTable, LoadShareSettings, PositionFilm, RoughContact, RoughWindow,
+};
 use asperity_oil::{BaseOil, FilmRheology, LubricantInput, TractionConstants, ViscosityLaw};
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;

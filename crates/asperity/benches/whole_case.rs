@@ -1,0 +1,34 @@
+//! Cost of the shipped e-drive case: a whole run, and another temperature with its contacts kept.
+#![allow(clippy::expect_used, missing_docs)] // a bench stops when its case does not run
+
+use std::hint::black_box;
+use std::path::Path;
+
+use asperity::case::load;
+use asperity::pipeline::{contact_tables, losses_with, run};
+use criterion::{Criterion, criterion_group, criterion_main};
+
+/// The shipped e-drive case on one thread, so that its time is one of the processor.
+fn whole_case(criterion: &mut Criterion) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases/e-drive.toml");
+    let case = load(&path, None).expect("a shipped case");
+    let tables = contact_tables(&case).expect("solved contacts");
+    let warmer = case
+        .with_key("operation.temperature", "60 °C")
+        .expect("a temperature");
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+    let pool = pool.expect("a thread");
+    criterion.bench_function("e-drive, another temperature by kept contacts", |bencher| {
+        bencher.iter(|| {
+            pool.install(|| losses_with(&tables, black_box(&warmer), &|_, _| {}).expect("losses"))
+        });
+    });
+    let mut slow = criterion.benchmark_group("e-drive");
+    slow.sample_size(10);
+    slow.bench_function("whole run", |bencher| {
+        bencher.iter(|| pool.install(|| run(black_box(&case), &|_, _| {}).expect("a run")));
+    });
+}
+
+criterion_group!(whole, whole_case);
+criterion_main!(whole);
