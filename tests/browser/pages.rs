@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use asperity::band::run_with_band;
+use asperity::Run;
 use asperity::case::{CaseInput, Formulation, load_with};
-use asperity::kept_fields::KeptFields;
+use asperity::pipeline::KeptFields;
 use asperity::planetary::run_planetary;
 use asperity::result::Outcome;
 use asperity_report::{Fields, write_folder, write_planetary};
@@ -55,13 +55,17 @@ pub fn e_drive(change: &dyn Fn(&mut CaseInput)) -> Outcome {
         change(input);
     };
     let loaded = load_with(&shipped("e-drive.toml"), &small).unwrap();
-    run_with_band(&loaded, &KeptFields::All, &|_, _| {}).unwrap()
+    Run::new(&loaded)
+        .fields(&KeptFields::All)
+        .band(true)
+        .execute()
+        .unwrap()
 }
 
 /// The reference case in the paper's formulation.
 pub fn paper() -> Outcome {
     let loaded = asperity::case::load(&shipped("table2.toml"), Some(Formulation::Paper)).unwrap();
-    asperity::run(&loaded, &|_, _| {}).unwrap()
+    asperity::Run::new(&loaded).execute().unwrap()
 }
 
 fn reports(bench: &Bench) -> Vec<Page> {
@@ -101,7 +105,7 @@ fn reports(bench: &Bench) -> Vec<Page> {
             page(&format!("report, {name}"), &folder.join("report.html"))
         })
         .collect();
-    let set = run_planetary(&planetary_set(), &|_, _| {}).unwrap();
+    let set = run_planetary(&planetary_set(), &KeptFields::All, &|_, _| {}).unwrap();
     let folder = bench.path("set");
     write_planetary(&set, &folder, &Fields::Page).unwrap();
     for (name, file) in [("set", "report.html"), ("mesh", "planet_ring/report.html")] {

@@ -22,7 +22,7 @@ fn written(outcome: &Outcome) -> (tempfile::TempDir, PathBuf) {
 /// Runs the shipped e-drive and writes its folder.
 fn shipped_e_drive() -> (tempfile::TempDir, PathBuf) {
     let loaded = asperity::case::load(&shipped("e-drive.toml"), None).unwrap();
-    written(&asperity::run(&loaded, &|_, _| {}).unwrap())
+    written(&asperity::Run::new(&loaded).execute().unwrap())
 }
 
 fn result(folder: &Path) -> Value {

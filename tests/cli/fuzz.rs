@@ -267,7 +267,7 @@ proptest! {
         let Some(case) = loaded(&text) else {
             return Ok(());
         };
-        match asperity::run(&case, &|_, _| ()) {
+        match asperity::Run::new(&case).execute() {
             Ok(outcome) => {
                 let summary = outcome.result.summary;
                 prop_assert!(summary.efficiency.is_finite() && summary.efficiency <= 1.0, "{text}\n{summary:?}");

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::fs;
 
 use asperity::case::{load_set, open_source};
-use asperity::pipeline;
 
 use crate::bench::{Bench, E_DRIVE, root, with_line};
 
@@ -144,7 +143,7 @@ fn a_map_has_nodes_at_rest_and_its_points_are_those_of_runs() {
         ];
         let source = open_source(&bench.path("case.toml")).unwrap();
         let case = load_set(source, &bench.path(""), &set, &|_| {}).unwrap();
-        let summary = pipeline::run(&case, &|_, _| {}).unwrap().result.summary;
+        let summary = asperity::Run::new(&case).execute().unwrap().result.summary;
         let same = [
             ("loss_w", summary.loss_w),
             ("efficiency", summary.efficiency),
@@ -231,7 +230,7 @@ fn forty_points_at_random_equal_runs_with_lambda_star() {
         ];
         let source = open_source(&bench.path("case.toml")).unwrap();
         let case = load_set(source, &bench.path(""), &set, &|_| {}).unwrap();
-        let summary = pipeline::run(&case, &|_, _| {}).unwrap().result.summary;
+        let summary = asperity::Run::new(&case).execute().unwrap().result.summary;
         assert_eq!(number(row, "loss_w"), summary.loss_w, "{set:?}");
         assert_eq!(number(row, "efficiency"), summary.efficiency, "{set:?}");
         seen += 1;

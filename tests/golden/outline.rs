@@ -6,12 +6,12 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use asperity::band::{difference, run_and_draw, run_with_band};
+use asperity::Run;
 use asperity::case::{LoadedCase, load_with};
-use asperity::kept_fields::KeptFields;
-use asperity::pipeline::run_keeping;
-use asperity::planetary::run_planetary_keeping;
-use asperity::survey::{film, survey};
+use asperity::pipeline::KeptFields;
+use asperity::pipeline::{film, survey};
+use asperity::planetary::run_planetary;
+use asperity::uncertainty::difference;
 use asperity_tests::planetary_set;
 use serde_json::Value;
 
@@ -184,7 +184,11 @@ fn coarse(name: &str, keys: &[(&str, &str)]) -> LoadedCase {
 
 /// A case with its band: the result, the pictures, every offset, and what the path is without contacts.
 fn hold_case(name: &str, case: &LoadedCase) {
-    let outcome = run_with_band(case, &KeptFields::Highest, &|_, _| {}).unwrap();
+    let outcome = Run::new(case)
+        .fields(&KeptFields::Highest)
+        .band(true)
+        .execute()
+        .unwrap();
     let value = serde_json::json!({
         "result": outcome.result,
         "offsets": outcome.offsets,
@@ -234,7 +238,10 @@ fn steady_solutions_of_full_films_give_what_they_gave() {
         ("operation.temperature", "60 °C"),
     ];
     let case = coarse("e-drive-superfinished.toml", &keys);
-    let outcome = run_keeping(&case, &KeptFields::Highest, &|_, _| {}).unwrap();
+    let outcome = Run::new(&case)
+        .fields(&KeptFields::Highest)
+        .execute()
+        .unwrap();
     assert!(
         outcome
             .result
@@ -250,7 +257,9 @@ fn steady_solutions_of_full_films_give_what_they_gave() {
 fn the_difference_of_two_finishes_is_what_it_was() {
     let [ground, polished] = ["e-drive.toml", "e-drive-superfinished.toml"].map(|name| {
         let case = coarse(name, &[("model.load_share", "lambda-star")]);
-        run_and_draw(&case, &KeptFields::Highest, &|_, _| {})
+        Run::new(&case)
+            .fields(&KeptFields::Highest)
+            .draw()
             .unwrap()
             .1
     });
@@ -261,7 +270,7 @@ fn the_difference_of_two_finishes_is_what_it_was() {
 #[test]
 fn a_planetary_set_gives_what_it_gave() {
     let loaded = planetary_set();
-    let outcome = run_planetary_keeping(&loaded, &KeptFields::Highest, &|_, _| {}).unwrap();
+    let outcome = run_planetary(&loaded, &KeptFields::Highest, &|_, _| {}).unwrap();
     let [first, second] = outcome.meshes;
     let value = serde_json::json!({
         "set": outcome.result,

@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use asperity::band::{difference, run_and_draw, run_with_band};
+use asperity::Run;
 use asperity::case::{LoadedCase, load_with};
-use asperity::kept_fields::KeptFields;
-use asperity::loss_band::{LossBand, SamplingPart, Trust};
-use asperity::pipeline::run_keeping;
+use asperity::pipeline::KeptFields;
+use asperity::result::loss_band::{LossBand, SamplingPart, Trust};
+use asperity::uncertainty::difference;
 
 const KEPT: KeptFields = KeptFields::Highest;
 
@@ -21,15 +21,15 @@ fn case(name: &str) -> LoadedCase {
 }
 
 fn band(case: &LoadedCase) -> LossBand {
-    let outcome = run_with_band(case, &KEPT, &|_, _| {}).unwrap();
+    let outcome = Run::new(case).fields(&KEPT).band(true).execute().unwrap();
     outcome.result.band.unwrap()
 }
 
 #[test]
 fn a_run_with_its_band_has_the_result_of_the_run() {
     let case = case("e-drive.toml");
-    let plain = run_keeping(&case, &KEPT, &|_, _| {}).unwrap();
-    let banded = run_with_band(&case, &KEPT, &|_, _| {}).unwrap();
+    let plain = Run::new(&case).fields(&KEPT).execute().unwrap();
+    let banded = Run::new(&case).fields(&KEPT).band(true).execute().unwrap();
     assert_eq!(plain.result.summary, banded.result.summary);
     assert_eq!(plain.result.path, banded.result.path);
     assert_eq!(plain.offsets, banded.offsets);
@@ -54,7 +54,7 @@ fn kept_contacts_give_the_losses_of_fresh_ones() {
     let band = band(&case);
     // An alternative is evaluated by the contacts of the run; alone it solves its own.
     let other = case.with_key("model.boundary_layer", "20 nm").unwrap();
-    let alone = run_keeping(&other, &KEPT, &|_, _| {}).unwrap();
+    let alone = Run::new(&other).fields(&KEPT).execute().unwrap();
     let row = band
         .alternatives
         .iter()
@@ -65,7 +65,7 @@ fn kept_contacts_give_the_losses_of_fresh_ones() {
 #[test]
 fn identical_finishes_differ_by_exactly_nothing() {
     let case = case("e-drive.toml");
-    let [first, other] = [0, 1].map(|_| run_and_draw(&case, &KEPT, &|_, _| {}).unwrap().1);
+    let [first, other] = [0, 1].map(|_| Run::new(&case).fields(&KEPT).draw().unwrap().1);
     let found = difference(&first, &other);
     assert_eq!(found.nominal_w, 0.0);
     assert_eq!(found.quantiles_w, [0.0, 0.0]);
@@ -77,7 +77,7 @@ fn identical_finishes_differ_by_exactly_nothing() {
 #[test]
 fn finishes_differ_less_than_each_is_uncertain() {
     let [ground, polished] = ["e-drive.toml", "e-drive-superfinished.toml"]
-        .map(|name| run_and_draw(&case(name), &KEPT, &|_, _| {}).unwrap().1);
+        .map(|name| Run::new(&case(name)).fields(&KEPT).draw().unwrap().1);
     let found = difference(&ground, &polished);
     assert!(
         found.nominal_w < 0.0 && found.quantiles_w[1] < 0.0,
@@ -148,7 +148,14 @@ fn flanks_known_by_their_ra_get_an_answer_of_low_trust() {
     assert_eq!(band.trust, Trust::RoughnessValues);
     assert!(matches!(band.sampling, SamplingPart::None(_)));
     assert!(band.half_width_w() > 0.0);
-    let text = asperity_report::summary(&run_with_band(&case, &KEPT, &|_, _| {}).unwrap().result);
+    let text = asperity_report::summary(
+        &Run::new(&case)
+            .fields(&KEPT)
+            .band(true)
+            .execute()
+            .unwrap()
+            .result,
+    );
     assert!(text.contains("trust  low"), "{text}");
 }
 
@@ -159,7 +166,7 @@ fn the_paper_has_no_band() {
         input.formulation = Some(asperity::case::Formulation::Paper);
     })
     .unwrap();
-    let outcome = run_with_band(&case, &KEPT, &|_, _| {}).unwrap();
+    let outcome = Run::new(&case).fields(&KEPT).band(true).execute().unwrap();
     assert!(outcome.result.band.is_none());
 }
 
@@ -204,7 +211,11 @@ fn a_calibrated_case_has_the_same_loss_and_a_narrower_band() {
 
 #[test]
 fn constants_of_a_calibrated_case_are_told_with_their_source() {
-    let outcome = run_with_band(&calibrated(), &KEPT, &|_, _| {}).unwrap();
+    let outcome = Run::new(&calibrated())
+        .fields(&KEPT)
+        .band(true)
+        .execute()
+        .unwrap();
     let constants = outcome.result.film_constants;
     for name in [
         "boundary_friction",

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use asperity::band::UncertainParameter;
 use asperity::case::{LoadedCase, load_with};
 use asperity::oil::ViscosityLaw;
 use asperity::quantity::Temperature;
+use asperity::uncertainty::UncertainParameter;
 use asperity::{losses, pipeline};
 
 fn case(name: &str, law: &str) -> LoadedCase {
@@ -28,7 +28,7 @@ fn the_rise_is_that_of_the_loss_at_the_temperature_found() {
     for (lubrication, factor) in [("jet", 1.2), ("dip", 1.0), ("submerged", 0.2)] {
         let law = format!("{{ law = \"iso\", lubrication = \"{lubrication}\" }}");
         let case = case("e-drive.toml", &law);
-        let found = losses(&case, &|_, _| {}).unwrap();
+        let found = losses(&case).unwrap();
         let report = found.bulk.as_ref().unwrap();
         let gears = &case.case.gears;
         let specific = 1e-3 * found.summary.loss_w
@@ -45,7 +45,7 @@ fn the_rise_is_that_of_the_loss_at_the_temperature_found() {
                 input.operation.bulk = None;
             })
             .unwrap();
-        let given = losses(&given, &|_, _| {}).unwrap();
+        let given = losses(&given).unwrap();
         assert_eq!(given.summary, found.summary);
         assert!(given.bulk.is_none());
     }
@@ -55,7 +55,7 @@ fn the_rise_is_that_of_the_loss_at_the_temperature_found() {
 fn two_gears_shed_the_heat_that_the_mesh_makes() {
     let law = r#"{ law = "network", pinion_to_oil = "12 W/K", wheel_to_oil = "18 W/K", between = "3 W/K" }"#;
     let case = case("e-drive.toml", law);
-    let found = losses(&case, &|_, _| {}).unwrap();
+    let found = losses(&case).unwrap();
     let report = found.bulk.unwrap();
     let [pinion, wheel] = report.gears_c.unwrap().map(|t| t - report.oil_c);
     let shed = 12.0 * pinion + 18.0 * wheel;
@@ -71,7 +71,7 @@ fn two_gears_shed_the_heat_that_the_mesh_makes() {
 #[test]
 fn a_run_tells_the_oil_it_was_given_and_the_flanks_it_found() {
     let case = case("e-drive.toml", r#"{ law = "iso", lubrication = "jet" }"#);
-    let run = pipeline::run(&case, &|_, _| {}).unwrap().result;
+    let run = asperity::Run::new(&case).execute().unwrap().result;
     let report = run.bulk.unwrap();
     assert_eq!(run.inputs, case.case.input);
     let at_bulk = case
@@ -96,7 +96,7 @@ fn given_viscosity() -> LoadedCase {
 #[test]
 fn a_viscosity_given_without_a_temperature_thins_as_the_flanks_warm() {
     let law = r#"{ law = "iso", lubrication = "jet" }"#;
-    let loss = |case: &LoadedCase| losses(case, &|_, _| {}).unwrap().summary.loss_w;
+    let loss = |case: &LoadedCase| losses(case).unwrap().summary.loss_w;
     let case = given_viscosity();
     let warm = case.with_key("operation.bulk", law).unwrap();
     let stated = case
@@ -111,7 +111,7 @@ fn a_viscosity_given_without_a_temperature_thins_as_the_flanks_warm() {
         loss(&case)
     );
     // The result states the oil as the case does.
-    let run = pipeline::run(&warm, &|_, _| {}).unwrap().result;
+    let run = asperity::Run::new(&warm).execute().unwrap().result;
     assert_eq!(run.inputs, warm.case.input);
 }
 
@@ -162,9 +162,9 @@ fn a_given_viscosity_belongs_to_the_temperature_that_the_case_states() {
 #[test]
 fn tables_made_before_give_the_same_temperature() {
     let case = case("e-drive.toml", r#"{ law = "iso", lubrication = "dip" }"#);
-    let tables = pipeline::contact_tables(&case).unwrap();
-    let kept = pipeline::losses_with(&tables, &case, &|_, _| {}).unwrap();
-    let anew = losses(&case, &|_, _| {}).unwrap();
+    let tables = pipeline::contacts(&case).unwrap();
+    let kept = pipeline::losses_with(&tables, &case).unwrap();
+    let anew = losses(&case).unwrap();
     assert_eq!(kept.bulk, anew.bulk);
     assert_eq!(kept.summary, anew.summary);
 }
@@ -172,12 +172,12 @@ fn tables_made_before_give_the_same_temperature() {
 #[test]
 fn parameters_set_past_the_keys_act_at_the_temperature_found() {
     let case = case("e-drive.toml", r#"{ law = "iso", lubrication = "jet" }"#);
-    let tables = pipeline::contact_tables(&case).unwrap();
+    let tables = pipeline::contacts(&case).unwrap();
     let loss = |parameter: UncertainParameter, factor: f64| {
         let (value, _) = parameter.range(&case).unwrap().unwrap();
         let mut changed = case.clone();
         parameter.set(&mut changed, factor * value).unwrap();
-        let found = pipeline::losses_with(&tables, &changed, &|_, _| {}).unwrap();
+        let found = pipeline::losses_with(&tables, &changed).unwrap();
         found.summary.loss_w
     };
     for parameter in [

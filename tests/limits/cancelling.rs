@@ -25,7 +25,7 @@ fn a_cancelled_run_is_an_error_whatever_was_computed() {
         .start_handler(move |_| adopting.adopt())
         .build()
         .unwrap();
-    let whole = pool.install(|| pipeline::losses(&case, &|_, _| {}));
+    let whole = pool.install(|| pipeline::losses(&case));
     assert!(whole.is_ok());
     let done = AtomicUsize::new(0);
     let cancelling = |_, _| {
@@ -33,14 +33,14 @@ fn a_cancelled_run_is_an_error_whatever_was_computed() {
         token.cancel();
     };
     let error = pool
-        .install(|| pipeline::run(&case, &cancelling))
+        .install(|| asperity::Run::new(&case).progress(&cancelling).execute())
         .unwrap_err();
     assert_eq!(error.code(), "E502", "{error}");
     assert!(error.position().unwrap().is_cancelled());
     // One position a thread was under way.
     assert!(done.into_inner() <= 2);
     let begun = Instant::now();
-    assert!(pool.install(|| pipeline::contact_tables(&case)).is_err());
+    assert!(pool.install(|| pipeline::contacts(&case)).is_err());
     assert!(begun.elapsed().as_secs() < 5);
 }
 
@@ -57,7 +57,7 @@ fn a_cancelled_record_of_mixed_lubrication_is_an_error() {
             .num_threads(1)
             .use_current_thread();
         let pool = pool.build().unwrap();
-        pool.install(|| pipeline::losses(&case, &|_, _| {}).unwrap_err())
+        pool.install(|| pipeline::losses(&case).unwrap_err())
     });
     assert_eq!(error.code(), "E502", "{error}");
 }

@@ -67,14 +67,20 @@ fn tags(equations: &[EquationUse]) -> BTreeSet<&'static str> {
 }
 
 fn used(loaded: &LoadedCase) -> BTreeSet<&'static str> {
-    tags(&asperity::run(loaded, &|_, _| {}).unwrap().result.equations)
+    tags(
+        &asperity::Run::new(loaded)
+            .execute()
+            .unwrap()
+            .result
+            .equations,
+    )
 }
 
 /// Tags of losses with `change` made to the case.
 fn used_by_losses(loaded: &LoadedCase, change: impl FnOnce(&mut Case)) -> BTreeSet<&'static str> {
     let mut loaded = loaded.clone();
     change(&mut loaded.case);
-    tags(&asperity::losses(&loaded, &|_, _| {}).unwrap().equations)
+    tags(&asperity::losses(&loaded).unwrap().equations)
 }
 
 /// Of all tags of `laws` those of the law in use are named, and no other.
@@ -184,9 +190,12 @@ fn losses_contacts_and_a_whole_run_agree_to_the_last_digit() {
     for name in CASES {
         for formulation in [Formulation::Corrected, Formulation::Paper] {
             let loaded = shipped(name, formulation);
-            let whole = asperity::run(&loaded, &|_, _| {}).unwrap();
-            let contacts = asperity::contacts(&loaded, &|_, _| {}).unwrap();
-            let losses = asperity::losses(&loaded, &|_, _| {}).unwrap();
+            let whole = asperity::Run::new(&loaded).execute().unwrap();
+            let contacts = asperity::Run::new(&loaded)
+                .without_pictures()
+                .execute()
+                .unwrap();
+            let losses = asperity::losses(&loaded).unwrap();
             assert_eq!(whole.offsets, contacts.offsets, "{name}");
             assert_eq!(whole.offsets, losses.offsets, "{name}");
             assert_eq!(whole.result.summary, contacts.result.summary, "{name}");
@@ -207,12 +216,12 @@ fn a_law_given_by_hand_is_the_law_named() {
     let named = |change: &dyn Fn(&mut Case)| {
         let mut loaded = shipped("e-drive", Formulation::Corrected);
         change(&mut loaded.case);
-        asperity::losses(&loaded, &|_, _| {}).unwrap()
+        asperity::losses(&loaded).unwrap()
     };
     let own = |change: &dyn Fn(Case) -> Case| {
         let mut loaded = shipped("e-drive", Formulation::Corrected);
         loaded.case = change(loaded.case);
-        asperity::losses(&loaded, &|_, _| {}).unwrap()
+        asperity::losses(&loaded).unwrap()
     };
     let plain = named(&|_| ());
     let film = named(&|case| case.model.film = FilmLaw::Moes);

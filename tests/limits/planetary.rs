@@ -1,5 +1,6 @@
 //! What a planetary set says of itself in digits.
 
+use asperity::pipeline::KeptFields;
 use asperity::planetary::{MeshRow, run_planetary};
 use asperity_tests::planetary_set;
 
@@ -15,7 +16,9 @@ fn numbers(text: &str) -> [f64; 3] {
 
 #[test]
 fn losses_are_said_with_the_digits_of_their_band() {
-    let mut result = run_planetary(&planetary_set(), &|_, _| {}).unwrap().result;
+    let mut result = run_planetary(&planetary_set(), &KeptFields::All, &|_, _| {})
+        .unwrap()
+        .result;
     let [low, high] = result.loss_quantiles_w.unwrap();
     let [loss, efficiency] = result.with_bands();
     // Two digits of half the band are said: a step is a hundredth to a tenth of that, rounding half a step.

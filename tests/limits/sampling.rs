@@ -6,9 +6,9 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
-use asperity::band::{effective_windows, window_sampling};
 use asperity::case::load;
-use asperity::surfaces::Texture;
+use asperity::flanks::Texture;
+use asperity::uncertainty::{effective_windows, window_sampling};
 use asperity_core::quantity::Length;
 use rand_chacha::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};

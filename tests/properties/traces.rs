@@ -1,8 +1,8 @@
 //! Pairs of traces as one instrument writes them: the spacings differ in their last digits.
 
 use asperity::case::{LoadedCase, from_text};
+use asperity::flanks::Texture;
 use asperity::pipeline::check;
-use asperity::surfaces::Texture;
 use asperity_core::Profile;
 use asperity_core::profile::common_spacing;
 use asperity_core::quantity::Length;
@@ -122,7 +122,7 @@ proptest! {
             let is_resampled = loaded.warnings.iter().any(|warning| warning.code == "W119");
             prop_assert_eq!(is_resampled, common_spacing(read[0], read[1]).is_none());
             let checked = check(&loaded).map_err(|error| error.to_string());
-            let run = asperity::losses(&loaded, &|_, _| {}).map_err(|error| error.to_string());
+            let run = asperity::losses(&loaded).map_err(|error| error.to_string());
             if let Err(error) = &run {
                 prop_assert!(error.contains("is shorter than the contact window"), "{error}");
             }
@@ -154,5 +154,5 @@ fn several_traces_of_one_instrument_keep_their_points() {
     let [a, b] = spacings(&loaded);
     assert_eq!((a, b), (Length::from_si(0.5e-6), Length::from_si(0.5e-6)));
     check(&loaded).unwrap();
-    asperity::losses(&loaded, &|_, _| {}).unwrap();
+    asperity::losses(&loaded).unwrap();
 }

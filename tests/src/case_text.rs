@@ -76,5 +76,5 @@ impl CaseText {
 /// # Panics
 /// When it has no solution.
 pub fn run(loaded: &LoadedCase) -> Outcome {
-    asperity::run(loaded, &|_, _| ()).unwrap()
+    asperity::Run::new(loaded).execute().unwrap()
 }

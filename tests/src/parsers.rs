@@ -173,7 +173,7 @@ fn small_case_without_traces() -> LoadedCase {
 fn small_result() -> &'static (RunResult, Vec<u8>) {
     static RESULT: OnceLock<(RunResult, Vec<u8>)> = OnceLock::new();
     RESULT.get_or_init(|| {
-        let outcome = asperity::run(&small_case(), &|_, _| ()).unwrap();
+        let outcome = asperity::Run::new(&small_case()).execute().unwrap();
         let files = asperity_report::texts(&outcome).unwrap();
         let page = files.into_iter().find(|(name, _)| *name == "page.json");
         (outcome.result, page.unwrap().1)

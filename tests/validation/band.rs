@@ -3,10 +3,11 @@
 use std::fmt::Write as _;
 use std::sync::OnceLock;
 
-use asperity::band::{DrawnLosses, difference, run_and_draw};
-use asperity::kept_fields::KeptFields;
-use asperity::loss_band::{LossBand, SamplingPart};
+use asperity::Run;
+use asperity::pipeline::KeptFields;
 use asperity::result::Summary;
+use asperity::result::loss_band::{LossBand, SamplingPart};
+use asperity::uncertainty::{DrawnLosses, difference};
 
 use crate::load_share::{few, shipped};
 
@@ -14,7 +15,10 @@ use crate::load_share::{few, shipped};
 type Banded = (Summary, LossBand, DrawnLosses);
 
 fn banded(name: &str) -> Banded {
-    let (outcome, drawn) = run_and_draw(&shipped(name), &KeptFields::Highest, &|_, _| ()).unwrap();
+    let (outcome, drawn) = Run::new(&shipped(name))
+        .fields(&KeptFields::Highest)
+        .draw()
+        .unwrap();
     (outcome.result.summary, outcome.result.band.unwrap(), drawn)
 }
 

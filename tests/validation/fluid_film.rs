@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use asperity::survey::{FilmSurvey, film};
+use asperity::pipeline::{FilmSurvey, film};
 use asperity_tests::table_2;
 
 use crate::comparison::{Comparison, Table, digits};
@@ -12,7 +12,7 @@ fn survey(place: Option<f64>) -> FilmSurvey {
 }
 
 /// The row next to a thickness \[m\].
-fn at(survey: &FilmSurvey, thickness: f64) -> &asperity::survey::FilmRow {
+fn at(survey: &FilmSurvey, thickness: f64) -> &asperity::pipeline::FilmRow {
     survey
         .rows
         .iter()

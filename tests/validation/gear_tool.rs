@@ -1,8 +1,8 @@
 //! Report files of GEARpie (C. Fernandes, FEUP; MIT licence), an independent open gear tool: calculated,
 //! not measured. Its steel has 206 GPa.
 
-use asperity::pipeline::station_at;
-use asperity::station::Station;
+use asperity::mesh::MeshPosition;
+use asperity::mesh::position_at;
 use asperity_gear::LoadSharing;
 use asperity_tests::{CaseText, table_2};
 use toml::Value;
@@ -170,9 +170,9 @@ impl Printed {
         rows
     }
 
-    fn at_pitch_point(&self) -> Station {
+    fn at_pitch_point(&self) -> MeshPosition {
         let case = self.case().load().case;
-        station_at(&case, case.gears.path().c).unwrap()
+        position_at(&case, case.gears.path().c).unwrap()
     }
 }
 
@@ -300,6 +300,6 @@ fn fzg_gears_press_as_hard_as_reported_where_one_pair_carries_all() {
     let b = case.gears.path().b;
     // Just inside, where the share has reached one.
     let inside = b + (case.gears.path().c - b) * 1e-3;
-    let pressure = station_at(&case, inside).unwrap().hertz.max_pressure;
+    let pressure = position_at(&case, inside).unwrap().hertz.max_pressure;
     asperity_tests::assert_close("p0", pressure.si(), 1400e6, 0.03);
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use asperity::case::{LoadedCase, load};
-use asperity::pipeline::{contact_tables, losses_with};
+use asperity::pipeline::{contacts, losses_with};
 use asperity::result::{Losses, Summary};
 use asperity_tests::assert_close;
 
@@ -22,7 +22,7 @@ pub fn with(name: &str, keys: &[(&str, &str)]) -> LoadedCase {
 }
 
 pub fn losses(case: &LoadedCase) -> Losses {
-    asperity::losses(case, &|_, _| ()).unwrap()
+    asperity::losses(case).unwrap()
 }
 
 pub fn summary(name: &str, keys: &[(&str, &str)]) -> Summary {
@@ -68,7 +68,7 @@ fn the_pressure_at_which_asperities_flow_moves_the_loss() {
 #[test]
 fn a_flank_that_the_film_alone_makes_flow_is_refused() {
     let soft = with("e-drive", &[("material.pinion.flow_pressure", "1.2 GPa")]);
-    let error = asperity::losses(&soft, &|_, _| ()).unwrap_err();
+    let error = asperity::losses(&soft).unwrap_err();
     assert_eq!(error.code(), "E306");
 }
 
@@ -79,7 +79,7 @@ fn the_tolerance_of_the_contacts_does_not_move_the_loss() {
         let at = |tolerance: &str| {
             let keys = [("model.tolerance", tolerance), ("model.load_share", law)];
             let case = with("e-drive", &[&FEW[..], &keys].concat());
-            asperity::run(&case, &|_, _| ()).unwrap().result.summary
+            asperity::Run::new(&case).execute().unwrap().result.summary
         };
         let [loose, tight] = [at("1e-4"), at("1e-11")];
         assert_close("loss", loose.loss_w, tight.loss_w, 1e-6);
@@ -98,7 +98,7 @@ fn the_tolerance_of_the_contacts_does_not_move_the_loss() {
 #[test]
 fn contacts_made_before_serve_other_oils_speeds_and_temperatures() {
     let case = with("e-drive", &FEW);
-    let tables = contact_tables(&case).unwrap();
+    let tables = contacts(&case).unwrap();
     assert!(!tables.is_empty());
     for (key, value) in [
         ("operation.temperature", "60 °C"),
@@ -106,15 +106,15 @@ fn contacts_made_before_serve_other_oils_speeds_and_temperatures() {
         ("lubricant.base_oil", "ester"),
     ] {
         let other = case.with_key(key, value).unwrap();
-        let kept = losses_with(&tables, &other, &|_, _| ()).unwrap();
+        let kept = losses_with(&tables, &other).unwrap();
         assert_eq!(kept.summary, losses(&other).summary, "{key}");
     }
     let heavier = case.with_key("operation.torque", "150 N m").unwrap();
-    assert!(losses_with(&tables, &heavier, &|_, _| ()).is_err());
+    assert!(losses_with(&tables, &heavier).is_err());
     let softer = case
         .with_key("material.pinion.flow_pressure", "5 GPa")
         .unwrap();
-    assert!(losses_with(&tables, &softer, &|_, _| ()).is_err());
+    assert!(losses_with(&tables, &softer).is_err());
 }
 
 #[test]

@@ -6,17 +6,17 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
-use asperity::ContactTables;
+use asperity::Contacts;
 use asperity::PositionError;
 use asperity::case::LoadedCase;
-use asperity::load_share_law::{LoadShare, ShareConditions, SharedLoad};
+use asperity::flanks::{Surfaces, Texture};
+use asperity::lubrication::load_share_law::{LoadShare, ShareConditions, SharedLoad};
 use asperity::mixed_film::{
     AttenuatedTraces, ContactTable, LoadShareSettings, PositionFilm, RoughContact, RoughWindow,
 };
 use asperity::oil::{BaseOil, FilmRheology, LubricantInput, ViscosityLaw};
-use asperity::pipeline::{contact_tables, losses_with};
+use asperity::pipeline::{contacts, losses_with};
 use asperity::result::Summary;
-use asperity::surfaces::{Surfaces, Texture};
 use asperity_contact::SolverSettings;
 use asperity_core::Profile;
 use asperity_core::line_contact::LineContact;
@@ -73,12 +73,12 @@ fn mean_friction(found: &Summary) -> f64 {
 /// A case at other speeds, temperatures or oils, with the contacts solved once.
 struct Kept {
     case: LoadedCase,
-    tables: ContactTables,
+    tables: Contacts,
 }
 
 impl Kept {
     fn new(case: LoadedCase) -> Self {
-        let tables = contact_tables(&case).unwrap();
+        let tables = contacts(&case).unwrap();
         Self { case, tables }
     }
 
@@ -86,9 +86,7 @@ impl Kept {
         let case = keys.iter().fold(self.case.clone(), |case, (key, value)| {
             case.with_key(key, value).unwrap()
         });
-        losses_with(&self.tables, &case, &|_, _| ())
-            .unwrap()
-            .summary
+        losses_with(&self.tables, &case).unwrap().summary
     }
 }
 
@@ -116,7 +114,7 @@ impl LoadShare for Arana {
     }
 
     fn share(&self, at: &ShareConditions<'_>) -> Result<SharedLoad, PositionError> {
-        let lambda = at.station.film.central.si() / 0.2e-6;
+        let lambda = at.film.film.central.si() / 0.2e-6;
         Ok(SharedLoad::of_film(erf(lambda)))
     }
 }
@@ -482,7 +480,7 @@ fn shares() -> &'static [ShareRow] {
                 let case = keys.iter().fold(kept.case.clone(), |case, (key, value)| {
                     case.with_key(key, value).unwrap()
                 });
-                let path = losses_with(&kept.tables, &case, &|_, _| ()).unwrap().path;
+                let path = losses_with(&kept.tables, &case).unwrap().path;
                 let ratios = path.iter().filter_map(|row| row.film_ratio);
                 let lambda = ratios.sum::<f64>() / path.len() as f64;
                 let of = |law: &str| {

@@ -1,6 +1,6 @@
 //! Two traces pressed together by the orchestrator, against Hertz.
 
-use asperity::dry_contact::{DryContact, dry_contact};
+use asperity::contacts::dry_contact::{DryContact, dry_contact};
 use asperity_tests::{table_2, trace_csv};
 
 use crate::comparison::{Comparison, Table};

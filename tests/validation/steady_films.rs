@@ -4,8 +4,9 @@ use std::path::Path;
 
 use asperity::case::{Case, load};
 use asperity::ehl::{LineContact, Oil, SteadySettings, steady};
+use asperity::lubrication::FormulaFilm;
+use asperity::mesh::{Mesh, MeshPosition};
 use asperity::oil::{DensityLaw, PressureViscosityLaw, ShearLaw};
-use asperity::station::Station;
 use asperity_ehl_regime::FilmLaw;
 use asperity_tribo_friction::{RollingConditions, rolling_force};
 
@@ -19,7 +20,7 @@ const MINIMUM: f64 = 0.15;
 /// The rolling force grows with the window of the inlet, which the formula does not know.
 const ROLLING: f64 = 0.35;
 
-fn rows(name: &str, case: &Case, station: &Station) -> [Comparison; 3] {
+fn rows(name: &str, case: &Case, station: &MeshPosition) -> [Comparison; 3] {
     let contact = LineContact {
         radius: station.motion.radius,
         modulus: case.modulus,
@@ -38,7 +39,7 @@ fn rows(name: &str, case: &Case, station: &Station) -> [Comparison; 3] {
         .unwrap()
         .value;
     let formula = FilmLaw::DowsonToyoda
-        .film(&station.film_conditions)
+        .film(&FormulaFilm::of(case, station).unwrap().conditions)
         .unwrap()
         .value;
     let rolling = rolling_force(&RollingConditions {
@@ -91,7 +92,7 @@ pub fn films() -> Table {
         let case = load(&folder.join(format!("{name}.toml")), None)
             .unwrap()
             .case;
-        let stations = asperity::pipeline::stations(&case).unwrap();
+        let stations = Mesh::of(&case).unwrap().positions;
         let last = stations.len() - 1;
         for k in [0, last / 2, last] {
             all.extend(rows(name, &case, &stations[k]));

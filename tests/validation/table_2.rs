@@ -2,7 +2,8 @@
 //! double precision: geometry, speeds, contact, films, friction, losses.
 
 use asperity::case::Case;
-use asperity::pipeline::station_at;
+use asperity::lubrication::FormulaFilm;
+use asperity::mesh::position_at;
 use asperity::result::PositionRow;
 use asperity_core::quantity::Length;
 use asperity_gear::LoadSharing;
@@ -87,7 +88,7 @@ pub fn points() -> Table {
     let case = table_2().load().case;
     let mut rows = Vec::new();
     for ((name, expected), s) in POINTS.into_iter().zip(places(&case)) {
-        let station = station_at(&case, s).unwrap();
+        let station = position_at(&case, s).unwrap();
         let motion = station.motion;
         let actual = [
             ("R", "mm", motion.radius.si() * 1e3),
@@ -145,8 +146,8 @@ pub fn films() -> Table {
             .with("model.film", law)
             .with("model.thermal", "none");
         let case = case.load().case;
-        let station = station_at(&case, case.gears.path().c).unwrap();
-        let film = station.film;
+        let station = position_at(&case, case.gears.path().c).unwrap();
+        let film = FormulaFilm::of(&case, &station).unwrap().film;
         let quantity = format!("central film at C, {name}");
         push(quantity, "µm", central, film.central.si() * 1e6);
         if let Some(minimum) = minimum {
@@ -156,7 +157,8 @@ pub fn films() -> Table {
     }
     let case = table_2().load().case;
     for (((name, _), s), expected) in POINTS.into_iter().zip(places(&case)).zip(REDUCTIONS) {
-        let reduction = station_at(&case, s).unwrap().thermal_reduction;
+        let position = position_at(&case, s).unwrap();
+        let reduction = FormulaFilm::of(&case, &position).unwrap().thermal_reduction;
         let quantity = format!("thermal reduction φ at {name}, Gupta");
         push(quantity, "-", expected, reduction);
     }

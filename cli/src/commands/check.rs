@@ -3,9 +3,9 @@
 use asperity::Error;
 use asperity::case::planetary::{self, LoadedPlanetary};
 use asperity::case::{self, DefaultUsed, LoadedCase};
-use asperity::kept_fields::KeptFields;
 use asperity::message::Warning;
 use asperity::pipeline;
+use asperity::pipeline::KeptFields;
 use asperity_studies::estimate::{Estimate, estimate, estimate_of_set, measured, measured_of_set};
 use serde_json::{Value, json};
 

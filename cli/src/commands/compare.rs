@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use asperity::case::{self, CaseInput, LoadedCase, Source};
-use asperity::kept_fields::KeptFields;
+use asperity::pipeline::KeptFields;
 use asperity_studies::compare::{self, Finish};
 
 use super::finish::{Traces, check_names};

@@ -1,6 +1,6 @@
 //! `asperity film`: fluid pressure across the film against its thickness, the paper's Fig. 8.
 
-use asperity::survey::{FilmSurvey, film as survey};
+use asperity::pipeline::{FilmSurvey, film as survey};
 
 use super::{load_case, on_the_path};
 use crate::args::{Common, FilmArgs};

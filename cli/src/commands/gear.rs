@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use asperity::case::LoadedCase;
-use asperity::gear_report::{GearReport, gear_report};
+use asperity::result::gear_report::{GearReport, gear_report};
 use serde_json::json;
 
 use super::{AnyCase, load_any};

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::case::{self, CaseInput, LoadedCase};
-use asperity::kept_fields::KeptFields;
+use asperity::pipeline::KeptFields;
 use asperity_storage::whole_text;
 use asperity_studies::compare::Finish;
 use asperity_studies::cycle::Cycle;

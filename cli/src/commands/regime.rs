@@ -1,7 +1,7 @@
 //! `asperity regime`: film thickness and regime along the path, without the rough contact.
 
 use asperity::case::LoadedCase;
-use asperity::survey::{RegimeRow, survey};
+use asperity::pipeline::{RegimeRow, survey};
 use serde_json::json;
 
 use super::{AnyCase, load_any};

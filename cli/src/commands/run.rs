@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::case::planetary::LoadedPlanetary;
-use asperity::planetary::{PlanetaryResult, run_planetary_keeping};
+use asperity::planetary::{PlanetaryResult, run_planetary};
 use asperity::result::RunResult;
-use asperity::{Error, band, pipeline};
+use asperity::{Error, Run};
 use asperity_report::{self as report, Fields, ReportError};
 
 use super::bibtex::bibtex;
@@ -36,10 +36,11 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     }
     progress.begin(POSITIONS);
     let at = |done, total| progress.at(done, total);
-    let outcome = match args.no_band {
-        true => pipeline::run_keeping(&loaded, &fields.kept(), &at),
-        false => band::run_with_band(&loaded, &fields.kept(), &at),
-    };
+    let outcome = Run::new(&loaded)
+        .fields(&fields.kept())
+        .band(!args.no_band)
+        .progress(&at)
+        .execute();
     let outcome = outcome.map_err(|error| failed(&error, args, folder.as_deref()))?;
     if let Some(folder) = &folder {
         progress.begin(WRITING);
@@ -75,8 +76,7 @@ fn run_set(
         report::check_planetary_place(folder).map_err(|error| not_written(&error))?;
     }
     progress.begin(POSITIONS);
-    let outcome =
-        run_planetary_keeping(set, &fields.kept(), &|done, total| progress.at(done, total));
+    let outcome = run_planetary(set, &fields.kept(), &|done, total| progress.at(done, total));
     let outcome = outcome.map_err(|error| failed(&error, args, folder.as_deref()))?;
     if let Some(folder) = &folder {
         progress.begin(WRITING);

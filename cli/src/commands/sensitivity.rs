@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity::kept_fields::KeptFields;
+use asperity::pipeline::KeptFields;
 use asperity_studies::sensitivity::{self, CHANGES};
 
 use super::work::check_work;

@@ -2,7 +2,7 @@
 
 use asperity::case::LoadedCase;
 use asperity::case::planetary::LoadedPlanetary;
-use asperity::kept_fields::KeptFields;
+use asperity::pipeline::KeptFields;
 use asperity_studies::estimate::{Estimate, estimate, estimate_of_set};
 
 use crate::args::WorkArgs;

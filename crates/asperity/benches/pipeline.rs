@@ -4,9 +4,9 @@
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 
+use asperity::Run;
 use asperity::case::{FilmFrictionLaw, Formulation, LoadShareName, LoadedCase, load};
-use asperity::dry_contact::dry_contact;
-use asperity::pipeline::run;
+use asperity::contacts::dry_contact::dry_contact;
 use asperity_gear::load_map::LoadLaw;
 use criterion::{Criterion, criterion_group, criterion_main};
 
@@ -40,7 +40,11 @@ fn whole_runs(criterion: &mut Criterion) {
     ] {
         let loaded = case(file, formulation);
         criterion.bench_function(&format!("run/{name}"), |bencher| {
-            bencher.iter(|| run(black_box(&loaded), &|_, _| {}).expect("the case runs"));
+            bencher.iter(|| {
+                Run::new(black_box(&loaded))
+                    .execute()
+                    .expect("the case runs")
+            });
         });
     }
 }
@@ -52,13 +56,21 @@ fn first_version(criterion: &mut Criterion) {
         bencher.iter(|| dry_contact(black_box(&whole), place(&whole)).expect("it is solved"));
     });
     criterion.bench_function("first version's laws/whole run", |bencher| {
-        bencher.iter(|| run(black_box(&whole), &|_, _| {}).expect("the case runs"));
+        bencher.iter(|| {
+            Run::new(black_box(&whole))
+                .execute()
+                .expect("the case runs")
+        });
     });
     let mut single = whole.clone();
     single.case.model.positions = 2;
     single.case.model.offsets = 1;
     criterion.bench_function("first version's laws/two positions", |bencher| {
-        bencher.iter(|| run(black_box(&single), &|_, _| {}).expect("the case runs"));
+        bencher.iter(|| {
+            Run::new(black_box(&single))
+                .execute()
+                .expect("the case runs")
+        });
     });
 }
 
@@ -74,7 +86,11 @@ fn one_position(criterion: &mut Criterion) {
     criterion.bench_function(
         "position/table2 corrected, two positions, one offset, with fields",
         |bencher| {
-            bencher.iter(|| run(black_box(&single), &|_, _| {}).expect("the case runs"));
+            bencher.iter(|| {
+                Run::new(black_box(&single))
+                    .execute()
+                    .expect("the case runs")
+            });
         },
     );
 }

@@ -4,29 +4,28 @@
 use std::hint::black_box;
 use std::path::Path;
 
+use asperity::Run;
 use asperity::case::load;
-use asperity::pipeline::{contact_tables, losses_with, run};
+use asperity::pipeline::{contacts, losses_with};
 use criterion::{Criterion, criterion_group, criterion_main};
 
 /// The shipped e-drive case on one thread, so that its time is one of the processor.
 fn whole_case(criterion: &mut Criterion) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases/e-drive.toml");
     let case = load(&path, None).expect("a shipped case");
-    let tables = contact_tables(&case).expect("solved contacts");
+    let tables = contacts(&case).expect("solved contacts");
     let warmer = case
         .with_key("operation.temperature", "60 °C")
         .expect("a temperature");
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
     let pool = pool.expect("a thread");
     criterion.bench_function("e-drive, another temperature by kept contacts", |bencher| {
-        bencher.iter(|| {
-            pool.install(|| losses_with(&tables, black_box(&warmer), &|_, _| {}).expect("losses"))
-        });
+        bencher.iter(|| pool.install(|| losses_with(&tables, black_box(&warmer)).expect("losses")));
     });
     let mut slow = criterion.benchmark_group("e-drive");
     slow.sample_size(10);
     slow.bench_function("whole run", |bencher| {
-        bencher.iter(|| pool.install(|| run(black_box(&case), &|_, _| {}).expect("a run")));
+        bencher.iter(|| pool.install(|| Run::new(black_box(&case)).execute().expect("a run")));
     });
 }
 

@@ -13,8 +13,9 @@ use std::time::Instant;
 use asperity::LoadedCase;
 use asperity::case::load_with;
 use asperity::ehl::{RecordSettings, transient};
+use asperity::lubrication::FormulaFilm;
 use asperity::quantity::Length;
-use asperity::referee::{RefereeContact, RefereeSettings};
+use asperity::reference_solution::{RefereeContact, RefereeSettings};
 use asperity::roughness::generate::SelfAffine;
 use asperity_core::Profile;
 
@@ -261,7 +262,8 @@ fn row(condition: &Condition, settings: &RecordSettings) -> Outcome<String> {
         .scales
         .film_length(inner.fold(f64::INFINITY, f64::min));
     // The film of the formulas without its thermal reduction.
-    let film = contact.station.film.central / contact.station.thermal_reduction;
+    let formula = FormulaFilm::of(&loaded.case, &contact.position)?;
+    let film = formula.film.central / formula.thermal_reduction;
     Ok(format!(
         "| {} | {:.2} | {:.4} ± {:.4} | {:.4} | {:.4} ± {:.4} | {:.2}, {:.1} | {:.5} | {:.5} ± {:.5} | {:.5} | {:.5} | \
          {:.5}, {:.3} | {:.4}, {:.2} | {:.2} | {}, {}, {} | {seconds:.0} |",

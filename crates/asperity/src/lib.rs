@@ -16,83 +16,47 @@
 //! .change(|input| input.surface.cutoff = Some(Length::from_si(0.25e-3)))
 //! .change(|input| (input.model.positions, input.model.offsets) = (Some(8), Some(1)))
 //! .build()?;
-//! let summary = asperity::run(&case, &|_, _| ())?.result.summary;
+//! let summary = asperity::Run::new(&case).execute()?.result.summary;
 //! assert!((0.95..1.0).contains(&summary.efficiency));
 //! // A change rereads only the files that it affects.
 //! let cooler = case.with_key("operation.temperature", "70 °C")?;
-//! assert!(asperity::run(&cooler, &|_, _| ())?.result.summary.loss_w != summary.loss_w);
+//! assert!(asperity::Run::new(&cooler).execute()?.result.summary.loss_w != summary.loss_w);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 mod assembly;
-mod attention;
 pub mod balance;
-pub mod band;
-mod branch;
-mod bulk;
 pub mod case;
-mod chosen_laws;
-mod comparison;
-mod contact_tables;
-pub mod contact_view;
-mod decision;
-mod deformation_losses;
-mod detail;
-pub mod dry_contact;
-pub mod encounter;
+pub mod contacts;
 pub mod equations;
 pub mod error;
-mod fields;
-pub mod film_constants;
 pub mod fingerprint;
-pub mod flank_form;
-pub mod flank_record;
-pub mod fluid;
-mod formulation;
-mod friction;
-pub mod full_film;
-mod full_film_solution;
-pub mod gear_report;
-pub mod gearbox;
-pub mod kept_fields;
+pub mod flanks;
 pub mod key_words;
-pub mod laws;
-pub mod load_report;
-pub mod load_share_law;
-pub mod local_roughness;
-pub mod loss_band;
 pub mod loss_table;
-mod losses;
+pub mod lubrication;
+pub mod mesh;
 pub mod message;
-mod micropitting;
-pub mod micropitting_report;
-pub mod physical_sense;
+pub mod paper;
+mod parameters;
+mod pictures;
 pub mod pipeline;
-pub mod placement;
 pub mod planetary;
-mod position;
 pub mod prelude;
-mod provenance;
 pub mod records;
-pub mod referee;
+pub mod reference_solution;
 pub mod result;
-pub mod reversed;
-mod rolling;
-mod rough_film;
-pub mod run_in;
-mod solve;
-mod solved;
-pub mod station;
-mod stations;
-pub mod surfaces;
-pub mod survey;
-pub mod trace_pairs;
+mod run;
+mod sampling;
+pub mod uncertainty;
 
+pub use assembly::Reversed;
 pub use case::{Case, CaseInput, LoadedCase};
-pub use contact_tables::ContactTables;
+pub use contacts::Contacts;
 pub use error::{Error, PositionError, UnsolvedContact};
-pub use pipeline::{contacts, losses, run};
+pub use pipeline::losses;
 pub use result::{Outcome, RunResult};
+pub use run::Run;
 
 // The crates that the orchestrator stands on, each of use alone.
 pub use asperity_contact as contact;

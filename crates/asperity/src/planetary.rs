@@ -4,14 +4,14 @@ use asperity_core::quantity::Power;
 use asperity_gear::planetary::{PlanetaryMesh, PlanetarySpeeds};
 use serde::{Deserialize, Serialize};
 
-use crate::band::{has_band, quantiles_of_set, run_and_draw};
 use crate::case::planetary::LoadedPlanetary;
 use crate::error::{Error, PositionError};
-use crate::gearbox::Scope;
-use crate::kept_fields::KeptFields;
-use crate::loss_band::rounded;
+use crate::pipeline::KeptFields;
 use crate::pipeline::Progress;
+use crate::result::gearbox::Scope;
+use crate::result::rounded;
 use crate::result::{Outcome, RunResult};
+use crate::uncertainty::{has_band, quantiles_of_set, run_and_draw};
 
 /// The result of a planetary set; the results of its meshes stand beside it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -94,29 +94,18 @@ pub struct PlanetaryOutcome {
     pub meshes: [Outcome; 2],
 }
 
-/// Runs both meshes of a planetary set.
+/// Runs both meshes of a planetary set; fields are held for the positions `kept` of each mesh.
 ///
 /// # Errors
 /// When a mesh has no solution.
 pub fn run_planetary(
     loaded: &LoadedPlanetary,
-    progress: Progress<'_>,
-) -> Result<PlanetaryOutcome, Error> {
-    run_planetary_keeping(loaded, &KeptFields::All, progress)
-}
-
-/// The same, holding the fields of some positions of each mesh alone.
-///
-/// # Errors
-/// As [`run_planetary`].
-pub fn run_planetary_keeping(
-    loaded: &LoadedPlanetary,
     kept: &KeptFields,
     progress: Progress<'_>,
 ) -> Result<PlanetaryOutcome, Error> {
     let [first, second] = &loaded.meshes;
-    let (of_first, drawn_first) = run_and_draw(first, kept, progress)?;
-    let (of_second, drawn_second) = run_and_draw(second, kept, progress)?;
+    let (of_first, drawn_first) = run_and_draw(first, Some(kept), progress)?;
+    let (of_second, drawn_second) = run_and_draw(second, Some(kept), progress)?;
     let meshes = [of_first, of_second];
     let mut result = result(loaded, [&meshes[0].result, &meshes[1].result])
         .map_err(|error| Error::Whole(Box::new(error)))?;

@@ -1,7 +1,7 @@
 //! Draws of calibrated parameters.
 
-use asperity::band::UncertainParameter;
 use asperity::case::{Calibrated, CalibratedName, CalibrationInput, CorrelationInput, LoadedCase};
+use asperity::uncertainty::UncertainParameter;
 
 fn case(change: impl Fn(&mut CalibrationInput)) -> Result<LoadedCase, asperity::Error> {
     let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");

@@ -29,7 +29,7 @@ fn loss(case: &LoadedCase) -> f64 {
             input.model.offsets = Some(2);
         })
         .unwrap();
-    let outcome = asperity::run(&few, &|_, _| ()).unwrap();
+    let outcome = asperity::Run::new(&few).execute().unwrap();
     outcome.result.summary.loss_w
 }
 

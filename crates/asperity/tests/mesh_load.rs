@@ -5,8 +5,9 @@
 use std::path::{Path, PathBuf};
 
 use asperity::case::{CaseInput, LoadedCase, load, planetary};
-use asperity::gear_report::gear_report;
+use asperity::pipeline::KeptFields;
 use asperity::planetary::run_planetary;
+use asperity::result::gear_report::gear_report;
 use asperity::result::{Losses, RunResult};
 
 fn fixtures() -> PathBuf {
@@ -30,11 +31,11 @@ fn changed(case: &LoadedCase, keys: &[(&str, &str)]) -> LoadedCase {
 }
 
 fn losses(case: &LoadedCase) -> Losses {
-    asperity::losses(case, &|_, _| ()).unwrap()
+    asperity::losses(case).unwrap()
 }
 
 fn run(case: &LoadedCase) -> RunResult {
-    asperity::run(case, &|_, _| ()).unwrap().result
+    asperity::Run::new(case).execute().unwrap().result
 }
 
 #[track_caller]
@@ -233,7 +234,7 @@ fn a_planetary_set_is_the_run_of_its_two_meshes() {
     let file = folder.path().join("set.toml");
     std::fs::write(&file, SET).unwrap();
     let set = planetary::load(&file).unwrap().unwrap();
-    let outcome = run_planetary(&set, &|_, _| ()).unwrap();
+    let outcome = run_planetary(&set, &KeptFields::All, &|_, _| {}).unwrap();
     let result = &outcome.result;
     let [sun, ring] = &result.meshes[..] else {
         panic!("{} meshes", result.meshes.len())

@@ -37,7 +37,7 @@ fn recorded(cache: &Path, more: &[(&str, &str)]) -> LoadedCase {
 }
 
 fn run(loaded: &LoadedCase) -> RunResult {
-    pipeline::run(loaded, &|_, _| {}).unwrap().result
+    asperity::Run::new(loaded).execute().unwrap().result
 }
 
 fn files(folder: &Path) -> usize {
@@ -65,7 +65,7 @@ fn shares_come_from_records_and_a_second_run_finds_them() {
         assert!((error - record.solid_share_standard_error).abs() < 1e-12);
         assert!((row.mean_gap_um.unwrap() - record.mean_gap_um).abs() < 1e-12);
     }
-    let losses = pipeline::losses(&loaded, &|_, _| {}).unwrap();
+    let losses = pipeline::losses(&loaded).unwrap();
     assert_eq!(losses.summary.loss_w, first.summary.loss_w);
     assert_eq!(
         losses.summary.asperity_share_standard_error,

@@ -15,7 +15,7 @@ fn result(positions: usize) -> RunResult {
         input.model.offsets = Some(2);
         input.model.run_in = Some(false);
     });
-    asperity::run(&case.unwrap(), &|_, _| ()).unwrap().result
+    asperity::Run::new(&case.unwrap()).execute().unwrap().result
 }
 
 fn close(value: f64, expected: f64) {
@@ -76,17 +76,14 @@ fn losses_name_what_left_its_range_as_a_run_does() {
             .with_key("operation.temperature", temperature)
             .unwrap()
     };
-    let named = |temperature: &str| {
-        asperity::losses(&few(temperature), &|_, _| ())
-            .unwrap()
-            .outside
-    };
+    let named = |temperature: &str| asperity::losses(&few(temperature)).unwrap().outside;
     let outside = named("90 °C");
     assert!(
         outside.iter().all(|name| name.starts_with("W40")),
         "{outside:?}"
     );
-    let warnings = asperity::run(&few("90 °C"), &|_, _| ())
+    let warnings = asperity::Run::new(&few("90 °C"))
+        .execute()
         .unwrap()
         .result
         .warnings;

@@ -1,5 +1,10 @@
 //! Flanks that run in, and what the mesh then loses.
 
+#![allow(
+    clippy::unwrap_used,
+    reason = "helpers of tests may unwrap as tests do"
+)]
+
 use std::path::Path;
 
 use asperity::case::{LoadedCase, load};
@@ -19,7 +24,7 @@ fn with(name: &str, keys: &[(&str, &str)]) -> LoadedCase {
 }
 
 fn losses(case: &LoadedCase) -> Losses {
-    asperity::losses(case, &|_, _| ()).unwrap()
+    asperity::losses(case).unwrap()
 }
 
 fn run_in(name: &str, keys: &[(&str, &str)]) -> (f64, RunInFlanks) {
@@ -98,8 +103,8 @@ fn running_in_is_the_same_on_one_and_two_threads_and_for_kept_contacts() {
     };
     let one = on(1);
     assert_eq!(one, on(2));
-    let tables = asperity::pipeline::contact_tables(&case).unwrap();
-    let kept = asperity::pipeline::losses_with(&tables, &case, &|_, _| ()).unwrap();
+    let tables = asperity::pipeline::contacts(&case).unwrap();
+    let kept = asperity::pipeline::losses_with(&tables, &case).unwrap();
     assert_eq!(kept.run_in, one);
     let without = case.with_key("model.run_in", "false").unwrap();
     let plain = losses(&without);

@@ -4,12 +4,12 @@
 
 use std::collections::BTreeMap;
 
-use asperity::band::{difference, pair_sampling, run_and_draw};
 use asperity::case::{LoadedCase, from_text, load};
-use asperity::kept_fields::KeptFields;
-use asperity::loss_band::SamplingPart;
-use asperity::pipeline::{contact_tables, losses_with};
-use asperity::{Error, losses};
+use asperity::pipeline::KeptFields;
+use asperity::pipeline::{contacts, losses_with};
+use asperity::result::loss_band::SamplingPart;
+use asperity::uncertainty::{difference, pair_sampling};
+use asperity::{Error, Run, losses};
 use rand_chacha::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 
@@ -55,7 +55,7 @@ fn case(pinion: &str, wheel: &str) -> LoadedCase {
 }
 
 fn loss(case: &LoadedCase) -> f64 {
-    losses(case, &|_, _| {}).unwrap().summary.loss_w
+    losses(case).unwrap().summary.loss_w
 }
 
 /// A standard normal deviate.
@@ -120,7 +120,7 @@ fn intervals_between_traces_cover_the_mean_of_all_teeth() {
 fn every_pair_loses_what_it_loses_alone() {
     let several = case("traces = [\"0\", \"1\"]", "traces = [\"2\", \"3\"]");
     assert_eq!(several.surfaces.teeth(), Some([2, 2]));
-    let result = asperity::run(&several, &|_, _| {}).unwrap().result;
+    let result = asperity::Run::new(&several).execute().unwrap().result;
     let pairs = result.pairs.unwrap();
     let mut sum = 0.0;
     for (i, row) in pairs.losses_w.iter().enumerate() {
@@ -151,7 +151,7 @@ fn every_pair_loses_what_it_loses_alone() {
 fn identical_traces_lose_what_one_loses_without_any_error() {
     let one = case("file = \"0\"", "file = \"2\"");
     let same = case("traces = [\"0\", \"0\"]", "traces = [\"2\", \"2\", \"2\"]");
-    let found = losses(&same, &|_, _| {}).unwrap();
+    let found = losses(&same).unwrap();
     assert!((found.summary.loss_w / loss(&one) - 1.0).abs() < 1e-15);
     let sampling = found.pairs.unwrap();
     assert_eq!(sampling.between_w, [0.0, 0.0]);
@@ -163,12 +163,7 @@ fn identical_traces_lose_what_one_loses_without_any_error() {
 
 #[test]
 fn the_order_of_the_traces_changes_nothing() {
-    let sampling = |pinion: &str, wheel: &str| {
-        losses(&case(pinion, wheel), &|_, _| {})
-            .unwrap()
-            .pairs
-            .unwrap()
-    };
+    let sampling = |pinion: &str, wheel: &str| losses(&case(pinion, wheel)).unwrap().pairs.unwrap();
     let first = sampling("traces = [\"0\", \"1\"]", "traces = [\"2\", \"3\", \"4\"]");
     let other = sampling("traces = [\"1\", \"0\"]", "traces = [\"4\", \"2\", \"3\"]");
     for (a, b) in [
@@ -184,24 +179,24 @@ fn the_order_of_the_traces_changes_nothing() {
 #[test]
 fn kept_contacts_are_those_of_every_pair() {
     let several = case("traces = [\"0\", \"1\"]", "traces = [\"2\", \"3\"]");
-    let tables = contact_tables(&several).unwrap();
+    let tables = contacts(&several).unwrap();
     let warmer = several.with_key("operation.temperature", "100 °C").unwrap();
-    let kept = losses_with(&tables, &warmer, &|_, _| {}).unwrap();
-    let anew = losses(&warmer, &|_, _| {}).unwrap();
+    let kept = losses_with(&tables, &warmer).unwrap();
+    let anew = losses(&warmer).unwrap();
     assert_eq!(kept.summary.loss_w, anew.summary.loss_w);
     assert_eq!(kept.pairs, anew.pairs);
     // Those of another pair are not taken.
     let other = case("traces = [\"0\", \"1\"]", "traces = [\"2\", \"4\"]");
-    assert_eq!(
-        losses_with(&tables, &other, &|_, _| {}).unwrap_err().code(),
-        "E305"
-    );
+    assert_eq!(losses_with(&tables, &other).unwrap_err().code(), "E305");
 }
 
 #[test]
 fn the_band_has_the_error_between_traces() {
     let several = case("traces = [\"0\", \"1\", \"5\"]", "traces = [\"2\", \"3\"]");
-    let (outcome, drawn) = run_and_draw(&several, &KeptFields::Highest, &|_, _| {}).unwrap();
+    let (outcome, drawn) = Run::new(&several)
+        .fields(&KeptFields::Highest)
+        .draw()
+        .unwrap();
     let result = outcome.result;
     let (band, pairs) = (result.band.unwrap(), result.pairs.unwrap());
     let SamplingPart::Pairs(found) = band.sampling else {
@@ -228,7 +223,10 @@ fn the_band_has_the_error_between_traces() {
     assert_eq!((nothing.nominal_w, nothing.quantiles_w), (0.0, [0.0, 0.0]));
     // Other pinions on the same wheel: what the wheel's teeth scatter is in both.
     let other = case("traces = [\"6\", \"7\", \"8\"]", "traces = [\"2\", \"3\"]");
-    let (_, other) = run_and_draw(&other, &KeptFields::Highest, &|_, _| {}).unwrap();
+    let (_, other) = Run::new(&other)
+        .fields(&KeptFields::Highest)
+        .draw()
+        .unwrap();
     let change = difference(&drawn, &other);
     assert!(
         change.sampling_half_width_w.is_some_and(|half| half > 0.0),
@@ -239,7 +237,7 @@ fn the_band_has_the_error_between_traces() {
 #[test]
 fn one_traced_tooth_of_the_wheel_makes_the_error_a_lower_bound() {
     let several = case("traces = [\"0\", \"1\", \"5\"]", "file = \"2\"");
-    let sampling = losses(&several, &|_, _| {}).unwrap().pairs.unwrap();
+    let sampling = losses(&several).unwrap().pairs.unwrap();
     assert_eq!(
         (sampling.traces, sampling.not_sampled()),
         ([3, 1], Some("wheel"))
@@ -256,7 +254,7 @@ fn a_contact_takes_the_trace_nearest_in_y() {
         "traces = [{ file = \"0\", tooth = 3, y = \"8 mm\" }, { file = \"1\", tooth = 3, y = \"16 mm\" }]",
     );
     assert_eq!(both.surfaces.teeth(), Some([1, 1]));
-    let found = losses(&both, &|_, _| {}).unwrap();
+    let found = losses(&both).unwrap();
     let [first, second] = ["file = \"0\"", "file = \"1\""].map(|keys| loss(&spur(keys)));
     let expected = (12.0 * first + 20.0 * second) / 32.0;
     assert!((first / second - 1.0).abs() > 1e-3, "{first} {second}");
@@ -278,7 +276,7 @@ fn a_contact_takes_the_trace_nearest_in_y() {
     let alone = case("file = \"0\"", "file = \"2\"");
     let [zones, one] = [&helical, &alone].map(|case| {
         let finer = case.with_key("model.positions", "32").unwrap();
-        losses(&finer, &|_, _| {}).unwrap().summary
+        losses(&finer).unwrap().summary
     });
     // Cells and windows are cut anew for each zone; the more of them, the less that changes (2.4 % at 4 positions).
     assert!((zones.loss_w / one.loss_w - 1.0).abs() < 1e-2);
@@ -292,7 +290,7 @@ fn each_trace_may_lie_at_a_place_of_its_own() {
     };
     let pinion = format!("traces = [{}, {}]", at(0, 3.9), at(1, 4.4));
     let placed = case(&pinion, "file = \"2\", at = { roll_length = \"20.7 mm\" }");
-    let found = losses(&placed, &|_, _| {}).unwrap();
+    let found = losses(&placed).unwrap();
     assert_eq!(found.offsets.len(), 2);
     let alone = |seed: u32, roll: f64| {
         let keys = format!("file = \"{seed}\", at = {{ roll_length = \"{roll} mm\" }}");
@@ -303,7 +301,9 @@ fn each_trace_may_lie_at_a_place_of_its_own() {
     };
     let expected = 0.5 * (alone(0, 3.9) + alone(1, 4.4));
     assert!((found.summary.loss_w / expected - 1.0).abs() < 1e-14);
-    let band = run_and_draw(&placed, &KeptFields::Highest, &|_, _| {})
+    let band = Run::new(&placed)
+        .fields(&KeptFields::Highest)
+        .draw()
         .unwrap()
         .0
         .result
@@ -325,7 +325,7 @@ fn each_trace_may_lie_at_a_place_of_its_own() {
 fn the_micropitting_film_stands_over_the_roughness_of_all_traces() {
     let rated = |case: &LoadedCase| {
         let case = case.with(|input| input.micropitting = Some(Default::default()));
-        let result = asperity::run(&case.unwrap(), &|_, _| {}).unwrap().result;
+        let result = asperity::Run::new(&case.unwrap()).execute().unwrap().result;
         let found = result.micropitting.unwrap();
         let rq =
             |cell: &asperity::result::MicropittingCell| cell.film_um / cell.lambda_short.unwrap();
@@ -449,7 +449,7 @@ fn what_several_traces_cannot_mean_is_refused() {
         assert_eq!(error.code(), "E205", "{error}");
         assert!(error.to_string().contains("one pair of traces"), "{error}");
     }
-    let dry = asperity::dry_contact::dry_contact(&several, 0.5).unwrap_err();
+    let dry = asperity::contacts::dry_contact::dry_contact(&several, 0.5).unwrap_err();
     assert_eq!(dry.code(), "E312");
 }
 

@@ -21,8 +21,8 @@
 
 use asperity::LoadedCase;
 use asperity::PositionError;
-use asperity::band::UncertainParameter;
 use asperity::case::CalibratedName;
+use asperity::uncertainty::UncertainParameter;
 
 /// A parameter of the fit with its default.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,9 +3,10 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use asperity::band::UncertainParameter;
-use asperity::pipeline::{contact_tables, losses_with};
-use asperity::{ContactTables, LoadedCase};
+use asperity::Contacts;
+use asperity::LoadedCase;
+use asperity::pipeline::{contacts, losses_with};
+use asperity::uncertainty::UncertainParameter;
 use asperity_core::quantity::{AngularSpeed, Temperature, Torque};
 use rayon::prelude::*;
 
@@ -45,7 +46,7 @@ struct Group {
     /// Number of the case.
     of: usize,
     case: LoadedCase,
-    tables: ContactTables,
+    tables: Contacts,
     torque: f64,
 }
 
@@ -85,7 +86,7 @@ impl RigModel {
                 // What the measured losses hold is told by their table.
                 input.gearbox = None;
             });
-            let made = changed.and_then(|case| Ok((contact_tables(&case)?, case)));
+            let made = changed.and_then(|case| Ok((contacts(&case)?, case)));
             let (tables, case) = made.map_err(|source| at(&format!("{torque:.1} N m"), source))?;
             Ok(Group {
                 of: *case_number,
@@ -194,7 +195,7 @@ impl RigModel {
             let set = UncertainParameter::from(parameter.name).set(&mut case, value);
             set.map_err(|error| named(asperity::Error::Whole(Box::new(error))))?;
         }
-        let found = losses_with(&group.tables, &case, &|_, _| {}).map_err(named)?;
+        let found = losses_with(&group.tables, &case).map_err(named)?;
         let mut ratios: Vec<f64> = found
             .path
             .iter()

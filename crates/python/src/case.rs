@@ -3,16 +3,16 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use asperity::band::run_with_band;
+use asperity::uncertainty::run_with_band;
 use asperity::case::planetary::{self, LoadedPlanetary};
 use asperity::case::{self, Formulation, LoadedCase, Source, load_holding, open_source};
 use asperity::core::Profile;
-use asperity::dry_contact::dry_contact;
-use asperity::gear_report;
-use asperity::kept_fields::KeptFields;
+use asperity::contacts::dry_contact::dry_contact;
+use asperity::result::gear_report;
+use asperity::pipeline::KeptFields;
 use asperity::pipeline;
-use asperity::planetary::run_planetary_keeping;
-use asperity::survey::{self, RegimeRow};
+use asperity::planetary::run_planetary;
+use asperity::pipeline::{self, RegimeRow};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
@@ -274,7 +274,7 @@ impl Case {
             let shown = |done, total| told.tell(done, total);
             let found = match (&self.kind, detail) {
                 (Kind::Set(set), "fields") => {
-                    Found::Set(run_planetary_keeping(&set.loaded, &KeptFields::All, &shown)?.into())
+                    Found::Set(run_planetary(&set.loaded, &KeptFields::All, &shown)?.into())
                 }
                 (Kind::Set(_), _) => {
                     let message = "a planetary set is run with detail = \"fields\" alone";
@@ -289,10 +289,10 @@ impl Case {
                     Found::Whole(pipeline::contacts(loaded, &shown)?.into())
                 }
                 (Kind::Pair(loaded), "fields") if band => {
-                    Found::Whole(run_with_band(loaded, &KeptFields::All, &shown)?.into())
+                    Found::Whole(Run::new(loaded).fields(&KeptFields::All).band(true).progress(&shown).execute()?.into())
                 }
                 (Kind::Pair(loaded), "fields") => {
-                    Found::Whole(pipeline::run(loaded, &shown)?.into())
+                    Found::Whole(asperity::Run::new(loaded).progress(&shown).execute()?.into())
                 }
                 (_, other) => {
                     let message = format!("detail: {other}: must be losses, contacts or fields");

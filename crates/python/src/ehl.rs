@@ -4,9 +4,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use asperity::ehl::several_records::{mean_of, record_several};
 use asperity::ehl::{Estimate, Record, RecordSettings};
-use asperity::physical_sense::HIGHEST_PRESSURE;
+use asperity::lubrication::{HIGHEST_PRESSURE, shares};
 use asperity::quantity::Pressure;
-use asperity::referee::{RefereeContact, RefereeSettings, record_warnings, shares};
+use asperity::reference_solution::{RefereeContact, RefereeSettings, record_warnings};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};

@@ -9,7 +9,7 @@ use asperity::error::PositionError;
 use asperity::message;
 use asperity::profile_io::read::ReadError;
 use asperity::quantity::QuantityError;
-use asperity::referee::RefereeError;
+use asperity::reference_solution::RefereeError;
 use asperity::remedy::{Remedy, Setting, Value};
 use asperity::roughness::RoughnessError;
 use asperity::tribo_friction::FrictionError;

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use asperity::UnsolvedContact;
-use asperity::kept_fields::KeptFields;
+use asperity::pipeline::KeptFields;
 use asperity::result::{Outcome, RunResult};
 use asperity_storage::{check_finite, check_folder, replace_folder, save, whole_file, write_among};
 use serde::Serialize;

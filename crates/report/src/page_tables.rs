@@ -1,6 +1,6 @@
 //! Tables that a page shows beside the result.
 
-use asperity::contact_view::ContactView;
+use asperity::result::ContactView;
 use asperity::result::{Outcome, PositionRow, RunResult};
 use serde::{Deserialize, Serialize};
 

@@ -1,6 +1,6 @@
 //! The loss of a mesh and its parts as printed: the parts add up to the loss.
 
-use asperity::loss_band::{Digits, LossBand};
+use asperity::result::loss_band::{Digits, LossBand};
 use asperity::result::{RunningIn, Summary};
 
 /// The loss and its parts as text, each with its unit.

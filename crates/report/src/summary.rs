@@ -5,8 +5,8 @@ use std::fmt::Write as _;
 use crate::printed::{PrintedLoss, included, stated, stated_parts, watts};
 use crate::tables::BODIES;
 use crate::wrap::{COLUMNS, wrapped};
-use asperity::loss_band::{LossBand, SamplingPart, Trust, rounded};
 use asperity::message::Warning;
+use asperity::result::loss_band::{LossBand, SamplingPart, Trust, rounded};
 use asperity::result::{
     BulkReport, GearboxReport, MicropittingReport, PairSampling, PositionRow, PublishedOutcome,
     RunResult, Summary,

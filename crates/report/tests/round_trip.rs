@@ -30,7 +30,7 @@ fn outcome(case: &Path, formulation: Formulation) -> Outcome {
         input.model.offsets = Some(2);
         input.model.depths = Some(8);
     });
-    asperity::run(&loaded.unwrap(), &|_, _| {}).unwrap()
+    asperity::Run::new(&loaded.unwrap()).execute().unwrap()
 }
 
 fn smallest() -> Outcome {

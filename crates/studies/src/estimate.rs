@@ -7,13 +7,13 @@
 
 use std::time::Instant;
 
-use asperity::band::{DRAWS, has_band};
 use asperity::case::planetary::LoadedPlanetary;
 use asperity::case::{Formulation, FullFilmName, LoadShareName, LoadedCase};
-use asperity::kept_fields::KeptFields;
-use asperity::pipeline::{contacts, stations};
-use asperity::surfaces::Texture;
-use asperity::{Error, PositionError};
+use asperity::flanks::Texture;
+use asperity::mesh::Mesh;
+use asperity::pipeline::KeptFields;
+use asperity::uncertainty::{DRAWS, has_band};
+use asperity::{Error, PositionError, Run};
 
 /// Time and memory that a run will take.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
@@ -128,7 +128,7 @@ pub fn measured(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, Erro
             input.operation.bulk = None;
         })?;
         let begin = Instant::now();
-        alone.install(|| contacts(&few, &|_, _| {}))?;
+        alone.install(|| Run::new(&few).without_pictures().execute())?;
         let modelled = Work::of(&few)?.of_contacts;
         Ok([begin.elapsed().as_secs_f64(), modelled])
     };
@@ -183,7 +183,7 @@ impl Work {
 
     fn counted(loaded: &LoadedCase) -> Result<Self, PositionError> {
         let model = &loaded.case.model;
-        let stations = stations(&loaded.case)?;
+        let stations = Mesh::of(&loaded.case)?.positions;
         let positions = stations.len();
         let traces = loaded.all_traces().into_iter();
         let traced: usize = traces

@@ -12,11 +12,11 @@
 use std::path::Path;
 use std::time::Instant;
 
-use asperity::band::run_with_band;
+use asperity::Run;
 use asperity::case::{CaseInput, LoadedCase, load_with};
 use asperity::core::Profile;
 use asperity::core::quantity::Length;
-use asperity::kept_fields::KeptFields;
+use asperity::pipeline::KeptFields;
 use asperity_studies::estimate::{Estimate, estimate, measured};
 
 /// The e-drive with few offsets, changed.
@@ -53,7 +53,11 @@ fn taken_over_estimated(make: &(dyn Fn() -> LoadedCase + Sync)) -> (f64, Estimat
         let clock = Instant::now();
         let begin = seconds(clock);
         let case = make();
-        run_with_band(&case, &KeptFields::Highest, &|_, _| {}).unwrap();
+        Run::new(&case)
+            .fields(&KeptFields::Highest)
+            .band(true)
+            .execute()
+            .unwrap();
         let taken = seconds(clock) - begin;
         let estimated = estimate(&case, &KeptFields::Highest).unwrap();
         println!("  {taken:.2} s for {:.2} s", estimated.seconds);
@@ -138,7 +142,11 @@ fn a_trace_of_a_million_points_costs_its_windows_and_its_reading() {
         alone.build().unwrap().install(|| {
             let clock = Instant::now();
             let begin = seconds(clock);
-            run_with_band(&case, &KeptFields::Highest, &|_, _| {}).unwrap();
+            Run::new(&case)
+                .fields(&KeptFields::Highest)
+                .band(true)
+                .execute()
+                .unwrap();
             seconds(clock) - begin
         })
     };

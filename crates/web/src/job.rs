@@ -1,9 +1,10 @@
 //! The job of the page: what `asperity run` does, without a file system.
 
-use asperity::band::run_with_band;
+use asperity::Run;
+use asperity::uncertainty::run_with_band;
 use asperity::case::{self, CaseInput, LoadedCase, Source, planetary};
 use asperity::oil::library;
-use asperity::kept_fields::KeptFields;
+use asperity::pipeline::KeptFields;
 use asperity::pipeline::Progress;
 use asperity_report::{FileText, summary, texts};
 use asperity_studies::estimate::estimate;
@@ -39,7 +40,7 @@ pub fn run(
 ) -> Result<Finished, Failure> {
     let loaded = load(name, text, files)?;
     check_memory(&loaded)?;
-    let outcome = run_with_band(&loaded, &KeptFields::Highest, progress)
+    let outcome = Run::new(&loaded).fields(&KeptFields::Highest).band(true).progress(progress).execute()
         .map_err(|error| Failure::of_run(name, &error))?;
     Ok(Finished {
         title: outcome.result.title.clone(),

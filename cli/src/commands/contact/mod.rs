@@ -7,7 +7,7 @@ mod stress;
 
 use std::path::Path;
 
-use asperity::dry_contact::{DryContact, dry_contact};
+use asperity::contacts::dry_contact::{DryContact, dry_contact};
 use asperity_contact::problem::MAX_TOLERANCE;
 use asperity_core::quantity::Length;
 

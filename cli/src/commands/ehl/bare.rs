@@ -5,7 +5,7 @@ use std::path::Path;
 use asperity::ehl::traction::Heat;
 use asperity::ehl::{FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling, RoughContact};
 use asperity::oil::{AMBIENT_LIMIT, DensityLaw, LubricantInput, PressureViscosityLaw, ShearLaw};
-use asperity::referee::attenuated_roughness;
+use asperity::reference_solution::attenuated_roughness;
 use asperity_core::Profile;
 use asperity_core::material::Material;
 use asperity_core::quantity::{

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use asperity::ehl::EhlError;
 use asperity::error::Error;
-use asperity::referee::RefereeError;
+use asperity::reference_solution::RefereeError;
 
 use crate::failure::Failure;
 

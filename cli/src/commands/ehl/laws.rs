@@ -1,6 +1,6 @@
 //! Load-sharing laws beside the transient solution, the referee.
 
-use asperity::referee::ShareComparison;
+use asperity::lubrication::ShareComparison;
 
 /// The table of the laws.
 pub fn text(found: &ShareComparison) -> String {

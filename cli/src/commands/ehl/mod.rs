@@ -11,8 +11,9 @@ use std::path::Path;
 
 use asperity::ehl::RecordSettings;
 use asperity::ehl::traction::Heat;
+use asperity::lubrication::shares;
 use asperity::pipeline;
-use asperity::referee::{RefereeContact, RefereeSettings, shares};
+use asperity::reference_solution::{RefereeContact, RefereeSettings};
 
 use super::{load_case, on_the_path};
 use crate::args::{Common, EhlArgs};

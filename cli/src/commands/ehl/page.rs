@@ -2,7 +2,7 @@
 
 use asperity::ehl::transient::Moment;
 use asperity::ehl::{RoughContact, Scales, SteadyFilm, SteadySettings, steady};
-use asperity::referee::formula_film;
+use asperity::reference_solution::formula_film;
 use asperity_report::html::{
     FilmAndPressure, FilmFrame, LubricatedContact, SharePoint, lubricated_contact,
 };

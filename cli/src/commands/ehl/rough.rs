@@ -6,8 +6,8 @@ use asperity::ehl::several_records::{mean_of, record_several};
 use asperity::ehl::{
     Estimate, NodeState, PlasticCeiling, Record, RecordSettings, RoughContact, Solved, Window,
 };
-use asperity::physical_sense::HIGHEST_PRESSURE;
-use asperity::referee::{ShareComparison, record_warnings};
+use asperity::lubrication::{HIGHEST_PRESSURE, ShareComparison};
+use asperity::reference_solution::record_warnings;
 use asperity_core::quantity::Length;
 use asperity_storage::one_line;
 use serde_json::{Value, json};

@@ -20,8 +20,8 @@ use super::error::CaseError;
 use super::gear_input::GearFlankInput;
 use super::resolve::Case;
 use super::source::Source;
-use crate::flank_form::FlankForm;
-use crate::placement::PlacedTrace;
+use crate::flanks::flank_form::FlankForm;
+use crate::flanks::placement::PlacedTrace;
 
 /// The flank of `gear` in the table `gears`, and its key of the form.
 fn told(case: &Case, gear: Gear) -> (Option<&GearFlankInput>, &'static str) {

@@ -10,9 +10,9 @@ use super::error::CaseError;
 use super::flank_sample::{self, Listed};
 use super::flank_trace::Flank;
 use super::resolve::Case;
+use crate::flanks::placement::Placement;
+use crate::flanks::surfaces::{PairsOfTeeth, Surfaces, Texture};
 use crate::message::Warning;
-use crate::placement::Placement;
-use crate::surfaces::{PairsOfTeeth, Surfaces, Texture};
 
 /// The traces of one flank, read and prepared once, as any pair of them meets.
 pub(super) struct Meeting<'a> {

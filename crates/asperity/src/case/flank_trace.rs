@@ -31,9 +31,9 @@ use super::key_names::key_of;
 use super::resolve::Case;
 use super::source::Source;
 use super::trace_filters::Filters;
+use crate::flanks::placement::PlacedTrace;
+use crate::flanks::surfaces::{FlankReport, Texture};
 use crate::message::Warning;
-use crate::placement::PlacedTrace;
-use crate::surfaces::{FlankReport, Texture};
 
 /// Context shared by the reading of both flanks.
 #[derive(Clone, Copy)]

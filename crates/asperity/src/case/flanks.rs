@@ -16,9 +16,9 @@ use super::flank_trace::{Flank, Given, Keys, flank, keys_of, traces_of};
 use super::input::Formulation;
 use super::resolve::Case;
 use super::source::Source;
+use crate::flanks::surfaces::{FlankReport, Surfaces};
+use crate::flanks::trace_pairs::{SampledFlanks, SampledTrace};
 use crate::message::Warning;
-use crate::surfaces::{FlankReport, Surfaces};
-use crate::trace_pairs::{SampledFlanks, SampledTrace};
 
 /// Both flanks, how each was read and prepared, and the warnings on the way.
 #[derive(Debug, Clone)]

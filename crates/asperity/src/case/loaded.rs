@@ -25,9 +25,9 @@ use super::resolve::{Case, resolve_checked};
 use super::source::Source;
 use crate::error::Error;
 use crate::fingerprint::Fingerprint;
+use crate::flanks::surfaces::{FlankReport, Surfaces};
+use crate::flanks::trace_pairs::SampledFlanks;
 use crate::message::Warning;
-use crate::surfaces::{FlankReport, Surfaces};
-use crate::trace_pairs::SampledFlanks;
 
 /// A case with its traces, ready to run.
 #[derive(Debug, Clone)]

@@ -7,7 +7,7 @@ use asperity_gear::{GearError, LoadConditions, LoadDistribution, LoadMap};
 use asperity_tribo_friction::{FilmFriction, NamedFriction};
 
 use super::resolve::Case;
-use crate::load_share_law::LoadShare;
+use crate::lubrication::LoadShare;
 use asperity_mixed_film::FilmAlone;
 
 impl Case {

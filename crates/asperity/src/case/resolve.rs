@@ -23,7 +23,7 @@ use super::model::{Model, model};
 use super::plausibility::{refuse_impossible, refuse_stiff_oil};
 use super::source::Source;
 use super::steel::{Steels, steels};
-use crate::laws::Laws;
+use crate::lubrication::laws::Laws;
 
 /// Cut-offs of gear practice: λc 0.25 mm, which a flank a few millimetres long holds several times, λs 2.5 µm.
 const CUTOFF: Length = Length::from_si(0.25e-3);

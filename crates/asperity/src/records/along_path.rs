@@ -11,16 +11,16 @@ use super::path_record::PathRecord;
 use super::share::RecordedShare;
 use super::store::RecordStore;
 use crate::case::{Formulation, LoadedCase};
-use crate::encounter::is_substituted;
 use crate::equations::find;
 use crate::error::PositionError;
-use crate::referee::{RefereeContact, RefereeError, RefereeSettings};
-use crate::station::{Resolution, Station};
+use crate::flanks::is_substituted;
+use crate::mesh::{MeshPosition, Resolution};
+use crate::reference_solution::{RefereeContact, RefereeError, RefereeSettings};
 
 /// A record at its place on the path.
 #[derive(Debug, Clone)]
 pub(crate) struct PlacedRecord {
-    pub station: Station,
+    pub position: MeshPosition,
     pub record: PathRecord,
     /// Friction of the film with its heat over that without, smooth flanks; 1 for published laws.
     pub heat: f64,
@@ -40,7 +40,7 @@ struct Between {
 }
 
 impl PathRecords {
-    /// Solves the records of `loaded` along its `stations`, or finds them where they were kept; `smooth` gives
+    /// Solves the records of `loaded` along its `positions`, or finds them where they were kept; `smooth` gives
     /// the friction of the smooth film with its heat, and none for a published law. None where a flank was not
     /// measured, and in the paper's reading.
     ///
@@ -48,15 +48,15 @@ impl PathRecords {
     /// When a record has no solution.
     pub(crate) fn solve(
         loaded: &LoadedCase,
-        stations: &[Station],
-        smooth: &(dyn Fn(&Station) -> Result<Option<f64>, PositionError> + Sync),
+        positions: &[MeshPosition],
+        smooth: &(dyn Fn(&MeshPosition) -> Result<Option<f64>, PositionError> + Sync),
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Option<Self>, PositionError> {
         let case = &loaded.case;
         if case.formulation == Formulation::Paper || !loaded.surfaces.are_measured() {
             return Ok(None);
         }
-        let chosen = chosen(loaded, stations);
+        let chosen = chosen(loaded, positions);
         let store = RecordStore::new(loaded.record_folder());
         let contacts = contacts(loaded, &chosen)?;
         let found: Vec<_> = contacts
@@ -84,14 +84,14 @@ impl PathRecords {
                 Ok(record)
             })
             .collect();
-        let places = chosen.into_iter().zip(records).map(|(station, record)| {
+        let places = chosen.into_iter().zip(records).map(|(position, record)| {
             let record = record?;
-            let heat = match smooth(&station)? {
+            let heat = match smooth(&position)? {
                 Some(hot) if record.smooth_friction > 0.0 => hot / record.smooth_friction,
                 _ => 1.0,
             };
             Ok(PlacedRecord {
-                station,
+                position,
                 record,
                 heat,
             })
@@ -109,8 +109,8 @@ impl PathRecords {
     }
 
     /// Records that a run has to solve at most.
-    pub(crate) fn count(loaded: &LoadedCase, stations: &[Station]) -> usize {
-        chosen(loaded, stations).len()
+    pub(crate) fn count(loaded: &LoadedCase, positions: &[MeshPosition]) -> usize {
+        chosen(loaded, positions).len()
     }
 
     /// Shares and friction at `s`; `smooth` is the friction of the smooth film there. Beyond the first and the
@@ -165,11 +165,11 @@ impl PathRecords {
 
     fn between(&self, s: Length) -> Between {
         let s = s.si();
-        let place = |k: usize| self.places[k].station.s.si();
+        let place = |k: usize| self.places[k].position.s.si();
         let last = self.places.len() - 1;
         let high = self
             .places
-            .partition_point(|place| place.station.s.si() <= s)
+            .partition_point(|place| place.position.s.si() <= s)
             .clamp(1.min(last), last);
         let low = high.saturating_sub(1);
         let part = if low == high {
@@ -196,14 +196,14 @@ impl Between {
     }
 }
 
-/// Stations of the records: evenly among those whose contact the traces resolve and that carry the loss.
-fn chosen(loaded: &LoadedCase, stations: &[Station]) -> Vec<Station> {
-    let carries = |station: &&Station| {
-        station.resolution == Resolution::Required && !is_substituted(&loaded.surfaces, station)
+/// MeshPositions of the records: evenly among those whose contact the traces resolve and that carry the loss.
+fn chosen(loaded: &LoadedCase, positions: &[MeshPosition]) -> Vec<MeshPosition> {
+    let carries = |position: &&MeshPosition| {
+        position.resolution == Resolution::Required && !is_substituted(&loaded.surfaces, position)
     };
-    let mut able: Vec<&Station> = stations.iter().filter(carries).collect();
+    let mut able: Vec<&MeshPosition> = positions.iter().filter(carries).collect();
     if able.is_empty() {
-        able = stations.iter().filter(|s| s.load.si() > 0.0).collect();
+        able = positions.iter().filter(|s| s.load.si() > 0.0).collect();
     }
     let count = loaded.case.model.ehl.records.min(able.len());
     let last = able.len().saturating_sub(1);
@@ -216,12 +216,12 @@ fn chosen(loaded: &LoadedCase, stations: &[Station]) -> Vec<Station> {
 
 fn contacts(
     loaded: &LoadedCase,
-    stations: &[Station],
+    positions: &[MeshPosition],
 ) -> Result<Vec<RefereeContact>, PositionError> {
     let choices = &loaded.case.model.ehl;
-    let numbered = stations.iter().enumerate();
+    let numbered = positions.iter().enumerate();
     numbered
-        .map(|(beginning, station)| {
+        .map(|(beginning, position)| {
             let settings = RefereeSettings {
                 record: RecordSettings {
                     cells: choices.cells,
@@ -231,7 +231,7 @@ fn contacts(
                 eyring_stress: None,
                 beginning,
             };
-            Ok(RefereeContact::at(loaded, station.clone(), &settings)?)
+            Ok(RefereeContact::at(loaded, position.clone(), &settings)?)
         })
         .collect()
 }

@@ -5,13 +5,11 @@
 //! by its content, so that a second run solves nothing.
 
 mod along_path;
-mod of_case;
 mod path_record;
 mod share;
 mod store;
 
 pub(crate) use along_path::{PathRecords, PlacedRecord};
-pub(crate) use of_case::of_case;
 pub use path_record::PathRecord;
 pub use share::RecordedShare;
 pub use store::RecordStore;

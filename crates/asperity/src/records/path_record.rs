@@ -13,7 +13,7 @@ use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl::{Estimate, FrictionLaw, Record, Solved};
 use serde::{Deserialize, Serialize};
 
-use crate::referee::RefereeContact;
+use crate::reference_solution::RefereeContact;
 
 /// Points at which friction is summed over the Hertz pressure.
 const HERTZ_POINTS: usize = 200;
@@ -171,7 +171,7 @@ fn parts(phi: f64, [mu, mu_s, mu_tau]: [f64; 3], b: f64, mu_b: f64) -> [f64; 2] 
 fn smooth_friction(contact: &RefereeContact, law: &FrictionLaw, film: Length) -> f64 {
     let line = &contact.rough.contact;
     let rate = (line.speed_1 - line.speed_2).si().abs() / film.si();
-    let p_0 = contact.station.hertz.max_pressure.si();
+    let p_0 = contact.position.hertz.max_pressure.si();
     let (mut stress, mut load) = (0.0, 0.0);
     for k in 0..HERTZ_POINTS {
         let x = (k as f64 + 0.5) / HERTZ_POINTS as f64;

@@ -9,7 +9,7 @@ use serde_json::{from_slice, to_vec};
 
 use super::path_record::PathRecord;
 use crate::fingerprint::Fingerprint;
-use crate::referee::RefereeContact;
+use crate::reference_solution::RefereeContact;
 
 /// Raised whenever the solver gives other numbers for the same contact, so that older records are left alone.
 const REVISION: u32 = 2;
@@ -39,7 +39,7 @@ impl RecordStore {
             .with(format!("{:?}", contact.rough))
             .with(format!("{:?}", contact.record))
             .with(format!("{:?}", contact.traces))
-            .with(format!("{:?}", contact.station.hertz))
+            .with(format!("{:?}", contact.position.hertz))
             .hex();
         Some(self.folder.as_ref()?.join(format!("record-{name}.json")))
     }

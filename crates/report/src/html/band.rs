@@ -1,6 +1,6 @@
 //! The band of the loss: what it is made of, and what other laws give.
 
-use asperity::loss_band::{BandParameter, LossBand, SamplingPart, rounded};
+use asperity::result::loss_band::{BandParameter, LossBand, SamplingPart, rounded};
 use maud::{Markup, html};
 
 use crate::chart::{Axis, Bar, BarChart, Drawing};

@@ -1,6 +1,6 @@
 //! The mesh at a glance: the pair in mesh, and the flanks facing each other at the position of a slider.
 
-use asperity::contact_view::ContactView;
+use asperity::result::ContactView;
 use asperity::result::{PositionRow, RunResult};
 use maud::{Markup, PreEscaped, html};
 

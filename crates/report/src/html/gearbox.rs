@@ -1,7 +1,7 @@
 //! The gearbox around the mesh: its efficiency, and the parts that its user states.
 
-use asperity::gearbox::GearboxReport;
-use asperity::loss_band::{LossBand, rounded};
+use asperity::result::gearbox::GearboxReport;
+use asperity::result::loss_band::{LossBand, rounded};
 use maud::{Markup, html};
 
 use crate::printed::{stated, stated_parts};

@@ -1,7 +1,7 @@
 //! Inputs: the case with its defaults, the files, the equations and their sources.
 
-use asperity::flank_record::FlankRecord;
 use asperity::oil::Mark;
+use asperity::result::FlankRecord;
 use asperity::result::{FilmConstant, RunResult};
 use maud::{Markup, html};
 use serde_json::Value;

@@ -1,6 +1,6 @@
 //! Load over the flanks: along the path and over the face.
 
-use asperity::load_report::LoadRow;
+use asperity::result::LoadRow;
 use asperity::result::RunResult;
 
 use crate::chart::{Axis, Chart, Contour, Drawing, Line, Mark, Series};

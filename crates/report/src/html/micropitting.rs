@@ -1,6 +1,6 @@
 //! The micropitting rating, and the measured flanks at the same places.
 
-use asperity::micropitting_report::MicropittingReport;
+use asperity::result::MicropittingReport;
 use maud::{Markup, html};
 
 /// The smallest specific film and every place.

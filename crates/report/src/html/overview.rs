@@ -1,6 +1,6 @@
 //! Summary: the numbers that matter, the warnings, the losses, the friction laws, the regime.
 
-use asperity::loss_band::{Digits, rounded};
+use asperity::result::loss_band::{Digits, rounded};
 use asperity::result::{FlankHeights, PublishedOutcome, RunInFlanks, RunResult, Scope, Summary};
 use maud::{Markup, html};
 

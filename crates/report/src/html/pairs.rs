@@ -1,6 +1,6 @@
 //! Several traces of a flank: the loss of every pair of teeth, and what the error of their mean is made of.
 
-use asperity::loss_band::{PairSampling, rounded};
+use asperity::result::loss_band::{PairSampling, rounded};
 use asperity::result::{ToothTrace, TracePairs};
 use maud::{Markup, html};
 

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use asperity::flank_record::FlankRecord;
+use asperity::result::FlankRecord;
 use asperity_core::Profile;
 use asperity_roughness::RoughnessError;
 use asperity_roughness::form;

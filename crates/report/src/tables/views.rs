@@ -1,6 +1,6 @@
 //! Fewer positions and points of the flanks facing each other, for a page.
 
-use asperity::contact_view::ContactView;
+use asperity::result::ContactView;
 
 use crate::thin::thin;
 

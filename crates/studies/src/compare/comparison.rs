@@ -1,12 +1,13 @@
 //! Several finishes run on one case, and what sets them apart.
 
 use asperity::Error;
-use asperity::band::{self, DrawnLosses, PairedDifference};
+use asperity::Run;
 use asperity::case::LoadedCase;
-use asperity::kept_fields::KeptFields;
-use asperity::loss_band::LossBand;
+use asperity::pipeline::KeptFields;
 use asperity::pipeline::Progress;
+use asperity::result::loss_band::LossBand;
 use asperity::result::{GearboxReport, OffsetRow, Outcome, Scope};
+use asperity::uncertainty::{self, DrawnLosses, PairedDifference};
 use serde::Serialize;
 
 use super::statistics::rank_correlation;
@@ -98,7 +99,7 @@ pub fn compare(finishes: &[Finish], progress: Progress<'_>) -> Result<Comparison
     let (mut title, mut power_in_w) = (String::new(), 0.0);
     for finish in finishes {
         let kept = KeptFields::Highest;
-        let (outcome, drawn) = band::run_and_draw(&finish.case, &kept, &|_, _| {})?;
+        let (outcome, drawn) = Run::new(&finish.case).fields(&kept).draw()?;
         title.clone_from(&outcome.result.title);
         power_in_w = outcome.result.summary.power_in_w;
         results.push(finish_result(finish, outcome, drawn, results.first())?);
@@ -138,7 +139,7 @@ fn finish_result(
 ) -> Result<FinishResult, Error> {
     let roughness =
         windows::roughness(&finish.case).map_err(|error| Error::Whole(Box::new(error)))?;
-    let difference = first.map(|first| band::difference(&first.drawn, &drawn));
+    let difference = first.map(|first| uncertainty::difference(&first.drawn, &drawn));
     let result = outcome.result;
     Ok(FinishResult {
         name: finish.name.clone(),

@@ -1,6 +1,6 @@
 //! The page of a comparison.
 
-use asperity::loss_band::{LossBand, SamplingPart};
+use asperity::result::loss_band::{LossBand, SamplingPart};
 use asperity_report::chart::{Axis, Bar, BarChart, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
 use maud::{Markup, html};

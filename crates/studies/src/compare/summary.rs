@@ -3,7 +3,7 @@
 use asperity_report::{stated, stated_parts, wrapped};
 use asperity_storage::one_line;
 
-use asperity::loss_band::rounded;
+use asperity::result::loss_band::rounded;
 
 use super::comparison::{Comparison, FinishResult};
 

@@ -2,8 +2,8 @@
 
 use asperity::PositionError;
 use asperity::case::LoadedCase;
-use asperity::encounter::Encounter;
-use asperity::pipeline::stations;
+use asperity::flanks::{Roughness, WindowPair};
+use asperity::mesh::Mesh;
 use asperity_core::Profile;
 use asperity_report::units::MICRO;
 use asperity_roughness::material_ratio::rk_parameters;
@@ -41,20 +41,22 @@ pub(super) const PARAMETERS: &[(&str, Value)] = &[
 /// The windows at the middle position of the path, whose offsets are those of every position.
 pub(super) fn roughness(loaded: &LoadedCase) -> Result<Vec<WindowRoughness>, PositionError> {
     let model = &loaded.case.model;
-    let stations = stations(&loaded.case)?;
-    let Some(station) = stations.get(stations.len() / 2) else {
+    let positions = Mesh::of(&loaded.case)?.positions;
+    let Some(at) = positions.get(positions.len() / 2) else {
         return Ok(Vec::new());
     };
     let offsets = loaded.surfaces.offsets(model.offsets);
     (0..offsets)
         .map(|k| {
-            let met = Encounter::new(&loaded.surfaces, station, model.window, k, offsets)?;
-            window(&met.ok_or(PositionError::NoProfile)?)
+            let (surfaces, offset) = (&loaded.surfaces, (k, offsets));
+            let pair = WindowPair::at(surfaces, at, (model.window, loaded.case.modulus), offset)?;
+            let roughness = surfaces.roughness_at(at, model.window, offset)?;
+            window(&pair.ok_or(PositionError::NoProfile)?, &roughness)
         })
         .collect()
 }
 
-fn window(met: &Encounter) -> Result<WindowRoughness, PositionError> {
+fn window(met: &WindowPair, roughness: &Roughness) -> Result<WindowRoughness, PositionError> {
     let [first, second] = &met.heights;
     let composite: Vec<f64> = first.iter().zip(second).map(|(a, b)| a + b).collect();
     let material = rk_parameters(&composite)?;
@@ -62,8 +64,8 @@ fn window(met: &Encounter) -> Result<WindowRoughness, PositionError> {
     let both = |[a, b]: [f64; 2]| a.hypot(b) * MICRO;
     let range = |heights: &[f64]| section_heights(heights).map(|found| found.rz.si());
     Ok(WindowRoughness {
-        ra_um: both(met.roughness.ra),
-        rq_um: both(met.roughness.rq),
+        ra_um: both(roughness.ra),
+        rq_um: both(roughness.rq),
         rz_um: both([range(first)?, range(second)?]),
         rdq: slope,
         rpk_composite_um: material.rpk.si() * MICRO,

@@ -5,8 +5,9 @@ use std::path::Path;
 
 use asperity::PositionError;
 use asperity::case::LoadedCase;
-use asperity::fluid::film_at;
-use asperity::pipeline::{self, stations};
+use asperity::lubrication::FormulaFilm;
+use asperity::mesh::Mesh;
+use asperity::paper::film_at;
 use asperity_core::quantity::{Density, DynamicViscosity, KinematicViscosity};
 use asperity_ns_film::{FluidModel, pressure_difference_across};
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
@@ -115,9 +116,10 @@ fn row(case: &LoadedCase, density: f64, viscosity: f64) -> Result<Row, FigureErr
     oil.density = Density::from_si(density);
     oil.dynamic_viscosity = DynamicViscosity::from_si(viscosity);
     oil.kinematic_viscosity = KinematicViscosity::from_si(viscosity / density);
-    let outcome = pipeline::run(&case, &|_, _| {})?;
-    let station = stations(&case.case)?.remove(0);
-    let film = film_at(&case.case, &station, station.film.central);
+    let outcome = asperity::Run::new(&case).execute()?;
+    let station = Mesh::of(&case.case)?.positions.remove(0);
+    let central = FormulaFilm::of(&case.case, &station)?.film.central;
+    let film = film_at(&case.case, &station, central);
     let across = |model| {
         pressure_difference_across(model, &film)
             .map(|p| p.si())

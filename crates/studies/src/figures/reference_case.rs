@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use asperity::case::LoadedCase;
-use asperity::pipeline;
 use asperity_report::PageTables;
 use asperity_report::chart::{Axis, Chart, Drawing};
 use asperity_report::html::drawings_of_contact;
@@ -65,7 +64,7 @@ const ZOOM_UM: [f64; 2] = [-110.0, -70.0];
 const ZOOM_DEPTH_UM: f64 = 20.0;
 
 pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, FigureError> {
-    let outcome = pipeline::run(case, &|_, _| {})?;
+    let outcome = asperity::Run::new(case).execute()?;
     let result = &outcome.result;
     let tables = PageTables::of(&outcome, Some(1))?;
     let drawings = drawings_of_contact(result, &tables)?;

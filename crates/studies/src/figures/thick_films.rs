@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use asperity::case::LoadedCase;
-use asperity::survey::{FilmRow, film};
+use asperity::pipeline::{FilmRow, film};
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::tables::write;
 

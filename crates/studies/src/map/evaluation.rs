@@ -1,14 +1,16 @@
 //! Losses of one torque at every speed and temperature of a map.
 
+use asperity::Reversed;
 use asperity::case::{Formulation, LoadedCase};
-use asperity::encounter::LEAST_POINTS_PER_HALF_WIDTH;
-use asperity::gearbox::{self, OperatingPoint};
-use asperity::pipeline::{contact_tables, losses, losses_with, stations};
+use asperity::flanks::LEAST_POINTS_PER_HALF_WIDTH;
+use asperity::flanks::Texture;
+use asperity::mesh::Mesh;
+use asperity::mesh::Resolution;
+use asperity::pipeline::{contacts, losses, losses_with};
 use asperity::result::Losses;
-use asperity::reversed::Reversed;
-use asperity::station::Resolution;
-use asperity::surfaces::Texture;
-use asperity::{ContactTables, Error, band};
+use asperity::result::gearbox::{self, OperatingPoint};
+use asperity::uncertainty;
+use asperity::{Contacts, Error};
 use asperity_core::quantity::{AngularSpeed, Temperature, Torque};
 use rayon::prelude::*;
 
@@ -62,7 +64,7 @@ pub(super) fn evaluate(
 ) -> Vec<Result<Evaluated, String>> {
     let prepared = at_torque(case, torque).and_then(|case| {
         let tables = match case.case.formulation {
-            Formulation::Corrected => Some(contact_tables(&case)?),
+            Formulation::Corrected => Some(contacts(&case)?),
             Formulation::Paper => None,
         };
         Ok((case, tables))
@@ -88,7 +90,7 @@ pub(super) fn evaluate(
 
 fn at(
     case: &LoadedCase,
-    tables: Option<&ContactTables>,
+    tables: Option<&Contacts>,
     (speed, temperature): (f64, f64),
     is_banded: bool,
 ) -> Result<Evaluated, Error> {
@@ -98,11 +100,11 @@ fn at(
         input.operation.temperature = temperature;
     })?;
     let found = match tables {
-        Some(tables) => losses_with(tables, &case, &|_, _| {})?,
-        None => losses(&case, &|_, _| {})?,
+        Some(tables) => losses_with(tables, &case)?,
+        None => losses(&case)?,
     };
     let quantiles_w = match is_banded {
-        true => band::quantiles(&case, &found, tables)?,
+        true => uncertainty::quantiles(&case, &found, tables)?,
         false => None,
     };
     Ok(Evaluated {
@@ -200,9 +202,9 @@ fn resolves(case: &LoadedCase) -> Result<bool, asperity::PositionError> {
     let [Texture::Trace(first), Texture::Trace(_)] = case.surfaces.textures() else {
         return Ok(true);
     };
-    let stations = stations(&case.case)?;
-    Ok(stations.iter().all(|station| {
-        station.resolution != Resolution::Required
-            || station.hertz.half_width / first.spacing() >= LEAST_POINTS_PER_HALF_WIDTH
+    let mesh = Mesh::of(&case.case)?;
+    Ok(mesh.positions.iter().all(|at| {
+        at.resolution != Resolution::Required
+            || at.hertz.half_width / first.spacing() >= LEAST_POINTS_PER_HALF_WIDTH
     }))
 }

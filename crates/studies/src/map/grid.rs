@@ -150,7 +150,7 @@ fn of_finish(
     if points.iter().all(|point| point.numbers.is_none()) {
         // Told in full by a run of the case.
         let case = at_torque(&finish.case, finish.case.case.torque)?;
-        asperity::losses(&case, &|_, _| {})?;
+        asperity::losses(&case)?;
     }
     let coast = match sides.has_coast {
         true => Some(at_torque(&finish.case, torque_of(-sides.from[1]))?),

@@ -1,8 +1,8 @@
 //! The changes of a case that are looked at, one at a time.
 
 use asperity::case::{GearFlankInput, LoadedCase, ReliefInput};
+use asperity::flanks::{Surfaces, Texture};
 use asperity::oil::{BaseOil, ViscosityLaw};
-use asperity::surfaces::{Surfaces, Texture};
 use asperity::{Error, PositionError};
 use asperity_core::Profile;
 use asperity_core::quantity::{KinematicViscosity, Length, Temperature};

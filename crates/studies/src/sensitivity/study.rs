@@ -1,11 +1,11 @@
 //! The runs of a sensitivity study.
 
-use asperity::band::DrawnLosses;
 use asperity::case::LoadedCase;
 use asperity::core::cancel::checkpoint;
-use asperity::pipeline::{Progress, contact_tables, losses, losses_with};
+use asperity::pipeline::{Progress, contacts, losses, losses_with};
 use asperity::result::{Losses, Summary};
-use asperity::{ContactTables, Error};
+use asperity::uncertainty::DrawnLosses;
+use asperity::{Contacts, Error};
 use serde::Serialize;
 
 use super::changes::{Change, changes};
@@ -87,7 +87,7 @@ pub fn sensitivity(case: &LoadedCase, progress: Progress<'_>) -> Result<Sensitiv
     let case = &mesh;
     let changes = changes(case);
     let runs = 1 + changes.len();
-    let tables = contact_tables(case).ok();
+    let tables = contacts(case).ok();
     let base = run(case, tables.as_ref())?;
     progress(1, runs);
     let sampled = DrawnLosses::of(case, &base);
@@ -107,19 +107,19 @@ pub fn sensitivity(case: &LoadedCase, progress: Progress<'_>) -> Result<Sensitiv
 }
 
 /// Losses with the contacts made before where they are those of the case.
-fn run(case: &LoadedCase, tables: Option<&ContactTables>) -> Result<Losses, Error> {
+fn run(case: &LoadedCase, tables: Option<&Contacts>) -> Result<Losses, Error> {
     if let Some(tables) = tables
-        && let Ok(found) = losses_with(tables, case, &|_, _| {})
+        && let Ok(found) = losses_with(tables, case)
     {
         return Ok(found);
     }
-    losses(case, &|_, _| {})
+    losses(case)
 }
 
 fn row(
     change: Change,
     (base, sampled): (&Losses, &DrawnLosses),
-    tables: Option<&ContactTables>,
+    tables: Option<&Contacts>,
 ) -> SensitivityRow {
     let tables = tables.filter(|_| change.keeps_contacts);
     let found = change.case.and_then(|case| run(&case, tables));

@@ -1,6 +1,6 @@
 //! A sensitivity study for the terminal.
 
-use asperity::loss_band::rounded;
+use asperity::result::loss_band::rounded;
 use asperity_report::wrapped;
 use asperity_storage::one_line;
 

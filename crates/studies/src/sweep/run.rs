@@ -7,9 +7,9 @@ use std::time::{Duration, Instant};
 
 use asperity::case::LoadedCase;
 use asperity::core::cancel::checkpoint;
-use asperity::pipeline::{contact_tables, contacts, losses, losses_with};
+use asperity::pipeline::{contacts, losses, losses_with};
 use asperity::result::Summary;
-use asperity::{ContactTables, Error};
+use asperity::{Contacts, Error, Run};
 use rayon::prelude::*;
 
 use super::case_list::{CaseList, key_of_tables, resolved};
@@ -44,7 +44,7 @@ impl std::str::FromStr for Shard {
 }
 
 /// Contact tables by the part of the case that they hang on: cases of other oils, speeds and temperatures share them.
-pub(super) type Kept = Mutex<HashMap<String, Arc<ContactTables>>>;
+pub(super) type Kept = Mutex<HashMap<String, Arc<Contacts>>>;
 
 /// Most tables that are held at once, some megabytes each.
 const MOST_TABLES: usize = 16;
@@ -157,25 +157,26 @@ pub(super) fn row_of(
 
 fn summary(study: &Study, case: &LoadedCase, kept: Option<&Kept>) -> Result<Summary, Error> {
     if study.input.detail.unwrap_or_default() == Detail::Contacts {
-        return Ok(contacts(case, &|_, _| {})?.result.summary);
+        let run = Run::new(case).without_pictures();
+        return Ok(run.execute()?.result.summary);
     }
     if let Some(tables) = kept.and_then(|kept| tables(case, kept)) {
         // Tables that turn out to be of another contact refuse.
-        if let Ok(found) = losses_with(&tables, case, &|_, _| {}) {
+        if let Ok(found) = losses_with(&tables, case) {
             return Ok(found.summary);
         }
     }
-    Ok(losses(case, &|_, _| {})?.summary)
+    Ok(losses(case)?.summary)
 }
 
 /// The contact tables of a case, made at their first need.
-fn tables(case: &LoadedCase, kept: &Kept) -> Option<Arc<ContactTables>> {
+fn tables(case: &LoadedCase, kept: &Kept) -> Option<Arc<Contacts>> {
     let key = key_of_tables(case)?;
     let held = || kept.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some(found) = held().get(&key) {
         return Some(Arc::clone(found));
     }
-    let made = Arc::new(contact_tables(case).ok()?);
+    let made = Arc::new(contacts(case).ok()?);
     let mut held = held();
     if held.len() >= MOST_TABLES {
         held.clear();

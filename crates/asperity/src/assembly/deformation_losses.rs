@@ -1,0 +1,76 @@
+//! Powers of deformation swept over the flanks: elastic work cycled, hysteresis, plastic work of running-in.
+
+use asperity_core::quantity::{Length, LineEnergy, Power};
+use asperity_efficiency::LossKind;
+use asperity_efficiency::swept::{SweptDeformation, SweptPosition, swept_deformation};
+
+use crate::case::{Case, Formulation};
+use crate::error::PositionError;
+use crate::lubrication::{LubricatedPosition, LubricatedWindow};
+
+/// Losses by deformation of the mesh at one offset. The paper counts what is left after contact, as the elastic part
+/// in contact is given back.
+pub(super) fn deformation_losses(
+    case: &Case,
+    positions: &[LubricatedPosition],
+    offset: usize,
+) -> Result<Vec<(LossKind, Power)>, PositionError> {
+    if case.formulation == Formulation::Corrected {
+        let power = running_in_power(case, positions, offset)?;
+        return Ok(vec![(LossKind::RunningIn, power)]);
+    }
+    let kinds = [LossKind::DeformationPinion, LossKind::DeformationWheel];
+    let of = |body: usize| {
+        let powers = positions
+            .iter()
+            .map(|position| position.offsets[offset].deformation.after_contact[body]);
+        Power::from_si(powers.sum())
+    };
+    Ok(kinds.into_iter().zip([of(0), of(1)]).collect())
+}
+
+/// Plastic work of the first engagement at one offset, as a power.
+fn running_in_power(
+    case: &Case,
+    positions: &[LubricatedPosition],
+    offset: usize,
+) -> Result<Power, PositionError> {
+    let swept = swept(case, positions, |position| {
+        position.offsets.get(offset).map_or(0.0, plastic_work)
+    })?;
+    Ok(swept.plastic)
+}
+
+/// Powers of deformation with the plastic work of all offsets.
+pub(crate) fn of_all_offsets(
+    case: &Case,
+    positions: &[LubricatedPosition],
+) -> Result<SweptDeformation, PositionError> {
+    swept(case, positions, |position| {
+        let sum: f64 = position.offsets.iter().map(plastic_work).sum();
+        sum / position.offsets.len() as f64
+    })
+}
+
+fn plastic_work(offset: &LubricatedWindow) -> f64 {
+    offset.contact.map_or(0.0, |contact| contact.plastic_work)
+}
+
+fn swept(
+    case: &Case,
+    positions: &[LubricatedPosition],
+    plastic_work: impl Fn(&LubricatedPosition) -> f64,
+) -> Result<SweptDeformation, PositionError> {
+    let places: Vec<SweptPosition> = positions
+        .iter()
+        .map(|position| SweptPosition {
+            weight: Length::from_si(position.at.weight),
+            load: position.at.load,
+            radius: position.at.motion.radius,
+            half_width: position.at.hertz.half_width,
+            entrainment: position.at.motion.entrainment,
+            plastic_work: LineEnergy::from_si(plastic_work(position)),
+        })
+        .collect();
+    Ok(swept_deformation(&places, case.model.hysteresis)?)
+}

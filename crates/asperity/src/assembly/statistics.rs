@@ -1,0 +1,43 @@
+//! Mean, median and standard deviation of a few values.
+
+/// Mean of equally weighted values.
+pub(crate) fn mean(values: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) = values.fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
+    sum / count
+}
+
+/// Median; none of no values.
+pub(crate) fn median(mut values: Vec<f64>) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    let n = values.len();
+    let upper = *values.get(n / 2)?;
+    Some(match n % 2 {
+        0 => 0.5 * (values[n / 2 - 1] + upper),
+        _ => upper,
+    })
+}
+
+/// Sample standard deviation; none for fewer than two values.
+pub(crate) fn deviation(values: &[f64]) -> Option<f64> {
+    let n = values.len();
+    if n < 2 {
+        return None;
+    }
+    let middle = mean(values.iter().copied());
+    let squares: f64 = values.iter().map(|value| (value - middle).powi(2)).sum();
+    Some((squares / (n - 1) as f64).sqrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn medians_and_deviations_of_few_values() {
+        assert_eq!(median(vec![]), None);
+        assert_eq!(median(vec![4.0, 1.0, 8.0]), Some(4.0));
+        assert_eq!(median(vec![8.0, 1.0, 4.0, 2.0]), Some(3.0));
+        assert_eq!(deviation(&[1.0]), None);
+        assert_eq!(deviation(&[1.0, 4.0, 7.0]), Some(3.0));
+    }
+}

@@ -1,0 +1,598 @@
+//! Warnings raised from a finished result.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use asperity_contact::plasticity::{FIRST_YIELD, first_yield_pressure, softer_flow_pressure};
+use asperity_contact::{ContactWarning, SUSPECT_GAP};
+use asperity_core::OutOfRange;
+use asperity_core::quantity::{Length, Pressure};
+use asperity_efficiency::equivalent_friction;
+use asperity_ehl::PlasticCeiling;
+use asperity_gear::{Gear, StiffnessSource};
+
+use super::statistics::mean;
+use crate::case::{Case, Formulation, LoadedCase};
+use crate::error::PositionError;
+use crate::flanks::is_substituted;
+use crate::flanks::local_roughness::FEW_ASPERITIES;
+use crate::flanks::placement::FULL_COVERAGE;
+use crate::lubrication::{LubricatedPosition, LubricatedWindow, NOTED_DEVIATION};
+use crate::message::Warning;
+use crate::pictures::Picture;
+use crate::reference_solution::{LARGEST_ROUGHNESS, elastic_above_flow};
+use crate::result::LoadReport;
+use crate::result::{FullFilmRow, GearboxReport, MicropittingReport, RecordRow, Regime, Summary};
+use crate::sampling::{free_way, least_way};
+
+/// Warnings about the positions and the summary.
+pub(crate) fn warnings(
+    loaded: &LoadedCase,
+    positions: &[LubricatedPosition],
+    pictures: &[Option<Picture>],
+    summary: &Summary,
+) -> Result<Vec<Warning>, PositionError> {
+    let mut found = Vec::new();
+    for note in loaded.case.oil_notes.iter().chain(&loaded.case.steel_notes) {
+        found.push(Warning::new(code(note), note.to_string()));
+    }
+    bulk(loaded, &mut found);
+    ranges(positions, &mut found);
+    let equivalent = equivalent_friction(summary.efficiency, summary.loss_factor_local)?;
+    if !equivalent.outside.is_empty() {
+        found.push(Warning::new(
+            "W402",
+            format!(
+                "mu_eq {:.3} is outside 0.01-0.12 for lubricated steel",
+                equivalent.value
+            ),
+        ));
+    }
+    if loaded.surfaces.same_trace {
+        found.push(Warning::new(
+            "W404",
+            "both flanks use the same trace, so their roughness is correlated and S = sqrt(Rq1^2 + Rq2^2) is not exact",
+        ));
+    }
+    no_sliding(loaded, positions, &mut found);
+    stress(loaded, positions, pictures, &mut found)?;
+    contacts(positions, &mut found);
+    roughness(loaded, positions, &mut found);
+    full_film(positions, &mut found);
+    Ok(found)
+}
+
+/// W426: a hotter state beside the bulk temperature found.
+fn bulk(loaded: &LoadedCase, found: &mut Vec<Warning>) {
+    let Some(report) = loaded.case.found_bulk.as_ref().map(|found| &found.report) else {
+        return;
+    };
+    let hot = match (report.hotter_c, report.runs_away_from_c) {
+        (Some(hotter), _) => format!("once hotter they keep up {hotter:.0} °C as well"),
+        (None, Some(from)) => {
+            format!("started at {from:.0} °C they find no temperature that keeps itself up")
+        }
+        (None, None) => return,
+    };
+    let text = format!("the flanks keep up {:.0} °C, but {hot}", report.bulk_c);
+    found.push(Warning::new("W426", text));
+}
+
+/// W401: a part of the gearbox outside the range of its law.
+pub(crate) fn gearbox(gearbox: Option<&GearboxReport>, found: &mut Vec<Warning>) {
+    let parts = gearbox.iter().flat_map(|report| &report.parts);
+    for part in parts {
+        let notes = part.outside.iter();
+        found.extend(notes.map(|note| Warning::new("W401", format!("{}: {note}", part.name))));
+    }
+}
+
+/// W432: a rating outside the scope of its specification.
+pub(crate) fn micropitting(rating: Option<&MicropittingReport>, found: &mut Vec<Warning>) {
+    let outside = rating.map_or(&[][..], |rating| &rating.outside);
+    if !outside.is_empty() {
+        let text = format!(
+            "the specific film is no rating by ISO/TS 6336-22 here: {}",
+            outside.join("; ")
+        );
+        found.push(Warning::new("W432", text));
+    }
+}
+
+/// What left its range, each once: W401, W402, W403 and W405 with correlation and input.
+pub(crate) fn outside(
+    loaded: &LoadedCase,
+    positions: &[LubricatedPosition],
+    summary: &Summary,
+) -> Result<Vec<String>, PositionError> {
+    let named = |note: &OutOfRange| format!("{} {}: {}", code(note), note.correlation, note.name);
+    let of_the_case = loaded.case.oil_notes.iter().chain(&loaded.case.steel_notes);
+    let mut found: BTreeSet<String> = of_the_case.map(named).collect();
+    for position in positions {
+        found.extend(position.film.outside.iter().map(named));
+        let offsets = position.offsets.iter();
+        found.extend(offsets.flat_map(|offset| offset.friction.outside.iter().map(named)));
+    }
+    let equivalent = equivalent_friction(summary.efficiency, summary.loss_factor_local)?;
+    if !equivalent.outside.is_empty() {
+        found.insert("W402 equivalent friction".to_owned());
+    }
+    let materials = &loaded.case.materials;
+    let bearable = first_yield_pressure(&materials[0], &materials[1])?;
+    let passes = |position: &LubricatedPosition| position.at.hertz.max_pressure > bearable;
+    if positions.iter().any(passes) {
+        found.insert("W405 yield below the surface: Hertz pressure".to_owned());
+    }
+    Ok(found.into_iter().collect())
+}
+
+/// Code of an input that left its range: held at its end, the density of a sintered steel, or any other.
+fn code(note: &OutOfRange) -> &'static str {
+    if note.correlation.contains("sintered steel") {
+        "W428"
+    } else if note.correlation.contains("held") {
+        "W403"
+    } else {
+        "W401"
+    }
+}
+
+/// W421 to W425, W433: load over the teeth, and its cells.
+pub(crate) fn load(
+    loaded: &LoadedCase,
+    positions: &[LubricatedPosition],
+    load: &LoadReport,
+    found: &mut Vec<Warning>,
+) {
+    let mut add = |code, text: String| found.push(Warning::new(code, text));
+    if let Some(note) = &load.edge_contact {
+        add(
+            "W421",
+            format!(
+                "tips are not relieved and the teeth approach by {:.1} um: with contact of the tip edges H_V is {:.4} instead of {:.4}",
+                note.approach.si() * 1e6,
+                note.with,
+                note.without
+            ),
+        );
+    }
+    let is_substituted =
+        |position: &&LubricatedPosition| is_substituted(&loaded.surfaces, &position.at);
+    let light = positions.iter().filter(is_substituted).count();
+    if light > 0 {
+        add(
+            "W422",
+            format!(
+                "{light} of {} cells of the path carry so little load that the spacing of the traces does not resolve their contact: the roughness of the whole traces is used there",
+                positions.len()
+            ),
+        );
+    }
+    if !load.evidence.converged {
+        add(
+            "W423",
+            format!(
+                "the load over the teeth did not settle: the last change is {:.1e} of the mean load",
+                load.evidence.residual
+            ),
+        );
+    }
+    if let Some(StiffnessSource::IsoForRootForm(gear)) = load.evidence.stiffness {
+        add(
+            "W424",
+            format!(
+                "the root of the {gear} has no simple outline: the stiffness is that of ISO 6336-1"
+            ),
+        );
+    }
+    for (gear, root) in [Gear::Pinion, Gear::Wheel]
+        .into_iter()
+        .zip(loaded.case.load_settings.root)
+    {
+        if let Some(below) = loaded.case.gears.contact_below_involute(gear, root) {
+            add(
+                "W433",
+                format!(
+                    "contact reaches a roll length of {:.2} mm below the involute of the {gear}: the tip of the mating gear meets its fillet",
+                    below.si() * 1e3
+                ),
+            );
+        }
+    }
+    if loaded.case.gears.tips_may_foul() {
+        let [z1, z2] = loaded.case.gears.teeth;
+        add(
+            "W425",
+            format!(
+                "the ring has only {} teeth more than the pinion: tips may foul away from the line of action, which is not checked",
+                z2.saturating_sub(z1)
+            ),
+        );
+    }
+}
+
+/// W401 and W403: one line for each correlation and input, over all positions.
+fn ranges(positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
+    struct Seen<'a> {
+        note: &'a OutOfRange,
+        least: f64,
+        most: f64,
+        positions: usize,
+    }
+    let mut seen: BTreeMap<(&str, &str), Seen<'_>> = BTreeMap::new();
+    let mut add = |note, is_new: &mut BTreeSet<(&str, &str)>| {
+        let note: &OutOfRange = note;
+        let key = (note.correlation, note.name);
+        let entry = seen.entry(key).or_insert(Seen {
+            note,
+            least: note.value,
+            most: note.value,
+            positions: 0,
+        });
+        entry.least = entry.least.min(note.value);
+        entry.most = entry.most.max(note.value);
+        if is_new.insert(key) {
+            entry.positions += 1;
+        }
+    };
+    for position in positions {
+        let mut here = BTreeSet::new();
+        let offsets = position
+            .offsets
+            .iter()
+            .flat_map(|offset| &offset.friction.outside);
+        for note in position.film.outside.iter().chain(offsets) {
+            add(note, &mut here);
+        }
+    }
+    for entry in seen.values() {
+        let note = entry.note;
+        let value = if entry.least == entry.most {
+            short(entry.least)
+        } else {
+            format!("{} .. {}", short(entry.least), short(entry.most))
+        };
+        let unit = if note.unit == "-" {
+            String::new()
+        } else {
+            format!(" {}", note.unit)
+        };
+        found.push(Warning::new(
+            code(note),
+            format!(
+                "{}: {} {value}{unit} is outside {} .. {}{unit} at {} of {} positions",
+                note.correlation,
+                note.name,
+                short(note.low),
+                short(note.high),
+                entry.positions,
+                positions.len(),
+            ),
+        ));
+    }
+}
+
+/// Four digits that mean something, without trailing zeros.
+fn short(value: f64) -> String {
+    let size = value.abs();
+    if size != 0.0 && !(1e-3..1e6).contains(&size) {
+        return format!("{value:.2e}");
+    }
+    let text = format!("{value:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// W412: the paper's single position is the pitch point, where there is no sliding.
+fn no_sliding(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
+    /// Slide-to-roll ratios below this are round-off at the pitch point.
+    const PURE_ROLLING: f64 = 1e-9;
+    let rolls =
+        |position: &LubricatedPosition| position.at.motion.slide_to_roll.abs() < PURE_ROLLING;
+    if loaded.case.formulation == Formulation::Paper && positions.iter().all(rolls) {
+        found.push(Warning::new(
+            "W412",
+            "the single position of the paper's reading is the pitch point, where there is no sliding: the efficiency contains no sliding loss. Set model.position, e.g. 0.25",
+        ));
+    }
+}
+
+/// W413, W414: a contact that runs into the end of its window, and a gap that no flank has.
+fn contacts(positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
+    let count = positions.len();
+    let at = |is_meant: &dyn Fn(&LubricatedPosition, &ContactWarning) -> bool| {
+        let has_one =
+            |position: &&LubricatedPosition| position.doubts.iter().any(|d| is_meant(position, d));
+        positions.iter().filter(has_one).count()
+    };
+    let at_end = at(&|_, doubt| matches!(doubt, ContactWarning::PressureAtEnd { .. }));
+    if at_end > 0 {
+        found.push(Warning::new(
+            "W413",
+            format!(
+                "the rough contact runs into the end of its window at {at_end} of {count} positions: raise model.window"
+            ),
+        ));
+    }
+    // The asperities may carry next to nothing and deform as little: what the whole load deforms is the measure.
+    let beyond = at(&|position, doubt| {
+        let ContactWarning::GapBeyondDeformation { gap_range, .. } = doubt else {
+            return false;
+        };
+        let half_width = position.at.hertz.half_width.si();
+        let of_all = half_width * half_width / (2.0 * position.at.motion.radius.si());
+        gap_range.si() > SUSPECT_GAP * of_all
+    });
+    if beyond > 0 {
+        found.push(Warning::new(
+            "W414",
+            format!(
+                "the gap in the contact window spans more than {SUSPECT_GAP} times the deformation at {beyond} of {count} positions: an outlier or a wrong unit"
+            ),
+        ));
+    }
+}
+
+/// W405, W409, W410: yield below the surface, and flow of the asperities.
+fn stress(
+    loaded: &LoadedCase,
+    positions: &[LubricatedPosition],
+    pictures: &[Option<Picture>],
+    found: &mut Vec<Warning>,
+) -> Result<(), PositionError> {
+    let materials = &loaded.case.materials;
+    let bearable = first_yield_pressure(&materials[0], &materials[1])?.si();
+    let limit = materials[0]
+        .elastic_limit
+        .si()
+        .min(materials[1].elastic_limit.si());
+    let highest = positions
+        .iter()
+        .map(|position| position.at.hertz.max_pressure.si())
+        .fold(0.0, f64::max);
+    if highest > bearable {
+        found.push(Warning::new(
+            "W405",
+            format!(
+                "p0 {:.0} MPa exceeds {FIRST_YIELD} x the elastic limit {:.0} MPa: the flanks yield below the surface, which is not modelled",
+                highest * 1e-6,
+                limit * 1e-6
+            ),
+        ));
+    }
+    let flowing = |position: &&LubricatedPosition| {
+        let mut contacts = position.offsets.iter().filter_map(|offset| offset.contact);
+        contacts.any(|contact| contact.plastic_work > 0.0)
+    };
+    let count = positions.iter().filter(flowing).count();
+    if count > 0 {
+        found.push(Warning::new(
+            "W409",
+            format!(
+                "asperities yield at {count} of {} positions: expect running-in",
+                positions.len()
+            ),
+        ));
+    }
+    let strained = positions.iter().enumerate().map(|(k, position)| {
+        let picture = pictures.get(k).and_then(Option::as_ref);
+        strained(position, picture, limit, bearable)
+    });
+    let strained: usize = strained.sum();
+    if strained > 0 && highest <= bearable {
+        let contacts: usize = positions.iter().map(|p| p.offsets.len()).sum();
+        found.push(Warning::new(
+            "W410",
+            format!(
+                "von Mises stress under the asperities exceeds the elastic limit {:.0} MPa in {strained} of {contacts} contacts, over all positions and offsets",
+                limit * 1e-6,
+            ),
+        ));
+    }
+    Ok(())
+}
+
+/// Offsets of a position at which an asperity yields below its surface: by the stress field where that was
+/// computed, elsewhere where its pressure passes that at which a line contact first yields.
+fn strained(
+    position: &LubricatedPosition,
+    picture: Option<&Picture>,
+    limit: f64,
+    bearable: f64,
+) -> usize {
+    let stress = picture.and_then(|picture| picture.von_mises);
+    let fields = stress.map(|(stress, _)| stress.si() > limit);
+    let offsets = position.offsets.iter().enumerate();
+    let yields = offsets.filter(|(index, offset)| match fields {
+        Some(yields) if *index == 0 => yields,
+        _ => offset
+            .contact
+            .is_some_and(|contact| contact.p_max > bearable),
+    });
+    yields.count()
+}
+
+/// W415 and W435: records whose ridges cannot leak, or are elastic above the flow pressure.
+pub(crate) fn records(
+    case: &Case,
+    records: &[RecordRow],
+    found: &mut Vec<Warning>,
+) -> Result<(), PositionError> {
+    if records.is_empty() {
+        return Ok(());
+    }
+    let [pinion, wheel] = case.flow_pressure;
+    let ceiling = PlasticCeiling {
+        pressure: softer_flow_pressure(pinion, wheel)?,
+    };
+    let largest = records.iter().map(|record| record.p_max_mpa);
+    let largest = Pressure::from_si(1e6 * largest.fold(0.0, f64::max));
+    if let Some(text) = elastic_above_flow(largest, Some(ceiling)) {
+        found.push(Warning::new("W435", text));
+    }
+    let ratios = records.iter().map(|record| record.roughness_over_film);
+    let beyond = ratios.clone().filter(|r| *r > LARGEST_ROUGHNESS).count();
+    if beyond > 0 {
+        found.push(Warning::new(
+            "W415",
+            format!(
+                "the roughness left in the contact is up to {:.2} smooth films, above {LARGEST_ROUGHNESS} in {beyond} of {} records: the modelled ridges cannot leak, so rely on measurements rather than on these records",
+                ratios.fold(0.0, f64::max),
+                records.len()
+            ),
+        ));
+    }
+    Ok(())
+}
+
+/// W416: full films that differ from the formulas.
+fn full_film(positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
+    let rows = || {
+        let films = positions.iter().filter_map(|p| p.full_film.as_ref());
+        films.map(|film| film.row)
+    };
+    let off = |row: &FullFilmRow| row.largest_deviation() > NOTED_DEVIATION;
+    let count = rows().filter(off).count();
+    if count == 0 {
+        return;
+    }
+    let most = |of: &dyn Fn(&FullFilmRow) -> f64| {
+        let values = rows().map(|row| of(&row));
+        values.fold(0.0, |most: f64, value| {
+            if value.abs() > most.abs() {
+                value
+            } else {
+                most
+            }
+        })
+    };
+    found.push(Warning::new(
+        "W416",
+        format!(
+            "the solved full film is more than {:.0} % off the formulas at {count} of {} positions: central film by up to {:+.0} %, minimum film {:+.0} %, friction {:+.0} %",
+            100.0 * NOTED_DEVIATION,
+            rows().count(),
+            100.0 * most(&|row| row.film_central_deviation),
+            100.0 * most(&|row| row.film_minimum_deviation),
+            100.0 * most(&|row| row.mu_deviation.unwrap_or(0.0)),
+        ),
+    ));
+}
+
+/// W406, W407, W408, W411: limits of the traces.
+fn roughness(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
+    if !loaded.surfaces.are_measured() {
+        let known = positions.iter().all(|position| {
+            position
+                .offsets
+                .iter()
+                .all(|offset| offset.lambda_star.is_some())
+        });
+        found.push(Warning::new("W408", values_alone(loaded, known)));
+        return;
+    }
+    let mixed = |offset: &&LubricatedWindow| offset.regime == Regime::Mixed;
+    let offsets = || {
+        positions
+            .iter()
+            .flat_map(|position| &position.offsets)
+            .filter(mixed)
+    };
+    let few = offsets()
+        .filter(|offset| offset.roughness.asperities < FEW_ASPERITIES)
+        .count();
+    if few > 0 {
+        found.push(Warning::new(
+            "W406",
+            format!(
+                "fewer than {FEW_ASPERITIES} asperities reach into the peak zone in {few} of {} mixed contacts; their mean radius is uncertain",
+                offsets().count()
+            ),
+        ));
+    }
+    let without_peaks = offsets()
+        .filter(|offset| offset.lambda_star.is_none())
+        .count();
+    if without_peaks > 0 {
+        found.push(Warning::new(
+            "W411",
+            format!(
+                "no peaks above the core in {without_peaks} of {} mixed contacts: the classical film ratio was used there",
+                offsets().count()
+            ),
+        ));
+    }
+    short_traces(loaded, positions, found);
+    covered(loaded, positions, found);
+}
+
+/// Text of W408: the law that replaces one that needs the rough contact, and the film ratio used.
+fn values_alone(loaded: &LoadedCase, lambda_star_known: bool) -> String {
+    let named = loaded.case.model.load_share;
+    let own = loaded.case.laws.load_share.is_some();
+    let law = match named.supply() {
+        Some(_) if !own => format!(
+            "load_share = \"{}\" needs the traces of both, so \"lambda-star\" replaces it and all asperity load rubs with the boundary coefficient",
+            named.name()
+        ),
+        _ => "the load share follows from the film ratio".to_owned(),
+    };
+    let ratio = match lambda_star_known {
+        true => "Lambda*",
+        false => "without rpk and asperity_radius the classical film ratio",
+    };
+    format!(
+        "a flank is given by roughness values alone, so the rough contact was not computed: {law}; {ratio} decides"
+    )
+}
+
+/// W407: traces too short for an interval of the sampling.
+fn short_traces(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
+    let offsets = positions.iter().map(|position| position.offsets.len());
+    // The traces of several teeth are the sample, however long each is.
+    if offsets.max() <= Some(1) || loaded.surfaces.several_teeth().is_some() {
+        return;
+    }
+    let half_width = loss_weighted_half_width(positions);
+    let Some(way) = free_way(&loaded.surfaces, loaded.case.model.window, half_width) else {
+        return;
+    };
+    let needed = least_way(half_width);
+    if way < needed {
+        found.push(Warning::new(
+            "W407",
+            format!(
+                "the window of the contact can move {:.0} um along the shorter trace, less than the {:.0} um that an interval needs: this is one window, and its sampling error is not known",
+                1e6 * way.si(),
+                1e6 * needed.si(),
+            ),
+        ));
+    }
+}
+
+/// W417: contacts beside the ends of placed traces.
+fn covered(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
+    let stations = positions.iter().map(|position| &position.at);
+    let coverage = loaded.surfaces.coverage(stations);
+    if let Some(coverage) = coverage.filter(|coverage| *coverage < FULL_COVERAGE) {
+        found.push(Warning::new(
+            "W417",
+            format!(
+                "the traces cover {:.0} % of the loss along the path of contact; elsewhere the nearest window on them stands",
+                100.0 * coverage
+            ),
+        ));
+    }
+}
+
+/// Half width of the contact, weighted with the sliding loss.
+fn loss_weighted_half_width(positions: &[LubricatedPosition]) -> Length {
+    let weights = positions.iter().map(|position| {
+        let forces = position.offsets.iter().map(|offset| offset.friction_force);
+        position.at.weight * position.at.mean_sliding() * mean(forces)
+    });
+    let (mut sum, mut total) = (0.0, 0.0);
+    for (position, weight) in positions.iter().zip(weights) {
+        sum += weight * position.at.hertz.half_width.si();
+        total += weight;
+    }
+    Length::from_si(sum / total)
+}

@@ -1,0 +1,18 @@
+//! Rough contacts of the windows of a mesh: they depend on neither oil, speed nor temperature.
+
+mod displacements;
+pub mod dry_contact;
+mod pressed;
+mod rough_window;
+pub mod running_in;
+mod tables;
+
+pub use dry_contact::{DryContact, dry_contact};
+pub use tables::Contacts;
+
+pub(crate) use displacements::Displacements;
+pub(crate) use pressed::{
+    LoadStep, Pressed, Pressing, full_film, pressing_history, settings, softer,
+};
+pub(crate) use rough_window::rough_window;
+pub(crate) use tables::WindowContact;

@@ -1,0 +1,216 @@
+//! Rough contacts of a whole mesh, stored for other oils, speeds and temperatures.
+
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+
+use asperity_core::cancel::checkpoint;
+use asperity_core::material::Material;
+use asperity_core::quantity::{Length, Torque};
+use asperity_gear::{GearPair, LoadLaw, LoadMap, LoadMapSettings, MicroGeometry};
+use asperity_mixed_film::ContactTable;
+
+use crate::case::{Case, Formulation, LoadedCase};
+use crate::error::PositionError;
+use crate::flanks::{Roughness, Surfaces, Window};
+use crate::mesh::{Mesh, MeshPosition};
+
+/// Rough contact of every window of a mesh.
+///
+/// The contacts depend on gears, torque, flanks and steel, but on neither oil, temperature nor speed: another of
+/// these costs film laws only ([`losses_with`](crate::pipeline::losses_with)). A contact is solved when a film first
+/// lets the flanks touch, and stored.
+#[derive(Debug, Clone)]
+pub struct Contacts {
+    fingerprint: Vec<u64>,
+    surfaces: Surfaces,
+    load: StoredLoad,
+    rows: BTreeMap<[u64; 4], Vec<WindowContact>>,
+}
+
+/// The load over the teeth and all that it follows from.
+#[derive(Debug, Clone)]
+struct StoredLoad {
+    map: LoadMap,
+    /// `None` of a user-defined law.
+    law: Option<LoadLaw>,
+    gears: GearPair,
+    micro_geometry: MicroGeometry,
+    materials: [Material; 2],
+    settings: LoadMapSettings,
+    torque: Torque,
+}
+
+impl StoredLoad {
+    fn new(case: &Case, map: LoadMap) -> Self {
+        let is_named = case.laws.load_distribution.is_none();
+        Self {
+            map,
+            law: is_named.then(|| case.model.load_distribution.clone()),
+            gears: case.gears.clone(),
+            micro_geometry: case.micro_geometry.clone(),
+            materials: case.materials,
+            settings: case.load_settings,
+            torque: case.torque,
+        }
+    }
+
+    fn is_of(&self, case: &Case) -> bool {
+        case.laws.load_distribution.is_none()
+            && self.law.as_ref() == Some(&case.model.load_distribution)
+            && self.torque == case.torque
+            && self.gears == case.gears
+            && self.micro_geometry == case.micro_geometry
+            && self.materials == case.materials
+            && self.settings == case.load_settings
+    }
+}
+
+/// The rough contact of one window, and its roughness.
+#[derive(Debug, Clone)]
+pub(crate) struct WindowContact {
+    /// Roughness of the window, or of the flanks as a whole where no window is resolved.
+    pub roughness: Roughness,
+    /// Place of the window on the traces; `None` where no window is resolved.
+    pub window: Option<Window>,
+    /// Mean gap at which the flanks first touch, once a film asked for it.
+    pub first_touch: OnceLock<Length>,
+    /// The contact at its shares, once the flanks touched.
+    pub table: OnceLock<ContactTable>,
+}
+
+impl WindowContact {
+    /// The windows of all offsets at `position`, with their roughness.
+    ///
+    /// # Errors
+    /// When the traces are too coarse or too short for the contact.
+    pub(crate) fn of_position(
+        loaded: &LoadedCase,
+        position: &MeshPosition,
+    ) -> Result<Vec<Self>, PositionError> {
+        let (surfaces, model) = (&loaded.surfaces, &loaded.case.model);
+        let count = surfaces.offsets(model.offsets);
+        let contact = |k| {
+            checkpoint()?;
+            Ok(Self {
+                window: Window::at(surfaces, position, model.window, k, count)?,
+                roughness: surfaces.roughness_at(position, model.window, (k, count))?,
+                first_touch: OnceLock::new(),
+                table: OnceLock::new(),
+            })
+        };
+        (0..count).map(contact).collect()
+    }
+
+    /// Checks the windows at the first offset of each pair of teeth as [`of_position`](Self::of_position) does.
+    ///
+    /// # Errors
+    /// When the traces do not have the windows, or the paper's formulation has no traces.
+    pub(crate) fn check(loaded: &LoadedCase, position: &MeshPosition) -> Result<(), PositionError> {
+        let (surfaces, model) = (&loaded.surfaces, &loaded.case.model);
+        let count = surfaces.offsets(model.offsets);
+        for k in (0..count).filter(|k| surfaces.begins_a_pair(*k, count)) {
+            let window = Window::at(surfaces, position, model.window, k, count)?;
+            if window.is_none() && loaded.case.formulation == Formulation::Paper {
+                return Err(PositionError::NoProfile);
+            }
+            surfaces.roughness_at(position, model.window, (k, count))?;
+        }
+        Ok(())
+    }
+}
+
+impl Contacts {
+    /// The contacts of a case with the windows of each position of `mesh`.
+    pub(crate) fn new(loaded: &LoadedCase, mesh: &Mesh, rows: Vec<Vec<WindowContact>>) -> Self {
+        let (case, surfaces) = (&loaded.case, &loaded.surfaces);
+        Self {
+            fingerprint: fingerprint(case, surfaces),
+            surfaces: surfaces.clone(),
+            load: StoredLoad::new(case, mesh.load.clone()),
+            rows: mesh.positions.iter().map(key).zip(rows).collect(),
+        }
+    }
+
+    /// Refuses contacts of other flanks, steels, windows or offsets than those of `loaded`.
+    pub(crate) fn check(&self, loaded: &LoadedCase) -> Result<(), PositionError> {
+        let ours: Vec<&Surfaces> = self.surfaces.each().collect();
+        let theirs: Vec<&Surfaces> = loaded.surfaces.each().collect();
+        let mut pairs = ours.iter().zip(&theirs);
+        let has_textures =
+            ours.len() == theirs.len() && pairs.all(|(one, other)| one.has_textures_of(other));
+        match has_textures && self.fingerprint == fingerprint(&loaded.case, &loaded.surfaces) {
+            true => Ok(()),
+            false => Err(PositionError::OtherTables {
+                differs: "flank, steel, window or number of offsets",
+            }),
+        }
+    }
+
+    /// The contacts of all offsets at `position`.
+    ///
+    /// # Errors
+    /// When there is no such position.
+    pub(crate) fn at(&self, position: &MeshPosition) -> Result<&[WindowContact], PositionError> {
+        let row = self.rows.get(&key(position)).map(Vec::as_slice);
+        row.ok_or(PositionError::OtherTables {
+            differs: "line load or radius",
+        })
+    }
+
+    /// The load over the teeth of `case`, if it is the load of the contacts.
+    pub(crate) fn load_map(&self, case: &Case) -> Option<&LoadMap> {
+        self.load.is_of(case).then_some(&self.load.map)
+    }
+
+    /// Number of windows.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        let windows = self.rows.values().flatten();
+        windows.filter(|contact| contact.window.is_some()).count()
+    }
+
+    /// Whether there is no window: the flanks are not measured.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// Load and radius decide the contact of a window, the place on path and face which one it is.
+fn key(position: &MeshPosition) -> [u64; 4] {
+    let [load, radius, place] = [
+        position.load.si(),
+        position.motion.radius.si(),
+        position.s.si(),
+    ]
+    .map(f64::to_bits);
+    [load, radius, place, position.zone as u64]
+}
+
+/// Bits of all other inputs of the contacts, except the traces.
+fn fingerprint(case: &Case, surfaces: &Surfaces) -> Vec<u64> {
+    let [pinion, wheel] = case.flow_pressure;
+    let mut bits: Vec<u64> = [
+        pinion.si(),
+        wheel.si(),
+        case.modulus.si(),
+        case.model.window,
+        case.model.tolerance,
+    ]
+    .map(f64::to_bits)
+    .to_vec();
+    bits.push(case.model.offsets as u64);
+    let noise = case.preparation.lambda_s.map_or(0.0, |cutoff| cutoff.si());
+    bits.push(noise.to_bits());
+    bits.extend(case.face_zones.iter().map(|edge| edge.to_bits()));
+    for met in surfaces.each() {
+        if let Some(placement) = met.placement() {
+            let places = placement.traces.iter();
+            bits.extend(places.flat_map(|placed| {
+                [placed.first_arc, placed.direction, placed.base_radius].map(f64::to_bits)
+            }));
+            bits.push(placement.misplaced.to_bits());
+        }
+    }
+    bits
+}

@@ -1,0 +1,14 @@
+//! Measured flanks: their traces, where these lie, and the windows that meet at a mesh position.
+
+pub mod flank_form;
+pub mod local_roughness;
+pub mod placement;
+pub mod surfaces;
+pub mod trace_pairs;
+mod window_pair;
+
+pub use local_roughness::Roughness;
+pub use surfaces::{Surfaces, Texture};
+pub use window_pair::{LEAST_POINTS_PER_HALF_WIDTH, WindowPair};
+
+pub(crate) use window_pair::{Window, is_substituted};

@@ -1,0 +1,36 @@
+//! Several traces of a flank, as read and prepared.
+
+use asperity_core::quantity::Length;
+
+use super::surfaces::FlankReport;
+
+/// One of several traces of a flank, as read and prepared.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct SampledTrace {
+    /// Index of the tooth, from 0 in the order of the case.
+    pub tooth: usize,
+    /// Number of the tooth as the case states it.
+    pub number: Option<u32>,
+    /// Place across the face, where the case states it.
+    pub y: Option<Length>,
+    /// Reading and preparation.
+    pub report: FlankReport,
+}
+
+/// The traces of both flanks where one has several.
+#[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
+pub struct SampledFlanks {
+    /// Traces of pinion and wheel.
+    pub traces: [Vec<SampledTrace>; 2],
+    /// Teeth of pinion and wheel that the case names; more than are paired, where these are too many.
+    pub named: [usize; 2],
+}
+
+impl SampledFlanks {
+    /// Every report, of the pinion first.
+    pub fn reports(&self) -> impl Iterator<Item = &FlankReport> {
+        self.traces.iter().flatten().map(|trace| &trace.report)
+    }
+}

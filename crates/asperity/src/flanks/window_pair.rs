@@ -1,0 +1,202 @@
+//! Two rough windows that meet at a mesh position, and their gap.
+
+use asperity_contact::two_flanks::TwoFlanks;
+use asperity_core::Profile;
+use asperity_core::profile::mirrored_window;
+use asperity_core::quantity::{Length, Pressure};
+
+use crate::error::PositionError;
+use crate::flanks::Roughness;
+use crate::flanks::{Surfaces, Texture};
+use crate::mesh::{MeshPosition, Resolution};
+
+/// Least points per Hertz half-width at which a contact is resolved.
+pub const LEAST_POINTS_PER_HALF_WIDTH: f64 = 20.0;
+
+/// The golden section: multiples of it, minus their whole part, fill an interval evenly.
+const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
+
+/// Whether the roughness of the whole traces is used for the windows at `position`.
+pub(crate) fn is_substituted(surfaces: &Surfaces, position: &MeshPosition) -> bool {
+    let [Texture::Trace(first), Texture::Trace(_)] = surfaces.textures() else {
+        return false;
+    };
+    match position.resolution {
+        Resolution::Required => false,
+        Resolution::WhereFine => {
+            position.hertz.half_width / first.spacing() < LEAST_POINTS_PER_HALF_WIDTH
+        }
+    }
+}
+
+/// The windows of both traces that meet at a mesh position, by their places on the traces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Window {
+    /// First points of the window on the traces of pinion and wheel; negative where a placed trace begins within the
+    /// window.
+    pub starts: [isize; 2],
+    /// Points of the window, an odd number.
+    pub points: usize,
+}
+
+impl Window {
+    /// The windows at `position` when both flanks are at offset `k` of `count` of all pairs; `None` if a flank is known
+    /// by its roughness values only, and where the points are too far apart and need not resolve the contact.
+    ///
+    /// # Errors
+    /// When the traces are too coarse or too short for the contact.
+    pub(crate) fn at(
+        surfaces: &Surfaces,
+        position: &MeshPosition,
+        window: f64,
+        k: usize,
+        count: usize,
+    ) -> Result<Option<Self>, PositionError> {
+        let (surfaces, k, count) = surfaces.met(position.zone, k, count);
+        let [Texture::Trace(first), Texture::Trace(second)] = surfaces.textures() else {
+            return Ok(None);
+        };
+        if is_substituted(surfaces, position) {
+            return Ok(None);
+        }
+        let spacing = first.spacing();
+        let points = position.hertz.half_width / spacing;
+        if points < LEAST_POINTS_PER_HALF_WIDTH {
+            return Err(PositionError::TooCoarse {
+                spacing_um: spacing.si() * 1e6,
+                points,
+                least: LEAST_POINTS_PER_HALF_WIDTH,
+            });
+        }
+        let reach = (window * points).ceil() as usize;
+        let n = 2 * reach + 1;
+        let starts = match surfaces.placement() {
+            Some(placement) => {
+                let (middles, _) =
+                    placement.middles(position, [first.len(), second.len()], spacing);
+                middles.map(|middle| middle as isize - reach as isize)
+            }
+            None => {
+                // Evenly along the pinion; along the wheel in another order, so that the pairs differ.
+                let along = (k as f64 + 0.5) / count as f64;
+                let across = (0.5 + k as f64 * GOLDEN_SECTION).fract();
+                [start(first, n, along)?, start(second, n, across)?]
+            }
+        };
+        Ok(Some(Self { starts, points: n }))
+    }
+
+    /// Heights of both flanks in the windows at offset `k` of `count`, beyond the ends of a trace those of its mirror
+    /// image.
+    pub(crate) fn cut(
+        self,
+        surfaces: &Surfaces,
+        position: &MeshPosition,
+        (k, count): (usize, usize),
+    ) -> Result<[Profile; 2], PositionError> {
+        let (surfaces, ..) = surfaces.met(position.zone, k, count);
+        let [Texture::Trace(first), Texture::Trace(second)] = surfaces.textures() else {
+            return Err(PositionError::NoProfile);
+        };
+        let part = |trace: &Profile, start: isize| {
+            let heights = mirrored_window(trace.heights(), start, self.points);
+            Profile::new(trace.spacing(), heights)
+        };
+        Ok([part(first, self.starts[0])?, part(second, self.starts[1])?])
+    }
+}
+
+impl Surfaces {
+    /// Roughness of the windows that meet at `position` at offset `k` of `count`, or of the flanks as a whole where no
+    /// window is resolved.
+    ///
+    /// # Errors
+    /// When the traces are too coarse or too short for the contact.
+    pub fn roughness_at(
+        &self,
+        position: &MeshPosition,
+        window: f64,
+        (k, count): (usize, usize),
+    ) -> Result<Roughness, PositionError> {
+        let (of_pair, ..) = self.met(position.zone, k, count);
+        match Window::at(self, position, window, k, count)? {
+            Some(window) => of_pair.roughness_of(&window.cut(self, position, (k, count))?),
+            None => of_pair.roughness_as_a_whole(),
+        }
+    }
+}
+
+/// The two flanks under the contact at one offset.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct WindowPair {
+    /// Position across the contact, 0 at its middle \[m\].
+    pub x: Vec<f64>,
+    /// Distance of the points.
+    pub spacing: Length,
+    /// Heights of pinion and wheel under the contact \[m\].
+    pub heights: [Vec<f64>; 2],
+    /// Undeformed gap x²/2R − z₁ − z₂ \[m\].
+    pub gap: Vec<f64>,
+}
+
+impl WindowPair {
+    /// The windows of `window` half-widths to each side that meet at `position` at offset `k` of `count`, with the reduced
+    /// modulus of the contact; `None` where no window is resolved.
+    ///
+    /// # Errors
+    /// When the traces are too coarse or too short for the contact.
+    pub fn at(
+        surfaces: &Surfaces,
+        position: &MeshPosition,
+        (window, modulus): (f64, Pressure),
+        (k, count): (usize, usize),
+    ) -> Result<Option<Self>, PositionError> {
+        let Some(window) = Window::at(surfaces, position, window, k, count)? else {
+            return Ok(None);
+        };
+        let flanks = window.cut(surfaces, position, (k, count))?;
+        Self::new(flanks, position, modulus).map(Some)
+    }
+
+    /// The heights of two windows, and their undeformed gap at a mesh position with the reduced modulus `modulus`.
+    ///
+    /// # Errors
+    /// When the gap refuses the numbers.
+    pub(crate) fn new(
+        flanks: [Profile; 2],
+        position: &MeshPosition,
+        modulus: Pressure,
+    ) -> Result<Self, PositionError> {
+        let spacing = flanks[0].spacing();
+        let n = flanks[0].len();
+        let (reach, dx) = ((n / 2) as f64, spacing.si());
+        let gap = TwoFlanks {
+            first: &flanks[0],
+            second: &flanks[1],
+            radius: position.motion.radius,
+            load: position.load,
+            modulus,
+            pressure_limit: None,
+        }
+        .gap()?;
+        Ok(Self {
+            x: (0..n).map(|i| (i as f64 - reach) * dx).collect(),
+            spacing,
+            heights: flanks.map(Profile::into_heights),
+            gap,
+        })
+    }
+}
+
+/// First point of a window of `n` neighbouring points of `profile`, at the fraction `place` of where they can start.
+fn start(profile: &Profile, n: usize, place: f64) -> Result<isize, PositionError> {
+    let free = profile
+        .len()
+        .checked_sub(n)
+        .ok_or(PositionError::TraceTooShort {
+            available_um: profile.length().si() * 1e6,
+            needed_um: profile.spacing().si() * (n - 1) as f64 * 1e6,
+        })?;
+    Ok((place * free as f64).round() as isize)
+}

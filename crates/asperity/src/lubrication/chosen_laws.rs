@@ -1,0 +1,28 @@
+//! Laws that one run uses, looked up once.
+
+use std::sync::Arc;
+
+use asperity_ehl_regime::FilmThicknessLaw;
+use asperity_tribo_friction::FilmFriction;
+
+use crate::case::Case;
+use crate::lubrication::load_share_law::LoadShare;
+
+/// Every law of a run.
+#[derive(Debug, Clone)]
+pub(crate) struct ChosenLaws {
+    pub film: Arc<dyn FilmThicknessLaw>,
+    pub friction: Arc<dyn FilmFriction>,
+    pub load_share: Arc<dyn LoadShare>,
+}
+
+impl ChosenLaws {
+    /// The laws of `case`.
+    pub(crate) fn of(case: &Case) -> Self {
+        Self {
+            film: case.film_law(),
+            friction: case.film_friction(),
+            load_share: case.load_share(),
+        }
+    }
+}

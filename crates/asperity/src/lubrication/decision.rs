@@ -1,0 +1,92 @@
+//! Regime and load share at one mesh position and one offset.
+
+use asperity_core::quantity::Length;
+use asperity_ehl_regime::{
+    AsperityShape, FilmThickness, Orientation, Regime, film_ratio, lambda_star,
+};
+
+use super::chosen_laws::ChosenLaws;
+use super::formula_film::FormulaFilm;
+use super::friction;
+use super::load_share_law::{ShareConditions, SharedLoad};
+use crate::case::Case;
+use crate::error::PositionError;
+use crate::flanks::{Roughness, WindowPair};
+use crate::mesh::MeshPosition;
+use crate::records::RecordedShare;
+use asperity_mixed_film::LoadShareSolution;
+
+/// The regime, what decides it, and how film and asperities share the load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Decision {
+    pub lambda_star: Option<f64>,
+    pub film_ratio: f64,
+    pub regime: Regime,
+    pub shared: SharedLoad,
+}
+
+/// The regime at one offset from Λ*, or from the classical film ratio where Λ* is not known; the load
+/// share by the law in use.
+pub(crate) fn decide(
+    case: &Case,
+    laws: &ChosenLaws,
+    (position, film): (&MeshPosition, &FormulaFilm),
+    roughness: &Roughness,
+    window: Option<&WindowPair>,
+    solved: Option<&LoadShareSolution>,
+    recorded: Option<&RecordedShare>,
+) -> Result<Decision, PositionError> {
+    let combined = roughness.combined_rq()?;
+    let ratio = if combined.si() > 0.0 {
+        film_ratio(film.film.minimum, 1.0, combined)?
+    } else {
+        f64::INFINITY
+    };
+    let star = |film: &FilmThickness| lambda_star_of(laws, position, film, roughness);
+    let lambda_star = star(&film.shown)?;
+    // The laws of the load share take the film that film friction takes.
+    let of_share = case.model.central_film;
+    let film_of_share = FilmThickness {
+        central: of_share.thickness(film.film.central, position.hertz.max_pressure)?,
+        ..film.film
+    };
+    let contact = friction::film_contact(case, (position, film), roughness, &case.oil)?;
+    let conditions = ShareConditions {
+        position,
+        film,
+        roughness,
+        window,
+        lambda_star: star(&film_of_share)?,
+        film_ratio: ratio,
+        contact: &contact,
+        flow_pressure: case.flow_pressure,
+        solved,
+        recorded,
+    };
+    Ok(Decision {
+        lambda_star,
+        film_ratio: ratio,
+        regime: Regime::of(lambda_star.unwrap_or(ratio))?,
+        shared: laws.load_share.share(&conditions)?,
+    })
+}
+
+pub(crate) fn lambda_star_of(
+    laws: &ChosenLaws,
+    position: &MeshPosition,
+    film: &FilmThickness,
+    roughness: &Roughness,
+) -> Result<Option<f64>, PositionError> {
+    let Some(peak) = roughness.reduced_peak.filter(|peak| *peak > 0.0) else {
+        return Ok(None);
+    };
+    // Without a summit to measure, the asperities lift no film of their own.
+    let factor = match roughness.asperity_radius {
+        None => 0.0,
+        Some(radius) => AsperityShape::ridges(radius, position.motion.radius)
+            .film_factor(Orientation::Transverse, laws.film.speed_exponent())?,
+    };
+    Ok(Some(
+        lambda_star(film, factor, Length::from_si(peak))?.value,
+    ))
+}

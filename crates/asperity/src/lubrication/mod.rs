@@ -1,0 +1,33 @@
+//! Film, load share and friction of every window of a mesh at one operating point, without rows of a result.
+
+mod chosen_laws;
+mod decision;
+mod film_of_case;
+mod formula_film;
+mod friction;
+mod full_film;
+mod full_film_solution;
+pub mod laws;
+pub mod load_share_law;
+mod plausibility;
+mod position;
+mod records;
+mod rolling;
+mod rough_film;
+mod share_comparison;
+mod solve;
+
+pub use formula_film::FormulaFilm;
+pub use load_share_law::{LoadShare, ShareConditions, SharedLoad};
+pub use plausibility::HIGHEST_PRESSURE;
+
+pub(crate) use chosen_laws::ChosenLaws;
+pub(crate) use decision::Decision;
+pub(crate) use friction::film_contact;
+pub(crate) use full_film::NOTED_DEVIATION;
+pub(crate) use plausibility::check_mesh_position;
+pub(crate) use position::{ContactNumbers, LubricatedPosition, LubricatedWindow};
+pub(crate) use records::records_of;
+pub(crate) use rolling::{rolling, rolling_surfaces};
+pub use share_comparison::{LawShare, ShareComparison, shares};
+pub(crate) use solve::{Lubrication, doubts};

@@ -1,0 +1,81 @@
+//! Gate after the run: states at a mesh position that are beyond physical sense end without an efficiency.
+//!
+//! The limits are own choices, some powers of ten beyond what was ever measured on gears, where the model says
+//! nothing any more whatever its laws return.
+
+use asperity_core::quantity::Pressure;
+use asperity_ehl_regime::FilmThickness;
+
+use super::position::LubricatedPosition;
+use crate::error::PositionError;
+use crate::mesh::MeshPosition;
+
+/// Pressure that no steel bears: hardened steel flows at 7 GPa.
+pub const HIGHEST_PRESSURE: Pressure = Pressure::from_si(20e9);
+/// Speed of a flank \[m/s\]: turbine gears reach 200.
+const SPEED: f64 = 1000.0;
+/// Film \[m\]: gear films are below 10 um.
+const FILM: f64 = 1e-3;
+/// Rq of a flank under the contact \[m\].
+const ROUGHNESS: f64 = 0.2e-3;
+/// Flash temperature \[K\]: steel melts at 1800 K.
+const FLASH: f64 = 1500.0;
+/// Friction coefficient of the whole contact.
+const FRICTION: f64 = 2.0;
+
+/// Refuses a smooth contact that cannot be.
+pub(crate) fn check_mesh_position(position: &MeshPosition) -> Result<(), PositionError> {
+    let motion = &position.motion;
+    let speeds = motion.u1.si().abs().max(motion.u2.si().abs());
+    let pressure = position.hertz.max_pressure.si();
+    below("Hertz pressure", pressure, "Pa", HIGHEST_PRESSURE.si())?;
+    below("speed of the flanks", speeds, "m/s", SPEED)
+}
+
+/// Refuses a smooth film that cannot be.
+pub(crate) fn check_film(film: &FilmThickness) -> Result<(), PositionError> {
+    below("central film", film.central.si(), "m", FILM)?;
+    let minimum = film.minimum.si();
+    if minimum > 0.0 {
+        return Ok(());
+    }
+    Err(PositionError::Impossible {
+        name: "minimum film",
+        value: minimum,
+        unit: "m",
+        rule: "greater than zero",
+        limit: None,
+    })
+}
+
+/// Refuses a solved position that cannot be.
+pub(crate) fn check_position(position: &LubricatedPosition) -> Result<(), PositionError> {
+    let load = position.at.load.si();
+    for offset in &position.offsets {
+        let [first, second] = offset.roughness.rq;
+        below("Rq under the contact", first.max(second), "m", ROUGHNESS)?;
+        below("flash temperature", offset.flash, "K", FLASH)?;
+        let friction = offset.friction_force / load;
+        below("friction coefficient", friction, "-", FRICTION)?;
+    }
+    Ok(())
+}
+
+fn below(
+    name: &'static str,
+    value: f64,
+    unit: &'static str,
+    limit: f64,
+) -> Result<(), PositionError> {
+    // No number is not below the limit either.
+    if value <= limit {
+        return Ok(());
+    }
+    Err(PositionError::Impossible {
+        name,
+        value,
+        unit,
+        rule: "at most",
+        limit: Some(limit),
+    })
+}

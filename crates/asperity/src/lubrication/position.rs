@@ -1,0 +1,129 @@
+//! One solved mesh position, as data.
+
+use asperity_contact::ContactWarning;
+use asperity_ehl_regime::Regime;
+
+use super::formula_film::FormulaFilm;
+use super::friction::{InFilm, Rubbing};
+use super::full_film::FullFilm;
+use crate::case::Case;
+use crate::contacts::Pressed;
+use crate::error::PositionError;
+use crate::flanks::Roughness;
+use crate::mesh::MeshPosition;
+use crate::paper::PrintedDeformation;
+use crate::records::RecordedShare;
+use asperity_mixed_film::LoadShareSolution;
+
+/// A mesh position with everything that varies over the offsets.
+#[derive(Debug, Clone)]
+pub(crate) struct LubricatedPosition {
+    pub at: MeshPosition,
+    pub film: FormulaFilm,
+    pub offsets: Vec<LubricatedWindow>,
+    /// The full film by its elastohydrodynamic solution, where the case asks for it and an offset has one.
+    pub full_film: Option<FullFilm>,
+    /// Doubts about the rough contacts that were solved.
+    pub doubts: Vec<ContactWarning>,
+    /// Pressures of the first offset, if friction follows from them.
+    pub pressed: Option<Pressed>,
+}
+
+impl LubricatedPosition {
+    /// Largest pressure of the rough contact, as a mean over the offsets where the flanks touch \[MPa\]; none
+    /// where they don't.
+    pub fn rough_pressure(&self) -> Option<f64> {
+        let contacts = self.offsets.iter().filter_map(|offset| offset.contact);
+        let pressures: Vec<f64> = contacts.map(|contact| contact.p_max * 1e-6).collect();
+        let sum = || {
+            pressures
+                .iter()
+                .fold(0.0, |sum: f64, pressure| sum + pressure)
+        };
+        (!pressures.is_empty()).then(|| sum() / pressures.len() as f64)
+    }
+
+    /// The same, or the Hertz pressure where the flanks don't touch: a report shows the position where it is
+    /// highest.
+    pub fn shown_pressure(&self) -> f64 {
+        let hertz = self.at.hertz.max_pressure.si() * 1e-6;
+        self.rough_pressure().unwrap_or(hertz)
+    }
+}
+
+impl LubricatedPosition {
+    /// Pressure of a film that carries the whole load at the points `x` \[m\]: of its solution, or without one of the
+    /// smooth dry contact, which a full film takes over all but its inlet and its outlet.
+    pub fn film_pressure(&self, x: &[f64]) -> Result<Vec<f64>, PositionError> {
+        match &self.full_film {
+            Some(film) => Ok(film.pressure_at(x)),
+            None => self.at.hertz_pressure(x, 1.0),
+        }
+    }
+}
+
+/// One offset of the traces at a mesh position.
+#[derive(Debug, Clone)]
+pub(crate) struct LubricatedWindow {
+    pub roughness: Roughness,
+    /// Λ*; none when the peaks of the flanks are not known or there are none.
+    pub lambda_star: Option<f64>,
+    /// h_min/S.
+    pub film_ratio: f64,
+    pub regime: Regime,
+    /// Share of the load that the film carries.
+    pub film_share: f64,
+    /// Share of the asperities' load that rubs with the boundary coefficient.
+    pub boundary_part: f64,
+    /// Friction coefficient of the lubricated asperities.
+    pub lubricated_coefficient: f64,
+    /// The rough contact at its share, where the law of the load share looks at it.
+    pub solved: Option<LoadShareSolution>,
+    /// Shares and friction of the records beside the position, where the law of the load share asks for them.
+    pub recorded: Option<RecordedShare>,
+    /// Friction in the film.
+    pub friction: InFilm,
+    /// Contributions of asperities and film to the friction force.
+    pub rubbing: Rubbing,
+    /// Friction force per metre of contact line \[N/m\].
+    pub friction_force: f64,
+    /// Flash temperature of film and asperities together \[K\].
+    pub flash: f64,
+    /// Numbers of the rough contact, where it was asked for and the flanks touch.
+    pub contact: Option<ContactNumbers>,
+    /// Deformation loss of the paper's reading.
+    pub deformation: PrintedDeformation,
+}
+
+impl LubricatedWindow {
+    /// Shear stress on the pinion's flank \[Pa\] under the pressures `pressed`.
+    pub fn shear(&self, case: &Case, position: &MeshPosition, pressed: &Pressed) -> Vec<f64> {
+        // Friction drags the pinion's flank against its sliding.
+        let sign = -position.motion.sliding.si().signum();
+        let mu_solid = self.asperity_coefficient(case.model.boundary_friction);
+        let solid = pressed.solids.as_ref().map(|solids| &solids.pressure);
+        let fluid = pressed.fluid.iter().enumerate();
+        fluid
+            .map(|(i, f)| {
+                sign * (mu_solid * solid.map_or(0.0, |solid| solid[i]) + self.friction.mu * f)
+            })
+            .collect()
+    }
+
+    /// Mean friction coefficient of the asperities, with the coefficient `boundary` of the boundary layer.
+    pub fn asperity_coefficient(&self, boundary: f64) -> f64 {
+        self.boundary_part * boundary + (1.0 - self.boundary_part) * self.lubricated_coefficient
+    }
+}
+
+/// Numbers of a rough contact.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ContactNumbers {
+    pub contact_fraction: f64,
+    pub p_max: f64,
+    /// Plastic work \[J/m\].
+    pub plastic_work: f64,
+    pub iterations: usize,
+    pub load_error: f64,
+    pub duality_gap: f64,
+}

@@ -1,0 +1,43 @@
+//! The records that a case asks for.
+
+use super::chosen_laws::ChosenLaws;
+use super::formula_film::FormulaFilm;
+use super::friction;
+use crate::case::{FullFilmName, LoadedCase};
+use crate::error::PositionError;
+use crate::mesh::MeshPosition;
+use crate::records::PathRecords;
+
+/// Records of mixed lubrication along `positions`, where the load share or the full film asks for them, and how
+/// many of them `progress` counts before the positions.
+///
+/// # Errors
+/// When a record has no solution.
+pub(crate) fn records_of(
+    loaded: &LoadedCase,
+    laws: &ChosenLaws,
+    positions: &[MeshPosition],
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<(Option<PathRecords>, usize), PositionError> {
+    let case = &loaded.case;
+    let is_film = case.model.full_film == FullFilmName::EhlTransient;
+    if !laws.load_share.needs_records() && !is_film {
+        return Ok((None, 0));
+    }
+    let smooth = |position: &MeshPosition| match case.model.film_friction.shear_law() {
+        Some(_) if case.laws.friction.is_none() => {
+            let film = FormulaFilm::of(case, position)?;
+            friction::smooth(case, laws, &loaded.surfaces, (position, &film)).map(Some)
+        }
+        _ => Ok(None),
+    };
+    let count = PathRecords::count(loaded, positions);
+    let shown = |done: usize, missing: usize| {
+        progress(count - missing + done, count + positions.len());
+    };
+    let Some(records) = PathRecords::solve(loaded, positions, &smooth, &shown)? else {
+        return Ok((None, 0));
+    };
+    records.cite();
+    Ok((Some(records), count))
+}

@@ -1,0 +1,37 @@
+//! Rolling friction at a mesh position.
+
+use asperity_efficiency::RollingSurfaces;
+use asperity_tribo_friction::{RollingConditions, rolling_force};
+
+use super::formula_film::FormulaFilm;
+use super::friction::hysteresis_force;
+use crate::case::{Case, Formulation};
+use crate::error::PositionError;
+use crate::mesh::MeshPosition;
+
+/// Rolling friction force per metre of contact line on one surface \[N/m\], hysteresis of the steel included.
+pub(crate) fn rolling(
+    case: &Case,
+    position: &MeshPosition,
+    film: &FormulaFilm,
+) -> Result<f64, PositionError> {
+    let film = rolling_force(&RollingConditions {
+        entrainment: position.motion.entrainment,
+        radius: position.motion.radius,
+        load: position.load,
+        modulus: case.modulus,
+        viscosity: case.oil.dynamic_viscosity,
+        pressure_viscosity: case.oil.pressure_viscosity,
+        thermal_factor: film.thermal_reduction,
+    })?;
+    let surfaces = rolling_surfaces(case);
+    Ok(film.si() + hysteresis_force(case, position) / surfaces.count())
+}
+
+/// Surfaces on which rolling friction is counted: the paper counts it on one.
+pub(crate) fn rolling_surfaces(case: &Case) -> RollingSurfaces {
+    match case.formulation {
+        Formulation::Corrected => RollingSurfaces::Both,
+        Formulation::Paper => RollingSurfaces::One,
+    }
+}

@@ -1,0 +1,151 @@
+//! Film and rough contact of one mesh position: the load share at any offset.
+
+use asperity_core::Checked;
+use asperity_core::line_contact::LineContact;
+use asperity_core::quantity::Length;
+use asperity_ehl_regime::inlet_flow::Lay;
+
+use super::chosen_laws::ChosenLaws;
+use super::formula_film::FormulaFilm;
+use crate::case::{Case, Formulation};
+use crate::contacts::{WindowContact, rough_window};
+use crate::error::PositionError;
+use crate::flanks::{Surfaces, Texture, Window};
+use crate::mesh::MeshPosition;
+use asperity_mixed_film::{
+    AttenuatedTraces, ContactTable, LoadShareSettings, LoadShareSolution, PositionFilm, SmoothFilm,
+};
+
+/// Film of a position with the traces as its inlet leaves them.
+pub(crate) struct RoughFilm<'a> {
+    case: &'a Case,
+    contact: LineContact,
+    film: PositionFilm<'a>,
+    surfaces: Surfaces,
+    /// Both whole traces, once a window was cut from them.
+    traces: Option<AttenuatedTraces>,
+}
+
+impl<'a> RoughFilm<'a> {
+    /// The film at `position`, where the law of the load share asks for the rough contact and both flanks are
+    /// measured.
+    pub(crate) fn at(
+        case: &'a Case,
+        laws: &ChosenLaws,
+        surfaces: &Surfaces,
+        (position, film): (&MeshPosition, &FormulaFilm),
+    ) -> Result<Option<Self>, PositionError> {
+        let Some(supply) = laws
+            .load_share
+            .supply()
+            .filter(|_| is_asked_for(case, laws, surfaces))
+        else {
+            return Ok(None);
+        };
+        let Some(rheology) = &case.rheology else {
+            return Ok(None);
+        };
+        let model = &case.model;
+        let settings = LoadShareSettings {
+            boundary_friction: model.boundary_friction,
+            boundary_layer: model.boundary_layer,
+            lay: surfaces.lay(model.lay)?,
+            film_law: model.film,
+            thermal: model.thermal,
+            central_film: model.central_film,
+            supply,
+            spot_speed: model.spot_speed,
+            share_factor: model.asperity_share_factor,
+            ..LoadShareSettings::default()
+        };
+        let contact = position.line_contact(case.modulus, case.materials);
+        let smooth = SmoothFilm {
+            central: film.film.central,
+            thermal_factor: film.thermal_reduction,
+        };
+        let film =
+            PositionFilm::with_film(rheology, &contact, case.temperature, &settings, smooth)?;
+        Ok(Some(Self {
+            case,
+            contact,
+            film,
+            surfaces: surfaces.clone(),
+            traces: None,
+        }))
+    }
+
+    /// Standard deviation of the attenuated windows.
+    fn window_rms(&mut self, window: Window) -> Result<Length, PositionError> {
+        let nabla = self.film.nabla_per_length();
+        let whole = &mut self.traces;
+        self.surfaces
+            .window_rms((window.starts, window.points), nabla, whole)
+    }
+
+    /// Load share and friction of a window; its contact is solved and stored unless the window stays apart. `composite`
+    /// gives the sum of the heights.
+    ///
+    /// # Errors
+    /// When the contact has no solution.
+    pub(crate) fn share(
+        &mut self,
+        contact: &WindowContact,
+        window: Window,
+        composite: impl Fn() -> Result<(Vec<f64>, Length), PositionError>,
+    ) -> Result<Checked<LoadShareSolution>, PositionError> {
+        let rms = self.window_rms(window)?;
+        if let Some(table) = contact.table.get() {
+            return Ok(self.film.share(table, rms)?);
+        }
+        let solver = || {
+            let (heights, spacing) = composite()?;
+            rough_window(self.case, &self.contact, &heights, spacing)
+        };
+        let mut rough = None;
+        let first_touch = match contact.first_touch.get() {
+            Some(known) => *known,
+            None => {
+                let solver = rough.insert(solver()?);
+                *contact.first_touch.get_or_init(|| solver.first_touch_gap())
+            }
+        };
+        let mut rough = match rough {
+            Some(rough) => rough,
+            None => solver()?,
+        };
+        if let Some(apart) = self.film.share_apart(first_touch, rms)? {
+            return Ok(apart);
+        }
+        let table = ContactTable::build(&mut rough)?;
+        Ok(self.film.share(contact.table.get_or_init(|| table), rms)?)
+    }
+}
+
+/// Whether the load share of the case looks at the rough contact.
+pub(crate) fn is_asked_for(case: &Case, laws: &ChosenLaws, surfaces: &Surfaces) -> bool {
+    laws.load_share.supply().is_some()
+        && case.rheology.is_some()
+        && surfaces.are_measured()
+        && case.formulation != Formulation::Paper
+}
+
+impl Surfaces {
+    /// Lay of both flanks together.
+    fn lay(&self, lays: [Lay; 2]) -> Result<Lay, PositionError> {
+        let rq = |texture: &Texture| match texture {
+            Texture::Trace(profile) => {
+                let z = profile.heights();
+                let n = z.len() as f64;
+                let mean = z.iter().sum::<f64>() / n;
+                let square = z.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / n;
+                Length::from_si(square.sqrt())
+            }
+            Texture::Values { rq, .. } => Length::from_si(*rq),
+        };
+        if lays[0] == lays[1] {
+            return Ok(lays[0]);
+        }
+        let [first, second] = self.textures();
+        Ok(Lay::of_pair(lays, [rq(first), rq(second)])?)
+    }
+}

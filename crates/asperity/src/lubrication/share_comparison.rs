@@ -1,0 +1,260 @@
+//! Laws of load sharing beside the referee, at one place and over the same traces.
+
+use asperity_contact::SolverSettings;
+use asperity_core::Profile;
+use asperity_core::quantity::{Length, Pressure};
+use asperity_ehl::Record;
+use asperity_ehl_regime::published_shares::masjedi_khonsari;
+use asperity_ehl_regime::{Lay, LoadShareLaw, TraceSpectrum};
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::chosen_laws::ChosenLaws;
+use super::decision::lambda_star_of;
+use super::formula_film::FormulaFilm;
+use crate::case::LoadedCase;
+use crate::flanks::{Roughness, Surfaces, Texture};
+use crate::reference_solution::{RefereeContact, RefereeError, rheology};
+use asperity_mixed_film::{
+    AttenuatedTraces, ContactTable, InletSupply, LoadShareSettings, LoadShareSolution,
+    PositionFilm, RoughContact, RoughWindow, SmoothFilm,
+};
+
+/// Windows of the traces that the laws are averaged over.
+const WINDOWS: usize = 8;
+/// Half width of a window in Hertz half-widths.
+const HALF_WINDOW: f64 = 3.0;
+/// The golden section, as the offsets of a run are spread.
+const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
+
+/// Solid share of one law.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LawShare {
+    /// Name of the law as in a case file.
+    pub law: &'static str,
+    /// Share of the load on the asperities; none where the law has no answer.
+    pub solid_share: Option<f64>,
+    /// Solid share minus that of the referee.
+    pub minus_referee: Option<f64>,
+    /// Mean gap of the flanks \[µm\], of laws that solve for it.
+    pub mean_gap_um: Option<f64>,
+    /// Friction coefficient, of laws that solve for it.
+    pub friction: Option<f64>,
+}
+
+/// The laws beside the referee.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ShareComparison {
+    /// Solid share of the referee that the laws are compared with: mean of the loads below 20 and 50 nm.
+    pub referee_share: f64,
+    /// Mean film of the referee \[µm\].
+    pub referee_mean_film_um: f64,
+    /// Friction of the reference solution with the weight of the laws, e^(−h/h_b), on its boundary friction.
+    pub referee_friction: Option<f64>,
+    /// Friction of the reference solution with whole boundary friction on its contact nodes.
+    pub referee_friction_shifted: Option<f64>,
+    /// Windows that the laws are averaged over.
+    pub windows: usize,
+    /// The laws.
+    pub laws: Vec<LawShare>,
+}
+
+/// Solution of a window by the laws that solve for it.
+struct Window {
+    roughness: Roughness,
+    solved: LoadShareSolution,
+    smooth_supply: LoadShareSolution,
+}
+
+/// Sets the laws of load sharing beside `record` of `contact`.
+///
+/// # Errors
+/// When a window leaves its trace, a rough contact does not converge or a law refuses the numbers.
+pub fn shares(
+    loaded: &LoadedCase,
+    contact: &RefereeContact,
+    record: &Record,
+) -> Result<ShareComparison, RefereeError> {
+    let windows = windows(loaded, contact)?;
+    let mean =
+        |of: &dyn Fn(&Window) -> f64| windows.iter().map(of).sum::<f64>() / windows.len() as f64;
+    let referee_share = referee_share(record);
+    let row = |law, share: Option<f64>, gap, friction| LawShare {
+        law,
+        solid_share: share,
+        minus_referee: share.map(|share| share - referee_share),
+        mean_gap_um: gap,
+        friction,
+    };
+    let solved = |law, of: &dyn Fn(&Window) -> LoadShareSolution| {
+        row(
+            law,
+            Some(mean(&|w| of(w).asperity_share)),
+            Some(mean(&|w| of(w).mean_gap.si() * 1e6)),
+            Some(mean(&|w| of(w).coefficient)),
+        )
+    };
+    let by_law = |law: LoadShareLaw| mean_share(loaded, contact, &windows, law);
+    Ok(ShareComparison {
+        referee_share,
+        referee_mean_film_um: record.mean_film.mean * 1e6,
+        referee_friction: record.friction.map(|friction| friction.graded.mean),
+        referee_friction_shifted: record.friction.map(|friction| friction.shifted.mean),
+        windows: windows.len(),
+        laws: vec![
+            solved("solved", &|w| w.solved),
+            row("lambda-star", by_law(LoadShareLaw::LambdaStar)?, None, None),
+            row("zhu-hu", by_law(LoadShareLaw::ZhuHu)?, None, None),
+            row(
+                "masjedi-khonsari",
+                Some(regression(loaded, contact, &windows)?),
+                None,
+                None,
+            ),
+            solved("jgp", &|w| w.smooth_supply),
+        ],
+    })
+}
+
+/// Mean of the loads below 20 and 50 nm: what touches is between the two.
+fn referee_share(record: &Record) -> f64 {
+    let below = |nm: f64| {
+        let same = |film: Length| (film.si() * 1e9 - nm).abs() < 1e-6;
+        record.load_below.iter().find(|below| same(below.film))
+    };
+    match (below(20.0), below(50.0)) {
+        (Some(low), Some(high)) => 0.5 * (low.share.mean + high.share.mean),
+        _ => record.solid_share.mean,
+    }
+}
+
+fn windows(loaded: &LoadedCase, contact: &RefereeContact) -> Result<Vec<Window>, RefereeError> {
+    let case = &loaded.case;
+    let line = contact.position.line_contact(case.modulus, case.materials);
+    let [pinion, wheel] = case.flow_pressure.map(Pressure::si);
+    let [first, second] = &contact.traces;
+    let spacing = first.spacing();
+    let reach = (HALF_WINDOW * (contact.position.hertz.half_width / spacing)).ceil() as usize;
+    let points = 2 * reach + 1;
+    let rheology = rheology(case)?;
+    let model = &case.model;
+    let rms = |trace: &Profile| {
+        let square = trace.heights().iter().map(|z| z * z).sum::<f64>() / trace.len() as f64;
+        Length::from_si(square.sqrt())
+    };
+    let settings = LoadShareSettings {
+        boundary_friction: model.boundary_friction,
+        boundary_layer: model.boundary_layer,
+        lay: Lay::of_pair(model.lay, [rms(first), rms(second)])?,
+        film_law: model.film,
+        thermal: model.thermal,
+        central_film: model.central_film,
+        spot_speed: model.spot_speed,
+        share_factor: model.asperity_share_factor,
+        ..LoadShareSettings::default()
+    };
+    let formula = FormulaFilm::of(case, &contact.position)?;
+    let central = SmoothFilm {
+        central: formula.film.central,
+        thermal_factor: formula.thermal_reduction,
+    };
+    let smooth = LoadShareSettings {
+        supply: InletSupply::Smooth,
+        ..settings
+    };
+    let film =
+        |settings| PositionFilm::with_film(&rheology, &line, case.temperature, settings, central);
+    let spectrum = |k: usize| TraceSpectrum::new(contact.traces[k].heights(), spacing);
+    let spectra = [spectrum(0)?, spectrum(1)?];
+    let attenuated = AttenuatedTraces::new(
+        [&spectra[0], &spectra[1]],
+        film(&settings)?.nabla_per_length(),
+    )?;
+    let surfaces = Surfaces::new(
+        contact.traces.clone().map(Texture::Trace),
+        case.preparation.lambda_s,
+        loaded.surfaces.same_trace,
+    );
+    (0..WINDOWS)
+        .into_par_iter()
+        .map(|k| {
+            let place = |part: f64, length: usize| {
+                (part * length.saturating_sub(points) as f64).round() as usize
+            };
+            let starts = [
+                place((k as f64 + 0.5) / WINDOWS as f64, first.len()),
+                place((0.5 + k as f64 * GOLDEN_SECTION).fract(), second.len()),
+            ];
+            let rms = attenuated.window_rms(starts, points)?;
+            let cut = |k: usize| {
+                let heights = &contact.traces[k].heights()[starts[k]..starts[k] + points];
+                Profile::new(spacing, heights.to_vec())
+            };
+            let flanks = [cut(0)?, cut(1)?];
+            let sum = flanks[0].heights().iter().zip(flanks[1].heights());
+            let composite: Vec<f64> = sum.map(|(a, b)| a + b).collect();
+            let mut rough = RoughContact::new(&RoughWindow {
+                composite: &composite,
+                spacing,
+                load: line.load,
+                radius: line.radius,
+                modulus: line.modulus,
+                flow_pressure: Pressure::from_si(pinion.min(wheel)),
+                settings: SolverSettings {
+                    tolerance: case.model.tolerance,
+                    ..SolverSettings::default()
+                },
+            })?;
+            let table = ContactTable::build(&mut rough)?;
+            Ok(Window {
+                roughness: surfaces.roughness_of(&flanks)?,
+                solved: film(&settings)?.share(&table, rms)?.value,
+                smooth_supply: film(&smooth)?.share(&table, rms)?.value,
+            })
+        })
+        .collect()
+}
+
+/// Mean solid share of a law of Λ* or of the classical film ratio; none where a window has no Λ* to decide by.
+fn mean_share(
+    loaded: &LoadedCase,
+    contact: &RefereeContact,
+    windows: &[Window],
+    law: LoadShareLaw,
+) -> Result<Option<f64>, RefereeError> {
+    let laws = ChosenLaws::of(&loaded.case);
+    let position = &contact.position;
+    let film = FormulaFilm::of(&loaded.case, position)?.film;
+    let mut sum = 0.0;
+    for window in windows {
+        let combined = window.roughness.combined_rq()?;
+        let ratio = asperity_ehl_regime::film_ratio(film.minimum, 1.0, combined)?;
+        let Some(lambda) = lambda_star_of(&laws, position, &film, &window.roughness)? else {
+            return Ok(None);
+        };
+        sum += 1.0 - law.film_share(lambda, ratio)?;
+    }
+    Ok(Some(sum / windows.len() as f64))
+}
+
+fn regression(
+    loaded: &LoadedCase,
+    contact: &RefereeContact,
+    windows: &[Window],
+) -> Result<f64, RefereeError> {
+    let case = &loaded.case;
+    let [pinion, wheel] = case.flow_pressure.map(Pressure::si);
+    let film = FormulaFilm::of(case, &contact.position)?.conditions;
+    let mut sum = 0.0;
+    for window in windows {
+        sum += masjedi_khonsari(
+            &film.line_groups()?,
+            window.roughness.combined_rq()?,
+            film.radius,
+            Pressure::from_si(pinion.min(wheel)),
+            film.modulus,
+        )?
+        .value;
+    }
+    Ok(sum / windows.len() as f64)
+}

@@ -1,0 +1,405 @@
+//! One mesh position at one operating point: film, load share and friction of every window.
+
+use asperity_contact::{ContactSolution, ContactWarning};
+use asperity_core::Checked;
+use asperity_core::cancel::checkpoint;
+use asperity_core::quantity::Length;
+use asperity_ehl_regime::Regime;
+use asperity_mixed_film::LoadShareSolution;
+
+use super::chosen_laws::ChosenLaws;
+use super::decision::{Decision, decide};
+use super::formula_film::FormulaFilm;
+use super::friction::{self, InFilm, Rubbing};
+use super::full_film::FullFilm;
+use super::full_film_solution::full_film_at;
+use super::plausibility::{check_film, check_position};
+use super::position::{ContactNumbers, LubricatedPosition, LubricatedWindow};
+use super::rough_film::RoughFilm;
+use crate::case::{Case, Formulation, FullFilmName};
+use crate::contacts::{Pressed, Pressing, WindowContact, full_film};
+use crate::error::PositionError;
+use crate::flanks::{Roughness, Surfaces, Window, WindowPair};
+use crate::mesh::MeshPosition;
+use crate::paper::{self, PrintedDeformation};
+use crate::records::{PathRecords, RecordedShare};
+
+/// Regime and load share in one window.
+struct Decided {
+    /// The rough contact at its share, if the load share depends on it.
+    share: Option<Checked<LoadShareSolution>>,
+    /// Heights of the window, if the load share depends on them.
+    pair: Option<WindowPair>,
+    decision: Decision,
+}
+
+/// Everything that is the same at all positions.
+#[derive(Clone, Copy)]
+pub(crate) struct Lubrication<'a> {
+    pub case: &'a Case,
+    pub laws: &'a ChosenLaws,
+    pub surfaces: &'a Surfaces,
+    /// Records of mixed lubrication along the path.
+    pub records: Option<&'a PathRecords>,
+}
+
+impl Lubrication<'_> {
+    /// Film, load share and friction at `at` in every window of `contacts`.
+    ///
+    /// # Errors
+    /// When a law refuses the numbers, a contact has no solution, or a number is physically impossible.
+    pub(crate) fn position(
+        &self,
+        at: &MeshPosition,
+        contacts: &[WindowContact],
+    ) -> Result<LubricatedPosition, PositionError> {
+        let film = FormulaFilm::of(self.case, at)?;
+        check_film(&film.film)?;
+        let smooth = self.smooth_friction((at, &film))?;
+        let records = self
+            .records
+            .filter(|_| self.laws.load_share.needs_records());
+        let recorded = records.map(|records| records.at(at.s, smooth));
+        let mut position = LubricatedPosition {
+            offsets: Vec::with_capacity(contacts.len()),
+            full_film: None,
+            doubts: Vec::new(),
+            pressed: None,
+            at: at.clone(),
+            film: film.clone(),
+        };
+        let mut film_alone = None;
+        for (k, decided) in self.decided((at, &film), contacts, recorded).enumerate() {
+            let contact = &contacts[k];
+            let Decided {
+                share,
+                pair,
+                decision,
+            } = decided?;
+            let is_full = self.is_full_film(&decision);
+            if is_full && position.full_film.is_none() {
+                position.full_film = full_film_at(self.case, (at, &film), self.records, smooth)?;
+            }
+            let solved = position.full_film.as_ref().filter(|_| is_full);
+            let friction = self.in_film(
+                (at, &film),
+                &contact.roughness,
+                &decision,
+                (solved, share.as_ref()),
+                &mut film_alone,
+            )?;
+            let shared = &decision.shared;
+            let share = share.map(|share| share.value);
+            let mut offset = LubricatedWindow {
+                roughness: contact.roughness,
+                lambda_star: decision.lambda_star,
+                film_ratio: decision.film_ratio,
+                regime: decision.regime,
+                film_share: shared.film_share,
+                boundary_part: shared.boundary_part,
+                lubricated_coefficient: shared.lubricated_coefficient,
+                solved: share,
+                recorded,
+                friction,
+                rubbing: Rubbing::of_share(self.case, at, shared),
+                friction_force: 0.0,
+                flash: 0.0,
+                contact: share
+                    .filter(|share| share.asperity_share > 0.0)
+                    .map(|share| numbers_of_share(&share, self.case.model.window)),
+                deformation: PrintedDeformation::default(),
+            };
+            if let Some(pair) = pair.filter(|_| self.case.formulation == Formulation::Paper) {
+                let fluid = is_full
+                    .then(|| position.film_pressure(&pair.x))
+                    .transpose()?;
+                let pressed = match fluid {
+                    Some(fluid) => full_film(fluid),
+                    None => paper::march(self.case, at, &pair)
+                        .map_err(|error| error.keeping(&pair.x, &pair.gap))?,
+                };
+                self.take_pressures(at, &pair, &pressed, &mut offset)?;
+                position.doubts.extend(doubts(&pressed));
+                position.pressed.get_or_insert(pressed);
+            }
+            offset.friction_force = offset.rubbing.force(offset.friction.mu);
+            offset.flash = friction::flash(self.case, at, offset.friction_force / at.load.si())?;
+            position.offsets.push(offset);
+        }
+        check_position(&position)?;
+        Ok(position)
+    }
+
+    /// Regime and load share in every window, solved in order.
+    fn decided<'b>(
+        &'b self,
+        of_position: (&'b MeshPosition, &'b FormulaFilm),
+        contacts: &'b [WindowContact],
+        recorded: Option<RecordedShare>,
+    ) -> impl Iterator<Item = Result<Decided, PositionError>> + use<'b> {
+        let at = of_position.0;
+        let count = contacts.len();
+        let mut rough_film = None;
+        contacts.iter().enumerate().map(move |(k, contact)| {
+            checkpoint()?;
+            if self.surfaces.begins_a_pair(k, count) {
+                let (of_pair, ..) = self.surfaces.met(at.zone, k, count);
+                rough_film = RoughFilm::at(self.case, self.laws, of_pair, of_position)?;
+            }
+            let share = match (&mut rough_film, contact.window) {
+                (Some(film), Some(window)) => {
+                    let heights = || self.composite(at, window, (k, count));
+                    let share = film.share(contact, window, heights);
+                    Some(share.map_err(|error| self.keeping(error, at, contact, (k, count)))?)
+                }
+                _ => None,
+            };
+            let pair = match self.looks_at_heights() {
+                true => self.pair(at, contact, (k, count))?,
+                false => None,
+            };
+            if pair.is_none() && self.case.formulation == Formulation::Paper {
+                return Err(PositionError::NoProfile);
+            }
+            let decision = decide(
+                self.case,
+                self.laws,
+                of_position,
+                &contact.roughness,
+                pair.as_ref(),
+                share.as_ref().map(|share| &share.value),
+                recorded.as_ref(),
+            )?;
+            Ok(Decided {
+                share,
+                pair,
+                decision,
+            })
+        })
+    }
+
+    /// Film by the formulas with regime and load share in every window, without friction.
+    ///
+    /// # Errors
+    /// As [`position`](Self::position).
+    pub(crate) fn decisions(
+        &self,
+        at: &MeshPosition,
+        contacts: &[WindowContact],
+    ) -> Result<(FormulaFilm, Vec<Decision>), PositionError> {
+        let film = FormulaFilm::of(self.case, at)?;
+        check_film(&film.film)?;
+        let records = self
+            .records
+            .filter(|_| self.laws.load_share.needs_records());
+        let recorded = records.map(|records| records.at(at.s, None));
+        let decisions = self
+            .decided((at, &film), contacts, recorded)
+            .map(|decided| Ok(decided?.decision))
+            .collect::<Result<_, PositionError>>()?;
+        Ok((film, decisions))
+    }
+
+    /// Solves the rough contact of every window whose load share did not: its numbers, for the result and for the
+    /// plastic work of running-in.
+    ///
+    /// # Errors
+    /// When a contact has no solution.
+    pub(crate) fn press(
+        &self,
+        position: &mut LubricatedPosition,
+        contacts: &[WindowContact],
+    ) -> Result<(), PositionError> {
+        let count = contacts.len();
+        for (k, contact) in contacts.iter().enumerate() {
+            if position.offsets[k].solved.is_some() || position.offsets[k].contact.is_some() {
+                continue;
+            }
+            checkpoint()?;
+            let Some(pair) = self.pair(&position.at, contact, (k, count))? else {
+                continue;
+            };
+            let pressed = self.pressed(position, k, &pair)?;
+            position.doubts.extend(doubts(&pressed));
+            position.offsets[k].contact = numbers(&pressed);
+        }
+        Ok(())
+    }
+
+    /// Pressures of film and solids in window `k` of a solved position.
+    ///
+    /// # Errors
+    /// When the contact has no solution.
+    pub(crate) fn pressed(
+        &self,
+        position: &LubricatedPosition,
+        k: usize,
+        pair: &WindowPair,
+    ) -> Result<Pressed, PositionError> {
+        let film_share = position.offsets[k].film_share;
+        if film_share >= 1.0 {
+            return position.film_pressure(&pair.x).map(full_film);
+        }
+        let pressing = Pressing {
+            case: self.case,
+            position: &position.at,
+            pair,
+            film_share,
+        };
+        let pressed = pressing.solve();
+        pressed.map_err(|error| error.keeping(&pair.x, &pair.gap))
+    }
+
+    /// Friction, film share and deformation loss of one window from the pressures of the paper's march.
+    fn take_pressures(
+        &self,
+        at: &MeshPosition,
+        pair: &WindowPair,
+        pressed: &Pressed,
+        offset: &mut LubricatedWindow,
+    ) -> Result<(), PositionError> {
+        offset.rubbing = Rubbing::of_pressures(self.case, pair.spacing, pressed)?;
+        if pressed.solids.is_some() {
+            // Marching does not know Λ*: its film carries what is left to it.
+            offset.film_share = offset.rubbing.film_load / at.load.si();
+        }
+        let shear = offset.shear(self.case, at, pressed);
+        offset.deformation = paper::printed_deformation_of(self.case, at, pair, pressed, &shear)?;
+        offset.contact = numbers(pressed);
+        Ok(())
+    }
+
+    /// Heights and gap of a window; `None` where no window is resolved.
+    pub(crate) fn pair(
+        &self,
+        at: &MeshPosition,
+        contact: &WindowContact,
+        offset: (usize, usize),
+    ) -> Result<Option<WindowPair>, PositionError> {
+        let Some(window) = contact.window else {
+            return Ok(None);
+        };
+        let flanks = window.cut(self.surfaces, at, offset)?;
+        WindowPair::new(flanks, at, self.case.modulus).map(Some)
+    }
+
+    /// The error with the gap of its window, if the contact did not converge.
+    fn keeping(
+        &self,
+        error: PositionError,
+        at: &MeshPosition,
+        contact: &WindowContact,
+        offset: (usize, usize),
+    ) -> PositionError {
+        match self.pair(at, contact, offset) {
+            Ok(Some(pair)) => error.keeping(&pair.x, &pair.gap),
+            _ => error,
+        }
+    }
+
+    /// Sum of the heights of both flanks in a window \[m\], and the distance of its points.
+    fn composite(
+        &self,
+        at: &MeshPosition,
+        window: Window,
+        offset: (usize, usize),
+    ) -> Result<(Vec<f64>, Length), PositionError> {
+        let [first, second] = window.cut(self.surfaces, at, offset)?;
+        let pairs = first.heights().iter().zip(second.heights());
+        Ok((pairs.map(|(a, b)| a + b).collect(), first.spacing()))
+    }
+
+    /// Whether the load share depends on the heights of a window: the paper's, and any user-defined law may.
+    fn looks_at_heights(&self) -> bool {
+        self.case.formulation == Formulation::Paper || self.case.laws.load_share.is_some()
+    }
+
+    fn is_full_film(&self, decision: &Decision) -> bool {
+        match self.case.formulation {
+            Formulation::Corrected => decision.shared.film_share >= 1.0,
+            Formulation::Paper => decision.regime == Regime::FullFilm,
+        }
+    }
+
+    /// Friction in the film: that of the full film or of the load share if these solve for it, else by the law. The
+    /// friction of a film without asperities does not depend on the roughness: all offsets take it from the first one.
+    fn in_film(
+        &self,
+        position: (&MeshPosition, &FormulaFilm),
+        roughness: &Roughness,
+        decision: &Decision,
+        (full_film, share): (Option<&FullFilm>, Option<&Checked<LoadShareSolution>>),
+        film_alone: &mut Option<InFilm>,
+    ) -> Result<InFilm, PositionError> {
+        let case = self.case;
+        let by_full_film = full_film.and_then(|film| film.coefficient);
+        match by_full_film.or(decision.shared.film_coefficient) {
+            Some(mu) if self.is_film_alone() => Ok(InFilm {
+                mu: case.model.friction_scale * mu,
+                outside: share.map(|share| share.outside.clone()).unwrap_or_default(),
+            }),
+            _ => {
+                if let Some(known) = film_alone.as_ref().filter(|_| self.is_film_alone()) {
+                    return Ok(known.clone());
+                }
+                let law = self.laws.friction.as_ref();
+                let by_law = friction::in_film(case, law, position, roughness)?;
+                Ok(film_alone.insert(by_law).clone())
+            }
+        }
+    }
+
+    /// Whether the film friction of the case is that of a film without asperities, which a solved film can replace.
+    fn is_film_alone(&self) -> bool {
+        let case = self.case;
+        case.laws.friction.is_none() && case.model.film_friction.shear_law().is_some()
+    }
+
+    /// Friction coefficient of the smooth film, where records or a full film are compared with it.
+    fn smooth_friction(
+        &self,
+        position: (&MeshPosition, &FormulaFilm),
+    ) -> Result<Option<f64>, PositionError> {
+        let is_compared =
+            self.records.is_some() || self.case.model.full_film != FullFilmName::Formulas;
+        match is_compared && self.is_film_alone() {
+            true => friction::smooth(self.case, self.laws, self.surfaces, position).map(Some),
+            false => Ok(None),
+        }
+    }
+}
+
+/// Doubts about the solution of a rough contact.
+pub(crate) fn doubts(pressed: &Pressed) -> Vec<ContactWarning> {
+    let solids = pressed.solids.iter();
+    solids.flat_map(ContactSolution::warnings).collect()
+}
+
+/// Numbers of a solved contact; `None` where the flanks do not touch.
+pub(crate) fn numbers(pressed: &Pressed) -> Option<ContactNumbers> {
+    let solids = pressed.solids.as_ref()?;
+    Some(ContactNumbers {
+        contact_fraction: solids.contact_fraction,
+        p_max: pressed.highest(),
+        plastic_work: solids.dissipated.si(),
+        iterations: solids.iterations,
+        // Marching stops short of the load; its last step reports by how much.
+        load_error: match pressed.history.last() {
+            Some(step) => step.load_error,
+            None => solids.certificate.load_error,
+        },
+        duality_gap: solids.certificate.duality_gap,
+    })
+}
+
+/// Numbers of a contact known by its table, in a window of `window` half-widths to each side.
+fn numbers_of_share(share: &LoadShareSolution, window: f64) -> ContactNumbers {
+    ContactNumbers {
+        contact_fraction: share.area / window,
+        p_max: share.max_pressure.si(),
+        plastic_work: share.dissipated.si(),
+        iterations: share.evidence.share.iterations,
+        load_error: share.evidence.load_error,
+        duality_gap: share.evidence.duality_gap,
+    }
+}

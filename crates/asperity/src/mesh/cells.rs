@@ -1,0 +1,116 @@
+//! Places along the path of contact that represent the mesh.
+//!
+//! The path is cut into cells with one contact each. The friction coefficient of a cell times its share of
+//! the loss factor is its sliding power, so that a constant coefficient gives μ H_V exactly. The paper takes a
+//! single place for the whole mesh.
+
+use asperity_core::quantity::{Length, LineLoad};
+use asperity_gear::{LoadCell, LoadMap};
+
+use super::mesh_position::Resolution;
+use crate::case::{Case, Formulation};
+use crate::error::PositionError;
+
+/// A place on the path of contact that represents a part of the mesh.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Place {
+    /// Coordinate along the line of action from T₁.
+    pub s: Length,
+    /// Load per length of contact line.
+    pub load: LineLoad,
+    /// Weight in the cycle mean: the loaded length of contact line.
+    pub weight: Length,
+    /// Mean of f |V_s| over that length, over the same at the place itself.
+    pub sliding_factor: f64,
+    /// Whether the rough contact must be resolved.
+    pub resolution: Resolution,
+    /// Zone of the face that it represents.
+    pub zone: usize,
+}
+
+impl Place {
+    /// A place that is shown and has no weight, under the mean load over the face.
+    pub(super) fn shown(
+        map: &LoadMap,
+        s: Length,
+        resolution: Resolution,
+    ) -> Result<Self, PositionError> {
+        Ok(Self {
+            s,
+            load: map.mean_line_load(s)?,
+            weight: Length::from_si(0.0),
+            sliding_factor: 1.0,
+            resolution,
+            zone: 0,
+        })
+    }
+}
+
+/// Share of the sliding power below which a cell stops no run.
+const LIGHT_CELL: f64 = 0.01;
+/// Share of the sliding power that the lightest cells may have together.
+const LIGHT_CELLS: f64 = 0.02;
+
+/// The places of a case under the load of `map`.
+pub(super) fn places(case: &Case, map: &LoadMap) -> Result<Vec<Place>, PositionError> {
+    match case.formulation {
+        Formulation::Corrected => along_path(case, map),
+        Formulation::Paper => single(case, map).map(|place| vec![place]),
+    }
+}
+
+/// One place for each cell of the path.
+fn along_path(case: &Case, map: &LoadMap) -> Result<Vec<Place>, PositionError> {
+    let width = case.gears.face_width;
+    let edges: Vec<_> = case.face_zones.iter().map(|edge| width * *edge).collect();
+    let cells = map.cells_in_zones(case.model.positions, &edges)?;
+    let light = lightly_loaded(&cells);
+    let power = case.torque.si().abs() * case.speed.si();
+    cells
+        .iter()
+        .zip(light)
+        .map(|(cell, is_light)| {
+            let sliding = case.gears.kinematics(cell.s, case.speed)?.sliding.si();
+            let at_its_place = cell.contact_length.si() * cell.load.si() * sliding.abs();
+            Ok(Place {
+                s: cell.s,
+                load: cell.load,
+                weight: cell.contact_length,
+                sliding_factor: cell.loss_factor * power / at_its_place,
+                resolution: match is_light {
+                    true => Resolution::WhereFine,
+                    false => Resolution::Required,
+                },
+                zone: cell.zone,
+            })
+        })
+        .collect()
+}
+
+/// The single place of the paper, whose weight is the mean loaded length of contact line.
+fn single(case: &Case, map: &LoadMap) -> Result<Place, PositionError> {
+    let path = case.gears.path();
+    let s = path.a + (path.e - path.a) * case.model.position;
+    let place = Place::shown(map, s, Resolution::Required)?;
+    Ok(Place {
+        weight: case.gears.single_position(s)?.weight,
+        ..place
+    })
+}
+
+/// Cells that contribute so little of the loss that their contact may go unresolved.
+///
+/// Zones of the face divide a cell of the path, and with it what is little.
+fn lightly_loaded(cells: &[LoadCell]) -> Vec<bool> {
+    let zones = cells.iter().map(|cell| cell.zone + 1).max().unwrap_or(1);
+    let mut order: Vec<usize> = (0..cells.len()).collect();
+    order.sort_by(|&i, &j| cells[i].sliding_share.total_cmp(&cells[j].sliding_share));
+    let mut light = vec![false; cells.len()];
+    let mut together = 0.0;
+    for index in order {
+        let share = cells[index].sliding_share;
+        together += share;
+        light[index] = share * (zones as f64) < LIGHT_CELL || together <= LIGHT_CELLS;
+    }
+    light
+}

@@ -1,0 +1,96 @@
+//! The mesh without roughness and oil: positions along the path of contact with load, speeds and Hertz contact.
+
+mod cells;
+mod mesh_position;
+
+pub use mesh_position::{MeshPosition, Resolution};
+
+use asperity_contact::hertz_line::HertzLine;
+use asperity_core::quantity::Length;
+use asperity_gear::LoadMap;
+
+use self::cells::Place;
+use crate::case::Case;
+use crate::error::PositionError;
+
+/// Load over the flanks and the mesh positions that follow from it.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Mesh {
+    /// Load over the flanks.
+    pub load: LoadMap,
+    /// Positions along the path of contact.
+    pub positions: Vec<MeshPosition>,
+}
+
+impl Mesh {
+    /// The mesh of a case: positions along the path, or the single one of the paper's formulation.
+    ///
+    /// # Errors
+    /// When the gear geometry or the Hertz contact refuses the numbers at a position.
+    ///
+    /// ```
+    /// use asperity::{case, mesh::Mesh};
+    /// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+    /// let mesh = Mesh::of(&case::load(file, None)?.case)?;
+    /// assert!(mesh.positions.iter().all(|position| position.load.si() > 0.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn of(case: &Case) -> Result<Self, PositionError> {
+        Self::under(case, case.load_map()?)
+    }
+
+    /// The mesh positions under a load over the flanks that is known.
+    pub(crate) fn under(case: &Case, load: LoadMap) -> Result<Self, PositionError> {
+        let places = cells::places(case, &load)?;
+        let numbered = places.iter().enumerate();
+        let positions = numbered
+            .map(|(index, place)| position(case, index + 1, place))
+            .collect::<Result<_, _>>()?;
+        Ok(Self { load, positions })
+    }
+
+    /// The points A to E of the path under the mean load over the face, which are in no mean. Left out are points
+    /// that the path does not reach and points at which relief keeps the flanks apart.
+    pub(crate) fn named_points(
+        &self,
+        case: &Case,
+    ) -> Result<Vec<(&'static str, MeshPosition)>, PositionError> {
+        let path = case.gears.path();
+        let mut points = Vec::new();
+        let named = path.named_points().into_iter();
+        for (name, s) in named.filter(|(_, s)| (path.a..=path.e).contains(s)) {
+            let place = Place::shown(&self.load, s, Resolution::WhereFine)?;
+            if place.load.si() > 0.0 {
+                points.push((name, position(case, points.len() + 1, &place)?));
+            }
+        }
+        Ok(points)
+    }
+}
+
+/// Position `number` at a place.
+fn position(case: &Case, number: usize, place: &Place) -> Result<MeshPosition, PositionError> {
+    let Place { s, load, .. } = *place;
+    let motion = case.gears.kinematics(s, case.speed)?;
+    Ok(MeshPosition {
+        number,
+        s,
+        weight: place.weight.si(),
+        sliding_factor: place.sliding_factor,
+        resolution: place.resolution,
+        zone: place.zone,
+        motion,
+        load,
+        hertz: HertzLine::new(load, motion.radius, case.modulus)?,
+    })
+}
+
+/// The position `s` of the path of contact under the mean load over the face: number 1, without weight in a mean.
+///
+/// # Errors
+/// When an equation refuses the numbers there, as where relief keeps the flanks apart.
+pub fn position_at(case: &Case, s: Length) -> Result<MeshPosition, PositionError> {
+    let place = Place::shown(&case.load_map()?, s, Resolution::Required)?;
+    position(case, 1, &place)
+}

@@ -1,0 +1,201 @@
+//! Pictures of one rough contact, computed after the losses: its fields, the stress below it, the flanks facing each
+//! other.
+
+use asperity_contact::ContactWarning;
+use asperity_contact::subsurface::{graded_depths, subsurface_stress};
+use asperity_core::quantity::{Length, Pressure};
+
+use crate::case::{Case, Formulation};
+use crate::contacts::{
+    Displacements, LoadStep, Pressed, Pressing, WindowContact, pressing_history,
+};
+use crate::error::PositionError;
+use crate::flanks::WindowPair;
+use crate::lubrication::{LubricatedPosition, Lubrication, doubts};
+use crate::mesh::MeshPosition;
+use crate::result::{ContactView, HistoryRow, PositionFields, SubsurfaceFields};
+
+/// The contact of one position at its first offset.
+#[derive(Debug, Clone)]
+pub(crate) struct Picture {
+    /// Fields along the contact, if they are requested.
+    pub fields: Option<PositionFields>,
+    /// Largest von Mises stress below the contact, and its depth.
+    pub von_mises: Option<(Pressure, Length)>,
+    /// The flanks facing each other.
+    pub view: ContactView,
+    /// Doubts about the rough contact.
+    pub doubts: Vec<ContactWarning>,
+}
+
+/// Stress below a surface with its largest von Mises stress and the depth of that.
+type Below = (SubsurfaceFields, Option<(Pressure, Length)>);
+
+impl Picture {
+    /// The contact of `position` in its first window, with its fields and the history of its load if these are
+    /// requested; `None` where no window is resolved.
+    ///
+    /// # Errors
+    /// When the contact has no solution.
+    pub(crate) fn of(
+        lubrication: &Lubrication<'_>,
+        position: &LubricatedPosition,
+        contacts: &[WindowContact],
+        with_fields: bool,
+    ) -> Result<Option<Self>, PositionError> {
+        let case = lubrication.case;
+        let Some(first) = contacts.first() else {
+            return Ok(None);
+        };
+        let Some(pair) = lubrication.pair(&position.at, first, (0, contacts.len()))? else {
+            return Ok(None);
+        };
+        let mut pressed = match &position.pressed {
+            Some(pressed) => pressed.clone(),
+            None => lubrication.pressed(position, 0, &pair)?,
+        };
+        let doubts = doubts(&pressed);
+        // The march of the paper records its history; the default solves for the load at once.
+        if with_fields && case.formulation == Formulation::Corrected {
+            let pressing = Pressing {
+                case,
+                position: &position.at,
+                pair: &pair,
+                film_share: position.offsets[0].film_share,
+            };
+            pressed.history = pressing_history(&pressing, &pressed)
+                .map_err(|error| error.keeping(&pair.x, &pair.gap))?;
+        }
+        let (fields, von_mises) = fields(case, position, &pair, pressed)?;
+        Ok(Some(Self {
+            view: view(&fields, &position.at),
+            fields: with_fields.then_some(fields),
+            von_mises,
+            doubts,
+        }))
+    }
+}
+
+/// Fields along a contact with the largest von Mises stress below it and its depth.
+fn fields(
+    case: &Case,
+    position: &LubricatedPosition,
+    pair: &WindowPair,
+    pressed: Pressed,
+) -> Result<(PositionFields, Option<(Pressure, Length)>), PositionError> {
+    let (at, offset) = (&position.at, &position.offsets[0]);
+    let n = pair.x.len();
+    let displacements = match &pressed.solids {
+        Some(solids) => Displacements::new(case, solids)?,
+        None => Displacements::none(n),
+    };
+    let solid = match &pressed.solids {
+        Some(solids) => solids.pressure.clone(),
+        None => vec![0.0; n],
+    };
+    let gap = match (&pressed.solids, &position.full_film) {
+        (Some(solids), _) => solids.gap.clone(),
+        (None, Some(film)) => film.gap_at(&pair.x, at.motion.radius),
+        (None, None) => vec![position.film.shown.central.si(); n],
+    };
+    let shear = offset.shear(case, at, &pressed);
+    let sums = solid.iter().zip(&pressed.fluid).map(|(s, f)| s + f);
+    let total: Vec<f64> = sums.collect();
+    let (subsurface, von_mises) = stress_below(case, at, pair, &total, &shear)?.unzip();
+    let displacement = |body: usize| {
+        let pairs = displacements.elastic[body]
+            .iter()
+            .zip(&displacements.plastic[body]);
+        pairs.map(|(e, p)| e + p).collect()
+    };
+    let fields = PositionFields {
+        position: at.number,
+        x: pair.x.clone(),
+        height_pinion: pair.heights[0].clone(),
+        height_wheel: pair.heights[1].clone(),
+        displacement_pinion: displacement(0),
+        displacement_wheel: displacement(1),
+        plastic_pinion: displacements.plastic[0].clone(),
+        plastic_wheel: displacements.plastic[1].clone(),
+        gap,
+        pressure_solid: solid,
+        pressure_fluid: pressed.fluid,
+        shear,
+        subsurface,
+        history: pressed
+            .history
+            .iter()
+            .enumerate()
+            .map(history_row)
+            .collect(),
+    };
+    Ok((fields, von_mises.flatten()))
+}
+
+fn history_row((index, step): (usize, &LoadStep)) -> HistoryRow {
+    HistoryRow {
+        step: index + 1,
+        approach: step.approach,
+        load_solid: step.load_solid,
+        load_fluid: step.load_fluid,
+        load_error: step.load_error,
+    }
+}
+
+/// The flanks of `fields` facing each other.
+///
+/// The pinion's flank is z₁ = −κ₁ x²/2 + h₁ − δ₁ with its curvature κ₁ = (1/R) ρ₂/(ρ₁ + ρ₂), the wheel's lies the
+/// gap above it; δ is the displacement.
+fn view(fields: &PositionFields, position: &MeshPosition) -> ContactView {
+    let motion = &position.motion;
+    let curvature = motion.rho2 / (motion.rho1 + motion.rho2) / motion.radius.si();
+    let half_width = position.hertz.half_width.si();
+    let height = |i: usize| {
+        let form = 0.5 * curvature * fields.x[i] * fields.x[i];
+        fields.height_pinion[i] - fields.displacement_pinion[i] - form
+    };
+    let within = |reach: f64| (0..fields.x.len()).filter(move |&i| fields.x[i].abs() <= reach);
+    let (sum, count) =
+        within(half_width).fold((0.0, 0.0), |(sum, count), i| (sum + height(i), count + 1.0));
+    let level = if count > 0.0 { sum / count } else { 0.0 };
+    let column = |value: &dyn Fn(usize) -> f64| -> Vec<f64> {
+        within(ContactView::REACH * half_width).map(value).collect()
+    };
+    let pinion = |i: usize| height(i) - level;
+    ContactView::new(
+        fields.position,
+        column(&|i| fields.x[i] * 1e6),
+        [
+            column(&|i| pinion(i) * 1e6),
+            column(&|i| (pinion(i) + fields.gap[i]) * 1e6),
+            column(&|i| fields.pressure_solid[i] * 1e-6),
+            column(&|i| fields.pressure_fluid[i] * 1e-6),
+        ],
+    )
+}
+
+fn stress_below(
+    case: &Case,
+    position: &MeshPosition,
+    pair: &WindowPair,
+    pressure: &[f64],
+    shear: &[f64],
+) -> Result<Option<Below>, PositionError> {
+    let spacing = pair.spacing;
+    if case.model.depths < 2 {
+        return Ok(None);
+    }
+    let half_width = position.hertz.half_width;
+    let depths = graded_depths(spacing, half_width, case.model.depths)?;
+    let field = subsurface_stress(pressure, Some(shear), spacing, &depths)?;
+    let von_mises = field.von_mises(case.materials[0].poisson)?;
+    let largest = field.peak(&von_mises).map(|peak| (peak.value, peak.depth));
+    let fields = SubsurfaceFields {
+        depths,
+        sigma_xx: field.sigma_xx,
+        sigma_zz: field.sigma_zz,
+        tau_xz: field.tau_xz,
+        von_mises,
+    };
+    Ok(Some((fields, largest)))
+}

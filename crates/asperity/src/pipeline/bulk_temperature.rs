@@ -1,0 +1,144 @@
+//! The bulk temperature that the loss of the mesh keeps up.
+//!
+//! Film and friction see the flanks' bulk temperature; where a case gives that of the oil instead, the loss makes
+//! the rise and the rise changes the loss. The rough contacts are solved once: a further temperature costs film
+//! laws only. All properties of the oil are those at the bulk temperature, its density included.
+
+use asperity_core::provenance::Provenance;
+use asperity_core::quantity::{Power, Speed, Temperature};
+use asperity_efficiency::bulk_temperature::{
+    self, BulkTemperature, HOTTER_START, HotterStart, iso_rise,
+};
+use asperity_tribo_friction::flash::heat_share;
+
+use crate::case::{BulkModel, BulkReport, FoundBulk, LoadedCase, Lubrication};
+use crate::error::{Error, PositionError};
+use crate::mesh::Mesh;
+use crate::parameters::keep_parameters;
+use crate::result::Losses;
+
+/// The case at the bulk temperature of `model`; `losses` are those of a case whose bulk temperature is given.
+pub(crate) fn settle(
+    loaded: &LoadedCase,
+    model: BulkModel,
+    losses: impl Fn(&LoadedCase) -> Result<Losses, Error>,
+) -> Result<LoadedCase, Error> {
+    let used = Provenance::new();
+    let law = used.collect(|| Law::of(loaded, model)).map_err(Box::new)?;
+    let oil = loaded.case.input.operation.temperature;
+    let made = |bulk: Temperature| {
+        let losses = losses(&at(loaded, bulk)?)?;
+        let [pinion, wheel] = law
+            .rises(Power::from_si(losses.summary.loss_w))
+            .map_err(Box::new)?;
+        Ok::<_, Error>(Temperature::from_si(oil.si() + 0.5 * (pinion + wheel)))
+    };
+    let found = used.collect(|| bulk_temperature::fixed_point(oil, made))?;
+    let mut settled = at(loaded, found.temperature)?;
+    settled.provenance.include(&used);
+    settled.case.found_bulk = Some(FoundBulk {
+        stated: Box::new(loaded.case.input.clone()),
+        report: law.report(oil, &found),
+    });
+    Ok(settled)
+}
+
+/// The case with its flanks at a temperature, its uncertain parameters where they are.
+fn at(loaded: &LoadedCase, bulk: Temperature) -> Result<LoadedCase, Error> {
+    let mut warmed = loaded.with(|input| {
+        input.operation.temperature = bulk;
+        input.operation.bulk = None;
+    })?;
+    keep_parameters(loaded, &mut warmed).map_err(Box::new)?;
+    // Bearings and jet stay in the oil, whatever the flanks are at.
+    let oil = loaded.case.input.operation.temperature;
+    if let Some(gearbox) = &mut warmed.case.gearbox {
+        gearbox.temperature.get_or_insert(oil);
+    }
+    Ok(warmed)
+}
+
+/// A law with what it needs of the case.
+struct Law<'a> {
+    loaded: &'a LoadedCase,
+    model: BulkModel,
+    /// Share of the heat that goes into the pinion.
+    pinion: f64,
+}
+
+impl<'a> Law<'a> {
+    fn of(loaded: &'a LoadedCase, model: BulkModel) -> Result<Self, PositionError> {
+        let pinion = match model {
+            BulkModel::Iso(_) => 0.5,
+            BulkModel::Network(_) => pinion_share(loaded)?,
+        };
+        Ok(Self {
+            loaded,
+            model,
+            pinion,
+        })
+    }
+
+    /// Rises of pinion and wheel over the oil \[K\].
+    fn rises(&self, loss: Power) -> Result<[f64; 2], PositionError> {
+        Ok(match self.model {
+            BulkModel::Iso(lubrication) => {
+                let gears = &self.loaded.case.gears;
+                let (distance, width) = (gears.centre_distance, gears.face_width);
+                [iso_rise(loss, distance, width, lubrication.factor())?; 2]
+            }
+            BulkModel::Network(network) => network.rises(loss, self.pinion)?,
+        })
+    }
+
+    fn report(&self, oil: Temperature, found: &BulkTemperature) -> BulkReport {
+        let celsius = Temperature::celsius;
+        let is_network = matches!(self.model, BulkModel::Network(_));
+        // The rises are in proportion to the loss, so that their ratio is known from any.
+        let rises = self.rises(Power::from_si(1.0)).ok();
+        let rise = found.temperature.si() - oil.si();
+        let split = rises.map(|[a, b]| [a, b].map(|one| celsius(oil) + rise * 2.0 * one / (a + b)));
+        BulkReport {
+            law: match self.model {
+                BulkModel::Iso(lubrication) => format!("iso, {}", words(lubrication)),
+                BulkModel::Network(_) => "network".to_owned(),
+            },
+            oil_c: celsius(oil),
+            bulk_c: celsius(found.temperature),
+            gears_c: split.filter(|_| is_network),
+            pinion_heat_share: is_network.then_some(self.pinion),
+            residual_k: found.residual,
+            steps: found.steps,
+            hotter_c: match found.hotter {
+                HotterStart::Elsewhere(hotter) => Some(celsius(hotter)),
+                _ => None,
+            },
+            runs_away_from_c: match found.hotter {
+                HotterStart::Nowhere => Some(celsius(oil) + HOTTER_START),
+                _ => None,
+            },
+        }
+    }
+}
+
+const fn words(lubrication: Lubrication) -> &'static str {
+    match lubrication {
+        Lubrication::Jet => "jet",
+        Lubrication::Dip => "dip",
+        Lubrication::JetAndDip => "jet and dip",
+        Lubrication::Submerged => "submerged",
+    }
+}
+
+/// Mean over the path of the share of the frictional heat that goes into the pinion.
+fn pinion_share(loaded: &LoadedCase) -> Result<f64, PositionError> {
+    let [pinion, wheel] = &loaded.case.materials;
+    let (mut sum, mut weight) = (0.0, 0.0);
+    for at in Mesh::of(&loaded.case)?.positions {
+        let speeds = [at.motion.u1, at.motion.u2];
+        let speeds = speeds.map(|speed| Speed::from_si(speed.si().abs()));
+        sum += at.weight * heat_share([pinion, wheel], speeds)?;
+        weight += at.weight;
+    }
+    Ok(sum / weight)
+}

@@ -1,0 +1,23 @@
+//! The order of the model, the paper's Fig. 2, as functions between plain values.
+//!
+//! ```text
+//! case -> Mesh -> windows of the flanks -> Contacts -> lubricated positions -> pictures -> result
+//! ```
+//!
+//! [`Mesh`] has the positions along the path with load, speeds and Hertz contact. [`Contacts`] has the rough contact of
+//! every window at every offset of the traces; it depends on neither oil, speed nor temperature. At one operating
+//! point every position is lubricated: film, Λ*, regime, load share, friction of film, lubricated asperities and
+//! boundary layer. Then the sums: cycle mean at each offset, mean and spread over the offsets. Pictures of a contact,
+//! with the stress below it, are computed afterwards. The bulk temperature is a fixed point of these functions
+//! ([`settled`]), and running-in applies them again to other flanks.
+
+mod bulk_temperature;
+mod kept_fields;
+mod stages;
+mod survey;
+
+pub use kept_fields::KeptFields;
+pub use stages::{Progress, check, contacts, losses, losses_with, settled};
+pub use survey::{FilmRow, FilmSurvey, RegimeRow, film, survey};
+
+pub(crate) use stages::{losses_of, outcome};

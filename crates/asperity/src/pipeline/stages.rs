@@ -1,0 +1,432 @@
+//! The functions of a run and the values between them.
+
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use asperity_core::provenance::Provenance;
+use rayon::prelude::*;
+
+use super::bulk_temperature;
+use super::kept_fields::KeptFields;
+
+use crate::assembly::{Solved, equations_used};
+use crate::case::{Case, Formulation, LoadedCase};
+use crate::contacts::{Contacts, WindowContact, running_in};
+use crate::error::{Error, PositionError};
+use crate::flanks::is_substituted;
+use crate::flanks::placement::check_coverage;
+use crate::lubrication::{
+    ChosenLaws, LubricatedPosition, Lubrication, check_mesh_position, records_of,
+};
+use crate::mesh::{Mesh, MeshPosition};
+use crate::pictures::Picture;
+use crate::records::PathRecords;
+use crate::result::{Losses, Outcome, RunInFlanks};
+
+/// Progress callback, called with (done, total).
+pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
+
+/// Checks all that a run checks before it solves a contact: the table of the gearbox, the mesh positions, the place of
+/// the traces, and at the first offset of each pair of teeth the windows that meet. Records of mixed lubrication are
+/// not computed, and a bulk temperature that follows from the loss is not sought.
+///
+/// # Errors
+/// The error with which a run ends.
+///
+/// ```
+/// use asperity::{case, pipeline};
+/// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+/// pipeline::check(&case::load(file, None)?)?;
+/// // A window that is longer than the traces.
+/// let long = case::load_with(file, &|input| input.model.window = Some(40.0))?;
+/// assert_eq!(pipeline::check(&long).unwrap_err().code(), "E122");
+/// # Ok::<(), asperity::Error>(())
+/// ```
+pub fn check(loaded: &LoadedCase) -> Result<(), Error> {
+    let mesh = placed_mesh(loaded, None).map_err(Box::new)?;
+    let firsts = |position: &MeshPosition| {
+        check_mesh_position(position)?;
+        WindowContact::check(loaded, position)
+    };
+    numbered(mesh.positions.par_iter().map(firsts).collect())?;
+    if loaded.case.model.run_in {
+        running_in::places(&loaded.case, &loaded.surfaces, &mesh.positions).map_err(Box::new)?;
+    }
+    Ok(())
+}
+
+/// The mesh of a case on traces that cover it, under the load of `contacts` if that is known.
+fn placed_mesh(loaded: &LoadedCase, contacts: Option<&Contacts>) -> Result<Mesh, PositionError> {
+    let case = &loaded.case;
+    // A table that does not reach the operating point is reported before the work.
+    crate::result::gearbox::check(case)?;
+    let mesh = match contacts.and_then(|contacts| contacts.load_map(case)) {
+        Some(map) => Mesh::under(case, map.clone())?,
+        None => Mesh::of(case)?,
+    };
+    if let Some(coverage) = loaded.surfaces.coverage(mesh.positions.iter()) {
+        check_coverage(coverage)?;
+    }
+    Ok(mesh)
+}
+
+/// What every mesh position has, in order; an error names the position.
+fn numbered<T>(of_positions: Vec<Result<T, PositionError>>) -> Result<Vec<T>, Error> {
+    let count = of_positions.len();
+    let numbered = |(index, one): (usize, Result<T, PositionError>)| {
+        one.map_err(|source| Error::Position {
+            number: index + 1,
+            count,
+            source: Box::new(source),
+        })
+    };
+    of_positions.into_iter().enumerate().map(numbered).collect()
+}
+
+/// The rough contacts of a case at every position and offset: they depend on neither oil, speed nor temperature.
+///
+/// # Errors
+/// When the traces are too coarse or too short for a contact.
+pub fn contacts(loaded: &LoadedCase) -> Result<Contacts, Error> {
+    let mesh = placed_mesh(loaded, None).map_err(Box::new)?;
+    contacts_of(loaded, &mesh)
+}
+
+fn contacts_of(loaded: &LoadedCase, mesh: &Mesh) -> Result<Contacts, Error> {
+    let at = |position: &MeshPosition| {
+        check_mesh_position(position)?;
+        WindowContact::of_position(loaded, position)
+    };
+    let rows = numbered(mesh.positions.par_iter().map(at).collect())?;
+    Ok(Contacts::new(loaded, mesh, rows))
+}
+
+/// Losses of a case. They equal the losses of a whole run to the last digit.
+///
+/// # Errors
+/// When a position has no solution; the first one along the path is named.
+pub fn losses(loaded: &LoadedCase) -> Result<Losses, Error> {
+    losses_of(loaded, None, &|_, _| {})
+}
+
+/// Losses of a case with rough contacts that were computed before ([`contacts`]), for a case that differs in oil, speed
+/// or temperature only; they equal those without to the last digit.
+///
+/// # Errors
+/// As [`losses`], and when the contacts are those of other flanks, gears or loads.
+///
+/// ```
+/// use asperity::{case, pipeline};
+/// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+/// let case = case::load_with(file, &|input| {
+///     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+/// })?;
+/// let contacts = pipeline::contacts(&case)?;
+/// for temperature in ["60 °C", "90 °C"] {
+///     let case = case.with_key("operation.temperature", temperature)?;
+///     let losses = pipeline::losses_with(&contacts, &case)?;
+///     assert!(losses.summary.boundary_w > 0.0);
+/// }
+/// # Ok::<(), asperity::Error>(())
+/// ```
+pub fn losses_with(contacts: &Contacts, loaded: &LoadedCase) -> Result<Losses, Error> {
+    contacts.check(loaded).map_err(Box::new)?;
+    losses_of(loaded, Some(contacts), &|_, _| {})
+}
+
+/// The case at its equilibrium bulk temperature, with rough contacts computed before, if any; the case itself if its
+/// temperature is stated.
+///
+/// ```
+/// use asperity::{case, pipeline};
+/// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+/// let case = case::load_with(file, &|input| {
+///     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+/// })?;
+/// assert!(pipeline::settled(&case, None)?.case.found_bulk.is_none());
+/// let unknown = case.with_key("operation.bulk", r#"{ law = "iso", lubrication = "jet" }"#)?;
+/// let settled = pipeline::settled(&unknown, None)?;
+/// let bulk = settled.case.found_bulk.as_ref().ok_or("it is computed")?;
+/// assert!(bulk.report.bulk_c > bulk.report.oil_c + 5.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// As [`losses`], and when the temperature does not settle.
+pub fn settled<'a>(
+    loaded: &'a LoadedCase,
+    known: Option<&Contacts>,
+) -> Result<Cow<'a, LoadedCase>, Error> {
+    let Some(model) = loaded.case.bulk else {
+        return Ok(Cow::Borrowed(loaded));
+    };
+    let computed;
+    let known = match known {
+        Some(known) => known,
+        None => {
+            computed = contacts(loaded)?;
+            &computed
+        }
+    };
+    let losses = |case: &LoadedCase| losses_with(known, case);
+    bulk_temperature::settle(loaded, model, losses).map(Cow::Owned)
+}
+
+pub(crate) fn losses_of(
+    loaded: &LoadedCase,
+    known: Option<&Contacts>,
+    progress: Progress<'_>,
+) -> Result<Losses, Error> {
+    let settled = settled(loaded, known)?;
+    let stages = Stages::of(settled.as_ref(), known, progress)?;
+    let positions = stages.lubricated()?;
+    let mut losses = stages.summed(|| stages.solved(positions)?.losses())?;
+    losses.run_in = stages.run_in()?;
+    (losses.equations, _) = equations_used(&stages.tags());
+    Ok(losses)
+}
+
+/// The outcome of a run, with its contacts; pictures of every position are computed unless `pictures` is `None`.
+pub(crate) fn outcome(
+    loaded: &LoadedCase,
+    pictures: Option<&KeptFields>,
+    progress: Progress<'_>,
+) -> Result<(Outcome, Contacts), Error> {
+    let settled = settled(loaded, None)?;
+    let stages = Stages::of(settled.as_ref(), None, progress)?;
+    let mut positions = stages.lubricated()?;
+    stages.press(&mut positions)?;
+    let pictures = match pictures {
+        Some(kept) => stages.pictures(&positions, kept)?,
+        None => Vec::new(),
+    };
+    for (position, picture) in positions.iter_mut().zip(&pictures) {
+        let doubts = picture.iter().flat_map(|picture| &picture.doubts);
+        position.doubts.extend(doubts.cloned());
+    }
+    let mut outcome = stages.summed(|| {
+        let points = stages.points()?;
+        stages.solved(positions)?.outcome(pictures, &points)
+    })?;
+    let result = &mut outcome.result;
+    result.run_in = stages.run_in()?;
+    (result.equations, result.references) = equations_used(&stages.tags());
+    Ok((outcome, stages.contacts.into_owned()))
+}
+
+/// The values of a run between its functions.
+pub(super) struct Stages<'a> {
+    loaded: &'a LoadedCase,
+    laws: ChosenLaws,
+    pub mesh: Mesh,
+    pub contacts: Cow<'a, Contacts>,
+    records: Option<PathRecords>,
+    /// Steps done before the positions, the records.
+    record_count: usize,
+    progress: Progress<'a>,
+    /// Equations that were used.
+    used: Provenance,
+}
+
+impl<'a> Stages<'a> {
+    pub fn of(
+        loaded: &'a LoadedCase,
+        known: Option<&'a Contacts>,
+        progress: Progress<'a>,
+    ) -> Result<Self, Error> {
+        let used = Provenance::new();
+        let mesh = used
+            .collect(|| placed_mesh(loaded, known))
+            .map_err(Box::new)?;
+        let contacts = match known {
+            Some(known) => Cow::Borrowed(known),
+            None => Cow::Owned(used.collect(|| contacts_of(loaded, &mesh))?),
+        };
+        Self::on(loaded, mesh, contacts, progress, used)
+    }
+
+    /// The stages on flanks whose contacts are known, with their records.
+    fn on(
+        loaded: &'a LoadedCase,
+        mesh: Mesh,
+        contacts: Cow<'a, Contacts>,
+        progress: Progress<'a>,
+        used: Provenance,
+    ) -> Result<Self, Error> {
+        let laws = ChosenLaws::of(&loaded.case);
+        let later = RunInSteps::of(&loaded.case);
+        let shown = |done, total| progress(done, total + later.after(total));
+        let records = || records_of(loaded, &laws, &mesh.positions, &shown);
+        let (records, record_count) = used.collect(records).map_err(Box::new)?;
+        Ok(Self {
+            loaded,
+            laws,
+            mesh,
+            contacts,
+            records,
+            record_count,
+            progress,
+            used,
+        })
+    }
+
+    pub fn lubrication(&self) -> Lubrication<'_> {
+        Lubrication {
+            case: &self.loaded.case,
+            laws: &self.laws,
+            surfaces: &self.loaded.surfaces,
+            records: self.records.as_ref(),
+        }
+    }
+
+    /// Film, load share and friction of every position, in parallel.
+    fn lubricated(&self) -> Result<Vec<LubricatedPosition>, Error> {
+        let lubrication = self.lubrication();
+        let case = &self.loaded.case;
+        let done = AtomicUsize::new(self.record_count);
+        let count = self.record_count + self.mesh.positions.len();
+        let later = RunInSteps::of(case).after(count);
+        let solve = |at: &MeshPosition| {
+            self.used.collect(|| {
+                let contacts = self.contacts.at(at)?;
+                let mut position = lubrication.position(at, contacts)?;
+                if case.model.include_running_in {
+                    lubrication.press(&mut position, contacts)?;
+                }
+                (self.progress)(1 + done.fetch_add(1, Ordering::Relaxed), count + later);
+                Ok(position)
+            })
+        };
+        numbered(self.mesh.positions.par_iter().map(solve).collect())
+    }
+
+    /// The rough contact of every window whose load share did not solve it.
+    fn press(&self, positions: &mut [LubricatedPosition]) -> Result<(), Error> {
+        let lubrication = self.lubrication();
+        let press = |position: &mut LubricatedPosition| {
+            self.used.collect(|| {
+                let contacts = self.contacts.at(&position.at)?;
+                lubrication.press(position, contacts)
+            })
+        };
+        numbered(positions.par_iter_mut().map(press).collect()).map(|_| ())
+    }
+
+    /// The contact of every position at its first offset; fields are held for the positions `kept`.
+    fn pictures(
+        &self,
+        positions: &[LubricatedPosition],
+        kept: &KeptFields,
+    ) -> Result<Vec<Option<Picture>>, Error> {
+        let lubrication = self.lubrication();
+        let is_resolved = |position: &LubricatedPosition| {
+            let contacts = self.contacts.at(&position.at);
+            contacts.is_ok_and(|row| row.first().is_some_and(|first| first.window.is_some()))
+        };
+        let held = kept.held(positions, is_resolved);
+        let picture = |(position, held): (&LubricatedPosition, bool)| {
+            self.used.collect(|| {
+                let contacts = self.contacts.at(&position.at)?;
+                Picture::of(&lubrication, position, contacts, held)
+            })
+        };
+        numbered(positions.par_iter().zip(held).map(picture).collect())
+    }
+
+    /// The points A to E of the path, solved as the positions are, without pictures. Left out are points whose contact
+    /// the traces do not resolve, as the load share there would be that of another law, and points whose window is
+    /// longer than the traces.
+    fn points(&self) -> Result<Vec<(&'static str, LubricatedPosition)>, PositionError> {
+        let (loaded, case) = (self.loaded, &self.loaded.case);
+        if case.formulation == Formulation::Paper {
+            return Ok(Vec::new());
+        }
+        let lubrication = self.lubrication();
+        let named: Vec<(&'static str, MeshPosition)> = self
+            .mesh
+            .named_points(case)?
+            .into_iter()
+            .filter(|(_, at)| !is_substituted(&loaded.surfaces, at))
+            .collect();
+        let solve = |(name, at): &(&'static str, MeshPosition)| {
+            self.used.collect(|| {
+                check_mesh_position(at)?;
+                let contacts = match WindowContact::of_position(loaded, at) {
+                    // Its window is wider than those of the positions, which have theirs.
+                    Err(PositionError::TraceTooShort { .. }) => return Ok(None),
+                    contacts => contacts?,
+                };
+                let mut position = lubrication.position(at, &contacts)?;
+                lubrication.press(&mut position, &contacts)?;
+                Ok(Some((*name, position)))
+            })
+        };
+        let points: Vec<Result<Option<_>, PositionError>> = named.par_iter().map(solve).collect();
+        points.into_iter().filter_map(Result::transpose).collect()
+    }
+
+    /// The positions with their sums over the path.
+    fn solved(&self, positions: Vec<LubricatedPosition>) -> Result<Solved<'_>, PositionError> {
+        Solved::new(
+            self.loaded,
+            &self.mesh.load,
+            positions,
+            self.records.as_ref(),
+        )
+    }
+
+    /// The result of `sums` with its equations noted.
+    fn summed<T>(&self, sums: impl FnOnce() -> Result<T, PositionError>) -> Result<T, Error> {
+        Ok(self.used.collect(sums).map_err(Box::new)?)
+    }
+
+    /// Tags of the equations that preparation and run used.
+    fn tags(&self) -> BTreeSet<&'static str> {
+        let mut tags = self.loaded.provenance.tags();
+        tags.extend(self.used.tags());
+        tags
+    }
+
+    /// The flanks of the case run in and what the mesh then loses, if the case requests it.
+    fn run_in(&self) -> Result<Option<RunInFlanks>, Error> {
+        let case = &self.loaded.case;
+        if !case.model.run_in {
+            return Ok(None);
+        }
+        let measured = self.record_count + self.mesh.positions.len();
+        let before = measured + running_in::MAX_CYCLES;
+        let total = before + measured;
+        let cycle = |number| (self.progress)(measured + number, total);
+        let flanks =
+            || running_in::run_in(case, &self.loaded.surfaces, &self.mesh.positions, &cycle);
+        let ran_in = self.summed(flanks)?;
+        let mut worn = self.loaded.clone();
+        worn.surfaces = ran_in.surfaces.clone();
+        let shown = |done, _| (self.progress)(before + done, total);
+        let mesh = self.mesh.clone();
+        let contacts = Cow::Owned(self.used.collect(|| contacts_of(&worn, &mesh))?);
+        let stages = Stages::on(&worn, mesh, contacts, &shown, Provenance::new())?;
+        let positions = stages.lubricated()?;
+        let report = stages.summed(|| stages.solved(positions)?.run_in_flanks(ran_in))?;
+        self.used.include(&stages.used);
+        Ok(Some(report))
+    }
+}
+
+/// Steps that running-in adds to the progress of a run.
+struct RunInSteps(bool);
+
+impl RunInSteps {
+    fn of(case: &Case) -> Self {
+        Self(case.model.run_in)
+    }
+
+    /// Steps after `measured`, those of the flanks as measured: the cycles, and the flanks run in.
+    fn after(&self, measured: usize) -> usize {
+        match self.0 {
+            true => running_in::MAX_CYCLES + measured,
+            false => 0,
+        }
+    }
+}

@@ -1,0 +1,254 @@
+//! From a case and a place on its path to the rough contact that the referee solves.
+
+use asperity_contact::hertz_line::HertzLine;
+use asperity_core::quantity::{Length, Pressure};
+use asperity_core::{DomainError, Profile};
+use asperity_ehl::{
+    FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling, RecordSettings, RoughContact,
+};
+use asperity_ehl_regime::inlet_flow::CentralFilm;
+use asperity_ehl_regime::{FilmConditions, FilmLaw, MoesNumbers, TraceSpectrum};
+use asperity_oil::{DensityLaw, FilmRheology, PressureViscosityLaw, ShearLaw};
+use asperity_roughness::gaussian_filter::{Ends, mean_line};
+
+use super::error::RefereeError;
+use crate::case::{Case, LoadedCase};
+use crate::contacts::running_in::run_in;
+use crate::error::PositionError;
+use crate::flanks::Texture;
+use crate::mesh::{Mesh, MeshPosition, position_at};
+
+/// Attenuated roughness over the smooth film beyond which ridges that cannot leak make the contact no referee:
+/// compared with gear tests, gap and friction are off from about 3 on.
+pub const LARGEST_ROUGHNESS: f64 = 3.0;
+/// Roelands' exponent of the film; one that follows from α and η₀ moves the shares by some 2 %.
+const ROELANDS: f64 = 0.6;
+/// Shortest wavelength kept; shorter ones move the load below 20 nm by 2 %.
+const SHORTEST_WAVE: Length = Length::from_si(8e-6);
+/// Cells that the shortest wave spans at least.
+const CELLS_A_WAVE: f64 = 8.0;
+/// Part of a trace over which its end fades into its beginning.
+const OVERLAP: f64 = 0.1;
+/// Parts of the traces at which a record begins: the pairs of a record are unrelated.
+const OFFSETS: [f64; 2] = [0.07, 0.44];
+
+/// Parts of the traces between one record and the next: multiples of them, minus their whole parts, fill the
+/// traces evenly and never the same pairs.
+const OFFSET_STEPS: [f64; 2] = [0.618_033_988_749_894_9, 0.414_213_562_373_095];
+
+/// Choices of the referee.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RefereeSettings {
+    /// Grid, length and films of the record; its law of friction and ceiling are those of the case.
+    pub record: RecordSettings,
+    /// Eyring stress in place of that of the base oil.
+    pub eyring_stress: Option<Pressure>,
+    /// Number of the pair of places on the traces at which the record begins, from 0.
+    pub beginning: usize,
+}
+
+/// The lubricated contact of a case at one place, with what was measured of its roughness.
+#[derive(Debug, Clone)]
+pub struct RefereeContact {
+    /// Place on the path, 0 at A and 1 at E.
+    pub path_fraction: f64,
+    /// The smooth mesh position.
+    pub position: MeshPosition,
+    /// Bodies, oil and surfaces.
+    pub rough: RoughContact,
+    /// Grid, length, friction and ceiling.
+    pub record: RecordSettings,
+    /// Both traces as the transient solution uses them: without waves too short for its cells.
+    pub traces: [Profile; 2],
+    /// Standard deviation of the roughness that is left in the contact, of both traces together.
+    pub attenuated_roughness: Length,
+}
+
+impl RefereeContact {
+    /// The contact of `loaded` at `path_fraction`, 0 at A and 1 at E; of flanks that have run in, where the
+    /// case asks
+    /// for them.
+    ///
+    /// # Errors
+    /// When an equation refuses the place, a flank has no trace, a trace is too short for the filter, or
+    /// the base
+    /// oil is not known.
+    pub fn of(
+        loaded: &LoadedCase,
+        path_fraction: f64,
+        settings: &RefereeSettings,
+    ) -> Result<Self, RefereeError> {
+        let case = &loaded.case;
+        let path = case.gears.path();
+        let position = position_at(case, path.a + (path.e - path.a) * path_fraction)?;
+        if !case.model.run_in {
+            return Self::at(loaded, position, settings);
+        }
+        let ran_in = run_in(case, &loaded.surfaces, &Mesh::of(case)?.positions, &|_| {})?;
+        let mut worn = loaded.clone();
+        worn.surfaces = ran_in.surfaces;
+        Self::at(&worn, position, settings)
+    }
+
+    /// The contact of `loaded` at a mesh position.
+    ///
+    /// # Errors
+    /// As [`Self::of`].
+    pub fn at(
+        loaded: &LoadedCase,
+        position: MeshPosition,
+        settings: &RefereeSettings,
+    ) -> Result<Self, RefereeError> {
+        let case = &loaded.case;
+        let path = case.gears.path();
+        let path_fraction = (position.s - path.a) / (path.e - path.a);
+        loaded.surfaces.check_one_pair()?;
+        let [Texture::Trace(first), Texture::Trace(second)] = loaded.surfaces.textures() else {
+            return Err(PositionError::NoProfile.into());
+        };
+        let contact = line_contact(case, &position);
+        let rheology = rheology(case)?;
+        let constants = rheology.constants();
+        let stress = settings.eyring_stress.unwrap_or(constants.eyring_stress);
+        let oil = oil_of(case, ShearLaw::Eyring { stress });
+        let mut record = settings.record.clone();
+        record.friction = Some(FrictionLaw {
+            viscosity: oil.viscosity,
+            pressure_viscosity: oil.pressure_viscosity,
+            eyring_stress: stress,
+            limiting_stress: constants.ambient_limit,
+            limiting_slope: constants.limiting_shear,
+            boundary_friction: case.model.boundary_friction,
+            boundary_layer: case.model.boundary_layer,
+        });
+        let [pinion, wheel] = case.flow_pressure.map(Pressure::si);
+        record.ceiling = Some(PlasticCeiling {
+            pressure: Pressure::from_si(pinion.min(wheel)),
+        });
+        let window = record.window.outlet - record.window.inlet;
+        let cell = position.hertz.half_width * (window / record.cells.max(1) as f64);
+        let shortest = Length::from_si(SHORTEST_WAVE.si().max(CELLS_A_WAVE * cell.si()));
+        let traces = [smoothed(first, shortest)?, smoothed(second, shortest)?];
+        let begins = [0, 1].map(|surface| {
+            let number = settings.beginning as f64;
+            (OFFSETS[surface] + number * OFFSET_STEPS[surface]).fract()
+        });
+        let rough = RoughContact {
+            contact,
+            oil,
+            surface_1: moving(&traces[0], begins[0])?,
+            surface_2: moving(&traces[1], begins[1])?,
+        };
+        let attenuated_roughness = attenuated_roughness(&contact, &oil, &[&traces[0], &traces[1]])?;
+        Ok(Self {
+            path_fraction,
+            position,
+            rough,
+            record,
+            traces,
+            attenuated_roughness,
+        })
+    }
+}
+
+/// Bodies and Newtonian oil of a mesh position, without its surfaces.
+pub(crate) fn smooth_contact(case: &Case, position: &MeshPosition) -> (LineContact, Oil) {
+    (
+        line_contact(case, position),
+        oil_of(case, ShearLaw::Newtonian),
+    )
+}
+
+/// The oil at the temperature of the case.
+fn oil_of(case: &Case, shear_law: ShearLaw) -> Oil {
+    Oil {
+        viscosity: case.oil.dynamic_viscosity,
+        pressure_viscosity: case.oil.pressure_viscosity,
+        viscosity_law: PressureViscosityLaw::Roelands { exponent: ROELANDS },
+        density_law: DensityLaw::DowsonHigginson,
+        shear_law,
+    }
+}
+
+fn line_contact(case: &Case, position: &MeshPosition) -> LineContact {
+    LineContact {
+        radius: position.motion.radius,
+        modulus: case.modulus,
+        load: position.load,
+        speed_1: position.motion.u1,
+        speed_2: position.motion.u2,
+    }
+}
+
+/// The oil in the film: that of the case, or the constants of its base oil.
+pub(crate) fn rheology(case: &Case) -> Result<FilmRheology, RefereeError> {
+    match (&case.rheology, case.lubricant.base_oil()) {
+        (Some(rheology), _) => Ok(rheology.clone()),
+        (None, Some(base)) => Ok(FilmRheology::new(&case.lubricant, base)?),
+        (None, None) => Err(RefereeError::NoBaseOil),
+    }
+}
+
+/// The trace without waves shorter than `shortest`.
+fn smoothed(trace: &Profile, shortest: Length) -> Result<Profile, RefereeError> {
+    if shortest < trace.spacing() * 2.0 {
+        return Ok(trace.clone());
+    }
+    let heights = mean_line(trace, shortest, Ends::Reg0)?;
+    Ok(Profile::new(trace.spacing(), heights)?)
+}
+
+/// The trace as a surface that repeats, begun at a part of its length.
+fn moving(trace: &Profile, offset: f64) -> Result<MovingProfile, DomainError> {
+    let length = trace.length();
+    Ok(MovingProfile::blended(trace, length * OVERLAP)?.shifted(length * offset))
+}
+
+/// Standard deviation σ_d of the roughness that rough surfaces keep in a lubricated contact: the root of the
+/// sum of the mean squares of their attenuated traces, which pass each other and are unrelated.
+///
+/// # Errors
+/// When a number is outside its domain, or a height is not finite.
+pub fn attenuated_roughness(
+    contact: &LineContact,
+    oil: &Oil,
+    traces: &[&Profile],
+) -> Result<Length, RefereeError> {
+    let conditions = conditions(contact, oil);
+    let hertz = HertzLine::new(contact.load, contact.radius, contact.modulus)
+        .map_err(PositionError::from)?;
+    let numbers = MoesNumbers::of(&conditions.line_groups()?)?;
+    let nabla = numbers.nabla_per_length(hertz.half_width)?;
+    let mut squares = 0.0;
+    for trace in traces {
+        let left = TraceSpectrum::new(trace.heights(), trace.spacing())?.attenuated(nabla)?;
+        squares += left.iter().map(|z| z * z).sum::<f64>() / left.len() as f64;
+    }
+    Ok(Length::from_si(squares.sqrt()))
+}
+
+/// Gap in the middle and minimum film of smooth surfaces by Dowson and Toyoda, and Dowson and Higginson; their
+/// central film is a flow of mass, and the gap thinner by the density under the Hertz pressure.
+///
+/// # Errors
+/// When a number is outside its domain.
+pub fn formula_film(contact: &LineContact, oil: &Oil) -> Result<[Length; 2], RefereeError> {
+    let film = FilmLaw::DowsonToyoda.film(&conditions(contact, oil))?.value;
+    let hertz = HertzLine::new(contact.load, contact.radius, contact.modulus)
+        .map_err(PositionError::from)?;
+    let gap = CentralFilm::Gap.thickness(film.central, hertz.max_pressure)?;
+    Ok([gap, film.minimum])
+}
+
+/// Inputs of the film formulas for a contact.
+fn conditions(contact: &LineContact, oil: &Oil) -> FilmConditions {
+    FilmConditions {
+        entrainment: (contact.speed_1 + contact.speed_2) * 0.5,
+        radius: contact.radius,
+        load: contact.load,
+        modulus: contact.modulus,
+        viscosity: oil.viscosity,
+        pressure_viscosity: oil.pressure_viscosity,
+        contact_length: None,
+    }
+}

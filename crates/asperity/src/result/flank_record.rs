@@ -1,0 +1,144 @@
+//! A flank as a result keeps it: what was read, what was done to it, its parameters; no heights.
+
+use asperity_core::quantity::Length;
+use asperity_profile_io::Warning;
+use asperity_profile_io::read::{
+    Encoding, FilterState, Format, LengthUnit, Metadata, Reading, SpacingSource, TableLayout,
+};
+use asperity_roughness::Parameters;
+use asperity_roughness::outliers::OutlierRecord;
+use asperity_roughness::preparation::PreparationRecord;
+use serde::{Deserialize, Serialize};
+
+use crate::flanks::flank_form::FlankForm;
+use crate::flanks::surfaces::FlankReport;
+
+/// One flank of a result.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct FlankRecord {
+    /// File of the trace as the case names it; none for roughness values.
+    pub file: Option<String>,
+    /// SHA-256 of the file.
+    pub sha256: Option<String>,
+    /// Details of the reading of the file.
+    pub reading: Option<ReadingRecord>,
+    /// Whether the trace was read from its other end.
+    pub mirrored: bool,
+    /// Spikes that were replaced before.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub outliers: Option<OutlierRecord>,
+    /// Form removal and filters applied to the trace.
+    pub preparation: Option<PreparationRecord>,
+    /// Parameters of the prepared trace.
+    pub parameters: Option<Parameters>,
+    /// Roll lengths of the first and the last point of the prepared trace \[mm\], where its place on the flank is
+    /// known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub roll_lengths_mm: Option<[f64; 2]>,
+    /// Form of the flank, where the relief of its gear is taken from the trace.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub form: Option<FormRecord>,
+}
+
+/// Form of a flank, parted from the roughness of its trace.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FormRecord {
+    /// Cut-off between form and roughness \[mm\].
+    pub cutoff_mm: f64,
+    /// Missing material at the tip end of the active flank, against where least is missing \[µm\].
+    pub at_tip_um: f64,
+    /// The same at the root end \[µm\].
+    pub at_root_um: f64,
+    /// Roll lengths \[mm\].
+    pub roll_length_mm: Vec<f64>,
+    /// Heights above the involute there, normal to the flank \[µm\].
+    pub height_um: Vec<f64>,
+}
+
+impl From<&FlankForm> for FormRecord {
+    fn from(found: &FlankForm) -> Self {
+        let times = |lengths: &[Length], factor: f64| {
+            let lengths = lengths.iter();
+            lengths.map(|length| length.si() * factor).collect()
+        };
+        Self {
+            cutoff_mm: found.cutoff.si() * 1e3,
+            at_tip_um: found.at_tip.si() * 1e6,
+            at_root_um: found.at_root.si() * 1e6,
+            roll_length_mm: times(&found.form.roll_length, 1e3),
+            height_um: times(&found.form.height, 1e6),
+        }
+    }
+}
+
+/// Details of the reading of a file: [`Reading`] without its heights.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ReadingRecord {
+    /// Name of the file as given.
+    pub name: String,
+    /// Format of the file.
+    pub format: Format,
+    /// Character encoding; none for binary formats.
+    pub encoding: Option<Encoding>,
+    /// Layout of the table; none for formats without one.
+    pub table: Option<TableLayout>,
+    /// Unit of x; none when the spacing was stated and no x column was needed.
+    pub x_unit: Option<LengthUnit>,
+    /// Unit of the heights in the file.
+    pub z_unit: LengthUnit,
+    /// Distance between points.
+    pub spacing: Length,
+    /// Source of the spacing.
+    pub spacing_source: SpacingSource,
+    /// Length of the trace, (n − 1)·dx.
+    pub length: Length,
+    /// Whether the file says its heights are filtered.
+    pub filter_state: FilterState,
+    /// Number of points n.
+    pub points: usize,
+    /// Points that were interpolated on request.
+    pub gaps_filled: usize,
+    /// Statements of the file beside the heights.
+    pub metadata: Metadata,
+    /// Warnings of the reader.
+    pub warnings: Vec<Warning>,
+}
+
+impl From<&Reading> for ReadingRecord {
+    fn from(reading: &Reading) -> Self {
+        Self {
+            name: reading.name.clone(),
+            format: reading.format,
+            encoding: reading.encoding,
+            table: reading.table,
+            x_unit: reading.x_unit,
+            z_unit: reading.z_unit,
+            spacing: reading.spacing,
+            spacing_source: reading.spacing_source,
+            length: reading.length,
+            filter_state: reading.filter_state,
+            points: reading.points,
+            gaps_filled: reading.gaps_filled,
+            metadata: reading.metadata.clone(),
+            warnings: reading.warnings.clone(),
+        }
+    }
+}
+
+impl From<&FlankReport> for FlankRecord {
+    fn from(flank: &FlankReport) -> Self {
+        Self {
+            file: flank.file.clone(),
+            sha256: flank.sha256.clone(),
+            reading: flank.reading.as_ref().map(ReadingRecord::from),
+            mirrored: flank.mirrored,
+            outliers: flank.outliers.clone(),
+            preparation: flank.preparation.clone(),
+            parameters: flank.parameters.clone(),
+            roll_lengths_mm: flank
+                .roll_lengths
+                .map(|ends| ends.map(|end| end.si() * 1e3)),
+            form: flank.form.as_ref().map(FormRecord::from),
+        }
+    }
+}

@@ -1,0 +1,242 @@
+//! Losses of the gearbox beside that of the mesh, as its user states them.
+//!
+//! The mesh is computed with the whole torque of the case, and all losses count against the power in: what bearings and
+//! seals take before the mesh is not taken off its torque. No band belongs to these parts.
+
+use asperity_core::OutOfRange;
+use asperity_core::quantity::{AngularSpeed, Force, Power, Speed, Temperature, Torque};
+use asperity_efficiency::oil_jet::jet_power;
+use asperity_efficiency::output_torque::{MeshOperation, power_flow};
+use asperity_efficiency::shaft_seal::seal_torque;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::case::{Case, Part, PartKind, Shaft};
+use crate::error::PositionError;
+use crate::result::LossBand;
+
+/// What a result covers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Scope {
+    /// The mesh alone: no bearings, seals, churning.
+    #[default]
+    Mesh,
+    /// The mesh, and beside it the parts of the gearbox that the user states.
+    Gearbox,
+}
+
+/// Loss and efficiency of the gearbox: of the mesh by the model, of all else as the user states it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct GearboxReport {
+    /// η = 1 − (mesh and parts)/power in.
+    pub efficiency: f64,
+    /// Losses of mesh and parts together \[W\].
+    pub loss_w: f64,
+    /// Losses of the parts alone \[W\]: the user's, without a band.
+    pub parts_w: f64,
+    /// Power into the gearbox \[W\].
+    pub power_in_w: f64,
+    /// Temperature of the oil at the parts \[°C\].
+    pub temperature_c: f64,
+    /// The parts, in the order of the case file.
+    pub parts: Vec<GearboxPart>,
+}
+
+impl GearboxReport {
+    /// 5 % and 95 % quantiles of the loss \[W\]: those of the mesh, to which the parts are added as they are.
+    #[must_use]
+    pub fn quantiles_w(&self, band: &LossBand) -> [f64; 2] {
+        band.quantiles_w.map(|loss| loss + self.parts_w)
+    }
+
+    /// The same of the efficiency.
+    #[must_use]
+    pub fn efficiency_quantiles(&self, band: &LossBand) -> [f64; 2] {
+        let [least, most] = self.quantiles_w(band);
+        [most, least].map(|loss| 1.0 - loss / self.power_in_w)
+    }
+}
+
+/// Loss of a part of the gearbox.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct GearboxPart {
+    /// Its name.
+    pub name: String,
+    /// `seal`, `bearing`, `jet` or `table`.
+    pub kind: String,
+    /// Law that its loss follows.
+    pub law: String,
+    /// Loss \[W\].
+    pub loss_w: f64,
+    /// Torque \[N m\]: of a seal and a bearing at its own shaft, else at the pinion.
+    pub torque_nm: f64,
+    /// What is outside the range of its law.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub outside: Vec<String>,
+}
+
+/// Torque and speed of the pinion, and temperature of the operation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OperatingPoint {
+    /// Torque at the pinion, negative when the wheel drives.
+    pub torque: Torque,
+    /// Speed of the pinion.
+    pub speed: AngularSpeed,
+    /// Temperature of the operation, which is that of the oil unless the gearbox has its own.
+    pub temperature: Temperature,
+}
+
+/// The losses of the parts of the gearbox of `case` at an operating point; none where it has no gearbox.
+///
+/// # Errors
+/// When a table does not reach the point, or the oil has no state there.
+///
+/// ```
+/// use asperity::case;
+/// use asperity::result::gearbox::{OperatingPoint, parts};
+/// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+/// let case = case::load_with(file, &|input| {
+///     let seal = r#"[{ shaft = "pinion", diameter = "40 mm" }]"#;
+///     let _ = input.set("gearbox.seals", seal);
+/// })?;
+/// let found = parts(&case.case, &OperatingPoint {
+///     torque: "145 N m".parse()?, speed: "3000 1/min".parse()?, temperature: "90 °C".parse()?,
+/// })?;
+/// assert!((found[0].loss_w - 36.912).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn parts(case: &Case, at: &OperatingPoint) -> Result<Vec<GearboxPart>, PositionError> {
+    let Some(gearbox) = &case.gearbox else {
+        return Ok(Vec::new());
+    };
+    let at = OperatingPoint {
+        temperature: gearbox.temperature.unwrap_or(at.temperature),
+        ..*at
+    };
+    let found = gearbox.parts.iter().map(|part| {
+        loss_of(part, case, &at).map_err(|source| PositionError::GearboxPart {
+            part: part.name.clone(),
+            source: Box::new(source),
+        })
+    });
+    found.collect()
+}
+
+/// Loss of all parts over the speed of the pinion \[N m\].
+///
+/// # Errors
+/// As [`parts`].
+pub fn loss_torque_nm(case: &Case, at: &OperatingPoint) -> Result<f64, PositionError> {
+    let losses = parts(case, at)?;
+    Ok(losses.iter().map(|part| part.loss_w).sum::<f64>() / at.speed.si())
+}
+
+/// The gearbox of a case whose mesh loses `mesh`.
+pub(crate) fn report(case: &Case, mesh: Power) -> Result<Option<GearboxReport>, PositionError> {
+    let Some(gearbox) = &case.gearbox else {
+        return Ok(None);
+    };
+    let at = operating_point(case);
+    let parts = parts(case, &at)?;
+    let parts_w: f64 = parts.iter().map(|part| part.loss_w).sum();
+    let loss = mesh + Power::from_si(parts_w);
+    let operation = MeshOperation {
+        pinion_torque: case.torque,
+        pinion_speed: case.speed,
+        teeth: case.gears.teeth,
+    };
+    let flow = power_flow(&operation, loss)?;
+    Ok(Some(GearboxReport {
+        efficiency: flow.efficiency,
+        loss_w: loss.si(),
+        parts_w,
+        power_in_w: flow.input_power.si(),
+        temperature_c: gearbox.temperature.unwrap_or(at.temperature).celsius(),
+        parts,
+    }))
+}
+
+/// Whether every part has a loss at the operating point of the case.
+pub(crate) fn check(case: &Case) -> Result<(), PositionError> {
+    parts(case, &operating_point(case)).map(|_| ())
+}
+
+fn operating_point(case: &Case) -> OperatingPoint {
+    // What was found from the loss of the mesh is the temperature of its flanks.
+    let of_oil = case.found_bulk.as_ref().map(|found| found.stated.operation);
+    OperatingPoint {
+        torque: case.torque,
+        speed: case.speed,
+        temperature: of_oil.map_or(case.temperature, |operation| operation.temperature),
+    }
+}
+
+fn loss_of(part: &Part, case: &Case, at: &OperatingPoint) -> Result<GearboxPart, PositionError> {
+    let of_shaft = |shaft: Shaft| match shaft {
+        Shaft::Pinion => at.speed,
+        Shaft::Wheel => at.speed / case.gears.ratio.abs(),
+    };
+    let oil = || Ok::<_, PositionError>(case.lubricant.at(at.temperature)?.value);
+    let (kind, law, torque, speed, outside): (_, &str, _, _, Vec<OutOfRange>) = match &part.kind {
+        PartKind::Seal { shaft, diameter } => {
+            let torque = seal_torque(*diameter)?;
+            (
+                "seal",
+                "ISO/TR 14179-2, as quoted",
+                torque,
+                of_shaft(*shaft),
+                Vec::new(),
+            )
+        }
+        PartKind::Bearing {
+            shaft,
+            bearing,
+            load,
+            at_torque,
+        } => {
+            let growth = at_torque.map_or(1.0, |stated| (at.torque / stated).abs());
+            let load = load.map(|force| Force::from_si(force.si() * growth));
+            let speed = of_shaft(*shaft);
+            let found = bearing.torque(load, speed, oil()?.kinematic_viscosity)?;
+            (
+                "bearing",
+                "SKF's form",
+                found.value.total(),
+                speed,
+                found.outside,
+            )
+        }
+        PartKind::Jet { flow, speed } => {
+            let radius = case.gears.working_pitch_radius[0].si().abs();
+            let pitch = Speed::from_si(at.speed.si() * radius);
+            let power = jet_power(oil()?.density, *flow, pitch, *speed)?;
+            let torque = Torque::from_si(power.si() / at.speed.si());
+            ("jet", "Ariura, as quoted", torque, at.speed, Vec::new())
+        }
+        PartKind::Table(table) => {
+            let rpm = at.speed.si() * 30.0 / std::f64::consts::PI;
+            let celsius = at.temperature.celsius();
+            // Nodes written in 1/min and °C are met although both are kept in SI.
+            let torque = table.loss_torque(at.torque.si(), rounded(rpm), rounded(celsius))?;
+            let torque = Torque::from_si(torque);
+            ("table", "the user's table", torque, at.speed, Vec::new())
+        }
+    };
+    Ok(GearboxPart {
+        name: part.name.clone(),
+        kind: kind.to_owned(),
+        law: law.to_owned(),
+        loss_w: torque.si() * speed.si(),
+        torque_nm: torque.si(),
+        outside: outside.iter().map(ToString::to_string).collect(),
+    })
+}
+
+/// A number without the last bits that a change of its unit leaves.
+fn rounded(value: f64) -> f64 {
+    const DIGITS: f64 = 1e9;
+    (value * DIGITS).round() / DIGITS
+}

@@ -1,0 +1,10 @@
+//! Sampling error of the loss: over windows of a trace, and over pairs of teeth.
+
+mod pairs;
+mod windows;
+
+pub use pairs::pair_sampling;
+pub use windows::{CONFIDENCE, effective_windows, window_sampling};
+
+pub(crate) use pairs::means_of_pairs;
+pub(crate) use windows::{free_way, least_way};

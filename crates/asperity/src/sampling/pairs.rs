@@ -1,0 +1,195 @@
+//! Mean over all pairs of sampled teeth, and its standard error.
+//!
+//! Variance components of two crossed random factors, each pair seen once; degrees of freedom after Satterthwaite 1946.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | P_ij | loss of tooth i of the pinion on tooth j of the wheel | W |
+//! | n₁, n₂ | teeth sampled of pinion and wheel | - |
+//! | V₁, V₂ | variance of the row means and of the column means | W² |
+//! | M | mean square of the residuals P_ij − P_i· − P_·j + P_·· | W² |
+//! | d | degrees of freedom | - |
+//!
+//! Where one flank has a single trace, its part is not in the error, which is then a lower bound.
+
+use asperity_core::cite;
+use asperity_core::numerics::student_t_quantile;
+
+use super::windows::CONFIDENCE;
+use crate::result::PairSampling;
+
+/// Standard error of the mean of `losses`, those of the teeth of the pinion one after the other, each on all
+/// `teeth[1]` of the wheel.
+///
+/// ```text
+/// SE² = max(V₁ − M/n₂, 0)/n₁ + max(V₂ − M/n₁, 0)/n₂ + M/(n₁ n₂)              [Between-traces]
+/// d = (V₁/n₁ + V₂/n₂)²/[(V₁/n₁)²/(n₁ − 1) + (V₂/n₂)²/(n₂ − 1)],  ± t(0.95, d) SE
+/// ```
+///
+/// With n₂ = 1 these are V₁/n₁ and n₁ − 1. None unless there are n₁·n₂ losses and one n is at least 2.
+///
+/// ```
+/// use asperity::uncertainty::pair_sampling;
+/// let found = pair_sampling(&[1.0, 3.0, 5.0, 7.0], [2, 2]);
+/// // Row means 2 and 6, column means 3 and 5, nothing left over: SE² = 8/2 + 2/2.
+/// assert!(found.is_some_and(|found| (found.standard_error_w - 5.0_f64.sqrt()).abs() < 1e-12));
+/// ```
+#[must_use]
+pub fn pair_sampling(losses: &[f64], teeth: [usize; 2]) -> Option<PairSampling> {
+    cite!("Between-traces");
+    let [n1, n2] = teeth;
+    if n1.max(n2) < 2 || losses.len() != n1 * n2 || losses.is_empty() {
+        return None;
+    }
+    let [rows, columns] = [n1 as f64, n2 as f64];
+    // Differences from one of them: equal losses leave exactly nothing.
+    let first = losses[0];
+    let at = |i: usize, j: usize| losses[i * n2 + j] - first;
+    let row: Vec<f64> = (0..n1)
+        .map(|i| (0..n2).map(|j| at(i, j)).sum::<f64>() / columns)
+        .collect();
+    let column: Vec<f64> = (0..n2)
+        .map(|j| (0..n1).map(|i| at(i, j)).sum::<f64>() / rows)
+        .collect();
+    let mean = row.iter().sum::<f64>() / rows;
+    let residual = if n1 > 1 && n2 > 1 {
+        let squares = (0..n1).flat_map(|i| (0..n2).map(move |j| (i, j)));
+        let squares = squares.map(|(i, j)| (at(i, j) - row[i] - column[j] + mean).powi(2));
+        squares.sum::<f64>() / ((rows - 1.0) * (columns - 1.0))
+    } else {
+        0.0
+    };
+    let [v1, v2] = [variance(&row, mean), variance(&column, mean)];
+    let parts = [
+        (v1 - residual / columns).max(0.0),
+        (v2 - residual / rows).max(0.0),
+    ];
+    let square = parts[0] / rows + parts[1] / columns + residual / (rows * columns);
+    let standard_error_w = square.sqrt();
+    let freedom = freedom([v1 / rows, v2 / columns], teeth);
+    let half_width_w = match standard_error_w > 0.0 {
+        true => student_t_quantile(CONFIDENCE, freedom) * standard_error_w,
+        false => 0.0,
+    };
+    Some(PairSampling {
+        traces: teeth,
+        mean_w: first + mean,
+        between_w: parts.map(f64::sqrt),
+        interaction_w: residual.sqrt(),
+        standard_error_w,
+        freedom,
+        half_width_w,
+        misplaced_w: None,
+    })
+}
+
+/// Means of `values`, one at each offset, over the offsets of each of so many pairs.
+pub(crate) fn means_of_pairs(values: &[f64], pairs: usize) -> Vec<f64> {
+    let each = (values.len() / pairs.max(1)).max(1);
+    let means = values.chunks(each);
+    means
+        .map(|part| part.iter().sum::<f64>() / part.len() as f64)
+        .collect()
+}
+
+/// Sample variance about `mean`; zero of a single value.
+fn variance(values: &[f64], mean: f64) -> f64 {
+    if values.len() < 2 {
+        return 0.0;
+    }
+    let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+    squares / (values.len() - 1) as f64
+}
+
+/// d of the two parts of the error; where neither varies the fewest that there are.
+fn freedom(parts: [f64; 2], teeth: [usize; 2]) -> f64 {
+    let spare = teeth.map(|n| n as f64 - 1.0);
+    let fourth: f64 = (parts.iter().zip(spare))
+        .filter(|(part, _)| **part > 0.0)
+        .map(|(part, spare)| part * part / spare)
+        .sum();
+    let sum = parts[0] + parts[1];
+    if fourth > 0.0 {
+        return sum * sum / fourth;
+    }
+    let sampled = spare.into_iter().filter(|spare| *spare > 0.0);
+    sampled.fold(f64::INFINITY, f64::min)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(losses: &[f64], teeth: [usize; 2]) -> PairSampling {
+        pair_sampling(losses, teeth).unwrap()
+    }
+
+    #[test]
+    fn losses_that_add_up_have_no_interaction() {
+        // P_ij = a_i + b_j, a = 0, 3, 6, b = 10, 14.
+        let losses = [10.0, 14.0, 13.0, 17.0, 16.0, 20.0];
+        let sampling = found(&losses, [3, 2]);
+        assert!((sampling.mean_w - 15.0).abs() < 1e-12);
+        assert!((sampling.between_w[0] - 3.0).abs() < 1e-12);
+        assert!((sampling.between_w[1] - 8.0_f64.sqrt()).abs() < 1e-12);
+        assert!(sampling.interaction_w < 1e-12);
+        // SE² = 9/3 + 8/2, d = 7²/(3²/2 + 4²/1).
+        assert!((sampling.standard_error_w - 7.0_f64.sqrt()).abs() < 1e-12);
+        assert!((sampling.freedom - 49.0 / 20.5).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_table_with_interaction_has_the_parts_found_by_hand() {
+        let losses = [0.0, 3.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 8.0];
+        let sampling = found(&losses, [3, 3]);
+        // Row means 5/3, 4, 22/3, column means 3, 5, 5: V1 = 73/9, V2 = 4/3; residuals in thirds, M = 1/3.
+        assert!((sampling.between_w[0].powi(2) - 8.0).abs() < 1e-12);
+        assert!((sampling.between_w[1].powi(2) - 11.0 / 9.0).abs() < 1e-12);
+        assert!((sampling.interaction_w.powi(2) - 1.0 / 3.0).abs() < 1e-12);
+        assert!((sampling.standard_error_w.powi(2) - 28.0 / 9.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn one_trace_of_the_wheel_leaves_the_spread_of_the_pinion() {
+        let sampling = found(&[1.0, 2.0, 6.0], [3, 1]);
+        // Variance 7, SE² = 7/3, d = 2.
+        assert!((sampling.standard_error_w.powi(2) - 7.0 / 3.0).abs() < 1e-12);
+        assert_eq!(sampling.freedom, 2.0);
+        assert_eq!(sampling.not_sampled(), Some("wheel"));
+        assert_eq!(
+            found(&[1.0, 2.0, 6.0], [1, 3]).not_sampled(),
+            Some("pinion")
+        );
+        assert_eq!(found(&[1.0, 2.0, 6.0, 3.0], [2, 2]).not_sampled(), None);
+    }
+
+    #[test]
+    fn equal_losses_have_no_error_at_all() {
+        let sampling = found(&[0.1 + 0.2; 6], [2, 3]);
+        assert_eq!(sampling.mean_w, 0.1 + 0.2);
+        assert_eq!(sampling.between_w, [0.0; 2]);
+        assert_eq!((sampling.interaction_w, sampling.half_width_w), (0.0, 0.0));
+    }
+
+    #[test]
+    fn the_order_of_the_traces_changes_nothing() {
+        let losses = [4.0, 1.5, 9.0, 2.5, 3.0, 7.0];
+        let (a, b) = (
+            found(&losses, [2, 3]),
+            found(&[2.5, 7.0, 3.0, 4.0, 9.0, 1.5], [2, 3]),
+        );
+        assert!((a.standard_error_w - b.standard_error_w).abs() < 1e-12);
+        assert!((a.half_width_w / b.half_width_w - 1.0).abs() < 1e-12);
+        // Pinion and wheel change places.
+        let turned = found(&[4.0, 2.5, 1.5, 3.0, 9.0, 7.0], [3, 2]);
+        assert!((a.standard_error_w - turned.standard_error_w).abs() < 1e-12);
+        assert!((a.between_w[0] - turned.between_w[1]).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_table_that_is_not_full_has_no_error() {
+        assert!(pair_sampling(&[1.0, 2.0, 3.0], [2, 2]).is_none());
+        assert!(pair_sampling(&[1.0], [1, 1]).is_none());
+        assert!(pair_sampling(&[], [0, 2]).is_none());
+    }
+}
