@@ -9,6 +9,10 @@ mod parsers;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|text: &str| {
-    let name = if text.starts_with('{') { "case.json" } else { "case.toml" };
+    let name = if text.starts_with('{') {
+        "case.json"
+    } else {
+        "case.toml"
+    };
     parsers::case(name, text);
 });

@@ -3,16 +3,15 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use asperity::uncertainty::run_with_band;
+use asperity::Run;
 use asperity::case::planetary::{self, LoadedPlanetary};
 use asperity::case::{self, Formulation, LoadedCase, Source, load_holding, open_source};
-use asperity::core::Profile;
 use asperity::contacts::dry_contact::dry_contact;
-use asperity::result::gear_report;
+use asperity::core::Profile;
 use asperity::pipeline::KeptFields;
-use asperity::pipeline;
-use asperity::planetary::run_planetary;
 use asperity::pipeline::{self, RegimeRow};
+use asperity::planetary::run_planetary;
+use asperity::result::gear_report;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
@@ -282,18 +281,23 @@ impl Case {
                 }
                 (Kind::Pair(loaded), "losses") => {
                     let program = concat!("asperity ", env!("CARGO_PKG_VERSION"));
-                    let losses = pipeline::losses(loaded, &shown)?;
+                    let losses = Run::new(loaded).progress(&shown).losses()?;
                     Found::Losses(program, loaded.case.title.clone(), losses.into())
                 }
-                (Kind::Pair(loaded), "contacts") => {
-                    Found::Whole(pipeline::contacts(loaded, &shown)?.into())
-                }
-                (Kind::Pair(loaded), "fields") if band => {
-                    Found::Whole(Run::new(loaded).fields(&KeptFields::All).band(true).progress(&shown).execute()?.into())
-                }
-                (Kind::Pair(loaded), "fields") => {
-                    Found::Whole(asperity::Run::new(loaded).progress(&shown).execute()?.into())
-                }
+                (Kind::Pair(loaded), "contacts") => Found::Whole(
+                    Run::new(loaded)
+                        .progress(&shown)
+                        .without_pictures()
+                        .execute()?
+                        .into(),
+                ),
+                (Kind::Pair(loaded), "fields") => Found::Whole(
+                    Run::new(loaded)
+                        .band(band)
+                        .progress(&shown)
+                        .execute()?
+                        .into(),
+                ),
                 (_, other) => {
                     let message = format!("detail: {other}: must be losses, contacts or fields");
                     return Err(Failure::new("E204", message));
@@ -309,7 +313,7 @@ impl Case {
             let rows = |mesh: &LoadedCase| -> Result<MeshRegime, Failure> {
                 Ok(MeshRegime {
                     title: mesh.case.title.clone(),
-                    rows: survey::survey(mesh)?,
+                    rows: pipeline::survey(mesh)?,
                 })
             };
             let meshes = match &self.kind {
@@ -329,7 +333,7 @@ impl Case {
     fn film(&self, py: Python<'_>, position: Option<f64>) -> PyResult<String> {
         let loaded = self.pair()?;
         alone(py, || {
-            failure::json(&survey::film(loaded, on_the_path(position)?)?)
+            failure::json(&pipeline::film(loaded, on_the_path(position)?)?)
         })
     }
 

@@ -82,7 +82,8 @@ pub fn ehl<'py>(
         }
         let mut numbers = numbers(&solved.value);
         let roughness = Some(contact.attenuated_roughness);
-        let warnings = record_warnings(&solved.value, roughness, contact.record.ceiling).into_iter();
+        let warnings =
+            record_warnings(&solved.value, roughness, contact.record.ceiling).into_iter();
         let warnings = warnings.map(|(code, text)| json!({ "code": code, "text": text }));
         numbers["warnings"] = warnings.collect();
         numbers["path_fraction"] = json!(place);

@@ -1,7 +1,6 @@
 //! The job of the page: what `asperity run` does, without a file system.
 
 use asperity::Run;
-use asperity::uncertainty::run_with_band;
 use asperity::case::{self, CaseInput, LoadedCase, Source, planetary};
 use asperity::oil::library;
 use asperity::pipeline::KeptFields;
@@ -40,7 +39,11 @@ pub fn run(
 ) -> Result<Finished, Failure> {
     let loaded = load(name, text, files)?;
     check_memory(&loaded)?;
-    let outcome = Run::new(&loaded).fields(&KeptFields::Highest).band(true).progress(progress).execute()
+    let outcome = Run::new(&loaded)
+        .fields(&KeptFields::Highest)
+        .band(true)
+        .progress(progress)
+        .execute()
         .map_err(|error| Failure::of_run(name, &error))?;
     Ok(Finished {
         title: outcome.result.title.clone(),

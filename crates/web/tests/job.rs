@@ -7,7 +7,6 @@ use std::fs;
 use std::path::PathBuf;
 
 use asperity::Run;
-use asperity::uncertainty::run_with_band;
 use asperity::case;
 use asperity::pipeline::KeptFields;
 use asperity_report::texts;
@@ -44,7 +43,12 @@ fn the_files_of_a_run_are_those_of_the_library_on_the_files_on_disk() {
     let on_disk = case::load_with(&fixtures().join("cases/e-drive.toml"), &|input| {
         (input.model.positions, input.model.offsets) = (Some(3), Some(2));
     });
-    let outcome = Run::new(&on_disk.unwrap()).fields(&KeptFields::Highest).band(true).progress(&told()).execute().unwrap();
+    let outcome = Run::new(&on_disk.unwrap())
+        .fields(&KeptFields::Highest)
+        .band(true)
+        .progress(&told())
+        .execute()
+        .unwrap();
     assert_eq!(found.files, texts(&outcome).unwrap());
     assert_eq!(found.title, outcome.result.title);
     assert!(
