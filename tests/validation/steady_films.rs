@@ -8,7 +8,7 @@ use asperity::lubrication::FormulaFilm;
 use asperity::mesh::{Mesh, MeshPosition};
 use asperity::oil::{DensityLaw, PressureViscosityLaw, ShearLaw};
 use asperity_ehl_regime::FilmLaw;
-use asperity_tribo_friction::{RollingConditions, rolling_force};
+use asperity_tribo_friction::rolling_force;
 
 use crate::comparison::{Comparison, Table};
 
@@ -42,16 +42,9 @@ fn rows(name: &str, case: &Case, station: &MeshPosition) -> [Comparison; 3] {
         .film(&FormulaFilm::of(case, station).unwrap().conditions)
         .unwrap()
         .value;
-    let rolling = rolling_force(&RollingConditions {
-        entrainment: station.motion.entrainment,
-        radius: station.motion.radius,
-        load: station.load,
-        modulus: case.modulus,
-        viscosity: case.oil.dynamic_viscosity,
-        pressure_viscosity: case.oil.pressure_viscosity,
-        thermal_factor: 1.0,
-    })
-    .unwrap();
+    let line = station.line_contact(case.modulus, case.materials);
+    let (eta, alpha) = (case.oil.dynamic_viscosity, case.oil.pressure_viscosity);
+    let rolling = rolling_force(&line, eta, alpha, 1.0).unwrap();
     let path = case.gears.path();
     let place = (station.s - path.a) / (path.e - path.a);
     let row = |quantity: &str, unit, expected: f64, actual: f64, tolerance| {

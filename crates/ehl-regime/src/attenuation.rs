@@ -11,7 +11,7 @@
 //!
 //! Source: C. H. Venner, F. Couhier, A. A. Lubrecht, J. A. Greenwood (1997), line contact, ridges across the
 //! motion, pure rolling, amplitudes small against the film. The form of ∇ is confirmed by public sources;
-//! 0.125 and 0.04 are from memory, the source's text was not reached. Against a mixed-EHL solver: within
+//! 0.125 and 0.04 are from memory, the source's text was not available. Against a mixed-EHL solver: within
 //! 9 % for ∇ below 8 in rolling, 27 % above, within 20 % with sliding up to |SRR| = 0.5.
 
 use std::sync::Arc;

@@ -11,9 +11,9 @@
 //! Source: B. J. Hamrock and D. Dowson, ASME J. Lubr. Technol. 99 (1977) 264, flooded contacts.
 //! Range of their 34 cases, as it is usually quoted: 1 ≤ k ≤ 8, U 8.4·10⁻¹³ to 5.05·10⁻¹¹,
 //! W 1.1·10⁻⁷ to 1.3·10⁻⁶, G 2310 to 6785. Gear contacts lie far outside in W and k: with k → ∞
-//! the formulas read 23 to 30 % below the line formulas, which is why they are not the default.
+//! the formulas give films 23 to 30 % below the line formulas, which is why they are not the default.
 //!
-//! The line limit k → ∞ has two readings of the load: W = F/(E′R²) with the force F on the whole
+//! The line limit k → ∞ has two definitions of the load group: W = F/(E′R²) with the force F on the whole
 //! face width (the 2022 paper's), and the line group W = w/(E′R). Both are offered by
 //! [`FilmLaw`](crate::FilmLaw).
 
@@ -71,7 +71,7 @@ fn notes(groups: &FilmGroups, ellipticity: f64) -> Vec<OutOfRange> {
     let mut outside = Vec::new();
     let values = [ellipticity, groups.speed, groups.load, groups.material];
     for (range, value) in RANGES.iter().zip(values) {
-        // A line contact is the limit that the formula is asked for, not an outlier.
+        // A line contact, k = ∞, is a limit of the formula and not outside its range.
         if value.is_finite() {
             range.check(value, &mut outside);
         }

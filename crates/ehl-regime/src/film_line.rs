@@ -11,8 +11,8 @@
 //! minimum; D. Dowson and A. Toyoda (1979) for the centre; H. Moes (2000) for the form that
 //! covers all four asymptotes; A. N. Grubin (1949) for the inlet solution. The first two are
 //! fits to piezoviscous elastic solutions of flooded, smooth, isothermal contacts. Their printed
-//! tables of cases were not at hand, so no range of G, U, W is asserted here; the Moes form,
-//! which has the right limits outside that regime, is the one to compare with.
+//! tables of cases were not available, so no range of G, U, W is checked here. Outside this regime compare with
+//! Moes' form, which has the right limits.
 
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, cite};

@@ -25,7 +25,7 @@ use serde::{Deserialize, Serialize};
 use crate::error::RegimeError;
 use crate::film_law::FilmThickness;
 
-/// Direction of the roughness against the motion.
+/// Direction of the roughness relative to the motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Orientation {
@@ -140,7 +140,7 @@ fn side_flow(name: &'static str, aspect: f64, gamma: &[f64; 3]) -> Result<f64, D
     Ok(1.0 - g1 * (-g2 * q.powf(*g3)).exp())
 }
 
-/// Λ* and what it is made of.
+/// Λ* and its parts.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LambdaStar {
     /// Λ* = h*/S_pk.

@@ -9,8 +9,8 @@
 //! | E_r | 2/Σ((1 − ν²)/E) | N/mm² |
 //! | B_M | thermal contact coefficient √(λ ρ c) | N/(m s^0.5 K) |
 //!
-//! Source: ISO/TS 6336-22:2018 (before: ISO/TR 15144-1), whose text was not reached. h and λ as Jbily et al. 2024 quote
-//! them; the parameters G_M, U, W, S_GF and the flash temperature are from memory.
+//! Source: ISO/TS 6336-22:2018 (formerly ISO/TR 15144-1), whose text was not available. h and λ as quoted by Jbily et al.
+//! 2024; the parameters G_M, U, W, S_GF and the flash temperature are from memory.
 
 use asperity_core::DomainError;
 use asperity_core::cite;

@@ -10,11 +10,11 @@
 //!
 //! Source: G. H. Benedict and B. W. Kelley, ASLE Trans. 4 (1961) 59, in the metric form of
 //! AGMA 925-A03, 6.2.2 (29 700 and 1.13 are unit conversions of the original). That the clause
-//! gives this law is confirmed; its wording was not at hand. Roller tests: the coefficient rises
+//! gives this law is confirmed; its wording was not available. Roller tests: the coefficient rises
 //! with load and falls with both speeds and viscosity. Range: the roughness factor has a pole at
 //! Ra = 1.13 um and AGMA limits it to 3, that is Ra ≤ 0.753 um. The logarithm turns negative
-//! for light loads at high speeds, where the law has nothing to say: the value is then 0, with a
-//! note.
+//! for light loads at high speeds, outside the domain of the law: the value is then 0, with a
+//! warning.
 
 use asperity_core::quantity::{DynamicViscosity, Length, LineLoad, Speed};
 use asperity_core::{Checked, DomainError, FittedRange, cite};
@@ -46,8 +46,8 @@ const ARGUMENT: FittedRange = FittedRange {
     correlation: "Benedict-Kelley (held at zero friction)",
 };
 
-/// Viscosities of mineral gear oils at their working temperature; the oils of the tests were not at
-/// hand (judgement).
+/// Viscosities of mineral gear oils at their working temperature; the oils of the tests were not
+/// available (judgement).
 const VISCOSITY: FittedRange = FittedRange {
     name: "viscosity",
     low: 5.0,

@@ -1,4 +1,4 @@
-//! Boundary friction, and what of a touching asperity rubs with it.
+//! Boundary friction, and the share of the asperity load that it acts on.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -10,8 +10,8 @@
 //! | μ_f, μ_a | coefficients of the film and of lubricated asperities | - |
 //!
 //! Touching asperities are lubricated (micro-EHL): they shear the oil at asperity pressure, near its limiting
-//! stress, and only what of them is closer than the boundary layer rubs with μ_b. With films spread
-//! exponentially about their mean h_k, the mean of e^(−h/h_b) is 1/(1 + h_k/h_b).
+//! stress; μ_b acts only where they are closer than the boundary layer. With exponentially distributed films of
+//! mean h_k, the mean of e^(−h/h_b) is 1/(1 + h_k/h_b).
 //!
 //! Evidence for μ_b: 0.065 to 0.07 on ground FZG gears with mineral oil and EP additives, 0.08, 0.12 and
 //! 0.12 to 0.135 elsewhere; a tribofilm raised a rig's raw value from 0.086 to 0.120 in 10 000 s. The
@@ -25,11 +25,11 @@ use crate::error::FrictionError;
 
 /// Default coefficient of boundary friction.
 pub const BOUNDARY_FRICTION: f64 = 0.08;
-/// Band of the coefficient of boundary friction.
+/// Range of the coefficient of boundary friction.
 pub const BOUNDARY_FRICTION_BAND: [f64; 2] = [0.065, 0.12];
 /// Default height of the boundary layer, at a short-wave cut-off of 2.5 um.
 pub const BOUNDARY_LAYER: Length = Length::from_si(10e-9);
-/// Band of the height of the boundary layer.
+/// Range of the height of the boundary layer.
 pub const BOUNDARY_LAYER_BAND: [Length; 2] = [Length::from_si(5e-9), Length::from_si(20e-9)];
 
 /// Share of a touching spot's load on the boundary layer.
@@ -77,7 +77,7 @@ impl FrictionParts {
     }
 }
 
-/// Shares of the load and the coefficient of each.
+/// Shares of the load, each with its friction coefficient.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct SharedFriction {
     /// Share φ of the load on the asperities.

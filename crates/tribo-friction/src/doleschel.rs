@@ -1,4 +1,4 @@
-//! Doleschel's sharing of mixed friction by the film ratio.
+//! Mixed friction of Doleschel: load sharing by the film ratio.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -8,7 +8,7 @@
 //!
 //! Source: A. Doleschel, dissertation, TU München, 2002 (FVA 345); ξ, the definition of λ and
 //! its domain 0 ≤ λ ≤ 2 confirmed in Arana et al. 2019, table 1. From λ = 2 on the film carries
-//! all. Doleschel's own fits of μ_ehd and μ_bdr belong to the oils of his tests and are not
+//! the whole load. Doleschel's own fits of μ_ehd and μ_bdr belong to the oils of his tests and are not
 //! included: the fluid part is an input, from [`eyring`](crate::eyring) or a measured value.
 
 use asperity_core::quantity::Length;
@@ -17,7 +17,7 @@ use asperity_core::{DomainError, cite};
 use crate::error::FrictionError;
 use crate::mixed::shared_coefficient;
 
-/// Doleschel 2002: film ratio from which the film carries all.
+/// Doleschel 2002: film ratio from which the film carries the whole load.
 const FULL_FILM: f64 = 2.0;
 
 /// Share of the load on the asperities, by the film ratio.

@@ -49,7 +49,7 @@ pub use flash::flash_temperature;
 pub use friction_law::{FrictionLaw, FrictionSettings};
 pub use mixed::{MixedFriction, mixed_friction};
 pub use published_law::PublishedLaw;
-pub use rolling::{RollingConditions, rolling_force};
+pub use rolling::rolling_force;
 pub use xu::{RoughnessReading, XuCalibration, XuCoefficients, XuLaw};
 
 /// The examples of the README are tests.

@@ -1,4 +1,4 @@
-//! Matsumoto and Morikawa's sharing of mixed friction by maximum heights.
+//! Mixed friction of Matsumoto and Morikawa: load sharing by maximum heights.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -9,7 +9,7 @@
 //!
 //! Source: S. Matsumoto and K. Morikawa, JSME MPT 2013 and International Gear Conference 2014;
 //! ξ and its domain 0.01 ≤ h_m/(Rz₁ + Rz₂) ≤ 1 confirmed in Arana et al. 2019, table 1. The ends
-//! of the domain are ξ = 1 and ξ = 0; beyond them the share stays there. Tested on discs.
+//! of the domain are ξ = 1 and ξ = 0; beyond them ξ is constant. Tested on discs.
 //! The fluid part is an input: compose with [`eyring`](crate::eyring) or a measured value.
 
 use asperity_core::quantity::Length;

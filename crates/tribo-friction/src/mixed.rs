@@ -10,8 +10,8 @@
 //!
 //! μ_m is 0.08 to 0.13 for steel in oil; 0.065 was measured on ground gears at the lowest speed
 //! (Arana et al. 2019). The 2022 paper uses 0.3, a value of dry metal. The integral is the sum
-//! over strips of constant pressure, as the boundary elements have them: a uniform coefficient
-//! gives exactly that coefficient times the load they carry.
+//! over strips of constant pressure, as in the boundary-element solution: a uniform coefficient
+//! gives exactly this coefficient times the load on the strips.
 
 use asperity_core::quantity::{Length, LineLoad};
 use asperity_core::{DomainError, cite};

@@ -16,11 +16,9 @@
 //! on one surface: the pair loses F_r (u₁ + u₂) = 2 F_r V_e. [`goksem_factor`] is the longer form
 //! of the same fit, with its own thermal factor, as an open bearing dynamics code has it.
 
-use asperity_core::quantity::{
-    DynamicViscosity, Length, LineLoad, Pressure, PressureViscosity, Speed,
-};
+use asperity_core::line_contact::LineContact;
+use asperity_core::quantity::{DynamicViscosity, LineLoad, PressureViscosity};
 use asperity_core::{DomainError, cite};
-use serde::Serialize;
 
 use crate::error::FrictionError;
 
@@ -35,57 +33,50 @@ const LONG_FORM: (f64, f64) = (0.658228, -0.162625);
 const LONG_FORM_RISE: (f64, f64) = (0.0106383, 0.3174603);
 const LONG_FORM_FALL: (f64, f64) = (0.411483, 0.707071);
 
-/// One mesh position: the inputs of the rolling resistance.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct RollingConditions {
-    /// Mean surface speed V_e = (u₁ + u₂)/2.
-    pub entrainment: Speed,
-    /// Relative radius of curvature R.
-    pub radius: Length,
-    /// Load per length of contact line w.
-    pub load: LineLoad,
-    /// Reduced modulus E* (E′ = 2 E* is formed inside).
-    pub modulus: Pressure,
-    /// Viscosity η₀ at the inlet temperature and ambient pressure.
-    pub viscosity: DynamicViscosity,
-    /// Pressure-viscosity coefficient α.
-    pub pressure_viscosity: PressureViscosity,
-    /// Thermal reduction φ; 1 without.
-    pub thermal_factor: f64,
-}
-
 /// Rolling resistance on one surface by Goksem and Hargreaves.
 ///
 /// ```text
 /// F_r = 4.318 φ (G U)^0.658 W^0.0126 R/α                                           [P9]
 /// ```
 ///
+/// The oil's viscosity η₀ and pressure-viscosity coefficient α hold at the inlet temperature; the thermal reduction φ
+/// is 1 for an isothermal inlet.
+///
 /// # Errors
 /// When an input is not finite and positive (φ may be 0).
 ///
 /// ```
-/// use asperity_tribo_friction::{RollingConditions, rolling_force};
-/// let pitch_point = RollingConditions {
-///     entrainment: "4.568 m/s".parse()?, radius: "11.6269 mm".parse()?,
-///     load: "113.409 N/mm".parse()?, modulus: "115.3846 GPa".parse()?,
-///     viscosity: "97.5 mPa s".parse()?, pressure_viscosity: "20 1/GPa".parse()?,
-///     thermal_factor: 1.0,
+/// use asperity_core::{line_contact::LineContact, material::Material};
+/// use asperity_tribo_friction::rolling_force;
+/// let steel = Material {
+///     young: "210 GPa".parse()?, poisson: 0.3, elastic_limit: "235 MPa".parse()?,
+///     density: "7830 kg/m3".parse()?, conductivity: "45 W/(m K)".parse()?, heat_capacity: "465 J/(kg K)".parse()?,
 /// };
-/// assert!((rolling_force(&pitch_point)?.si() - 209.16).abs() < 0.01);
+/// let pitch_point = LineContact {
+///     load: "113.409 N/mm".parse()?, radius: "11.6269 mm".parse()?, modulus: "115.3846 GPa".parse()?,
+///     speeds: ["4.568 m/s".parse()?; 2], bodies: [steel; 2],
+/// };
+/// let force = rolling_force(&pitch_point, "97.5 mPa s".parse()?, "20 1/GPa".parse()?, 1.0)?;
+/// assert!((force.si() - 209.16).abs() < 0.01);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn rolling_force(position: &RollingConditions) -> Result<LineLoad, FrictionError> {
+pub fn rolling_force(
+    contact: &LineContact,
+    viscosity: DynamicViscosity,
+    pressure_viscosity: PressureViscosity,
+    thermal_factor: f64,
+) -> Result<LineLoad, FrictionError> {
     cite!("P9");
-    let v_e = DomainError::positive("entrainment speed", position.entrainment)?;
-    let r = DomainError::positive("radius", position.radius)?;
-    let load = DomainError::positive("line load", position.load)?;
-    let e = 2.0 * DomainError::positive("reduced modulus", position.modulus)?;
-    let eta = DomainError::positive("viscosity", position.viscosity)?;
-    let alpha = DomainError::positive("pressure-viscosity", position.pressure_viscosity)?;
+    let v_e = DomainError::positive("entrainment speed", contact.entrainment())?;
+    let r = DomainError::positive("radius", contact.radius)?;
+    let load = DomainError::positive("line load", contact.load)?;
+    let e = 2.0 * DomainError::positive("reduced modulus", contact.modulus)?;
+    let eta = DomainError::positive("viscosity", viscosity)?;
+    let alpha = DomainError::positive("pressure-viscosity", pressure_viscosity)?;
     let phi = DomainError::require(
-        position.thermal_factor.is_finite() && position.thermal_factor >= 0.0,
+        thermal_factor.is_finite() && thermal_factor >= 0.0,
         "thermal factor",
-        position.thermal_factor,
+        thermal_factor,
         "-",
         "must be finite and not negative",
     )?;

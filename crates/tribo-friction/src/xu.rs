@@ -14,7 +14,7 @@
 //! N. E. Anderson and D. G. Maddock (2007). The nine coefficients agree in two independent public
 //! copies; one of them computes with P_h in GPa, the other labels it MPa, with which q would be in
 //! the hundreds and the friction vanish. Fitted to a 75W90 gear oil. Ranges: those over which
-//! the regression is usually applied; the table of its own cases was not at hand, so a note says
+//! the regression is usually applied; the table of its own cases was not available, so a note says
 //! only that a value should be checked.
 //!
 //! The roughness enters as e^(b₉ e^S), a double exponential: relative to S = 0.42 um it is ×0.72

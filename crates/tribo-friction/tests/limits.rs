@@ -14,8 +14,8 @@ use asperity_core::quantity::{
 };
 use asperity_tribo_friction::{
     FilmTraction, FrictionConditions, FrictionError, FrictionLaw, FrictionSettings, MeshConditions,
-    RollingConditions, XuCalibration, XuCoefficients, XuLaw, doleschel, flash_temperature,
-    matsumoto, mixed_friction, rolling_force,
+    XuCalibration, XuCoefficients, XuLaw, doleschel, flash_temperature, matsumoto, mixed_friction,
+    rolling_force,
 };
 use reference_case::{ALPHA, LOAD, MODULUS, OIL, POSITIONS, STEEL, conditions};
 
@@ -339,22 +339,16 @@ fn mixed_friction_refuses_fields_that_do_not_belong_together() {
 
 #[test]
 fn rolling_refuses_what_does_not_roll() {
-    let position = RollingConditions {
-        entrainment: Speed::from_si(0.0),
-        radius: Length::from_si(0.01),
+    let contact = |speed: f64| LineContact {
         load: LOAD,
+        radius: Length::from_si(0.01),
         modulus: MODULUS,
-        viscosity: OIL,
-        pressure_viscosity: ALPHA,
-        thermal_factor: 1.0,
+        speeds: [Speed::from_si(speed); 2],
+        bodies: [STEEL; 2],
     };
-    assert!(rolling_force(&position).is_err());
-    let cold = RollingConditions {
-        entrainment: Speed::from_si(1.0),
-        thermal_factor: -0.1,
-        ..position
-    };
-    assert!(rolling_force(&cold).is_err());
+    assert!(rolling_force(&contact(0.0), OIL, ALPHA, 1.0).is_err());
+    assert!(rolling_force(&contact(1.0), OIL, ALPHA, -0.1).is_err());
+    assert!(rolling_force(&contact(1.0), OIL, ALPHA, 0.0).is_ok());
 }
 
 #[test]

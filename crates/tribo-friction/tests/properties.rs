@@ -8,8 +8,8 @@ use asperity_core::quantity::{
 };
 use asperity_tribo_friction::xu::XuConditions;
 use asperity_tribo_friction::{
-    RollingConditions, RoughnessReading, XuCoefficients, XuLaw, doleschel, flash_temperature,
-    matsumoto, mixed_friction, rolling_force,
+    RoughnessReading, XuCoefficients, XuLaw, doleschel, flash_temperature, matsumoto,
+    mixed_friction, rolling_force,
 };
 use proptest::prelude::*;
 
@@ -18,6 +18,18 @@ const XU: XuLaw = XuLaw {
     roughness: RoughnessReading::AsIs,
     friction_scale: 1.0,
 };
+
+const STEEL: Material = Material {
+    young: Pressure::from_si(210e9),
+    poisson: 0.3,
+    elastic_limit: Pressure::from_si(235e6),
+    density: Density::from_si(7830.0),
+    conductivity: ThermalConductivity::from_si(45.0),
+    heat_capacity: SpecificHeat::from_si(465.0),
+};
+
+/// Contact, viscosity, pressure-viscosity coefficient and thermal factor of the rolling resistance.
+type Rolling = (LineContact, DynamicViscosity, PressureViscosity, f64);
 
 /// Root of b₃/q + b₄ − b₅ e^(−q), by bisection in Python.
 const PEAK: f64 = 0.505195;
@@ -49,16 +61,15 @@ prop_compose! {
         load in 1e4..1e6_f64,
         viscosity in 5e-3..0.5_f64,
         alpha in 1e-8..3e-8_f64,
-    ) -> RollingConditions {
-        RollingConditions {
-            entrainment: Speed::from_si(entrainment),
-            radius: Length::from_si(radius),
+    ) -> Rolling {
+        let contact = LineContact {
             load: LineLoad::from_si(load),
+            radius: Length::from_si(radius),
             modulus: Pressure::from_si(115e9),
-            viscosity: DynamicViscosity::from_si(viscosity),
-            pressure_viscosity: PressureViscosity::from_si(alpha),
-            thermal_factor: 1.0,
-        }
+            speeds: [Speed::from_si(entrainment); 2],
+            bodies: [STEEL; 2],
+        };
+        (contact, DynamicViscosity::from_si(viscosity), PressureViscosity::from_si(alpha), 1.0)
     }
 }
 
@@ -100,22 +111,22 @@ proptest! {
         position in rolling_position(),
         c in 1.1..5.0_f64,
     ) {
-        let force = |at: RollingConditions| rolling_force(&at).unwrap().si();
+        let force = |(contact, eta, alpha, phi): Rolling| rolling_force(&contact, eta, alpha, phi).unwrap().si();
         let base = force(position);
-        let power = |at: RollingConditions, exponent: f64| {
+        let power = |at: Rolling, exponent: f64| {
             (force(at) / base / c.powf(exponent) - 1.0).abs() < 1e-12
         };
-        let p = position;
-        let alpha = p.pressure_viscosity * c;
+        let (contact, eta, alpha, phi) = position;
+        let other = |contact: LineContact| (contact, eta, alpha, phi);
         // The last three from R/α · (α η V_e/R)^0.658 · (w/(E′R))^0.0126.
         let powers = [
-            power(RollingConditions { entrainment: p.entrainment * c, ..p }, 0.658),
-            power(RollingConditions { viscosity: p.viscosity * c, ..p }, 0.658),
-            power(RollingConditions { load: p.load * c, ..p }, 0.0126),
-            power(RollingConditions { thermal_factor: c, ..p }, 1.0),
-            power(RollingConditions { pressure_viscosity: alpha, ..p }, -0.342),
-            power(RollingConditions { radius: p.radius * c, ..p }, 0.342 - 0.0126),
-            power(RollingConditions { modulus: p.modulus * c, ..p }, -0.0126),
+            power(other(LineContact { speeds: contact.speeds.map(|u| u * c), ..contact }), 0.658),
+            power((contact, eta * c, alpha, phi), 0.658),
+            power(other(LineContact { load: contact.load * c, ..contact }), 0.0126),
+            power((contact, eta, alpha, c), 1.0),
+            power((contact, eta, alpha * c, phi), -0.342),
+            power(other(LineContact { radius: contact.radius * c, ..contact }), 0.342 - 0.0126),
+            power(other(LineContact { modulus: contact.modulus * c, ..contact }), -0.0126),
         ];
         prop_assert_eq!(powers, [true; 7]);
     }
@@ -156,21 +167,13 @@ proptest! {
         second in 0.1..50.0_f64,
         mu in 0.01..0.2_f64,
     ) {
-        let steel = Material {
-            young: Pressure::from_si(210e9),
-            poisson: 0.3,
-            elastic_limit: Pressure::from_si(235e6),
-            density: Density::from_si(7830.0),
-            conductivity: ThermalConductivity::from_si(45.0),
-            heat_capacity: SpecificHeat::from_si(465.0),
-        };
         let at = |first, second| {
             let contact = LineContact {
                 load: LineLoad::from_si(1e5),
                 radius: Length::from_si(0.01),
                 modulus: Pressure::from_si(115e9),
                 speeds: [first, second].map(Speed::from_si),
-                bodies: [steel; 2],
+                bodies: [STEEL; 2],
             };
             flash_temperature(&contact, Length::from_si(1e-4), mu).unwrap()
         };

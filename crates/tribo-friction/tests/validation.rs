@@ -21,8 +21,8 @@ use asperity_tribo_friction::flash::heat_share;
 use asperity_tribo_friction::rolling::goksem_factor;
 use asperity_tribo_friction::xu::XuConditions;
 use asperity_tribo_friction::{
-    FrictionLaw, FrictionSettings, RollingConditions, RoughnessReading, XuLaw, doleschel, eyring,
-    flash_temperature, matsumoto, mixed_friction, rolling_force,
+    FrictionLaw, FrictionSettings, RoughnessReading, XuLaw, doleschel, eyring, flash_temperature,
+    matsumoto, mixed_friction, rolling_force,
 };
 use reference_case::{ALPHA, LOAD, MODULUS, OIL, POSITIONS, Position, STEEL, conditions};
 
@@ -170,22 +170,23 @@ fn eyring_spot_values() {
     }
 }
 
-fn rolling(position: &Position, thermal_factor: f64) -> RollingConditions {
-    RollingConditions {
-        entrainment: Speed::from_si(position.entrainment),
-        radius: Length::from_si(position.radius_mm * 1e-3),
+/// The line contact of a position.
+fn line_contact(position: &Position) -> LineContact {
+    LineContact {
         load: LOAD,
+        radius: Length::from_si(position.radius_mm * 1e-3),
         modulus: MODULUS,
-        viscosity: OIL,
-        pressure_viscosity: ALPHA,
-        thermal_factor,
+        speeds: [0.5, -0.5]
+            .map(|part| Speed::from_si(position.entrainment + part * position.sliding)),
+        bodies: [STEEL; 2],
     }
 }
 
 #[test]
 fn rolling_resistance_of_the_reference_case() {
     for position in &POSITIONS {
-        let force = |phi| rolling_force(&rolling(position, phi)).unwrap().si();
+        let contact = line_contact(position);
+        let force = |phi| rolling_force(&contact, OIL, ALPHA, phi).unwrap().si();
         close(force(1.0), position.rolling[0], ROUNDING);
         close(force(position.gupta), position.rolling[1], ROUNDING);
     }
@@ -204,15 +205,19 @@ fn rolling_resistance_agrees_with_a_numerical_inlet() {
         (0.1, 2e-8, 0.5, 5e5, 0.01, 46.04107235963668),
     ];
     for (viscosity, alpha, speed, load, radius, expected) in cases {
-        let force = rolling_force(&RollingConditions {
-            entrainment: Speed::from_si(speed),
-            radius: Length::from_si(radius),
+        let contact = LineContact {
             load: LineLoad::from_si(load),
+            radius: Length::from_si(radius),
             modulus: Pressure::from_si(115.3846e9),
-            viscosity: DynamicViscosity::from_si(viscosity),
-            pressure_viscosity: PressureViscosity::from_si(alpha),
-            thermal_factor: 1.0,
-        });
+            speeds: [Speed::from_si(speed); 2],
+            bodies: [STEEL; 2],
+        };
+        let force = rolling_force(
+            &contact,
+            DynamicViscosity::from_si(viscosity),
+            PressureViscosity::from_si(alpha),
+            1.0,
+        );
         close(force.unwrap().si(), expected, 0.05);
     }
 }
@@ -248,14 +253,7 @@ fn longer_goksem_form_of_the_reference_case() {
 #[test]
 fn flash_temperature_of_the_reference_case() {
     for position in &POSITIONS {
-        let contact = LineContact {
-            load: LOAD,
-            radius: Length::from_si(position.radius_mm * 1e-3),
-            modulus: MODULUS,
-            speeds: [0.5, -0.5]
-                .map(|part| Speed::from_si(position.entrainment + part * position.sliding)),
-            bodies: [STEEL; 2],
-        };
+        let contact = line_contact(position);
         let half_width = Length::from_si(position.half_width_um * 1e-6);
         let rise = flash_temperature(&contact, half_width, position.xu[0]).unwrap();
         match position.flash {

@@ -6,6 +6,7 @@ use asperity::ehl::traction::Heat;
 use asperity::ehl::{FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling, RoughContact};
 use asperity::oil::{AMBIENT_LIMIT, DensityLaw, LubricantInput, PressureViscosityLaw, ShearLaw};
 use asperity::reference_solution::attenuated_roughness;
+use asperity::tribo_friction::boundary::BOUNDARY_LAYER;
 use asperity_core::Profile;
 use asperity_core::material::Material;
 use asperity_core::quantity::{
@@ -20,8 +21,6 @@ use crate::failure::Failure;
 
 /// Eyring stress of the friction law where the film is Newtonian.
 const EYRING_STRESS: Pressure = Pressure::from_si(5e6);
-/// Thickness of the boundary layer.
-const BOUNDARY_LAYER: Length = Length::from_si(10e-9);
 /// Steel of the bodies, whose heat the thermal traction needs.
 const STEEL: Material = Material {
     young: Pressure::from_si(210e9),

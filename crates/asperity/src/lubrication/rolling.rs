@@ -1,7 +1,7 @@
 //! Rolling friction at a mesh position.
 
 use asperity_efficiency::RollingSurfaces;
-use asperity_tribo_friction::{RollingConditions, rolling_force};
+use asperity_tribo_friction::rolling_force;
 
 use super::formula_film::FormulaFilm;
 use super::friction::hysteresis_force;
@@ -15,17 +15,14 @@ pub(crate) fn rolling(
     position: &MeshPosition,
     film: &FormulaFilm,
 ) -> Result<f64, PositionError> {
-    let film = rolling_force(&RollingConditions {
-        entrainment: position.motion.entrainment,
-        radius: position.motion.radius,
-        load: position.load,
-        modulus: case.modulus,
-        viscosity: case.oil.dynamic_viscosity,
-        pressure_viscosity: case.oil.pressure_viscosity,
-        thermal_factor: film.thermal_reduction,
-    })?;
+    let resistance = rolling_force(
+        &position.line_contact(case.modulus, case.materials),
+        case.oil.dynamic_viscosity,
+        case.oil.pressure_viscosity,
+        film.thermal_reduction,
+    )?;
     let surfaces = rolling_surfaces(case);
-    Ok(film.si() + hysteresis_force(case, position) / surfaces.count())
+    Ok(resistance.si() + hysteresis_force(case, position) / surfaces.count())
 }
 
 /// Surfaces on which rolling friction is counted: the paper counts it on one.
