@@ -115,7 +115,7 @@ pub fn explained(told: String, why: &str) -> String {
     }
 }
 
-/// General advice for a code, with the keys that it is about.
+/// General advice for a code, with the keys that it is about; `None` for an unknown code or if its messages say it.
 ///
 /// ```
 /// assert_eq!(
@@ -124,7 +124,7 @@ pub fn explained(told: String, why: &str) -> String {
 /// );
 /// ```
 pub fn advice(code: &str) -> Option<String> {
-    let entry = explain(code)?;
+    let entry = explain(code).filter(|entry| !entry.remedy.is_empty())?;
     let Some(first) = entry.settings.first() else {
         return Some(entry.remedy.to_owned());
     };
