@@ -74,6 +74,7 @@ impl std::fmt::Display for OutOfRange {
             high,
             unit,
             correlation,
+            treatment: _,
         } = self;
         write!(
             f,
