@@ -173,6 +173,11 @@ fn every_row_has_a_formula_sources_and_a_test() {
         "order of rows.txt"
     );
     let listed = lines("sources.txt");
+    let texts: BTreeSet<&str> = listed
+        .iter()
+        .filter_map(|row| Some(row.split_once(" | ")?.1))
+        .collect();
+    assert_eq!(texts.len(), listed.len(), "a publication has two keys");
     let listed: Vec<&str> = listed
         .iter()
         .map(|row| row.split(" | ").next().unwrap())

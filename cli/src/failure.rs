@@ -7,6 +7,7 @@ use std::process::ExitCode;
 use asperity::case::Place;
 use asperity::key_words::with_keys;
 use asperity::{Error, Remedy};
+use asperity_report::ReportError;
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource};
 
 use crate::words;
@@ -160,6 +161,12 @@ impl Failure {
             Ok(()) => picture,
             Err(_) => plain,
         }
+    }
+}
+
+impl From<ReportError> for Failure {
+    fn from(error: ReportError) -> Self {
+        Self::new(error.code(), error.to_string())
     }
 }
 

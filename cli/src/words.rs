@@ -73,7 +73,8 @@ fn argument(settings: &[Setting], value: &str) -> String {
     }
 }
 
-/// General advice for a code, with its options, its keys and the commands that help.
+/// General advice for a code, with its options, its keys and the commands that help; `None` for an unknown code or if
+/// its messages say it.
 pub fn advice(code: &str) -> Option<String> {
     let entry = explain(code)?;
     let mut text = entry.remedy.to_owned();
@@ -91,7 +92,7 @@ pub fn advice(code: &str) -> Option<String> {
     if let Some(more) = command(code) {
         text = format!("{text} {more}");
     }
-    Some(text)
+    (!text.is_empty()).then_some(text)
 }
 
 /// Commands that help with a code.

@@ -88,6 +88,9 @@ fn every_code_in_the_sources_is_explained_and_no_other() {
         &[
             "crates/profile-io/src",
             "crates/roughness/src",
+            "crates/contact/src",
+            "crates/ehl/src",
+            "crates/report/src",
             "crates/asperity/src",
             "crates/calibration/src",
             "cli/src",

@@ -52,12 +52,12 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
         Path::new("results").join(format!("{stem}-compare"))
     });
     // Told before the work, not after it.
-    compare::check_place(&folder).map_err(|error| Failure::new("E401", error.to_string()))?;
+    compare::check_place(&folder)?;
     progress.begin("finishes");
     let found = compare::compare(&finishes, &|done, total| progress.at(done, total))
         .map_err(|error| Failure::about(&args.case, &error))?;
     progress.begin(WRITING);
-    compare::write(&found, &folder).map_err(|error| Failure::new("E401", error.to_string()))?;
+    compare::write(&found, &folder)?;
     drop(progress);
     if common.json {
         return print_json(&found);

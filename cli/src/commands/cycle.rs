@@ -32,8 +32,8 @@ pub fn cycle(args: &CycleArgs, common: &Common) -> Result<(), Failure> {
         .clone()
         .unwrap_or_else(|| Path::new("results").join(format!("{}-{name}", stem(&args.map))));
     if !args.no_output {
-        let write = cycle::check_place(&folder).and_then(|()| cycle::write(&found, &map, &folder));
-        write.map_err(|error| Failure::new("E401", error.to_string()))?;
+        cycle::check_place(&folder)?;
+        cycle::write(&found, &map, &folder)?;
     }
     if common.json {
         return print_json(&found);

@@ -47,7 +47,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
         Path::new("results").join(format!("{stem}-map"))
     });
     // Told before the work, not after it.
-    map::check_place(&folder).map_err(|error| Failure::new("E401", error.to_string()))?;
+    map::check_place(&folder)?;
     let torques = axes.torque_nm.len().div_ceil(2) * finishes.len();
     check_work(&args.work, &first.case, &KeptFields::Highest, torques)?;
     progress.begin("points");
@@ -56,8 +56,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
         .map_err(|error| Failure::about(&args.case, &error))?;
     progress.begin(WRITING);
     let exports = exports(args, &found, cycle.as_ref())?;
-    map::write(&found, &visited, &exports, &folder)
-        .map_err(|error| Failure::new("E401", error.to_string()))?;
+    map::write(&found, &visited, &exports, &folder)?;
     drop(progress);
     if common.json {
         return print_json(&found);

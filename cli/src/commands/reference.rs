@@ -70,16 +70,14 @@ pub fn explain(code: Option<&str>, common: &Common) -> Result<(), Failure> {
     if common.json {
         return print_json(&as_json(entry));
     }
-    print_text(
-        common,
-        &format!(
-            "{}  {}\n  why         {}\n  what to do  {}\n",
-            entry.code,
-            entry.title,
-            entry.meaning,
-            words::advice(entry.code).unwrap_or_default()
-        ),
-    )
+    let mut text = format!(
+        "{}  {}\n  why         {}\n",
+        entry.code, entry.title, entry.meaning
+    );
+    if let Some(advice) = words::advice(entry.code) {
+        text += &format!("  what to do  {advice}\n");
+    }
+    print_text(common, &text)
 }
 
 fn as_json(entry: &message::Explanation) -> Value {

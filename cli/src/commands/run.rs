@@ -7,7 +7,7 @@ use asperity::case::planetary::LoadedPlanetary;
 use asperity::planetary::{PlanetaryResult, run_planetary};
 use asperity::result::RunResult;
 use asperity::{Error, Run};
-use asperity_report::{self as report, Fields, ReportError};
+use asperity_report::{self as report, Fields};
 
 use super::bibtex::bibtex;
 use super::work::{check_work, check_work_of_set};
@@ -32,7 +32,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let folder = (!args.no_output).then(|| result_folder(args));
     if let Some(folder) = &folder {
         // Told before the work, not after it.
-        report::check_place(folder).map_err(|error| not_written(&error))?;
+        report::check_place(folder)?;
     }
     progress.begin(POSITIONS);
     let at = |done, total| progress.at(done, total);
@@ -44,9 +44,9 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let outcome = outcome.map_err(|error| failed(&error, args, folder.as_deref()))?;
     if let Some(folder) = &folder {
         progress.begin(WRITING);
-        report::write_folder(&outcome, folder, &fields).map_err(|error| not_written(&error))?;
+        report::write_folder(&outcome, folder, &fields)?;
         if args.load_map {
-            report::write_load_points(&outcome, folder).map_err(|error| not_written(&error))?;
+            report::write_load_points(&outcome, folder)?;
         }
     }
     drop(progress);
@@ -73,14 +73,14 @@ fn run_set(
     check_work_of_set(&args.work, set, &fields.kept())?;
     let folder = (!args.no_output).then(|| result_folder(args));
     if let Some(folder) = &folder {
-        report::check_planetary_place(folder).map_err(|error| not_written(&error))?;
+        report::check_planetary_place(folder)?;
     }
     progress.begin(POSITIONS);
     let outcome = run_planetary(set, &fields.kept(), &|done, total| progress.at(done, total));
     let outcome = outcome.map_err(|error| failed(&error, args, folder.as_deref()))?;
     if let Some(folder) = &folder {
         progress.begin(WRITING);
-        report::write_planetary(&outcome, folder, fields).map_err(|error| not_written(&error))?;
+        report::write_planetary(&outcome, folder, fields)?;
     }
     drop(progress);
     if common.json {
@@ -159,15 +159,6 @@ fn text(result: &RunResult, args: &RunArgs, folder: Option<&Path>, begin: Instan
         None => text.push_str(&format!("in {seconds:.1} s\n")),
     }
     text
-}
-
-fn not_written(error: &ReportError) -> Failure {
-    let code = match error {
-        ReportError::NoSuchPosition { .. } | ReportError::NoFields { .. } => "E402",
-        ReportError::NotFinite { .. } => "E501",
-        _ => "E401",
-    };
-    Failure::new(code, error.to_string())
 }
 
 /// The fields to keep, as `all` or as numbers of positions.

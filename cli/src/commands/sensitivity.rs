@@ -21,12 +21,12 @@ pub fn sensitivity(args: &SensitivityArgs, common: &Common) -> Result<(), Failur
         Path::new("results").join(format!("{stem}-sensitivity"))
     });
     // Told before the work, not after it.
-    sensitivity::check_place(&folder).map_err(|error| Failure::new("E401", error.to_string()))?;
+    sensitivity::check_place(&folder)?;
     progress.begin("changes");
     let found = sensitivity::sensitivity(&loaded, &|done, total| progress.at(done, total))
         .map_err(|error| Failure::about(&args.case, &error))?;
     progress.begin(WRITING);
-    sensitivity::write(&found, &folder).map_err(|error| Failure::new("E401", error.to_string()))?;
+    sensitivity::write(&found, &folder)?;
     drop(progress);
     if common.json {
         return print_json(&found);

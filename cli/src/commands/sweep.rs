@@ -39,7 +39,8 @@ fn refused(args: &SweepArgs, error: &SweepError) -> Failure {
         SweepError::Key { .. } => Failure::new("E204", format!("{study}: {error}"))
             .advising("docs/FILE_FORMATS.md lists the keys of a study."),
         SweepError::Case(error) => Failure::of(error).adding(&format!(" (case of {study})")),
-        SweepError::Storage(_) | SweepError::Report(_) => Failure::new("E401", error.to_string()),
+        SweepError::Storage(_) => Failure::new("E401", error.to_string()),
+        SweepError::Report(error) => Failure::new(error.code(), error.to_string()),
         SweepError::Missing { .. } | SweepError::Changed { .. } => {
             Failure::new("E309", format!("{study}: {error}"))
         }
@@ -163,7 +164,7 @@ fn merge(args: &SweepMergeArgs, common: &Common) -> Result<(), Failure> {
         .clone()
         .unwrap_or_else(|| Path::new("results").join(format!("{}-sweep", study.name)));
     let merged = sweep::merge(&study, &folder).map_err(|error| refused(&args.sweep, &error))?;
-    sweep::write(&merged, &target).map_err(|error| Failure::new("E401", error.to_string()))?;
+    sweep::write(&merged, &target)?;
     if common.json {
         return print_json(&merged);
     }

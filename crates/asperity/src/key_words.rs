@@ -1,6 +1,6 @@
-//! Errors and their remedies in the words of a case: the keys to write and the tables that they stand in.
+//! Errors and their remedies in keys of a case: the keys to write and their tables.
 //!
-//! A command says the same where a case file is to be changed, a page where it shows the text of the case.
+//! A command uses them if a case file is to be changed, a page if it shows the text of the case.
 
 use asperity_core::remedy::{Action, Remedy, Setting, Value};
 
@@ -36,7 +36,7 @@ impl Error {
     }
 }
 
-/// The table of a case that `setting` stands in, for the flank at `flank`; none for a key that names its own.
+/// Table of a case with the key of `setting`, for the flank at `flank`; `None` for a key that includes its table.
 pub fn table(setting: Setting, flank: &str) -> Option<&str> {
     match setting {
         Setting::Key(_) => None,
@@ -52,7 +52,7 @@ pub fn with_keys(message: &str, remedy: &Remedy, flank: &str) -> String {
     ended(message, &remedy.sentence(|action| in_keys(action, flank)))
 }
 
-/// Appends the advice, unless the message ends in a question that already implies it.
+/// Appends the advice, unless the message ends in a question that implies it.
 pub fn ended(message: &str, advice: &str) -> String {
     if advice.is_empty() || message.ends_with('?') {
         message.to_owned()
@@ -71,7 +71,7 @@ fn in_keys(action: &Action, flank: &str) -> String {
         Action::Set { settings, to, why } => {
             let keys: Vec<&str> = settings.iter().map(|setting| setting.key()).collect();
             let keys = keys.join(" and ");
-            let given = match to {
+            let assignment = match to {
                 Value::This(value) | Value::Like(value) => {
                     format!("{keys} = {}", written(settings, value))
                 }
@@ -85,17 +85,17 @@ fn in_keys(action: &Action, flank: &str) -> String {
                 _ => keys,
             };
             let table = settings.first().and_then(|first| table(*first, flank));
-            let told = match table {
-                Some(table) => format!("write {given} in {table}"),
-                None => format!("set {given}"),
+            let instruction = match table {
+                Some(table) => format!("write {assignment} in {table}"),
+                None => format!("set {assignment}"),
             };
-            explained(told, why)
+            explained(instruction, why)
         }
         _ => String::new(),
     }
 }
 
-/// A value as it stands in a case file.
+/// A value as written in a case file.
 fn written(settings: &[Setting], value: &str) -> String {
     match settings {
         [Setting::Columns] => match value.split_once(',') {
@@ -107,15 +107,15 @@ fn written(settings: &[Setting], value: &str) -> String {
     }
 }
 
-/// `told` with its end or condition, where there is one.
-pub fn explained(told: String, why: &str) -> String {
+/// `instruction` with its purpose or condition, if any.
+pub fn explained(instruction: String, why: &str) -> String {
     match why {
-        "" => told,
-        why => format!("{told} {why}"),
+        "" => instruction,
+        why => format!("{instruction} {why}"),
     }
 }
 
-/// General advice for a code, with the keys that it is about.
+/// General advice for a code, with the keys that it is about; `None` for an unknown code or if its messages say it.
 ///
 /// ```
 /// assert_eq!(
@@ -124,7 +124,7 @@ pub fn explained(told: String, why: &str) -> String {
 /// );
 /// ```
 pub fn advice(code: &str) -> Option<String> {
-    let entry = explain(code)?;
+    let entry = explain(code).filter(|entry| !entry.remedy.is_empty())?;
     let Some(first) = entry.settings.first() else {
         return Some(entry.remedy.to_owned());
     };
@@ -142,7 +142,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_remedy_is_told_in_keys() {
+    fn a_remedy_names_keys() {
         let unit = Remedy::set(Setting::ZUnit, Value::OneOf("um | nm | mm".into()));
         assert_eq!(
             with_keys("a.csv: no unit", &unit, "surface.wheel"),

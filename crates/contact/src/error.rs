@@ -190,6 +190,18 @@ pub struct SolverShape {
     pub boundary: Boundary,
 }
 
+impl ContactError {
+    /// Stable code of the message, for a contact without a case.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::NotConverged { .. } | Self::NotRunIn { .. } => "E301",
+            Self::LimitBelowMeanPressure { .. } => "E302",
+            Self::ToleranceTooLarge { .. } => "E211",
+            _ => "E209",
+        }
+    }
+}
+
 impl std::fmt::Display for SolverShape {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} points with {}", self.points, self.boundary)

@@ -2,20 +2,20 @@
 
 use serde::Serialize;
 
-/// The value of a correlation, and what about its inputs was outside the data it was fitted to.
+/// The value of a correlation, and its inputs outside the data it was fitted to.
 ///
-/// A correlation is never clamped in silence: outside its range it still returns its value and
-/// says so here.
+/// Nothing is clamped silently: outside its range a correlation still returns its value, and lists the inputs
+/// concerned here.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Checked<T> {
     /// The value.
     pub value: T,
-    /// Inputs outside the fitted range; empty when the value can be trusted.
+    /// Inputs outside the fitted range; empty if there are none.
     pub outside: Vec<OutOfRange>,
 }
 
 impl<T> Checked<T> {
-    /// A value all of whose inputs were inside the fitted range.
+    /// A value with all inputs inside the fitted range.
     pub fn inside(value: T) -> Self {
         Self {
             value,
@@ -23,7 +23,7 @@ impl<T> Checked<T> {
         }
     }
 
-    /// The same notes on a transformed value.
+    /// Transforms the value and keeps the notes.
     pub fn map<U>(self, transform: impl FnOnce(T) -> U) -> Checked<U> {
         Checked {
             value: transform(self.value),
@@ -32,12 +32,25 @@ impl<T> Checked<T> {
     }
 }
 
+/// Treatment of an input outside the range of a correlation; it decides the code of the warning.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum Treatment {
+    /// The correlation is evaluated beyond its data.
+    #[default]
+    Extrapolated,
+    /// The input, or what follows from it, is held at the end of the range.
+    Held,
+    /// A property of a sintered steel is extrapolated from its density.
+    SinteredSteel,
+}
+
 /// One input outside the range a correlation was fitted to.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct OutOfRange {
     /// Name of the input.
     pub name: &'static str,
-    /// Value seen, in `unit`.
+    /// Value of the input, in `unit`.
     pub value: f64,
     /// Lower end of the fitted range.
     pub low: f64,
@@ -47,6 +60,9 @@ pub struct OutOfRange {
     pub unit: &'static str,
     /// The correlation, by its name.
     pub correlation: &'static str,
+    /// Treatment of the input.
+    #[serde(skip)]
+    pub treatment: Treatment,
 }
 
 impl std::fmt::Display for OutOfRange {
@@ -58,6 +74,7 @@ impl std::fmt::Display for OutOfRange {
             high,
             unit,
             correlation,
+            treatment: _,
         } = self;
         write!(
             f,
@@ -82,7 +99,7 @@ pub struct FittedRange {
 }
 
 impl FittedRange {
-    /// Adds a note to `outside` when `value` is not within the range (NaN never is).
+    /// Adds a note to `outside` if `value` is not within the range (NaN never is); the correlation is extrapolated.
     ///
     /// ```
     /// use asperity_core::FittedRange;
@@ -93,6 +110,19 @@ impl FittedRange {
     /// assert_eq!(outside.len(), 1);
     /// ```
     pub fn check(&self, value: f64, outside: &mut Vec<OutOfRange>) {
+        self.check_as(Treatment::Extrapolated, value, outside);
+    }
+
+    /// Adds a note to `outside` if `value` is not within the range and is treated otherwise than by extrapolation.
+    ///
+    /// ```
+    /// use asperity_core::{FittedRange, Treatment};
+    /// let range = FittedRange { name: "S", low: 0.0, high: 0.6, unit: "um", correlation: "Xu" };
+    /// let mut outside = Vec::new();
+    /// range.check_as(Treatment::Held, 0.9, &mut outside);
+    /// assert_eq!(outside[0].treatment, Treatment::Held);
+    /// ```
+    pub fn check_as(&self, treatment: Treatment, value: f64, outside: &mut Vec<OutOfRange>) {
         if !(self.low..=self.high).contains(&value) {
             outside.push(OutOfRange {
                 name: self.name,
@@ -101,6 +131,7 @@ impl FittedRange {
                 high: self.high,
                 unit: self.unit,
                 correlation: self.correlation,
+                treatment,
             });
         }
     }

@@ -20,7 +20,7 @@ pub mod quantity;
 pub mod remedy;
 mod unit_text;
 
-pub use checked::{Checked, FittedRange, OutOfRange};
+pub use checked::{Checked, FittedRange, OutOfRange, Treatment};
 pub use error::DomainError;
 pub use profile::Profile;
 pub use quantity::Quantity;

@@ -8,7 +8,7 @@
 //! | σ | strength in tension | Pa |
 //! | k, k₀ | thermal conductivity, and that without pores | W/(m K) |
 
-use crate::checked::{Checked, FittedRange};
+use crate::checked::{Checked, FittedRange, Treatment};
 use crate::error::DomainError;
 use crate::quantity::{Density, Pressure, ThermalConductivity};
 
@@ -60,7 +60,7 @@ pub fn young(density: Density) -> Result<Checked<Pressure>, DomainError> {
     crate::cite!("Sinter-1");
     let relative = 1.0 - porosity(density)?;
     let mut outside = Vec::new();
-    FITTED.check(density.si(), &mut outside);
+    FITTED.check_as(Treatment::SinteredSteel, density.si(), &mut outside);
     Ok(Checked {
         value: Pressure::from_si(206.74e9 * relative.powf(3.390)),
         outside,
@@ -89,7 +89,7 @@ pub fn strength(density: Density) -> Result<Checked<Pressure>, DomainError> {
     crate::cite!("Sinter-3");
     porosity(density)?;
     let mut outside = Vec::new();
-    FITTED.check(density.si(), &mut outside);
+    FITTED.check_as(Treatment::SinteredSteel, density.si(), &mut outside);
     Ok(Checked {
         value: Pressure::from_si(724e6 * (density.si() / 6750.0).powf(5.241)),
         outside,

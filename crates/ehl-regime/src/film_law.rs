@@ -39,56 +39,61 @@ impl FilmThickness {
     }
 }
 
-/// Law of the smooth isothermal film thickness.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
-pub enum FilmLaw {
-    /// Line contact: Dowson–Toyoda central, Dowson–Higginson minimum film.
-    #[default]
-    DowsonToyoda,
-    /// Line contact: Moes' four-regime central film, Dowson–Higginson minimum film.
-    Moes,
-    /// Line contact: Ertel–Grubin central film, Dowson–Higginson minimum film.
-    ErtelGrubin,
-    /// The 2022 paper's: Hamrock–Dowson for k → ∞ with the load on the whole contact length,
-    /// W = F/(E′R²).
-    HamrockDowson,
-    /// Hamrock–Dowson for k → ∞ with the line load group W = w/(E′R).
-    HamrockDowsonLine,
+/// Central and minimum film at one position.
+type Film = fn(&FilmConditions) -> Result<Checked<FilmThickness>, RegimeError>;
+
+/// Rows `Name "name in a case file", exponent X of the speed group U in the central film, film;`.
+macro_rules! film_laws {
+    ($($(#[$meta:meta])+ $law:ident $name:literal, $exponent:expr, $film:expr;)+) => {
+        /// Law of the smooth isothermal film thickness.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+        #[serde(deny_unknown_fields)]
+        pub enum FilmLaw {
+            $($(#[$meta])+ #[serde(rename = $name)] $law),+
+        }
+
+        const ROWS: &[(&str, f64, Film)] = &[$(($name, $exponent, $film)),+];
+
+        impl FilmLaw {
+            /// Every law, in the order of the table above.
+            pub const ALL: &[Self] = &[$(Self::$law),+];
+        }
+    };
 }
 
+film_laws! {
+    /// Line contact: Dowson–Toyoda central, Dowson–Higginson minimum film.
+    #[default]
+    DowsonToyoda "dowson-toyoda", film_line::DOWSON_TOYODA.speed, |at| line(film_line::dowson_toyoda, at);
+    /// Line contact: Moes' four-regime central film, Dowson–Higginson minimum film.
+    Moes "moes", MOES_EXPONENT, |at| line(film_line::moes, at);
+    /// Line contact: Ertel–Grubin central film, Dowson–Higginson minimum film.
+    ErtelGrubin "ertel-grubin", film_line::ERTEL_GRUBIN.speed, |at| line(film_line::ertel_grubin, at);
+    /// The 2022 paper's: Hamrock–Dowson for k → ∞ with the load on the whole contact length,
+    /// W = F/(E′R²).
+    HamrockDowson "hamrock-dowson", film_elliptic::CENTRAL.speed, hamrock_dowson;
+    /// Hamrock–Dowson for k → ∞ with the line load group W = w/(E′R).
+    HamrockDowsonLine "hamrock-dowson-line", film_elliptic::CENTRAL.speed, |at| long_ellipse(&at.line_groups()?, at.radius);
+}
+
+/// Moes' form is not a power law; its elastic piezoviscous asymptote H_EP √U_Σ goes with U^(3/4): 1/16 from M^(−1/8),
+/// 3/16 from L^(3/4) and 1/2.
+const MOES_EXPONENT: f64 = 3.0 / 4.0;
+
 impl FilmLaw {
-    /// Every law, in the order of the table above.
-    pub const ALL: [Self; 5] = [
-        Self::DowsonToyoda,
-        Self::Moes,
-        Self::ErtelGrubin,
-        Self::HamrockDowson,
-        Self::HamrockDowsonLine,
-    ];
+    fn row(self) -> &'static (&'static str, f64, Film) {
+        // The rows are in the order of the variants.
+        &ROWS[self as usize]
+    }
 
     /// The name in a case file.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::DowsonToyoda => "dowson-toyoda",
-            Self::Moes => "moes",
-            Self::ErtelGrubin => "ertel-grubin",
-            Self::HamrockDowson => "hamrock-dowson",
-            Self::HamrockDowsonLine => "hamrock-dowson-line",
-        }
+    pub fn name(self) -> &'static str {
+        self.row().0
     }
 
     /// The exponent X of the speed group U in the central film, which Λ* needs.
-    ///
-    /// Moes' form is not a power law; its elastic piezoviscous asymptote H_EP √U_Σ goes with
-    /// U^(3/4): 1/16 from M^(−1/8), 3/16 from L^(3/4) and 1/2.
-    pub const fn speed_exponent(self) -> f64 {
-        match self {
-            Self::DowsonToyoda => film_line::DOWSON_TOYODA.speed,
-            Self::Moes => 3.0 / 4.0,
-            Self::ErtelGrubin => film_line::ERTEL_GRUBIN.speed,
-            Self::HamrockDowson | Self::HamrockDowsonLine => film_elliptic::CENTRAL.speed,
-        }
+    pub fn speed_exponent(self) -> f64 {
+        self.row().1
     }
 
     /// The smooth isothermal film at one position.
@@ -110,34 +115,36 @@ impl FilmLaw {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn film(self, position: &FilmConditions) -> Result<Checked<FilmThickness>, RegimeError> {
-        let radius = position.radius;
-        let line = |central: fn(&FilmGroups, Length) -> Result<Length, RegimeError>| {
-            let groups = position.line_groups()?;
-            Ok(Checked::inside(FilmThickness {
-                central: central(&groups, radius)?,
-                minimum: film_line::dowson_higginson(&groups, radius)?,
-            }))
-        };
-        match self {
-            Self::DowsonToyoda => line(film_line::dowson_toyoda),
-            Self::Moes => line(film_line::moes),
-            Self::ErtelGrubin => line(film_line::ertel_grubin),
-            Self::HamrockDowson => {
-                let length = position.contact_length.ok_or(RegimeError::MissingInput {
-                    law: self.name(),
-                    input: "contact_length",
-                })?;
-                let load = DomainError::positive("line load", position.load)?;
-                let length = DomainError::positive("contact length", length)?;
-                let force = Force::from_si(load * length);
-                hamrock_dowson_line(&position.force_groups(force)?, radius)
-            }
-            Self::HamrockDowsonLine => hamrock_dowson_line(&position.line_groups()?, radius),
-        }
+        let (_, _, film) = self.row();
+        film(position)
     }
 }
 
-fn hamrock_dowson_line(
+/// `central` with Dowson and Higginson's minimum film.
+fn line(
+    central: fn(&FilmGroups, Length) -> Result<Length, RegimeError>,
+    at: &FilmConditions,
+) -> Result<Checked<FilmThickness>, RegimeError> {
+    let groups = at.line_groups()?;
+    Ok(Checked::inside(FilmThickness {
+        central: central(&groups, at.radius)?,
+        minimum: film_line::dowson_higginson(&groups, at.radius)?,
+    }))
+}
+
+fn hamrock_dowson(at: &FilmConditions) -> Result<Checked<FilmThickness>, RegimeError> {
+    let length = at.contact_length.ok_or(RegimeError::MissingInput {
+        law: FilmLaw::HamrockDowson.name(),
+        input: "contact_length",
+    })?;
+    let load = DomainError::positive("line load", at.load)?;
+    let length = DomainError::positive("contact length", length)?;
+    let force = Force::from_si(load * length);
+    long_ellipse(&at.force_groups(force)?, at.radius)
+}
+
+/// Hamrock and Dowson's films for k → ∞.
+fn long_ellipse(
     groups: &FilmGroups,
     radius: Length,
 ) -> Result<Checked<FilmThickness>, RegimeError> {

@@ -14,7 +14,7 @@
 //! for statistical roughness whose undeformed asperities touch at the mean gap.
 
 use asperity_core::quantity::{Length, Pressure};
-use asperity_core::{Checked, DomainError, FittedRange, cite};
+use asperity_core::{Checked, DomainError, FittedRange, Treatment, cite};
 
 use crate::dimensionless::FilmGroups;
 use crate::error::RegimeError;
@@ -66,7 +66,7 @@ pub fn masjedi_khonsari(
     let percent = c * w.powf(p) * u.powf(q) * g.powf(r) * inner.ln_1p();
     let share = percent / 100.0;
     let mut outside = Vec::new();
-    SHARE.check(share, &mut outside);
+    SHARE.check_as(Treatment::Held, share, &mut outside);
     Ok(Checked {
         value: share.min(1.0),
         outside,

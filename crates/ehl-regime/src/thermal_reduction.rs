@@ -19,7 +19,7 @@
 //! be a step of 3 to 7 in the film).
 
 use asperity_core::quantity::{DynamicViscosity, PerKelvin, Pressure, Speed, ThermalConductivity};
-use asperity_core::{Checked, DomainError, FittedRange, cite};
+use asperity_core::{Checked, DomainError, FittedRange, Treatment, cite};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -196,7 +196,7 @@ pub fn gupta(
     let sliding = 1.0 + SLIDING_TERM.0 * srr.powf(SLIDING_TERM.1);
     let loading = LOADING_TERM.0 * sliding * l.powf(LOADING_TERM.1);
     let mut outside = Vec::new();
-    GUPTA_NUMERATOR.check(pressure, &mut outside);
+    GUPTA_NUMERATOR.check_as(Treatment::Held, pressure, &mut outside);
     let numerator = (1.0 - pressure).max(LEAST_NUMERATOR);
     // −d ln φ/d ln V_e: L grows with the square of the speed.
     let of_numerator = match numerator > LEAST_NUMERATOR {

@@ -67,7 +67,7 @@ fn speed_exponents_are_those_of_the_central_films() {
     // Deep in the elastic piezoviscous regime (M = 10⁴, L = 100), where the slope of Moes'
     // form has come within a hundredth of its asymptote's; the others are power laws everywhere.
     let groups = groups_of(1e4, 100.0);
-    for law in FilmLaw::ALL {
+    for &law in FilmLaw::ALL {
         let central = |speed: f64| {
             let at = FilmGroups { speed, ..groups };
             let radius = Length::from_si(0.01);
@@ -133,7 +133,7 @@ fn hamrock_dowson_without_a_contact_length_asks_for_it() {
 
 #[test]
 fn every_film_law_reads_its_own_name() {
-    for law in FilmLaw::ALL {
+    for &law in FilmLaw::ALL {
         let read = FilmLaw::deserialize_name(law.name());
         assert_eq!(read, Ok(law));
         assert!(FilmLaw::deserialize_name("dowson").is_err());
@@ -155,7 +155,7 @@ impl ByName for FilmLaw {
 #[test]
 fn impossible_positions_are_refused_by_name() {
     let refused = |bad: FilmConditions, name: &str| {
-        for law in FilmLaw::ALL {
+        for &law in FilmLaw::ALL {
             let bad = FilmConditions {
                 contact_length: Some(Length::from_si(0.05)),
                 ..bad

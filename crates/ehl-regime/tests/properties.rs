@@ -110,7 +110,7 @@ proptest! {
         flank in 2e-3..0.1_f64,
         c in 1.1..5.0_f64,
     ) {
-        for law in FilmLaw::ALL {
+        for &law in FilmLaw::ALL {
             for (orientation, total) in [
                 (Orientation::Isotropic, 1.134),
                 (Orientation::Transverse, 1.134),

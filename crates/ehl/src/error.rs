@@ -89,6 +89,14 @@ pub enum EhlError {
 }
 
 impl EhlError {
+    /// Stable code of the message, for a contact without a case.
+    pub fn code(&self) -> &'static str {
+        match self.is_unconverged() {
+            true => "E307",
+            false => "E209",
+        }
+    }
+
     /// Whether the iteration failed, and no input is to blame.
     pub fn is_unconverged(&self) -> bool {
         matches!(

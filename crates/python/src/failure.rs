@@ -157,39 +157,25 @@ impl From<FrictionError> for Failure {
 impl From<ContactError> for Failure {
     fn from(error: ContactError) -> Self {
         let set = |key, why: &'static str| Remedy::set(Setting::Key(key), Value::Any).because(why);
-        let (code, remedy) = match error {
-            ContactError::NotConverged { .. } => (
-                "E301",
-                set("tolerance", "to a larger one (at most 1e-4)")
-                    .or_do("look for spikes in the gap"),
-            ),
-            ContactError::NotRunIn { .. } => (
-                "E301",
-                set("tolerance", "to a smaller one")
-                    .or_set(Setting::Key("pressure_limit"), Value::Any)
-                    .because("to a higher one"),
-            ),
-            ContactError::LimitBelowMeanPressure { .. } => (
-                "E302",
-                set("pressure_limit", "to a higher one")
-                    .or_set(Setting::Key("load"), Value::Any)
-                    .because("to a lower one"),
-            ),
-            ContactError::DatumTooNear { .. } => ("E209", set("datum", "to a larger one")),
-            ContactError::ToleranceTooLarge { .. } => ("E211", Remedy::none()),
-            _ => ("E209", Remedy::none()),
+        let remedy = match error {
+            ContactError::NotConverged { .. } => set("tolerance", "to a larger one (at most 1e-4)")
+                .or_do("look for spikes in the gap"),
+            ContactError::NotRunIn { .. } => set("tolerance", "to a smaller one")
+                .or_set(Setting::Key("pressure_limit"), Value::Any)
+                .because("to a higher one"),
+            ContactError::LimitBelowMeanPressure { .. } => set("pressure_limit", "to a higher one")
+                .or_set(Setting::Key("load"), Value::Any)
+                .because("to a lower one"),
+            ContactError::DatumTooNear { .. } => set("datum", "to a larger one"),
+            _ => Remedy::none(),
         };
-        Self::new(code, error.to_string()).advising(remedy)
+        Self::new(error.code(), error.to_string()).advising(remedy)
     }
 }
 
 impl From<EhlError> for Failure {
     fn from(error: EhlError) -> Self {
-        let code = match error.is_unconverged() {
-            true => "E307",
-            false => "E209",
-        };
-        Self::new(code, error.to_string())
+        Self::new(error.code(), error.to_string())
     }
 }
 
@@ -206,17 +192,7 @@ impl From<RefereeError> for Failure {
 
 impl From<ReportError> for Failure {
     fn from(error: ReportError) -> Self {
-        let code = match error {
-            ReportError::NotAResult { .. }
-            | ReportError::Damaged { .. }
-            | ReportError::BadTable { .. }
-            | ReportError::NoValue { .. }
-            | ReportError::NoFields { .. }
-            | ReportError::NoSuchPosition { .. } => "E402",
-            ReportError::NotFinite { .. } => "E501",
-            _ => "E401",
-        };
-        Self::new(code, error.to_string())
+        Self::new(error.code(), error.to_string())
     }
 }
 

@@ -108,6 +108,20 @@ pub enum TableFault {
 }
 
 impl ReportError {
+    /// Stable code of the message.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::NotAResult { .. }
+            | Self::Damaged { .. }
+            | Self::BadTable { .. }
+            | Self::NoValue { .. }
+            | Self::NoFields { .. }
+            | Self::NoSuchPosition { .. } => "E402",
+            Self::NotFinite { .. } => "E501",
+            _ => "E401",
+        }
+    }
+
     /// Error of the system at `path`.
     pub(crate) fn io(path: &Path) -> impl Fn(std::io::Error) -> Self {
         let path = path.to_owned();

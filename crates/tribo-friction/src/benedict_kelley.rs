@@ -17,7 +17,7 @@
 //! warning.
 
 use asperity_core::quantity::{DynamicViscosity, Length, LineLoad, Speed};
-use asperity_core::{Checked, DomainError, FittedRange, cite};
+use asperity_core::{Checked, DomainError, FittedRange, Treatment, cite};
 
 use crate::error::FrictionError;
 
@@ -116,7 +116,7 @@ pub fn coefficient(position: &BenedictKelleyConditions) -> Result<Checked<f64>, 
     ROUGHNESS.check(ra, &mut outside);
     VISCOSITY.check(eta, &mut outside);
     SPEED.check(v_sum, &mut outside);
-    ARGUMENT.check(argument, &mut outside);
+    ARGUMENT.check_as(Treatment::Held, argument, &mut outside);
     Ok(Checked {
         value: SLOPE * POLE / (POLE - ra) * argument.log10().max(0.0),
         outside,

@@ -22,7 +22,7 @@
 //! and says so. ν₀ ≤ 1 cP is refused: log₁₀ ν₀ would turn the sign of q.
 
 use asperity_core::quantity::{DynamicViscosity, Length, Pressure, Speed};
-use asperity_core::{Checked, DomainError, FittedRange, OutOfRange, cite};
+use asperity_core::{Checked, DomainError, FittedRange, OutOfRange, Treatment, cite};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -208,7 +208,7 @@ impl RoughnessReading {
         match self {
             Self::Clamped => {
                 range.correlation = "Xu (S is held at 0.6 um)";
-                range.check(roughness, outside);
+                range.check_as(Treatment::Held, roughness, outside);
                 roughness.min(LARGEST_ROUGHNESS)
             }
             Self::AsIs => {

@@ -10,6 +10,7 @@
 
 mod reference_case;
 
+use asperity_core::Treatment;
 use asperity_core::line_contact::LineContact;
 use asperity_core::material::Material;
 use asperity_core::quantity::{
@@ -97,8 +98,11 @@ fn xu_roughness_term_is_a_double_exponential() {
     let clamped = mu(&XuLaw::default(), 2e-6);
     close(clamped.value, mu(&as_is, 0.6e-6).value, ROUNDING);
     assert_eq!(clamped.outside.len(), 1);
+    assert_eq!(clamped.outside[0].treatment, Treatment::Held);
     assert!(clamped.outside[0].correlation.contains("held at 0.6 um"));
-    assert_eq!(mu(&as_is, 2e-6).outside.len(), 1);
+    let printed = mu(&as_is, 2e-6).outside;
+    assert_eq!(printed.len(), 1);
+    assert_eq!(printed[0].treatment, Treatment::Extrapolated);
 }
 
 #[test]

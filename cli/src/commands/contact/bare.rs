@@ -143,21 +143,22 @@ fn missing(option: &str, needed: &str) -> Failure {
 
 /// The error of a contact in the options of this command.
 fn refused(path: &Path, error: &ContactError) -> Failure {
-    let failure = |code| Failure::new(code, format!("{}: {error}", path.display()));
-    match error {
-        ContactError::NotConverged { .. } => failure("E301")
-            .advising("Pass a larger --tolerance (at most 1e-4), or look for spikes in the file."),
+    let failure = Failure::new(error.code(), format!("{}: {error}", path.display()));
+    let advice = match error {
+        ContactError::NotConverged { .. } => {
+            "Pass a larger --tolerance (at most 1e-4), or look for spikes in the file."
+        }
         ContactError::NotRunIn { .. } => {
-            failure("E301").advising("Pass a smaller --tolerance, or a higher --pressure-limit.")
+            "Pass a smaller --tolerance, or a higher --pressure-limit."
         }
         ContactError::LimitBelowMeanPressure { .. } => {
-            failure("E302").advising("Pass a higher --pressure-limit or a lower --load.")
+            "Pass a higher --pressure-limit or a lower --load."
         }
-        ContactError::DatumTooNear { .. } => failure("E209").advising("Pass a larger --datum."),
+        ContactError::DatumTooNear { .. } => "Pass a larger --datum.",
         ContactError::ApproachBeyondMeanGap { .. } => {
-            failure("E209").advising("Pass a smaller --approach, or --load in its place.")
+            "Pass a smaller --approach, or --load in its place."
         }
-        ContactError::ToleranceTooLarge { .. } => failure("E211"),
-        _ => failure("E209"),
-    }
+        _ => return failure,
+    };
+    failure.advising(advice)
 }

@@ -10,21 +10,19 @@ use crate::failure::Failure;
 
 /// The error of a lubricated contact called `title`.
 pub fn of_contact(title: &str, error: &EhlError) -> Failure {
-    let failure = |code| Failure::new(code, format!("{title}: {error}"));
-    match error {
-        EhlError::NotConverged { .. } => failure("E307").advising(
-            "Pass more --cells, or another --viscosity-law: under Barus' law the pressure spike is unbounded above alpha p0 = 14.",
-        ),
-        EhlError::StepFailed { .. } => failure("E307").advising(
-            "Pass more --cells, smoother profiles, or a --pressure-limit at which the surfaces yield.",
-        ),
-        EhlError::TemperaturesUnsettled { .. } => failure("E307"),
-        EhlError::Cells { .. } => {
-            failure("E209").advising("Pass --cells as a multiple of 64; 512 is the default.")
+    let failure = Failure::new(error.code(), format!("{title}: {error}"));
+    let advice = match error {
+        EhlError::NotConverged { .. } => {
+            "Pass more --cells, or another --viscosity-law: under Barus' law the pressure spike is unbounded above alpha p0 = 14."
         }
-        EhlError::Hertz(_) => failure("E209").advising("Correct --radius, --e-star or --load."),
-        _ => failure("E209"),
-    }
+        EhlError::StepFailed { .. } => {
+            "Pass more --cells, smoother profiles, or a --pressure-limit at which the surfaces yield."
+        }
+        EhlError::Cells { .. } => "Pass --cells as a multiple of 64; 512 is the default.",
+        EhlError::Hertz(_) => "Correct --radius, --e-star or --load.",
+        _ => return failure,
+    };
+    failure.advising(advice)
 }
 
 /// The error of the referee for the case in `file`.

@@ -16,18 +16,13 @@ use crate::error::PositionError;
 use crate::lubrication::{LubricatedPosition, film_contact};
 use crate::result::{PublishedLawRow, PublishedOutcome};
 
-/// Laws that carry their own constants, so that they can be applied whole.
-const COMPARED: [FrictionLaw; 4] = [
-    FrictionLaw::Xu,
-    FrictionLaw::Iso14179Part2,
-    FrictionLaw::Iso14179Part1,
-    FrictionLaw::BenedictKelley,
-];
-
 /// Rows of the published laws. Their equations are not those that the result rests on and are left out of its
 /// list.
 pub(crate) fn published_laws(solved: &Solved<'_>) -> Result<Vec<PublishedLawRow>, PositionError> {
-    COMPARED.iter().map(|law| row(solved, *law)).collect()
+    let whole = FrictionLaw::ALL
+        .iter()
+        .filter(|law| law.published().is_whole);
+    whole.map(|law| row(solved, *law)).collect()
 }
 
 fn row(solved: &Solved<'_>, law: FrictionLaw) -> Result<PublishedLawRow, PositionError> {

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use asperity_contact::plasticity::{FIRST_YIELD, first_yield_pressure, softer_flow_pressure};
 use asperity_contact::{ContactWarning, SUSPECT_GAP};
-use asperity_core::OutOfRange;
 use asperity_core::quantity::{Length, Pressure};
+use asperity_core::{OutOfRange, Treatment};
 use asperity_efficiency::equivalent_friction;
 use asperity_ehl::PlasticCeiling;
 use asperity_gear::{Gear, StiffnessSource};
@@ -125,14 +125,12 @@ pub(crate) fn outside(
     Ok(found.into_iter().collect())
 }
 
-/// Code of an input that left its range: held at its end, the density of a sintered steel, or any other.
+/// Code of the warning about an input outside its range.
 fn code(note: &OutOfRange) -> &'static str {
-    if note.correlation.contains("sintered steel") {
-        "W428"
-    } else if note.correlation.contains("held") {
-        "W403"
-    } else {
-        "W401"
+    match note.treatment {
+        Treatment::SinteredSteel => "W428",
+        Treatment::Held => "W403",
+        _ => "W401",
     }
 }
 

@@ -1,178 +1,158 @@
-//! The file formats that are known, read or not.
+//! The known file formats, read or not, one row each.
 //!
 //! Formats that are not read are named, so that the user learns what to export instead.
 
 use serde::{Deserialize, Serialize};
 
-/// A file format.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum Format {
+/// A format whose files hold one profile.
+const ONE: bool = false;
+/// A format whose files may hold a surface, or traces side by side.
+const SEVERAL: bool = true;
+/// Remedy for a format that is not read, if its row has none.
+const AS_TEXT: &str = "export the profile as text with an x and a height column";
+
+/// What is known about a format without its reader.
+struct Row {
+    format: Format,
+    title: &'static str,
+    starts: &'static [&'static [u8]],
+    extensions: &'static [&'static str],
+    may_hold_several: bool,
+    remedy: &'static str,
+}
+
+/// Rows `Name "title" [first bytes that settle it] [extensions that suggest it] ONE or SEVERAL "remedy";`.
+macro_rules! formats {
+    ($($(#[$meta:meta])+ $name:ident $title:literal [$($start:literal),*] [$($extension:literal),*] $holds:ident
+        $($remedy:literal)?;)+) => {
+        /// A file format.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+        #[serde(rename_all = "kebab-case")]
+        #[non_exhaustive]
+        pub enum Format {
+            $($(#[$meta])+ $name),+
+        }
+
+        const ROWS: &[Row] = &[$(Row {
+            format: Format::$name,
+            title: $title,
+            starts: &[$($start),*],
+            extensions: &[$($extension),*],
+            may_hold_several: $holds,
+            remedy: [$($remedy,)? AS_TEXT][0],
+        }),+];
+    };
+}
+
+formats! {
     /// Rows of numbers as text, in any dialect.
-    DelimitedText,
+    DelimitedText "delimited text" [] [] ONE;
     /// A matrix of heights as text, one trace a row.
-    TextMatrix,
+    TextMatrix "matrix of heights as text" [] [] SEVERAL;
     /// One column of heights under the spacing in um (NPL softgauge text).
-    NplText,
+    NplText "NPL text profile" [] [] ONE;
     /// One column of heights in um under nominal length and number of points (Surfcom tx1, tx2).
-    SurfcomText,
+    SurfcomText "Surfcom text profile" [] [] ONE;
     /// Measuring conditions of a Surfcom trace (tx3).
-    SurfcomConditions,
+    SurfcomConditions "Surfcom measuring conditions (tx3)" [] [] ONE
+        "read the .tx1 (primary) or .tx2 (roughness) file beside it, which holds the heights";
     /// ISO 25178-72.
-    X3p,
+    X3p "X3P (ISO 25178-72)" [] ["x3p"] SEVERAL;
     /// A workbook, old or new.
-    Excel,
+    Excel "Excel workbook" [b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"] ["xlsx", "xlsm", "xls"] ONE;
     /// Mitutoyo SurfTest workbook.
-    MitutoyoXlsx,
+    MitutoyoXlsx "Mitutoyo SurfTest workbook" [] [] ONE;
     /// Bruker Dektak, binary.
-    Opdx,
+    Opdx "Bruker OPDx" [b"VCA DATA"] ["opdx"] SEVERAL;
     /// Wyko and Veeco, binary.
-    Opd,
+    Opd "Wyko OPD" [b"\x01\x00Directory"] ["opd"] SEVERAL;
     /// MATLAB data.
-    Matlab,
+    Matlab "MATLAB data (mat)" [b"MATLAB "] ["mat"] SEVERAL;
     /// HDF5.
-    Hdf5,
+    Hdf5 "HDF5" [b"\x89HDF\r\n\x1a\n"] [] ONE "export the profile as text, or as MATLAB data of level 5 (-v7)";
     /// Hommel, binary.
-    HommelHwp,
+    HommelHwp "Hommel binary (hwp, pip)" [] ["hwp", "pip"] ONE
+        "export the profile as text (hfm) or as X3P from the Hommel software";
     /// Mahr, binary.
-    MahrPcd,
+    MahrPcd "Mahr binary (pcd, mhp)" [] ["pcd", "mhp"] ONE "export the profile as X3P or as text from MarWin";
     /// Mahr `[PROFILE_VALUES]` text.
-    MahrText,
+    MahrText "Mahr [PROFILE_VALUES] text" [] [] ONE;
     /// Digital Surf exchange format (sur, pro).
-    DigitalSurf,
+    DigitalSurf "Digital Surf (sur, pro)" [b"DIGITAL SURF", b"DSCOMPRESSED"] ["sur", "pro"] SEVERAL;
     /// MountainsMap document.
-    MountainsMnt,
+    MountainsMnt "MountainsMap document (mnt)" [] ["mnt"] ONE "save the studiable as sur, pro or X3P from MountainsMap";
     /// Alicona surface.
-    AliconaAl3d,
+    AliconaAl3d "Alicona al3d" [b"AliconaImaging\0\r\n"] [] SEVERAL;
     /// Keyence laser microscope (vk3, vk4, vk6, vk7).
-    KeyenceVk,
+    KeyenceVk "Keyence vk" [b"VK3_", b"VK4_", b"VK6", b"VK7"] [] SEVERAL;
     /// Keyence one-shot microscopes and archives (zon, cag).
-    KeyenceZon,
+    KeyenceZon "Keyence zon or cag" [] ["zon", "cag"] ONE "export the surface as X3P, SDF or text";
     /// Sensofar, one binary file.
     #[serde(alias = "sensofar")]
-    SensofarPlu,
+    SensofarPlu "Sensofar plu" [] ["plu"] SEVERAL;
     /// Sensofar, zip and XML.
-    SensofarPlux,
+    SensofarPlux "Sensofar plux" [] ["plux"] SEVERAL;
     /// Zygo MetroPro (dat).
-    MetroPro,
+    MetroPro "Zygo MetroPro (dat)" [b"\x88\x1b\x03\x6f", b"\x88\x1b\x03\x70", b"\x88\x1b\x03\x71"] [] SEVERAL;
     /// Zygo Mx, HDF5 (datx).
-    ZygoDatx,
+    ZygoDatx "Zygo datx" [] ["datx"] ONE "export the surface as dat (MetroPro), X3P or text from Mx";
     /// NanoFocus.
-    Nms,
+    Nms "NanoFocus nms" [] ["nms"] ONE "export the surface as X3P, SDF or text";
     /// FRT MicroProf.
-    Frt,
+    Frt "FRT MicroProf" [b"FRTM_GLIDERV"] ["frt"] ONE "export the surface as X3P, SDF or text";
     /// Gwyddion document.
-    Gwyddion,
+    Gwyddion "Gwyddion gwy" [b"GWYP", b"GWYO"] ["gwy"] ONE
+        "export the surface as SDF or as a text matrix from Gwyddion";
     /// Olympus laser microscopes (lext, poir, oir).
-    Lext,
+    Lext "Olympus lext, poir or oir" [] ["lext", "poir", "oir"] ONE "export the surface as X3P, SDF or text";
     /// Digital Metrology OmniSurf3D.
-    OmniSurf,
+    OmniSurf "OmniSurf3D os3d" [] ["os3d"] ONE "export the surface as X3P, SDF or text";
     /// Taylor Hobson binaries (fts, mod, fls).
-    TaylorHobsonBinary,
+    TaylorHobsonBinary "Taylor Hobson binary (fts, mod, fls)" [] ["fts", "mod", "fls"] ONE
+        "export the profile as text (prf), the surface as X3P or SDF from the Talysurf software";
     /// ISO 25178-71 as text.
-    SdfAscii,
+    SdfAscii "SDF text (ISO 25178-71)" [b"aISO-", b"aBCR-", b"aBCR ", b"aBC-", b"aNPL-"] [] SEVERAL;
     /// ISO 25178-71, binary.
-    SdfBinary,
+    SdfBinary "binary SDF (ISO 25178-71)" [b"bISO-", b"bBCR-", b"bBCR ", b"bBC-"] ["sdf"] SEVERAL;
     /// SigmaSurf text.
-    SigmaSurf,
+    SigmaSurf "SigmaSurf sig" [b"SigmaSurf_Data"] [] ONE;
     /// ISO 5436-2 SMD.
-    Smd,
+    Smd "SMD (ISO 5436-2)" [] [] ONE;
     /// Taylor Hobson text profile (prf), as NPL writes it too.
-    TaylorHobsonPrf,
+    TaylorHobsonPrf "Taylor Hobson text profile (prf)" [] [] ONE;
     /// Hommel text profile (hfm).
-    HommelHfm,
+    HommelHfm "Hommel text profile (hfm)" [] [] ONE;
     /// Dektak profile with its meta data as text.
-    DektakCsv,
+    DektakCsv "Dektak csv" [] [] ONE;
     /// PTB reference software text.
-    PtbPr,
+    PtbPr "PTB pr" [] [] ONE;
     /// XML that is no X3P, of which no layout with heights is known.
-    Xml,
+    Xml "XML" [] [] ONE
+        "export the profile as X3P, SMD, SDF, prf or text; of an X3P pass the archive, not its main.xml";
     /// A compressed archive.
-    Archive,
+    Archive "a compressed archive" [b"\x1f\x8b", b"7z\xbc\xaf\x27\x1c", b"Rar!"] [] ONE "unpack it first";
     /// A picture or a printed report.
-    Document,
+    Document "a picture or document" [b"%PDF", b"\x89PNG", b"\xff\xd8\xff", b"BM6"] [] ONE
+        "export the heights, not the report";
     /// Binary data of an unknown kind.
-    UnknownBinary,
+    UnknownBinary "binary data of an unknown format" [] [] ONE;
 }
 
 impl std::fmt::Display for Format {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::DelimitedText => "delimited text",
-            Self::TextMatrix => "matrix of heights as text",
-            Self::NplText => "NPL text profile",
-            Self::SurfcomText => "Surfcom text profile",
-            Self::SurfcomConditions => "Surfcom measuring conditions (tx3)",
-            Self::X3p => "X3P (ISO 25178-72)",
-            Self::Excel => "Excel workbook",
-            Self::MitutoyoXlsx => "Mitutoyo SurfTest workbook",
-            Self::Opdx => "Bruker OPDx",
-            Self::Opd => "Wyko OPD",
-            Self::Matlab => "MATLAB data (mat)",
-            Self::Hdf5 => "HDF5",
-            Self::HommelHwp => "Hommel binary (hwp, pip)",
-            Self::MahrPcd => "Mahr binary (pcd, mhp)",
-            Self::MahrText => "Mahr [PROFILE_VALUES] text",
-            Self::DigitalSurf => "Digital Surf (sur, pro)",
-            Self::MountainsMnt => "MountainsMap document (mnt)",
-            Self::AliconaAl3d => "Alicona al3d",
-            Self::KeyenceVk => "Keyence vk",
-            Self::KeyenceZon => "Keyence zon or cag",
-            Self::SensofarPlu => "Sensofar plu",
-            Self::SensofarPlux => "Sensofar plux",
-            Self::MetroPro => "Zygo MetroPro (dat)",
-            Self::ZygoDatx => "Zygo datx",
-            Self::Nms => "NanoFocus nms",
-            Self::Frt => "FRT MicroProf",
-            Self::Gwyddion => "Gwyddion gwy",
-            Self::Lext => "Olympus lext, poir or oir",
-            Self::OmniSurf => "OmniSurf3D os3d",
-            Self::TaylorHobsonBinary => "Taylor Hobson binary (fts, mod, fls)",
-            Self::SdfAscii => "SDF text (ISO 25178-71)",
-            Self::SdfBinary => "binary SDF (ISO 25178-71)",
-            Self::SigmaSurf => "SigmaSurf sig",
-            Self::Smd => "SMD (ISO 5436-2)",
-            Self::TaylorHobsonPrf => "Taylor Hobson text profile (prf)",
-            Self::HommelHfm => "Hommel text profile (hfm)",
-            Self::DektakCsv => "Dektak csv",
-            Self::PtbPr => "PTB pr",
-            Self::Xml => "XML",
-            Self::Archive => "a compressed archive",
-            Self::Document => "a picture or document",
-            Self::UnknownBinary => "binary data of an unknown format",
-        })
+        f.write_str(self.row().title)
     }
 }
 
 impl Format {
+    fn row(self) -> &'static Row {
+        // The rows are in the order of the variants.
+        &ROWS[self as usize]
+    }
+
     /// Remedy for a format that is not read.
     pub fn remedy(self) -> &'static str {
-        match self {
-            Self::SurfcomConditions => {
-                "read the .tx1 (primary) or .tx2 (roughness) file beside it, which holds the heights"
-            }
-            Self::Xml => {
-                "export the profile as X3P, SMD, SDF, prf or text; of an X3P pass the archive, not its main.xml"
-            }
-            Self::Archive => "unpack it first",
-            Self::Document => "export the heights, not the report",
-            Self::MahrPcd => "export the profile as X3P or as text from MarWin",
-            Self::HommelHwp => {
-                "export the profile as text (hfm) or as X3P from the Hommel software"
-            }
-            Self::TaylorHobsonBinary => {
-                "export the profile as text (prf), the surface as X3P or SDF from the Talysurf software"
-            }
-            Self::MountainsMnt => "save the studiable as sur, pro or X3P from MountainsMap",
-            Self::ZygoDatx => "export the surface as dat (MetroPro), X3P or text from Mx",
-            Self::Lext | Self::KeyenceZon | Self::Nms | Self::Frt | Self::OmniSurf => {
-                "export the surface as X3P, SDF or text"
-            }
-            Self::Gwyddion => "export the surface as SDF or as a text matrix from Gwyddion",
-            Self::Hdf5 => "export the profile as text, or as MATLAB data of level 5 (-v7)",
-            _ => "export the profile as text with an x and a height column",
-        }
+        self.row().remedy
     }
 
     /// Whether a file of the format may hold several profiles: a surface, or traces side by side.
@@ -182,28 +162,26 @@ impl Format {
     /// assert!(Format::X3p.may_hold_several() && !Format::MahrText.may_hold_several());
     /// ```
     pub fn may_hold_several(self) -> bool {
-        matches!(
-            self,
-            Self::X3p
-                | Self::SdfAscii
-                | Self::SdfBinary
-                | Self::TextMatrix
-                | Self::DigitalSurf
-                | Self::AliconaAl3d
-                | Self::KeyenceVk
-                | Self::SensofarPlu
-                | Self::SensofarPlux
-                | Self::MetroPro
-                | Self::Opd
-                | Self::Opdx
-                | Self::Matlab
-        )
+        self.row().may_hold_several
+    }
+
+    /// The format that the first bytes settle.
+    pub(super) fn starting(bytes: &[u8]) -> Option<Self> {
+        let starts = |row: &&Row| row.starts.iter().any(|start| bytes.starts_with(start));
+        ROWS.iter().find(starts).map(|row| row.format)
+    }
+
+    /// The format that the extension of `name` suggests, for content that is not text.
+    pub(super) fn named(name: &str) -> Option<Self> {
+        let extension = extension(name);
+        let is_named = |row: &&Row| row.extensions.contains(&extension.as_str());
+        ROWS.iter().find(is_named).map(|row| row.format)
     }
 }
 
-/// Lower-case extension, empty when there is none.
+/// Lower-case extension, empty if there is none.
 pub(super) fn extension(name: &str) -> String {
-    let after_folder = name.rsplit(['/', '\\']).next().unwrap_or_default();
-    let found = after_folder.rsplit_once('.');
-    found.map_or_else(String::new, |(_, extension)| extension.to_lowercase())
+    let file = name.rsplit(['/', '\\']).next().unwrap_or_default();
+    let parts = file.rsplit_once('.');
+    parts.map_or_else(String::new, |(_, extension)| extension.to_lowercase())
 }

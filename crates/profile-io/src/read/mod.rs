@@ -167,7 +167,7 @@ fn surface_of(
                 Some(Format::SdfAscii) => sdf::surface(&mut text)?,
                 Some(format) => return Err(refused(name, format)),
                 None if !encoding::is_text(&head.text) => {
-                    let format = recognise::by_extension(name).unwrap_or(Format::UnknownBinary);
+                    let format = Format::named(name).unwrap_or(Format::UnknownBinary);
                     return Err(refused(name, format));
                 }
                 None => delimited::surface(&head, &mut text, options)?,
@@ -351,7 +351,7 @@ fn read_text(
     let name = text.file;
     let smd = smd::recognised(&start.bytes);
     if !smd && !encoding::is_text(&head.text) {
-        let format = recognise::by_extension(name).unwrap_or(Format::UnknownBinary);
+        let format = Format::named(name).unwrap_or(Format::UnknownBinary);
         return Err(refused(name, format));
     }
     let format = if smd {

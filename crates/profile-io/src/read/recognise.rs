@@ -1,115 +1,32 @@
-//! The format of a file: by its first bytes, then by telling lines, last by its name.
+//! The format of a file: by its first bytes, then by characteristic lines, last by its name.
 
 use super::format::{Format, extension};
 use super::text::Head;
 
-/// First bytes that settle the format.
-const MAGIC: &[(&[u8], Format)] = &[
-    (b"MATLAB ", Format::Matlab),
-    (b"VCA DATA", Format::Opdx),
-    (b"\x89HDF\r\n\x1a\n", Format::Hdf5),
-    (b"\x01\x00Directory", Format::Opd),
-    (b"DIGITAL SURF", Format::DigitalSurf),
-    (b"DSCOMPRESSED", Format::DigitalSurf),
-    (b"AliconaImaging\0\r\n", Format::AliconaAl3d),
-    (b"VK3_", Format::KeyenceVk),
-    (b"VK4_", Format::KeyenceVk),
-    (b"VK6", Format::KeyenceVk),
-    (b"VK7", Format::KeyenceVk),
-    (b"\x88\x1b\x03\x6f", Format::MetroPro),
-    (b"\x88\x1b\x03\x70", Format::MetroPro),
-    (b"\x88\x1b\x03\x71", Format::MetroPro),
-    (b"FRTM_GLIDERV", Format::Frt),
-    (b"GWYP", Format::Gwyddion),
-    (b"GWYO", Format::Gwyddion),
-    (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", Format::Excel),
-    (b"aISO-", Format::SdfAscii),
-    (b"aBCR-", Format::SdfAscii),
-    (b"aBCR ", Format::SdfAscii),
-    (b"aBC-", Format::SdfAscii),
-    (b"aNPL-", Format::SdfAscii),
-    (b"bISO-", Format::SdfBinary),
-    (b"bBCR-", Format::SdfBinary),
-    (b"bBCR ", Format::SdfBinary),
-    (b"bBC-", Format::SdfBinary),
-    (b"SigmaSurf_Data", Format::SigmaSurf),
-    (b"\x1f\x8b", Format::Archive),
-    (b"7z\xbc\xaf\x27\x1c", Format::Archive),
-    (b"Rar!", Format::Archive),
-    (b"%PDF", Format::Document),
-    (b"\x89PNG", Format::Document),
-    (b"\xff\xd8\xff", Format::Document),
-    (b"BM6", Format::Document),
-];
-
-/// File names that identify the maker of a binary file, and two text formats without distinctive lines.
-const EXTENSIONS: &[(&str, Format)] = &[
-    ("x3p", Format::X3p),
-    ("xlsx", Format::Excel),
-    ("xlsm", Format::Excel),
-    ("xls", Format::Excel),
-    ("opdx", Format::Opdx),
-    ("opd", Format::Opd),
-    ("mat", Format::Matlab),
-    ("hwp", Format::HommelHwp),
-    ("pip", Format::HommelHwp),
-    ("pcd", Format::MahrPcd),
-    ("mhp", Format::MahrPcd),
-    ("mnt", Format::MountainsMnt),
-    ("fts", Format::TaylorHobsonBinary),
-    ("mod", Format::TaylorHobsonBinary),
-    ("fls", Format::TaylorHobsonBinary),
-    ("datx", Format::ZygoDatx),
-    ("nms", Format::Nms),
-    ("frt", Format::Frt),
-    ("gwy", Format::Gwyddion),
-    ("lext", Format::Lext),
-    ("poir", Format::Lext),
-    ("oir", Format::Lext),
-    ("zon", Format::KeyenceZon),
-    ("cag", Format::KeyenceZon),
-    ("os3d", Format::OmniSurf),
-    ("plux", Format::SensofarPlux),
-    ("sur", Format::DigitalSurf),
-    ("pro", Format::DigitalSurf),
-    ("plu", Format::SensofarPlu),
-    ("sdf", Format::SdfBinary),
-];
-
 /// First bytes of a zip.
 pub(super) const ZIP: &[u8] = b"PK\x03\x04";
 
-/// The format that the first bytes settle, if they do; a zip is told by its name or its members.
+/// The format that the first bytes settle; the name or the members decide that of a zip.
 pub(super) fn by_magic(name: &str, head: &[u8]) -> Option<Format> {
     if head.starts_with(ZIP) {
-        return Some(by_extension(name).unwrap_or(Format::Archive));
+        return Some(Format::named(name).unwrap_or(Format::Archive));
     }
-    let found = MAGIC.iter().find(|(magic, _)| head.starts_with(magic));
-    let found = found.map(|&(_, format)| format);
-    match (found, by_extension(name)) {
-        // Containers that are told apart by the name.
+    match (Format::starting(head), Format::named(name)) {
+        // Containers of several formats, which the name distinguishes.
         (Some(Format::Excel), Some(Format::MountainsMnt)) => Some(Format::MountainsMnt),
         (Some(Format::Hdf5), Some(Format::ZygoDatx)) => Some(Format::ZygoDatx),
         // A title may start with these letters, but a number of four bytes follows.
         (Some(Format::KeyenceVk), _) if !head.get(3..12).is_some_and(|b| b.contains(&0)) => None,
-        _ => found,
+        (format, _) => format,
     }
 }
 
-/// The format that the file's name suggests, for content that is not text.
-pub(super) fn by_extension(name: &str) -> Option<Format> {
-    let extension = extension(name);
-    let found = EXTENSIONS.iter().find(|(known, _)| *known == extension);
-    found.map(|&(_, format)| format)
-}
-
-/// The text format that telling lines near the top settle, or the name; none for a table.
+/// The text format that characteristic lines near the top or the name settle; `None` for a table.
 pub(super) fn of_text(name: &str, head: &Head) -> Option<Format> {
     const LINES_LOOKED_AT: usize = 60;
-    let magic = MAGIC
-        .iter()
-        .find(|(magic, _)| head.text.as_bytes().starts_with(magic));
-    if let Some(&(_, format @ (Format::SdfAscii | Format::SigmaSurf))) = magic {
+    if let Some(format @ (Format::SdfAscii | Format::SigmaSurf)) =
+        Format::starting(head.text.as_bytes())
+    {
         return Some(format);
     }
     if head.text.trim_start().starts_with("<?xml") {
@@ -140,13 +57,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_zip_is_told_by_its_name() {
+    fn the_name_of_a_zip_decides_its_format() {
         assert_eq!(by_magic("a.zip", b"PK\x03\x04"), Some(Format::Archive));
         assert_eq!(by_magic("a.X3P", b"PK\x03\x04"), Some(Format::X3p));
     }
 
     #[test]
-    fn telling_lines_win_over_the_name() {
+    fn characteristic_lines_win_over_the_name() {
         let of_text = |name, text: &str| of_text(name, &Head::of(text));
         let mahr = "[PROFILE_HEADER]\nNAME=a";
         assert_eq!(of_text("a.csv", mahr), Some(Format::MahrText));
