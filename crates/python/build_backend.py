@@ -34,7 +34,7 @@ def _place_command():
     """Builds the command and puts it where maturin takes the data of the wheel from."""
     os.environ.setdefault("CARGO_TARGET_DIR", str(ROOT / "target"))
     target = Path(os.environ["CARGO_TARGET_DIR"])
-    common = ("--release", "--locked", "--package", "asperity-cli")
+    common = ("--profile", "dist", "--locked", "--package", "asperity-cli")
     triple = os.environ.get("CARGO_BUILD_TARGET")
     if _glibc():
         triple = triple or "x86_64-unknown-linux-gnu"
@@ -42,7 +42,7 @@ def _place_command():
         _cargo("zigbuild", *common, "--target", f"{triple}.{_glibc()}")
     else:
         _cargo("build", *common)
-    built = (target / triple if triple else target) / "release"
+    built = (target / triple if triple else target) / "dist"
     name = "asperity.exe" if (built / "asperity.exe").is_file() else "asperity"
     shutil.rmtree(DATA, ignore_errors=True)
     (DATA / "scripts").mkdir(parents=True)

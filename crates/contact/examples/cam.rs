@@ -5,7 +5,6 @@
 //! cargo run -p asperity-contact --example cam
 //! ```
 
-use asperity_contact::friction::partial_slip;
 use asperity_contact::{Boundary, ContactProblem, Control, Path, SolverSettings};
 use asperity_core::quantity::{Length, LineLoad};
 
@@ -48,15 +47,5 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             solution.iterations
         );
     }
-    // Started by a tangential load of 60 % of what friction holds.
-    let slip = partial_slip(
-        &problem("400 N/mm".parse()?)?,
-        0.12,
-        "28.8 N/mm".parse()?,
-        &settings,
-    )?;
-    let touching = slip.normal.pressure.iter().filter(|&&p| p > 0.0).count();
-    let sticking = slip.stick.iter().filter(|&&sticks| sticks).count();
-    println!("{sticking} of {touching} touching points stick");
     Ok(())
 }

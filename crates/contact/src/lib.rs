@@ -9,7 +9,6 @@
 //! |---|---|
 //! | two profiles face to face | [`two_flanks`] |
 //! | plastic flow of the surface, running-in | [`plasticity`], [`running_in`] |
-//! | friction, partial slip, dissimilar materials | [`friction`] |
 //! | stress below the surface | [`subsurface`] |
 //! | closed forms | [`hertz_line`], [`westergaard`], [`flat_punch`] |
 //! | the kernel and its fast product | [`strip_kernel`], [`half_plane`] |
@@ -24,7 +23,6 @@ mod convolution;
 pub mod dense_reference;
 pub mod error;
 pub mod flat_punch;
-pub mod friction;
 pub mod half_plane;
 pub mod hertz_line;
 pub mod path;

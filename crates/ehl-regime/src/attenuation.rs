@@ -16,11 +16,11 @@
 
 use std::sync::Arc;
 
+use asperity_core::numerics::{complex_inverse, real_transforms};
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, cite};
-use realfft::RealFftPlanner;
+use rustfft::Fft;
 use rustfft::num_complex::Complex;
-use rustfft::{Fft, FftPlanner};
 
 use crate::dimensionless::FilmGroups;
 use crate::error::RegimeError;
@@ -138,15 +138,14 @@ impl TraceSpectrum {
         for &z in heights {
             DomainError::finite("height", Length::from_si(z))?;
         }
-        let mut planner = RealFftPlanner::new();
-        let forward = planner.plan_fft_forward(points);
+        let (forward, _) = real_transforms(points);
         let mut signal = heights.to_vec();
         let mut spectrum = forward.make_output_vec();
         let done = forward.process(&mut signal, &mut spectrum);
         debug_assert!(done.is_ok(), "buffers are made by the plan");
         Ok(Self {
             spectrum,
-            inverse: FftPlanner::new().plan_fft_inverse(points),
+            inverse: complex_inverse(points),
             points,
             spacing: dx,
         })

@@ -1,5 +1,7 @@
 //! Steady film on graded grids with dense factors: reference values for tables.
 //!
+//! Built with the feature `oracle`; the tests of the iterative solver compare with it.
+//!
 //! The nodes cluster where pressure and film bend; grids are doubled and the last two extrapolated
 //! (Richardson, second order). O(n³): seconds at a thousand nodes.
 

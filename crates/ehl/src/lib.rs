@@ -1,9 +1,9 @@
 //! Mixed elastohydrodynamic line contact of two rough surfaces.
 //!
-//! [`steady::solve`] gives the film of smooth surfaces from a cold start, [`transient::record`] the
-//! contact of two rough surfaces over a travel, [`graded::reference`] reference values with an error
-//! estimate, [`traction::traction`] the traction of a smooth film. Every solution comes with its
-//! [`Evidence`]; what does not converge is an [`EhlError`].
+//! [`steady::solve`] computes the film of smooth surfaces from a cold start, [`transient::record`] the
+//! contact of two rough surfaces over a travel, [`traction::traction`] the traction of a smooth film, and
+//! `graded::reference` (feature `oracle`) reference films with an error estimate. Every solution comes with its
+//! [`Evidence`]; a solution that does not converge is an [`EhlError`].
 //!
 //! | symbol | meaning |
 //! |---|---|
@@ -12,7 +12,6 @@
 //! | S | slide-to-roll ratio (u₁ − u₂)/u_m |
 //! | θ | void fraction of a cavitated node |
 
-pub mod amplitude_reduction;
 mod bands;
 pub mod batch_means;
 pub mod dimensionless;
@@ -20,6 +19,7 @@ pub mod error;
 pub mod evidence;
 mod fluid;
 pub mod friction;
+#[cfg(feature = "oracle")]
 pub mod graded;
 mod grid;
 mod hat_kernel;

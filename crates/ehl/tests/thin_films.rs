@@ -9,12 +9,11 @@
 mod common;
 
 use asperity_core::quantity::{DynamicViscosity, Length, Pressure, PressureViscosity};
-use asperity_ehl::amplitude_reduction::{remaining_amplitude, wave_parameter};
 use asperity_ehl::{
     FrictionLaw, MovingProfile, Oil, Record, RecordSettings, RoughContact, Solved, transient,
 };
 use asperity_oil::ShearLaw;
-use common::{WAVES, contact, gear_oil, wave_length, waves};
+use common::{WAVES, contact, gear_oil, remaining_amplitude, wave_length, waves};
 
 /// Two surfaces of the same `rq` \[m\] at the mean speed `u_m` \[m/s\], slide-to-roll ratio 0.2, Eyring stress 5 MPa.
 fn rough(rq: f64, u_m: f64) -> RoughContact {
@@ -59,8 +58,7 @@ fn roughness_over_film(rq: f64, record: &Record) -> f64 {
     for k in WAVES {
         // Amplitudes are in proportion to the length of the wave.
         let square = f64::from(k).powi(-2);
-        let wave = wave_parameter(wave_length(k), &record.scales).unwrap();
-        left += square * remaining_amplitude(wave).powi(2);
+        left += square * remaining_amplitude(wave_length(k), &record.scales).powi(2);
         all += square;
     }
     rq * (2.0 * left / all).sqrt() / record.smooth_film.si()

@@ -88,26 +88,6 @@ impl GearPair {
         self.loss_scale() * (1.0 - path.eps_alpha + path.eps_1.powi(2) + path.eps_2.powi(2))
     }
 
-    /// H_V = π(u + 1)/(z₁ u cos β_b)·(ε₁|ε₁| + ε₂|ε₂|)/ε_α                      [Loss-4]
-    ///
-    /// The limit of a wide helical pair, whose line load is constant; the local loss factor of any
-    /// helical pair at the mean length of its contact lines.
-    ///
-    /// ```
-    /// use asperity_gear::{GearPair, GearPairInput};
-    /// let pair = GearPair::new(&GearPairInput::standard(
-    ///     [50, 120], "1.3 mm".parse()?, "30 deg".parse()?, "50 mm".parse()?,
-    /// ))?;
-    /// assert!((pair.wide_helical_loss_factor() - 0.0732828).abs() < 1e-7);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn wide_helical_loss_factor(&self) -> f64 {
-        cite!("Loss-4");
-        let path = &self.path;
-        self.loss_scale() * (path.eps_1.abs() * path.eps_1 + path.eps_2.abs() * path.eps_2)
-            / path.eps_alpha
-    }
-
     /// π(u + 1)/(z₁ u cos β_b) = (1 + 1/u)·p_et/(2 r_b1 cos β_b)
     fn loss_scale(&self) -> f64 {
         let (u, z1) = (self.ratio, f64::from(self.teeth[0]));

@@ -200,7 +200,9 @@ ELSEWHERE = {
     "E210": "explain gives none for a code that does not exist",
     "E309": "shards are merged by the command",
     "E310": "calibration is done by the command",
+    "E314": "cycles are evaluated by the command",
     "E501": "faults of the program, which no input raises",
+    "E502": "what cancels a call is raised itself, KeyboardInterrupt for instance",
 }
 
 

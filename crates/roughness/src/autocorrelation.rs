@@ -12,11 +12,9 @@
 //! they need.
 
 use asperity_core::cite;
-use asperity_core::numerics::good_fft_length;
-use asperity_core::numerics::sum;
+use asperity_core::numerics::{good_fft_length, real_transforms, sum};
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
-use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 use serde::{Deserialize, Serialize};
 
@@ -88,11 +86,7 @@ fn products(z: &[f64], shifts: usize) -> Vec<f64> {
     const STEP: usize = 3;
     let step = (STEP * shifts).min(z.len());
     let length = good_fft_length(step + shifts);
-    let mut planner = RealFftPlanner::<f64>::new();
-    let (forward, inverse) = (
-        planner.plan_fft_forward(length),
-        planner.plan_fft_inverse(length),
-    );
+    let (forward, inverse) = real_transforms(length);
     let mut signal = forward.make_input_vec();
     let (mut own, mut reached) = (forward.make_output_vec(), forward.make_output_vec());
     let mut total = vec![Complex::default(); own.len()];

@@ -12,9 +12,10 @@
 
 use std::sync::Arc;
 
+use asperity_core::numerics::real_transforms;
 use nalgebra::{Matrix3, Vector3};
 use realfft::num_complex::Complex;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use realfft::{ComplexToReal, RealToComplex};
 
 use crate::blocks::Blocks;
 
@@ -55,9 +56,7 @@ impl LocalParabolas {
     pub(crate) fn new(n: usize, weights: &[f64]) -> Self {
         let m = weights.len() - 1;
         let Blocks { length, step } = Blocks::of(n, m);
-        let mut planner = RealFftPlanner::new();
-        let forward = planner.plan_fft_forward(length);
-        let inverse = planner.plan_fft_inverse(length);
+        let (forward, inverse) = real_transforms(length);
         let scratch = forward.get_scratch_len().max(inverse.get_scratch_len());
         let spectrum = forward.make_output_vec();
         let mut parabolas = Self {

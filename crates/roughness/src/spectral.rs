@@ -15,10 +15,9 @@
 use asperity_core::cite;
 use std::f64::consts::{PI, TAU};
 
-use asperity_core::numerics::sum;
+use asperity_core::numerics::{real_transforms, sum};
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
-use realfft::RealFftPlanner;
 use serde::{Deserialize, Serialize};
 
 use crate::error::RoughnessError;
@@ -161,7 +160,7 @@ pub fn power_spectrum(profile: &Profile) -> Result<PowerSpectrum, RoughnessError
         });
     }
     let window = |i: usize| 0.5 * (1.0 - (TAU * i as f64 / (n - 1) as f64).cos());
-    let plan = RealFftPlanner::<f64>::new().plan_fft_forward(n);
+    let (plan, _) = real_transforms(n);
     // The window would leak a mean height into the longest waves.
     let mean = profile.heights().iter().sum::<f64>() / n as f64;
     let centred = profile.heights().iter().map(|z| z - mean).enumerate();

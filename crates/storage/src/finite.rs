@@ -1,6 +1,6 @@
 //! Guard against numbers that are not finite, before a value is written.
 
-use serde::ser::{self, Impossible, Serialize, Serializer};
+use serde::ser::{self, Serialize, Serializer};
 
 /// A number that is not finite, with its path in the value.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -269,7 +269,9 @@ impl ser::SerializeMap for Parts {
     type Error = Stop;
 
     fn serialize_key<T: Serialize + ?Sized>(&mut self, key: &T) -> Result<(), Stop> {
-        self.key = key.serialize(Key).unwrap_or_else(|_| "?".to_owned());
+        let text = serde_json::to_value(key).ok();
+        let text = text.and_then(|key| key.as_str().map(str::to_owned));
+        self.key = text.unwrap_or_else(|| "?".to_owned());
         Ok(())
     }
 
@@ -280,62 +282,5 @@ impl ser::SerializeMap for Parts {
 
     fn end(self) -> Result<(), Stop> {
         Ok(())
-    }
-}
-
-/// Text of a key; keys that are no text are not named.
-struct Key;
-
-macro_rules! no_key {
-    ($($name:ident($($type:ty),*) $(<$generic:ident>)? -> $out:ty;)+) => {
-        $(fn $name $(<$generic: Serialize + ?Sized>)? (self $(, _: $type)*) -> Result<$out, Stop> {
-            Err(Stop::Other)
-        })+
-    };
-}
-
-impl Serializer for Key {
-    type Ok = String;
-    type Error = Stop;
-    type SerializeSeq = Impossible<String, Stop>;
-    type SerializeTuple = Impossible<String, Stop>;
-    type SerializeTupleStruct = Impossible<String, Stop>;
-    type SerializeTupleVariant = Impossible<String, Stop>;
-    type SerializeMap = Impossible<String, Stop>;
-    type SerializeStruct = Impossible<String, Stop>;
-    type SerializeStructVariant = Impossible<String, Stop>;
-
-    fn serialize_str(self, text: &str) -> Result<String, Stop> {
-        Ok(text.to_owned())
-    }
-
-    no_key! {
-        serialize_bool(bool) -> String;
-        serialize_i8(i8) -> String;
-        serialize_i16(i16) -> String;
-        serialize_i32(i32) -> String;
-        serialize_i64(i64) -> String;
-        serialize_u8(u8) -> String;
-        serialize_u16(u16) -> String;
-        serialize_u32(u32) -> String;
-        serialize_u64(u64) -> String;
-        serialize_f32(f32) -> String;
-        serialize_f64(f64) -> String;
-        serialize_char(char) -> String;
-        serialize_bytes(&[u8]) -> String;
-        serialize_none() -> String;
-        serialize_some(&T) <T> -> String;
-        serialize_unit() -> String;
-        serialize_unit_struct(&'static str) -> String;
-        serialize_unit_variant(&'static str, u32, &'static str) -> String;
-        serialize_newtype_struct(&'static str, &T) <T> -> String;
-        serialize_newtype_variant(&'static str, u32, &'static str, &T) <T> -> String;
-        serialize_seq(Option<usize>) -> Self::SerializeSeq;
-        serialize_tuple(usize) -> Self::SerializeTuple;
-        serialize_tuple_struct(&'static str, usize) -> Self::SerializeTupleStruct;
-        serialize_tuple_variant(&'static str, u32, &'static str, usize) -> Self::SerializeTupleVariant;
-        serialize_map(Option<usize>) -> Self::SerializeMap;
-        serialize_struct(&'static str, usize) -> Self::SerializeStruct;
-        serialize_struct_variant(&'static str, u32, &'static str, usize) -> Self::SerializeStructVariant;
     }
 }

@@ -8,11 +8,11 @@
 
 use std::sync::Arc;
 
-use asperity_core::numerics::good_fft_length;
+use asperity_core::numerics::{good_fft_length, real_transforms};
 use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, cite};
 use realfft::num_complex::Complex;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use realfft::{ComplexToReal, RealToComplex};
 use serde::Serialize;
 
 use super::point::{check_poisson, max_shear, tresca, von_mises};
@@ -357,9 +357,7 @@ struct Transform {
 impl Transform {
     fn new(points: usize) -> Self {
         let length = good_fft_length(2 * points - 1);
-        let mut planner = RealFftPlanner::new();
-        let forward = planner.plan_fft_forward(length);
-        let inverse = planner.plan_fft_inverse(length);
+        let (forward, inverse) = real_transforms(length);
         let scratch = forward.get_scratch_len().max(inverse.get_scratch_len());
         Self {
             points,

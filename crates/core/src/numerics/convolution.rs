@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use realfft::num_complex::Complex;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use realfft::{ComplexToReal, RealToComplex};
 
-use super::good_fft_length;
+use super::{good_fft_length, real_transforms};
 
 /// y = T x for a symmetric Toeplitz matrix T, in O(n log n), without allocation per product.
 ///
@@ -35,9 +35,7 @@ impl SymmetricToeplitz {
     pub fn new(first_column: &[f64], size: usize) -> Self {
         let reach = first_column.len().min(size);
         let length = good_fft_length(size + reach.max(1) - 1);
-        let mut planner = RealFftPlanner::new();
-        let forward = planner.plan_fft_forward(length);
-        let inverse = planner.plan_fft_inverse(length);
+        let (forward, inverse) = real_transforms(length);
         let mut padded = forward.make_input_vec();
         let mut spectrum = forward.make_output_vec();
         let scratch_length = forward.get_scratch_len().max(inverse.get_scratch_len());

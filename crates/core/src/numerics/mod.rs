@@ -2,6 +2,7 @@
 
 mod convolution;
 mod fft_length;
+mod fourier;
 mod increasing_root;
 mod normal;
 mod root;
@@ -10,6 +11,7 @@ mod sums;
 
 pub use convolution::SymmetricToeplitz;
 pub use fft_length::good_fft_length;
+pub use fourier::{complex_inverse, real_transforms};
 pub use increasing_root::{Solved, newton_root, secant_root};
 pub use normal::standard_normal_quantile;
 pub use root::{Root, RootError, find_root};

@@ -7,7 +7,7 @@
 
 use asperity_core::Profile;
 use asperity_core::quantity::{DynamicViscosity, Length, Pressure, PressureViscosity, Speed};
-use asperity_ehl::{LineContact, Oil};
+use asperity_ehl::{LineContact, Oil, Scales};
 use asperity_oil::{DensityLaw, PressureViscosityLaw, ShearLaw};
 
 /// Oil of the gear case: 10 mPa s, α 18 1/GPa, Roelands 0.6, compressible, Newtonian.
@@ -31,6 +31,14 @@ pub fn contact(p_0: f64, u_m: f64, slide_to_roll: f64) -> LineContact {
         slide_to_roll,
     )
     .unwrap()
+}
+
+/// A_d/A_i of a wave that passes through the contact in pure rolling, after Venner and others 1997, with constants from
+/// memory; the solver agrees with it within 10 % for ∇ from 2 to 8 (at 14 the curve is a fifth too low).
+pub fn remaining_amplitude(wavelength: Length, scales: &Scales) -> f64 {
+    let per_half_width = scales.moes_load.powf(0.75) / scales.moes_lubricant.sqrt();
+    let nabla = wavelength / scales.half_width * per_half_width;
+    1.0 / (1.0 + nabla * (0.125 + 0.04 * nabla))
 }
 
 /// A contact of the Moes numbers M and L with α = 20 1/GPa.

@@ -11,8 +11,8 @@
 //! the result.
 
 use asperity_core::cite;
+use asperity_core::numerics::real_transforms;
 use asperity_core::{DomainError, Profile};
-use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -96,8 +96,7 @@ impl NonGaussian {
         let start = self.spectrum.generate()?;
         let n = start.len();
         let targets = self.targets(n);
-        let mut planner = RealFftPlanner::<f64>::new();
-        let (forward, inverse) = (planner.plan_fft_forward(n), planner.plan_fft_inverse(n));
+        let (forward, inverse) = real_transforms(n);
         let mut z = start.heights().to_vec();
         let mut spectrum = forward.make_output_vec();
         let done = forward.process(&mut z.clone(), &mut spectrum);

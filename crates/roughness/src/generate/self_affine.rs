@@ -12,9 +12,9 @@
 use asperity_core::cite;
 use std::f64::consts::TAU;
 
+use asperity_core::numerics::real_transforms;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
-use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -113,7 +113,7 @@ impl SelfAffine {
             "must not be shorter than the short cut-off",
         )?;
         let (q_r, q_s) = (TAU / roll_off, TAU / short_cut);
-        let plan = RealFftPlanner::<f64>::new().plan_fft_inverse(n);
+        let (_, plan) = real_transforms(n);
         let mut spectrum = plan.make_input_vec();
         let mut random = Random::new(self.seed);
         for (k, value) in spectrum.iter_mut().enumerate() {
