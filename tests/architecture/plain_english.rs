@@ -1,5 +1,6 @@
 //! Doc comments in plain technical English: the share of blocks with a phrase of [`PHRASES`].
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
@@ -184,6 +185,25 @@ fn doc_comments_are_in_plain_english() {
         share <= HIGHEST_SHARE,
         "{}\n{counted}, above {HIGHEST_SHARE}",
         places.join("\n")
+    );
+}
+
+#[test]
+fn every_name_of_the_glossary_is_in_the_sources() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let glossary = fs::read_to_string(root.join("docs/GLOSSARY.md")).unwrap();
+    let sources: String = sources(&root.join("crates"))
+        .iter()
+        .map(|path| fs::read_to_string(path).unwrap())
+        .collect();
+    let is_name = |c: char| c.is_alphanumeric() || c == '_';
+    let words: BTreeSet<&str> = sources.split(|c| !is_name(c)).collect();
+    let names: Vec<&str> = glossary.split('`').skip(1).step_by(2).collect();
+    assert!(names.len() > 40, "only {} names were read", names.len());
+    let unknown: Vec<_> = names.iter().filter(|name| !words.contains(*name)).collect();
+    assert!(
+        unknown.is_empty(),
+        "docs/GLOSSARY.md names what no source has: {unknown:?}"
     );
 }
 
