@@ -151,8 +151,8 @@ fn name(draft: &Draft, target: &Path, kind: &'static str) -> Result<(), StorageE
     name_in_two_steps(draft, target, kind)
 }
 
-/// Moves the older folder aside, then renames the new one. After a kill between the two the journal tells the next
-/// process the name of the older folder.
+/// Moves the older folder aside, then renames the new one. The journal stores the name of the older folder for recovery
+/// after a kill between the two.
 fn name_in_two_steps(draft: &Draft, target: &Path, kind: &'static str) -> Result<(), StorageError> {
     let refused = StorageError::io(target);
     let (old, journal) = (draft.folder().join(OLD), draft.folder().join(JOURNAL));

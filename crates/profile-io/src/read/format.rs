@@ -1,6 +1,6 @@
-//! The file formats that are known, read or not.
+//! Known file formats, supported or not.
 //!
-//! Formats that are not read are named, so that the user learns what to export instead.
+//! Unsupported formats are named so that the message can explain how to export.
 
 use serde::{Deserialize, Serialize};
 
@@ -11,11 +11,11 @@ use serde::{Deserialize, Serialize};
 pub enum Format {
     /// Rows of numbers as text, in any dialect.
     DelimitedText,
-    /// A matrix of heights as text, one trace a row.
+    /// A matrix of heights as text, one trace per row.
     TextMatrix,
-    /// One column of heights under the spacing in um (NPL softgauge text).
+    /// A column of heights after the spacing in um (NPL softgauge text).
     NplText,
-    /// One column of heights in um under nominal length and number of points (Surfcom tx1, tx2).
+    /// A column of heights in um after nominal length and number of points (Surfcom tx1, tx2).
     SurfcomText,
     /// Measuring conditions of a Surfcom trace (tx3).
     SurfcomConditions,
@@ -78,7 +78,7 @@ pub enum Format {
     SigmaSurf,
     /// ISO 5436-2 SMD.
     Smd,
-    /// Taylor Hobson text profile (prf), as NPL writes it too.
+    /// Taylor Hobson text profile (prf), which NPL also writes.
     TaylorHobsonPrf,
     /// Hommel text profile (hfm).
     HommelHfm,
@@ -86,7 +86,7 @@ pub enum Format {
     DektakCsv,
     /// PTB reference software text.
     PtbPr,
-    /// XML that is no X3P, of which no layout with heights is known.
+    /// XML of an unknown layout.
     Xml,
     /// A compressed archive.
     Archive,
@@ -146,7 +146,7 @@ impl std::fmt::Display for Format {
 }
 
 impl Format {
-    /// Remedy for a format that is not read.
+    /// Remedy for an unsupported format.
     pub fn remedy(self) -> &'static str {
         match self {
             Self::SurfcomConditions => {
@@ -201,7 +201,7 @@ impl Format {
     }
 }
 
-/// Lower-case extension, empty when there is none.
+/// Lower-case extension; empty if there is none.
 pub(super) fn extension(name: &str) -> String {
     let after_folder = name.rsplit(['/', '\\']).next().unwrap_or_default();
     let found = after_folder.rsplit_once('.');

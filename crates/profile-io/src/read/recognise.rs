@@ -1,9 +1,9 @@
-//! The format of a file: by its first bytes, then by telling lines, last by its name.
+//! Recognition of the format of a file by its first bytes, then by characteristic lines, then by its name.
 
 use super::format::{Format, extension};
 use super::text::Head;
 
-/// First bytes that settle the format.
+/// First bytes that identify a format.
 const MAGIC: &[(&[u8], Format)] = &[
     (b"MATLAB ", Format::Matlab),
     (b"VCA DATA", Format::Opdx),
@@ -79,7 +79,7 @@ const EXTENSIONS: &[(&str, Format)] = &[
 /// First bytes of a zip.
 pub(super) const ZIP: &[u8] = b"PK\x03\x04";
 
-/// The format that the first bytes settle, if they do; a zip is told by its name or its members.
+/// The format identified by the first bytes; a zip is identified by its name or its members.
 pub(super) fn by_magic(name: &str, head: &[u8]) -> Option<Format> {
     if head.starts_with(ZIP) {
         return Some(by_extension(name).unwrap_or(Format::Archive));
@@ -87,7 +87,7 @@ pub(super) fn by_magic(name: &str, head: &[u8]) -> Option<Format> {
     let found = MAGIC.iter().find(|(magic, _)| head.starts_with(magic));
     let found = found.map(|&(_, format)| format);
     match (found, by_extension(name)) {
-        // Containers that are told apart by the name.
+        // Containers that are distinguished by the name.
         (Some(Format::Excel), Some(Format::MountainsMnt)) => Some(Format::MountainsMnt),
         (Some(Format::Hdf5), Some(Format::ZygoDatx)) => Some(Format::ZygoDatx),
         // A title may start with these letters, but a number of four bytes follows.
@@ -103,7 +103,7 @@ pub(super) fn by_extension(name: &str) -> Option<Format> {
     found.map(|&(_, format)| format)
 }
 
-/// The text format that telling lines near the top settle, or the name; none for a table.
+/// The text format identified by characteristic lines near the top, or by the name; `None` for a table.
 pub(super) fn of_text(name: &str, head: &Head) -> Option<Format> {
     const LINES_LOOKED_AT: usize = 60;
     let magic = MAGIC
