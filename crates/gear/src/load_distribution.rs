@@ -14,7 +14,7 @@ use crate::load_map::{LoadConditions, LoadLaw, LoadMap};
 /// ```
 /// use asperity_gear::{GearError, LoadConditions, LoadDistribution, LoadMap, LoadSharing};
 ///
-/// Equal sharing on a spur pair, reduced by 10 % at both ends by tip relief.
+/// /// Equal sharing on a spur pair, reduced by 10 % at both ends by tip relief.
 /// #[derive(Debug)]
 /// struct Relieved;
 ///
