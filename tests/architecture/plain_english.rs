@@ -1,12 +1,13 @@
 //! Doc comments in plain technical English: the share of blocks with a phrase of [`PHRASES`].
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
 use crate::words::sources;
 
 /// Highest share of the doc-comment blocks with one of the phrases. Lower it when comments are corrected; 0.02 is the goal.
-const HIGHEST_SHARE: f64 = 0.105;
+const HIGHEST_SHARE: f64 = 0.09;
 
 /// Environment variable that prints all places also when the share is below its bound.
 const PRINT: &str = "ASPERITY_PRINT_WORDS";
@@ -184,6 +185,25 @@ fn doc_comments_are_in_plain_english() {
         share <= HIGHEST_SHARE,
         "{}\n{counted}, above {HIGHEST_SHARE}",
         places.join("\n")
+    );
+}
+
+#[test]
+fn every_name_of_the_glossary_is_in_the_sources() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let glossary = fs::read_to_string(root.join("docs/GLOSSARY.md")).unwrap();
+    let sources: String = sources(&root.join("crates"))
+        .iter()
+        .map(|path| fs::read_to_string(path).unwrap())
+        .collect();
+    let is_name = |c: char| c.is_alphanumeric() || c == '_';
+    let words: BTreeSet<&str> = sources.split(|c| !is_name(c)).collect();
+    let names: Vec<&str> = glossary.split('`').skip(1).step_by(2).collect();
+    assert!(names.len() > 40, "only {} names were read", names.len());
+    let unknown: Vec<_> = names.iter().filter(|name| !words.contains(*name)).collect();
+    assert!(
+        unknown.is_empty(),
+        "docs/GLOSSARY.md names what no source has: {unknown:?}"
     );
 }
 

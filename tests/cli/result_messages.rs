@@ -159,9 +159,9 @@ fn a_folder_that_is_no_result_is_refused_and_untouched() {
     bench.run(&["run", "case.toml", "-o", "mixed"]).well();
     bench.write("mixed/notes.txt", "keep me");
     for (folder, says) in [
-        ("notes", "(diary.txt is no part of a result)"),
+        ("notes", "(diary.txt is not part of a result)"),
         ("other", "exists and is not a result folder"),
-        ("mixed", "(notes.txt is no part of a result)"),
+        ("mixed", "(notes.txt is not part of a result)"),
         ("case.toml", "case.toml: exists and is not a result folder"),
         ("case.toml/out", "case.toml: cannot be written"),
     ] {

@@ -18,10 +18,10 @@ fn files_of_the_user_in_a_result_survive() {
         .run(&["run", "case.toml", "-o", "out", "--fields", "all", "-q"])
         .well();
     for (file, says) in [
-        ("out/position_99", "(position_99 is no part of a result)"),
+        ("out/position_99", "(position_99 is not part of a result)"),
         (
             "out/position_01/notes.txt",
-            "(position_01/notes.txt is no part of a result)",
+            "(position_01/notes.txt is not part of a result)",
         ),
         ("out/path.csv", "path.csv: was changed since it was written"),
     ] {

@@ -11,11 +11,11 @@ use crate::input::GearPairInput;
 use crate::involute::{inverse_involute, involute};
 use crate::rack::Rack;
 
-/// Difference in normal modules accepted between a given centre distance and that of the given
-/// profile shifts: what rounding two coefficients to two decimals can do.
+/// Permitted difference in normal modules between a given centre distance and the centre distance from the profile
+/// shifts: the effect of rounding two coefficients to two decimals.
 const CENTRE_DISTANCE_TOLERANCE: f64 = 0.01;
 
-/// Centre distance, working pressure angle and profile shifts, in agreement.
+/// Consistent centre distance, working pressure angle and profile shifts.
 #[derive(Debug, Clone)]
 pub(crate) struct Centre {
     pub(crate) distance: Length,

@@ -1,6 +1,6 @@
 //! Chebyshev interpolation of a smooth function of one variable.
 
-/// Coefficients below this share of the largest are rounding.
+/// Relative size below which coefficients are rounding errors.
 const NEGLIGIBLE: f64 = 1e-14;
 
 /// Σ c_k T_k(x) on an interval.
@@ -49,7 +49,7 @@ impl Chebyshev {
         })
     }
 
-    /// The interpolant at x, which is moved into the interval.
+    /// Value of the interpolant at x, clamped to the interval.
     pub(crate) fn at(&self, x: f64) -> f64 {
         let t =
             (2.0 * x.clamp(self.low, self.high) - self.low - self.high) / (self.high - self.low);
@@ -85,7 +85,7 @@ impl SmoothTable {
         }
     }
 
-    /// The value at x, which is moved into the interval.
+    /// Interpolated value at x, clamped to the interval.
     pub(crate) fn at(&self, x: f64) -> f64 {
         let place = ((x - self.low) * self.per_unit).clamp(0.0, INTERVALS as f64);
         let first = (place as usize).clamp(1, INTERVALS - 2) - 1;

@@ -1,4 +1,4 @@
-//! Length of the lines of contact, at an instant and over a mesh cycle.
+//! Length of the lines of contact at a mesh phase and over a mesh cycle.
 //!
 //! Source: Niemann and Winter, Maschinenelemente II; the strips are exact for true involutes.
 //!
@@ -8,8 +8,8 @@
 //! | l | total length of the contact lines | m |
 //! | ξ | profile coordinate in base pitches | - |
 //!
-//! A tooth that stands at φ + j at the front face touches on φ + j ≤ ξ ≤ φ + j + ε_β, cut to the
-//! path 0 ≤ ξ ≤ ε_α: a strip.
+//! A tooth at φ + j on the front face is in contact on φ + j ≤ ξ ≤ φ + j + ε_β, limited to the path 0 ≤ ξ ≤ ε_α: a
+//! strip.
 
 use asperity_core::DomainError;
 use asperity_core::cite;
@@ -25,15 +25,15 @@ use crate::quadrature::breakpoints;
 pub struct ContactLengths {
     /// Mean over a mesh cycle.
     pub mean: Length,
-    /// Shortest.
+    /// Minimum.
     pub shortest: Length,
-    /// Longest.
+    /// Maximum.
     pub longest: Length,
 }
 
 impl GearPair {
-    /// l(φ) = (b/(ε_β cos β_b))·Σⱼ \[min(φ + j + ε_β, ε_α) − max(φ + j, 0)\]₊; a spur pair has
-    /// b for each pair in contact                                               [Length-1]
+    /// l(φ) = (b/(ε_β cos β_b))·Σⱼ \[min(φ + j + ε_β, ε_α) − max(φ + j, 0)\]₊; a spur pair has b for each pair of teeth
+    /// in contact                                               [Length-1]
     ///
     /// # Errors
     /// When the phase is not finite.
@@ -76,8 +76,8 @@ impl GearPair {
 
     /// Mean and extremes of the length of the contact lines over a mesh cycle.
     ///
-    /// The length is linear in the phase between the phases where a strip starts or ends, so its
-    /// extremes are among its values there (helical) or between them (spur, where it jumps).
+    /// The length is linear in the phase between the breakpoints where a strip starts or ends, so its extremes are at
+    /// breakpoints (helical) or between them (spur, where it jumps).
     pub fn contact_lengths(&self) -> ContactLengths {
         let breaks = self.phase_breakpoints([]);
         let lengths: Vec<f64> = if self.is_spur() {
@@ -106,12 +106,12 @@ impl GearPair {
         self.face_width * (covered / (self.path.eps_beta * self.base_helix.si().cos()))
     }
 
-    /// The strips (from ξ, to ξ) on which the teeth of a helical pair touch at a phase in 0..1.
+    /// The strips (from ξ, to ξ) of a helical pair in contact at a phase in 0..1.
     pub(crate) fn strips(&self, phase: f64) -> impl Iterator<Item = (f64, f64)> {
         self.numbered_strips(phase).map(|(_, from, to)| (from, to))
     }
 
-    /// The same with the number of the tooth, which stands at φ + j at the front face.
+    /// The strips with the number j of the tooth, which is at φ + j on the front face.
     pub(crate) fn numbered_strips(&self, phase: f64) -> impl Iterator<Item = (i64, f64, f64)> {
         let (eps_alpha, eps_beta) = (self.path.eps_alpha, self.path.eps_beta);
         let first = (-eps_beta - phase).floor() as i64;
@@ -123,7 +123,7 @@ impl GearPair {
         })
     }
 
-    /// Phases 0..1 at which the end of a strip passes the end of the path or one of `marks`.
+    /// Phases 0..1 at which the end of a strip passes an end of the path or one of the coordinates `marks`.
     pub(crate) fn phase_breakpoints(&self, marks: impl IntoIterator<Item = f64>) -> Vec<f64> {
         let eps_beta = self.path.eps_beta;
         let ends = [0.0, self.path.eps_alpha].into_iter().chain(marks);

@@ -1,7 +1,7 @@
-//! Contact of tip edges outside the path of contact, where loaded teeth touch too early or too long.
+//! Tip edge contact: contact outside the path of contact, because loaded teeth touch early and separate late.
 //!
-//! Own derivation: the edge of gear 2 is turned back from A and its distance from the involute of
-//! gear 1 is measured along the base circle. At E the gears change places.
+//! Own derivation: gear 2 is rotated back from A, and the distance of its tip edge from the involute of gear 1 is
+//! measured along the base circle. At E gears 1 and 2 are exchanged.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -17,8 +17,8 @@ use asperity_core::quantity::Length;
 use crate::error::GearError;
 use crate::pair::GearPair;
 
-/// How far beyond the ends of the path edges are looked for, in base pitches: under common loads
-/// they touch within a tenth.
+/// Search range for tip edge contact beyond the ends of the path, in base pitches: under common loads it is within a
+/// tenth.
 pub(crate) const REACH: f64 = 0.2;
 
 /// An end of the path of contact.
@@ -30,10 +30,10 @@ pub enum PathEnd {
     E,
 }
 
-/// The edges of a pair.
+/// The tip edges of a pair.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct TipGaps {
-    edges: [Edge; 2],
+    edges: [TipEdge; 2],
     cos_base_helix: f64,
 }
 
@@ -44,7 +44,10 @@ impl TipGaps {
         }
         cite!("Edge-1");
         Ok(Self {
-            edges: [Edge::new(pair, PathEnd::A), Edge::new(pair, PathEnd::E)],
+            edges: [
+                TipEdge::new(pair, PathEnd::A),
+                TipEdge::new(pair, PathEnd::E),
+            ],
             cos_base_helix: pair.base_helix.si().cos(),
         })
     }
@@ -64,20 +67,20 @@ impl TipGaps {
     }
 }
 
-/// An edge and the flank that it meets.
+/// A tip edge and its mating flank.
 #[derive(Debug, Clone, Copy)]
-struct Edge {
+struct TipEdge {
     distance: f64,
     flank_base: f64,
     edge_base: f64,
     edge_radius: f64,
-    /// Polar angle of the edge around its own axis at the end of the path.
+    /// Polar angle of the edge about its own axis at the end of the path.
     start: f64,
-    /// Start of the involute of the flank on its base circle, at the end of the path.
+    /// Polar angle of the start of the involute at the end of the path.
     involute_start: f64,
 }
 
-impl Edge {
+impl TipEdge {
     fn new(pair: &GearPair, end: PathEnd) -> Self {
         let [rb1, rb2] = pair.base_radius.map(Length::si);
         let [ra1, ra2] = pair.tip_radius.map(Length::si);
@@ -117,8 +120,8 @@ impl Edge {
 }
 
 impl GearPair {
-    /// Separation of a tip edge from the mating flank, along the transverse line of action, when
-    /// the pair stands `beyond` outside an end of its path of contact.
+    /// Separation of a tip edge from the mating flank, along the transverse line of action, at the distance `beyond`
+    /// outside an end of the path of contact.
     ///
     /// # Errors
     /// For a ring.

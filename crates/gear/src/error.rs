@@ -1,4 +1,4 @@
-//! Errors of a gear pair, or of a question about one.
+//! Errors of gear geometry, kinematics and load.
 
 use asperity_core::DomainError;
 use asperity_core::quantity::Length;
@@ -35,7 +35,7 @@ pub enum GearError {
         "the centre distance {given:.5} must be larger than the sum of the base radii, {base_radii:.5}"
     )]
     CentreDistanceTooSmall {
-        /// Centre distance given.
+        /// Given centre distance.
         given: Length,
         /// Sum of the base radii.
         base_radii: Length,
@@ -45,14 +45,14 @@ pub enum GearError {
         "the centre distance {given:.5} contradicts the profile shifts, which give {from_shifts:.5}; they may differ by {tolerance:.5} at most"
     )]
     InconsistentCentreDistance {
-        /// Centre distance given.
+        /// Given centre distance.
         given: Length,
         /// Centre distance without backlash from the profile shifts.
         from_shifts: Length,
-        /// Difference accepted.
+        /// Permitted difference.
         tolerance: Length,
     },
-    /// Tip radii cannot follow, because only the sum of the profile shifts is known.
+    /// Tip radii are unknown because only the sum of the profile shifts is known.
     #[error(
         "tip radii must be given when the profile shifts are not: the centre distance gives only their sum, {sum:.4}"
     )]
@@ -65,14 +65,14 @@ pub enum GearError {
         "the tip of the {gear} reaches {reach:.5} along the line of action, past the end of the mating involute at {limit:.5}: interference or undercut"
     )]
     Interference {
-        /// The gear whose tip reaches too far.
+        /// The gear with the interfering tip.
         gear: Gear,
         /// Distance of the end of contact from the gear's own base tangent point.
         reach: Length,
         /// Distance of the other base tangent point.
         limit: Length,
     },
-    /// The tip of a ring reaches below the involute of the gear inside it.
+    /// The tip of a ring reaches below the involute of the pinion.
     #[error(
         "the tip of the ring starts contact at {start:.5} from the base tangent point of the pinion, before its involute begins: interference"
     )]
@@ -80,7 +80,7 @@ pub enum GearError {
         /// Coordinate of A; must be positive.
         start: Length,
     },
-    /// A tooth comes to a point below its tip.
+    /// The flanks of a tooth intersect below its tip.
     #[error("the tooth of the {gear} is pointed: its thickness at the tip would be {thickness:.5}")]
     PointedTip {
         /// The gear.
@@ -88,7 +88,7 @@ pub enum GearError {
         /// Thickness of the tooth at the tip, in the transverse section.
         thickness: Length,
     },
-    /// No division of the profile shifts leaves both gears with a land at the tip.
+    /// For every division of the profile shifts a tooth is pointed.
     #[error(
         "however the profile shifts are divided, a tooth is pointed: the tip half-angles times the tooth numbers sum to {sum:.4} rad and must be positive"
     )]
@@ -96,7 +96,7 @@ pub enum GearError {
         /// Σ z·(half-angle of the tip land) \[rad\].
         sum: f64,
     },
-    /// The tips do not reach each other.
+    /// The tip circles do not overlap.
     #[error("the gears do not touch: the path of contact would be {length:.5} long")]
     NoContact {
         /// Length A to E.
@@ -114,33 +114,33 @@ pub enum GearError {
         /// Total contact ratio.
         eps_gamma: f64,
     },
-    /// A place where the gears do not touch.
+    /// A position outside the path of contact.
     #[error("s = {s:.5} is off the path of contact, which goes from {from:.5} to {to:.5}")]
     OffPath {
-        /// Distance from T₁ asked for.
+        /// Requested distance from T₁.
         s: Length,
         /// Lower end.
         from: Length,
         /// Upper end.
         to: Length,
     },
-    /// A profile coordinate where the gears do not touch.
+    /// A profile coordinate outside the path of contact.
     #[error("xi = {xi} is off the path of contact, which goes from 0 to {eps_alpha}")]
     CoordinateOffPath {
-        /// Profile coordinate asked for, in base pitches from A.
+        /// Requested profile coordinate, in base pitches from A.
         xi: f64,
         /// Transverse contact ratio, the coordinate of E.
         eps_alpha: f64,
     },
-    /// A tooth whose root cannot be drawn from the rack.
+    /// The root outline of a tooth cannot be constructed from the rack.
     #[error("the root of the {gear} cannot be drawn: {reason}")]
     RootForm {
         /// The gear.
         gear: Gear,
-        /// Fault of the outline.
+        /// Reason.
         reason: &'static str,
     },
-    /// The tool has cut away the involute where the mating tip touches.
+    /// Undercut reaches into the path of contact.
     #[error(
         "the {gear} is undercut: its involute begins at the radius {form_radius:.5} of the normal section, above the lowest contact at {contact_radius:.5}"
     )]
@@ -152,13 +152,13 @@ pub enum GearError {
         /// Radius of the lowest contact, in the normal section.
         contact_radius: Length,
     },
-    /// A tooth whose compliance is no positive number.
+    /// The compliance of a tooth is not a positive number.
     #[error("the compliance of the teeth is unusable: {value} m2/N")]
     ToothCompliance {
-        /// The value found.
+        /// The computed value.
         value: f64,
     },
-    /// Modified flanks with a law without deflections.
+    /// Modified flanks require a law with deflections.
     #[error(
         "the load distribution \"{law}\" has no deflections and cannot take modified flanks; use \"elastic\" or \"iso-stiffness\""
     )]
@@ -166,14 +166,14 @@ pub enum GearError {
         /// Name of the law.
         law: &'static str,
     },
-    /// A relief that starts beyond the flank.
+    /// A relief starts beyond the flank.
     #[error(
         "the relief of the {gear} starts at the diameter {diameter:.5}, which leaves a roll length of {length:.5}: it must be positive"
     )]
     ReliefStart {
         /// The gear.
         gear: Gear,
-        /// Start diameter given.
+        /// Given start diameter.
         diameter: Length,
         /// Roll length from the end of the active flank.
         length: Length,
@@ -181,7 +181,7 @@ pub enum GearError {
     /// Edge contact of a ring gear.
     #[error("contact of tip edges outside the path of contact is known for external pairs only")]
     EdgeContactOfRing,
-    /// Planets that run into each other.
+    /// The planets collide.
     #[error(
         "{planets} planets do not fit: neighbouring axes are {distance:.5} apart and the tips need {needed:.5}"
     )]
@@ -193,13 +193,13 @@ pub enum GearError {
         /// Tip diameter of a planet.
         needed: Length,
     },
-    /// A load sharing law made for spur gears.
+    /// A load sharing law for spur gears on a helical pair.
     #[error("the load sharing \"{law}\" is for spur pairs")]
     SpurLawOnHelical {
         /// Name of the law.
         law: &'static str,
     },
-    /// A load sharing law outside the contact ratios it was derived for.
+    /// A load sharing law outside its range of contact ratios.
     #[error(
         "the load sharing \"{law}\" holds for transverse contact ratios from {low} to {high}, this pair has {eps_alpha:.4}"
     )]
@@ -213,26 +213,26 @@ pub enum GearError {
         /// Upper end of the range.
         high: f64,
     },
-    /// A load sharing table that cannot be read.
+    /// An invalid load sharing table.
     #[error("load sharing table, row {row}: xi = {xi}, share = {share}: {rule}")]
     SharingTable {
         /// Row, from 0.
         row: usize,
-        /// Profile coordinate there.
+        /// Position in the row.
         xi: f64,
-        /// Share there.
+        /// Weight in the row.
         share: f64,
         /// Expectation.
         rule: &'static str,
     },
-    /// A number of mesh positions that cannot be spread over the path.
-    #[error("{count} mesh positions asked for; this pair takes from {least} to {most}")]
+    /// An invalid number of mesh positions.
+    #[error("{count} mesh positions were requested; this pair needs {least} to {most}")]
     PositionCount {
-        /// Number asked for.
+        /// Requested number.
         count: usize,
-        /// Fewest, one for each segment of the path.
+        /// Minimum: one for each segment of the path.
         least: usize,
-        /// Most.
+        /// Maximum.
         most: usize,
     },
     /// The inverse of the involute function did not converge.
@@ -240,11 +240,11 @@ pub enum GearError {
         "no angle with involute {involute} found: the residual is {residual} after {iterations} iterations"
     )]
     InverseInvolute {
-        /// The involute function's value.
+        /// Value of the involute function.
         involute: f64,
-        /// tan α − α − involute at the last angle.
+        /// Residual tan α − α − involute of the last iteration.
         residual: f64,
-        /// Iterations made.
+        /// Number of iterations.
         iterations: usize,
     },
 }

@@ -1,4 +1,4 @@
-//! Where a point of a flank lies: roll length, radius, roll angle, arc from the base circle.
+//! Coordinates of a point of a flank: roll length, radius, roll angle, arc from the base circle.
 //!
 //! Source: geometry of the involute (Litvin and Fuentes 2004, chapter 10).
 //!
@@ -11,9 +11,9 @@
 //! | l | arc of the involute from the base circle | m |
 //! | s | coordinate on the path of contact from T₁ | m |
 //!
-//! In mesh ρ₁ = s and ρ₂ = T₁T₂ − s: the tip of one external gear meets the root of the other. Of a ring the
-//! amounts count, and both roll lengths grow with s. The transverse tangent is perpendicular to the contact line on
-//! helical flanks too, so a trace in the transverse section is not stretched.
+//! In mesh ρ₁ = s and ρ₂ = T₁T₂ − s: the tip of an external gear is in contact with the root of the other. For a ring
+//! the absolute values apply, and both roll lengths increase with s. The transverse tangent is perpendicular to the
+//! contact line on helical flanks too, so a trace in the transverse section is not stretched.
 
 use asperity_core::quantity::{Angle, Length};
 use asperity_core::{DomainError, cite};
@@ -22,7 +22,7 @@ use serde::{Deserialize, Serialize};
 use crate::error::{Gear, GearError};
 use crate::pair::GearPair;
 
-/// A point of a flank by one of its coordinates.
+/// A point of a flank, given by one of its coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -82,11 +82,11 @@ impl GearPair {
         Ok(Length::from_si(roll * roll / (2.0 * base)))
     }
 
-    /// Direction in which the arc of `gear` grows as the contact moves along x, the common tangent towards the
-    /// pinion's tip: 1, or −1 on the wheel of an external pair, whose root meets the pinion's tip.
+    /// Sign of the change of the arc of `gear` as the contact moves along x, the common tangent towards the pinion's
+    /// tip: 1, or −1 on the wheel of an external pair, whose root is in contact with the pinion's tip.
     ///
     /// ```text
-    /// l₁(s) + x meets l₂(s) − x; l₂(s) + x on a ring                          [Flank-meeting]
+    /// l₁(s) + x is in contact with l₂(s) − x; l₂(s) + x on a ring                          [Flank-meeting]
     /// ```
     #[must_use]
     pub fn arc_direction(&self, gear: Gear) -> f64 {

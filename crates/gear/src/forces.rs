@@ -17,10 +17,10 @@ use serde::Serialize;
 use crate::error::{Gear, GearError};
 use crate::pair::GearPair;
 
-/// Magnitudes of the tooth forces, and which gear drives.
+/// Magnitudes of the tooth forces, and the driving gear.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Forces {
-    /// The driving gear: gear 2 when the torque at gear 1 is negative.
+    /// The driving gear: gear 2 if the torque at gear 1 is negative.
     pub driver: Gear,
     /// F_bt, along the transverse line of action.
     pub transverse_base: Force,
@@ -38,7 +38,7 @@ impl GearPair {
     /// F_bt = |T₁|/r_b1, F_bn = F_bt/cos β_b, F_t = |T₁|/r_w1, F_r = F_t·tan α_wt,
     /// F_a = F_bt·tan β_b                                                       [Force-1]
     ///
-    /// `torque` is that at gear 1; a negative one says that gear 2 drives.
+    /// `torque` acts on gear 1; gear 2 drives if it is negative.
     ///
     /// # Errors
     /// When the torque is not finite.

@@ -1,4 +1,4 @@
-//! Compliance of the flattening of two flanks, which grows less than their load.
+//! Compliance of the Hertzian flattening of two flanks, which is less than proportional to the load.
 //!
 //! Source: C. Weber and K. Banaschek 1953 (line contact between the centre lines of the teeth;
 //! constants from memory, source not reached).
@@ -50,7 +50,7 @@ impl HertzCompliance {
         self.shape(depth) - self.sum * (4.0 * load * radius * self.sum).ln()
     }
 
-    /// The part of `at` that depends on the teeth alone.
+    /// The part of `at` that does not depend on the load.
     pub(crate) fn shape(&self, depth: [f64; 2]) -> f64 {
         (0..2)
             .map(|i| self.factor[i] * ((4.0 * depth[i] * depth[i]).ln() - self.lateral[i]))

@@ -10,7 +10,7 @@ const STANDARD_ADDENDUM: f64 = 1.0;
 /// Normal pressure angle of the basic rack (ISO 53:1998).
 const STANDARD_PRESSURE_ANGLE_DEGREES: f64 = 20.0;
 
-/// The section in which a module is measured.
+/// Section in which a module is measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Plane {
@@ -21,7 +21,7 @@ pub enum Plane {
     Transverse,
 }
 
-/// An external cylindrical gear pair, as on its drawing. Index 0 is gear 1, the pinion.
+/// Drawing data of an external cylindrical gear pair. Index 0 is gear 1, the pinion.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GearPairInput {
@@ -38,17 +38,16 @@ pub struct GearPairInput {
     pub pressure_angle: Angle,
     /// Face widths b₁, b₂.
     pub face_width: [Length; 2],
-    /// Width over which the faces overlap, when it is less than the narrower face.
+    /// Width over which the faces overlap, if less than the narrower face width.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub overlap: Option<Length>,
-    /// Profile shift coefficients x₁, x₂, in normal modules. Without them and without a centre
-    /// distance they are zero.
+    /// Profile shift coefficients x₁, x₂, in normal modules. Default: zero if the centre distance is not given either.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub profile_shift: Option<[f64; 2]>,
-    /// Centre distance; without it the one that leaves no backlash.
+    /// Centre distance; default: without backlash.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub centre_distance: Option<Length>,
-    /// Tip radii; without them r + mₙ·(hₐ* + x).
+    /// Tip radii; default r + mₙ·(hₐ* + x).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tip_radius: Option<[Length; 2]>,
     /// Addendum hₐ* of the basic rack, in normal modules.
@@ -89,7 +88,7 @@ impl GearPairInput {
         }
     }
 
-    /// The same pair with gears 1 and 2 exchanged.
+    /// The pair with gears 1 and 2 exchanged.
     pub fn swapped(&self) -> Self {
         let reversed = |pair: [Length; 2]| [pair[1], pair[0]];
         Self {

@@ -1,10 +1,10 @@
 //! The involute function, its inverse, and the thickness of an involute tooth.
 //!
-//! Source: ISO 21771:2007, any text on gears.
+//! Source: ISO 21771:2007.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | α | pressure angle where the involute is cut | rad |
+//! | α | pressure angle at a point of the involute | rad |
 //! | inv α | tan α − α | rad |
 //! | s | arc thickness of the tooth in the transverse section | m |
 //! | r_b | base radius | m |
@@ -17,8 +17,8 @@ use asperity_core::quantity::{Angle, Length};
 
 use crate::error::GearError;
 
-/// Newton steps allowed; seven suffice from 0.1° to 89°.
-const MOST_ITERATIONS: usize = 50;
+/// Maximum number of Newton steps; seven suffice from 0.1° to 89°.
+const MAX_ITERATIONS: usize = 50;
 
 /// inv α = tan α − α                                                    [Involute-1]
 ///
@@ -27,7 +27,7 @@ const MOST_ITERATIONS: usize = 50;
 ///
 /// ```
 /// use asperity_gear::involute::involute;
-/// // inv 20° = 0.014904, in every table of the involute function.
+/// // inv 20° = 0.014904.
 /// assert!((involute("20 deg".parse()?)? - 0.014_904_384).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -44,29 +44,29 @@ pub fn involute(angle: Angle) -> Result<f64, DomainError> {
     Ok(a.tan() - a)
 }
 
-/// An angle found by iteration, with what is known about it.
+/// Solution of the inverse involute function with its convergence.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InverseInvolute {
     /// The angle α.
     pub angle: Angle,
     /// tan α − α − inv α \[rad\].
     pub residual: f64,
-    /// Newton steps made.
+    /// Number of Newton steps.
     pub iterations: usize,
 }
 
 /// α with tan α − α = inv α, by t ← t − (t − arctan t − inv α)·(1 + t²)/t²   [Involute-2]
 ///
-/// Newton's method for t = tan α; t − arctan t is convex, so after the first step the iterates
-/// fall monotonically on the root.
+/// Newton's method for t = tan α; t − arctan t is convex, so after the first step the iterates decrease monotonically
+/// to the root.
 ///
 /// # Errors
 /// When `involute` is negative or not finite.
 ///
 /// ```
 /// use asperity_gear::involute::inverse_involute;
-/// let found = inverse_involute(0.014_904_383_867_336_446)?;
-/// assert!((found.angle.si().to_degrees() - 20.0).abs() < 1e-12);
+/// let solution = inverse_involute(0.014_904_383_867_336_446)?;
+/// assert!((solution.angle.si().to_degrees() - 20.0).abs() < 1e-12);
 /// # Ok::<(), asperity_gear::GearError>(())
 /// ```
 pub fn inverse_involute(involute: f64) -> Result<InverseInvolute, GearError> {
@@ -83,9 +83,9 @@ pub fn inverse_involute(involute: f64) -> Result<InverseInvolute, GearError> {
         .cbrt()
         .min(involute + std::f64::consts::FRAC_PI_2);
     let mut residual = 0.0;
-    for iterations in 0..=MOST_ITERATIONS {
+    for iterations in 0..=MAX_ITERATIONS {
         residual = t - t.atan() - involute;
-        // The residual cannot be known better than the rounding of its two large terms.
+        // The residual is only accurate to the rounding errors of its two large terms.
         if residual.abs() <= 2.0 * f64::EPSILON * t {
             return Ok(InverseInvolute {
                 angle: Angle::from_si(t.atan()),
@@ -98,7 +98,7 @@ pub fn inverse_involute(involute: f64) -> Result<InverseInvolute, GearError> {
     Err(GearError::InverseInvolute {
         involute,
         residual,
-        iterations: MOST_ITERATIONS,
+        iterations: MAX_ITERATIONS,
     })
 }
 
@@ -119,7 +119,7 @@ pub struct ToothSection {
 
 /// s = 2 r·(π/(2 z) + 2 x tan αₙ/z + inv αₜ − inv α_r), cos α_r = r_b/r      [Involute-3]
 ///
-/// Thickness of a tooth at the radius r; zero or negative where the flanks have crossed.
+/// Thickness of a tooth at the radius r; zero or negative beyond the intersection of its flanks.
 ///
 /// # Errors
 /// When r is below the base radius, a number is not finite, or the tooth has z = 0.
@@ -132,7 +132,7 @@ pub struct ToothSection {
 ///     teeth: 20, profile_shift: 0.0, normal_pressure_angle: angle, transverse_pressure_angle: angle,
 ///     base_radius: Length::from_si(0.010 * angle.si().cos()),
 /// };
-/// // At the pitch circle half the pitch is tooth: π m/2 with m = 1 mm.
+/// // At the pitch circle the tooth is half a pitch thick: π m/2 with m = 1 mm.
 /// let s = tooth_thickness(&tooth, Length::from_si(0.010))?;
 /// assert!((s.si() - 0.5e-3 * std::f64::consts::PI).abs() < 1e-15);
 /// # Ok::<(), asperity_core::DomainError>(())
@@ -144,7 +144,7 @@ pub fn tooth_thickness(tooth: &ToothSection, radius: Length) -> Result<Length, D
     Ok(Length::from_si(2.0 * r * angle))
 }
 
-/// Half the angle a tooth fills at `radius` \[rad\], the bracket of `[Involute-3]`.
+/// Half the angular thickness of a tooth at `radius` \[rad\], the bracket of `[Involute-3]`.
 pub(crate) fn half_angle(tooth: &ToothSection, radius: Length) -> Result<f64, DomainError> {
     let x = tooth.profile_shift;
     DomainError::require(x.is_finite(), "profile shift", x, "-", "must be finite")?;

@@ -1,4 +1,4 @@
-//! Stiffness of a pair of teeth after ISO 6336-1, for where the form of the root is unknown.
+//! Stiffness of a pair of teeth according to ISO 6336-1, for unknown root forms.
 //!
 //! Source: ISO 6336-1:2019, method B (polynomial of the theoretical single stiffness).
 //!
@@ -18,24 +18,24 @@ use asperity_core::cite;
 use crate::error::GearError;
 use crate::pair::GearPair;
 
-/// Fall of the stiffness from the middle of the path to its ends: the fit of the tooth compliance of
-/// eight pairs with ε_α 1.45 to 1.85 gives 0.30 to 0.35.
-const FALL_TO_THE_ENDS: f64 = 0.33;
+/// Relative decrease of the stiffness from the middle of the path to its ends: a fit to the tooth compliance of eight
+/// pairs with ε_α 1.45 to 1.85 gives 0.30 to 0.35.
+const DECREASE_TO_THE_ENDS: f64 = 0.33;
 
-/// Lowest transverse contact ratio of the range.
+/// Minimum transverse contact ratio of the polynomial.
 const LEAST_CONTACT_RATIO: f64 = 1.2;
 
-/// Largest profile shift coefficient of the range.
+/// Maximum profile shift coefficient of the polynomial.
 const LARGEST_SHIFT: f64 = 1.0;
 
 impl GearPair {
     /// 1/c′_th = 0.04723 + 0.15551/z_n1 + 0.25791/z_n2 − 0.00635 x₁ − 0.11654 x₁/z_n1
     /// − 0.00193 x₂ − 0.24188 x₂/z_n2 + 0.00529 x₁² + 0.00182 x₂²  mm µm/N        [Stiffness-1]
     ///
-    /// A ring counts with z_n2 = ∞ and x₂ = 0. `shift` holds x₁ and x₂. In N/m².
+    /// Result in N/m². `shift` holds x₁ and x₂; for a ring z_n2 = ∞ and x₂ = 0.
     ///
     /// # Errors
-    /// Outside of the range of the polynomial.
+    /// Outside the range of the polynomial.
     ///
     /// ```
     /// use asperity_gear::{GearPair, GearPairInput};
@@ -78,7 +78,7 @@ impl GearPair {
             - 0.24188 * x2 * over_2
             + 0.00529 * x1 * x1
             + 0.00182 * x2 * x2;
-        // N/(mm µm) are 1e9 N/m².
+        // 1 N/(mm µm) is 1e9 N/m².
         Ok(1e9 / q)
     }
 
@@ -102,6 +102,6 @@ impl GearPair {
     pub(crate) fn iso_stiffness_at(&self, single: f64, xi: f64) -> f64 {
         cite!("Stiffness-3");
         let from_middle = 2.0 * xi / self.path.eps_alpha - 1.0;
-        single * (1.0 - FALL_TO_THE_ENDS * from_middle * from_middle)
+        single * (1.0 - DECREASE_TO_THE_ENDS * from_middle * from_middle)
     }
 }

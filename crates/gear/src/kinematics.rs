@@ -19,12 +19,12 @@ use serde::Serialize;
 use crate::error::GearError;
 use crate::pair::GearPair;
 
-/// Curvatures and speeds at one place of the line of action.
+/// Curvatures and speeds at a point of the line of action.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Kinematics {
     /// Transverse radius of curvature of flank 1, ρ₁ = s.
     pub rho1: Length,
-    /// Transverse radius of curvature of flank 2, ρ₂ = T₁T₂ − s; negative where a ring is concave.
+    /// Transverse radius of curvature of flank 2, ρ₂ = T₁T₂ − s; negative for the concave flank of a ring.
     pub rho2: Length,
     /// Relative radius of curvature R, normal to the contact line.
     pub radius: Length,
@@ -68,7 +68,7 @@ impl GearPair {
         let omega1 = DomainError::positive("pinion speed", pinion_speed)?;
         let omega2 = omega1 / self.ratio;
         let (s, t1t2) = (s.si(), self.path.t1t2.si());
-        // The line of action of a ring has no T₂ ahead; the ring's flank ends soon after E.
+        // With a ring T₂ lies behind T₁ and does not bound the line of action; a base pitch beyond E does.
         let end = if self.internal {
             (self.path.e + self.path.base_pitch).si()
         } else {
@@ -83,7 +83,7 @@ impl GearPair {
         }
         let (rho1, rho2) = (s, t1t2 - s);
         let (u1, u2) = (omega1 * rho1, omega2 * rho2);
-        // Not u₁ − u₂, which at the pitch point leaves a rounding error instead of zero.
+        // u₁ − u₂ would leave a rounding error at the pitch point instead of zero.
         let sliding = (omega1 + omega2) * (s - self.path.c.si());
         let entrainment = 0.5 * (u1 + u2);
         Ok(Kinematics {

@@ -1,11 +1,10 @@
-//! Involute cylindrical gear pairs, external and internal: geometry, kinematics, load over the flanks,
-//! and the loss factors that follow from them.
+//! Involute cylindrical gear pairs, external and internal: geometry, kinematics, load over the flanks, and loss
+//! factors.
 //!
-//! Everything starts from a [`GearPairInput`], from which [`GearPair::new`] derives the whole
-//! geometry or refuses with a reason. A place on the path of contact is its distance s from T₁,
-//! the foot of the perpendicular from the axis of gear 1 on the line of action; A and E are the
-//! ends of the path, C is the pitch point. [`LoadMap`] solves for the load over the flanks of elastic
-//! teeth; [`planetary::PlanetarySet`] joins two kinds of pairs.
+//! [`GearPair::new`] derives the working geometry from a [`GearPairInput`] or returns an error. Positions on the path
+//! of contact are distances s from T₁, the foot of the perpendicular from the axis of gear 1 to the line of action; A
+//! and E are the ends of the path, C is the pitch point. [`LoadMap`] solves for the load over the flanks of elastic
+//! teeth; [`planetary::PlanetarySet`] combines the sun-planet and planet-ring pairs.
 //!
 //! ```
 //! use asperity_core::quantity::{Angle, Length};
@@ -43,6 +42,7 @@ pub mod flank_coordinate;
 pub mod forces;
 mod hertz_compliance;
 pub mod input;
+mod interpolation;
 pub mod involute;
 pub mod iso_stiffness;
 pub mod kinematics;
@@ -60,7 +60,7 @@ pub mod positions;
 mod quadrature;
 mod rack;
 pub mod relief;
-mod straight;
+
 mod tips;
 mod tooth_compliance;
 pub mod tooth_outline;

@@ -1,4 +1,4 @@
-//! The load per length of contact line along the path of contact.
+//! Load per length of contact line along the path of contact.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -7,9 +7,8 @@
 //! | R(ξ), v(ξ) | share and weight of the load sharing law | - |
 //! | b | width over which the faces overlap | m |
 //!
-//! Limits: on a helical pair f is the load at the mean length of the contact lines. The length
-//! changes during a mesh cycle by less than 1/(ε_α ε_β) of its mean, and not at all when ε_α or
-//! ε_β is a whole number.
+//! Limits: on a helical pair f is the load at the mean length of the contact lines. Their length varies during a mesh
+//! cycle by less than 1/(ε_α ε_β) of its mean, and is constant if ε_α or ε_β is a whole number.
 
 use asperity_core::cite;
 use asperity_core::quantity::{Length, LineLoad, Torque};
@@ -24,7 +23,7 @@ impl GearPair {
     /// helical: f = F_bn·cos β_b·v(ξ)/(b·∫₀^ε_α v dξ); with v = 1 this is
     /// F_bn/(b ε_α/cos β_b)                                                     [Load-2]
     ///
-    /// `torque` is that at gear 1, of either sign.
+    /// `torque` acts on gear 1 and may have either sign.
     ///
     /// # Errors
     /// When s is not on the path A to E, the torque is not finite, or the law does not hold for
@@ -51,7 +50,7 @@ impl GearPair {
         Ok(LineLoad::from_si(force * self.unit_line_load(&weights, xi)))
     }
 
-    /// The law, when it can serve this pair.
+    /// The weights of a law, which must hold for this pair.
     pub(crate) fn weights<'a>(&self, sharing: &'a LoadSharing) -> Result<Weights<'a>, GearError> {
         if matches!(sharing, LoadSharing::Trapezoid) && !self.is_spur() {
             return Err(GearError::SpurLawOnHelical {

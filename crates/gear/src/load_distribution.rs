@@ -1,8 +1,7 @@
-//! Distribution of the load over the teeth as an extension point: the laws of this crate and any law of
-//! a user's own.
+//! Extension point for load distributions: the laws of this crate and user-defined laws.
 //!
-//! A law gives the load over the flanks, a [`LoadMap`]; everything else, loss factors, cells and mean line
-//! loads, follows from the map. Every [`LoadLaw`] of a case file is one.
+//! A law computes the load over the flanks, a [`LoadMap`], from which loss factors, cells and mean line loads follow.
+//! Every [`LoadLaw`] of a case file is a load distribution.
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -10,12 +9,12 @@ use std::sync::Arc;
 use crate::error::GearError;
 use crate::load_map::{LoadConditions, LoadLaw, LoadMap};
 
-/// Law of the load over the flanks.
+/// Law of the load distribution over the flanks.
 ///
 /// ```
 /// use asperity_gear::{GearError, LoadConditions, LoadDistribution, LoadMap, LoadSharing};
 ///
-/// /// The equal sharing of a spur pair, with a tenth of it taken off by tip relief at both ends.
+/// /// Equal sharing on a spur pair, reduced by 10 % at both ends by tip relief.
 /// #[derive(Debug)]
 /// struct Relieved;
 ///
@@ -52,7 +51,7 @@ use crate::load_map::{LoadConditions, LoadLaw, LoadMap};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait LoadDistribution: Debug + Send + Sync {
-    /// Name, as results print it.
+    /// Name in results.
     fn name(&self) -> &str;
 
     /// The load over the flanks during a mesh cycle.

@@ -9,8 +9,7 @@
 //! | v(ξ) | weight of a pair at ξ | - |
 //! | R(ξ) | share of the load that the pair at ξ carries | - |
 //!
-//! Every law is a weight; the share of a pair is its weight over the weights of all pairs in
-//! contact. So the shares sum to 1 whatever the weights.
+//! A law defines a weight; the share of a pair is its weight divided by the sum of the weights of all pairs in contact.
 
 use asperity_core::DomainError;
 use asperity_core::cite;
@@ -18,9 +17,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::GearError;
-use crate::straight;
+use crate::interpolation::interpolate;
 
-/// Rounding of a profile coordinate.
+/// Rounding error of a profile coordinate.
 const ROUNDING: f64 = 1e-12;
 
 /// Share at the ends of the path in the trapezoid (ISO/TR 13989-1:2000, unmodified profiles of good quality).
@@ -30,7 +29,7 @@ const TRAPEZOID_START: f64 = 1.0 / 3.0;
 /// two pairs in contact.
 const TWO_PAIRS: (f64, f64) = (1.0, 2.0);
 
-/// Law of the load sharing between tooth pairs in contact.
+/// Law of load sharing between tooth pairs in contact.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum LoadSharing {
@@ -40,15 +39,14 @@ pub enum LoadSharing {
     Uniform,
     /// 1/3 rising to 2/3, 1, 2/3 falling to 1/3. Spur pairs with 1 < ε_α ≤ 2.
     Trapezoid,
-    /// Least elastic energy, after Pedrero and Pleguezuelos. 1 < ε_α ≤ 2.
+    /// Minimum elastic potential energy (Pedrero and Pleguezuelos). 1 < ε_α ≤ 2.
     MinPotential,
-    /// Rows (place, weight): the place from 0 at A to 1 at E, the weight as a share between 0 and
-    /// 1 or in any unit; linear in between.
+    /// Rows (position, weight): the position from 0 at A to 1 at E, the weight in any unit, with linear interpolation.
     Table(Vec<(f64, f64)>),
 }
 
 impl LoadSharing {
-    /// Name as in a case file.
+    /// Name in a case file.
     pub fn name(&self) -> &'static str {
         match self {
             Self::Uniform => "uniform",
@@ -98,7 +96,7 @@ impl LoadSharing {
     }
 }
 
-/// A law that has been checked against a contact ratio.
+/// A law that holds for a contact ratio.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Weights<'a> {
     law: &'a LoadSharing,
@@ -154,7 +152,7 @@ impl<'a> Weights<'a> {
         })
     }
 
-    /// v(ξ); 0 off the path.
+    /// v(ξ); 0 outside the path.
     pub(crate) fn at(&self, xi: f64) -> f64 {
         if !self.in_contact(xi) {
             return 0.0;
@@ -164,15 +162,15 @@ impl<'a> Weights<'a> {
             LoadSharing::Uniform => 1.0,
             LoadSharing::Trapezoid => {
                 let from_end = xi.min(eps - xi);
-                let double = eps - 1.0;
-                if from_end > double {
+                let double_contact = eps - 1.0;
+                if from_end > double_contact {
                     1.0
                 } else {
-                    TRAPEZOID_START + (1.0 - 2.0 * TRAPEZOID_START) * from_end / double
+                    TRAPEZOID_START + (1.0 - 2.0 * TRAPEZOID_START) * from_end / double_contact
                 }
             }
             LoadSharing::MinPotential => (self.b0 * (xi - 0.5 * eps)).cos(),
-            LoadSharing::Table(rows) => straight::along(rows, xi / eps),
+            LoadSharing::Table(rows) => interpolate(rows, xi / eps),
         }
     }
 
@@ -201,7 +199,7 @@ impl<'a> Weights<'a> {
         }
     }
 
-    /// Coordinates where v has a kink within the path.
+    /// Coordinates of kinks of v within the path.
     pub(crate) fn knots(&self) -> Vec<f64> {
         match self.law {
             LoadSharing::Table(rows) => rows.iter().map(|row| row.0 * self.eps_alpha).collect(),
@@ -211,7 +209,7 @@ impl<'a> Weights<'a> {
 }
 
 fn check_table(rows: &[(f64, f64)]) -> Result<(), GearError> {
-    let refuse = |row: usize, rule: &'static str| {
+    let error_at = |row: usize, rule: &'static str| {
         let (xi, share) = rows.get(row).copied().unwrap_or((f64::NAN, f64::NAN));
         Err(GearError::SharingTable {
             row,
@@ -222,27 +220,27 @@ fn check_table(rows: &[(f64, f64)]) -> Result<(), GearError> {
     };
     let last = rows.len().saturating_sub(1);
     if rows.len() < 2 {
-        return refuse(last, "a table needs at least two rows");
+        return error_at(last, "a table needs at least two rows");
     }
-    for (row, &(place, weight)) in rows.iter().enumerate() {
+    for (row, &(position, weight)) in rows.iter().enumerate() {
         if !(weight.is_finite() && weight >= 0.0) {
-            return refuse(row, "the weight must be finite and not negative");
+            return error_at(row, "the weight must be finite and not negative");
         }
         if weight == 0.0 && row != 0 && row != last {
-            return refuse(row, "only the ends of the path may carry nothing");
+            return error_at(row, "only the ends of the path may carry nothing");
         }
-        if row == 0 && place != 0.0 {
-            return refuse(row, "the first place must be 0, point A");
+        if row == 0 && position != 0.0 {
+            return error_at(row, "the first position must be 0, point A");
         }
-        if place.is_nan() || row > 0 && place <= rows[row - 1].0 {
-            return refuse(row, "places must increase");
+        if position.is_nan() || row > 0 && position <= rows[row - 1].0 {
+            return error_at(row, "places must increase");
         }
     }
     if rows[last].0 != 1.0 {
-        return refuse(last, "the last place must be 1, point E");
+        return error_at(last, "the last position must be 1, point E");
     }
     if last == 1 && rows[0].1 == 0.0 && rows[1].1 == 0.0 {
-        return refuse(last, "some weight must be positive");
+        return error_at(last, "some weight must be positive");
     }
     Ok(())
 }

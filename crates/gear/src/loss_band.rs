@@ -1,13 +1,12 @@
-//! How far the loss factor of a load map is uncertain because of its constants, and what contact of
-//! tip edges would change.
+//! Uncertainty of the loss factor of a load map due to its constants, and the effect of tip edge contact.
 //!
 //! | source | range | from |
 //! |---|---|---|
 //! | factor C_M of theory to measurement | 0.65 to 1.0 | spread of theory and measurement |
 //! | coupling along the face, λ/m_n | 1.2 to 2.0 | finite elements |
-//! | contact of tip edges, only without relief | off to on | edges wear in |
+//! | tip edge contact, only without relief | off to on | edges wear in |
 //! | tip chamfer | 0 to 0.1 m_n | drawings that name none |
-//! | amounts of tip relief | as given | drawing |
+//! | amounts of tip relief | given tolerance | drawing |
 
 use asperity_core::quantity::Length;
 use serde::{Deserialize, Serialize};
@@ -22,10 +21,10 @@ const STIFFNESS_FACTORS: [f64; 2] = [0.65, 1.0];
 /// Range of the coupling along the face, in normal modules.
 const FACE_COUPLINGS: [f64; 2] = [1.2, 2.0];
 
-/// Chamfer that a drawing may leave out, in normal modules.
+/// Upper bound of a chamfer that a drawing does not state, in normal modules.
 const UNSTATED_CHAMFER: f64 = 0.1;
 
-/// Approach beyond which unrelieved tip edges are worth a note.
+/// Approach above which tip edge contact of unrelieved teeth is reported.
 const NOTEWORTHY_APPROACH: Length = Length::from_si(5e-6);
 
 /// A cause of uncertainty.
@@ -36,7 +35,7 @@ pub enum BandSource {
     StiffnessFactor,
     /// Coupling along the face.
     FaceCoupling,
-    /// Tip edges that touch outside the path of contact.
+    /// Contact of tip edges outside the path of contact.
     EdgeContact,
     /// A tip chamfer that the case does not state.
     TipChamfer,
@@ -44,27 +43,27 @@ pub enum BandSource {
     ReliefAmount,
 }
 
-/// The loss factors that one cause can give.
+/// Range of the loss factor due to one cause.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct BandPart {
     /// The cause.
     pub source: BandSource,
-    /// Lowest H_V, at most that of the map.
+    /// Lowest H_V, at most the value of the map.
     pub low: f64,
-    /// Highest H_V, at least that of the map.
+    /// Highest H_V, at least the value of the map.
     pub high: f64,
 }
 
-/// Band of the loss factor.
+/// Uncertainty interval of the loss factor.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LossFactorBand {
     /// H_V of the map.
     pub value: f64,
-    /// The parts' deviations to below, added as independent.
+    /// Lower end: the deviations of the parts combined as a root sum of squares.
     pub low: f64,
-    /// The parts' deviations to above, added as independent.
+    /// Upper end: the deviations of the parts combined as a root sum of squares.
     pub high: f64,
-    /// Each cause on its own. Causes that the pair does not have are left out.
+    /// The individual causes that apply to the pair.
     pub parts: Vec<BandPart>,
 }
 
@@ -73,19 +72,19 @@ pub struct LossFactorBand {
 pub struct EdgeContactNote {
     /// Mean approach of the teeth, normal to the flank.
     pub approach: Length,
-    /// H_V on the path of contact alone.
+    /// H_V without contact outside the path of contact.
     pub without: f64,
-    /// H_V with contact of the edges.
+    /// H_V with tip edge contact.
     pub with: f64,
 }
 
 impl LoadMap {
-    /// The band of H_V; none for laws without deflections.
+    /// The uncertainty interval of H_V; `None` for laws without deflections.
     ///
-    /// `relief_tolerance` is that of the amounts of tip relief. Each part costs one or two load maps.
+    /// `relief_tolerance` is the tolerance of the amounts of tip relief. Each part costs one or two load maps.
     ///
     /// # Errors
-    /// Those of a load map.
+    /// As [`LoadMap::new`].
     pub fn loss_factor_band(
         &self,
         relief_tolerance: Option<Length>,
@@ -122,7 +121,7 @@ impl LoadMap {
             part(BandSource::EdgeContact, vec![with]);
         }
         let chamfer = self.pair().normal_module * UNSTATED_CHAMFER;
-        // A pair that needs its whole tips has no room for a chamfer.
+        // Without its full tips a pair may have no continuous contact.
         if let Ok(pair) = self.pair().with_tip_chamfer([chamfer; 2]) {
             let chamfered = self.variant(&pair, self.micro_geometry(), settings)?;
             part(BandSource::TipChamfer, vec![chamfered.loss_factor()]);
@@ -140,11 +139,11 @@ impl LoadMap {
         Ok(Some(combine(self.loss_factor(), parts)))
     }
 
-    /// Effect of contact of tip edges, where it may matter: edges not relieved, approach above
-    /// 5 µm, and their contact not already in the map.
+    /// Effect of tip edge contact on unrelieved teeth with an approach above 5 µm; `None` if the map already includes
+    /// it.
     ///
     /// # Errors
-    /// Those of a load map.
+    /// As [`LoadMap::new`].
     pub fn edge_contact_note(&self) -> Result<Option<EdgeContactNote>, GearError> {
         let Some(approach) = self.evidence().mean_approach else {
             return Ok(None);
@@ -182,7 +181,7 @@ impl LoadMap {
     }
 }
 
-/// Amounts of tip relief changed by the same, not below zero.
+/// `micro` with all amounts of tip relief changed by `change`, but not below zero.
 fn with_relief_changed(micro: &MicroGeometry, change: Length) -> MicroGeometry {
     let mut changed = micro.clone();
     for relief in changed.tip_relief.iter_mut().flatten() {

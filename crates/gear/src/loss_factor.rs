@@ -1,4 +1,4 @@
-//! Gear loss factors: the sliding loss over the product of friction coefficient and input power.
+//! Gear loss factors: sliding loss divided by friction coefficient and input power.
 //!
 //! Sources: Ohlendorf 1958, as in ISO/TR 14179-2:2001 (`[Loss-1]`); Wimmer 2006 (`[Loss-2]`, the
 //! local loss factor H_VL).
@@ -13,7 +13,7 @@
 //! | φ, v(ξ) | mesh phase, weight of the load sharing law | - |
 //!
 //! Limits: `[Loss-1]` holds for equal shares on a spur pair whose pitch point lies in single
-//! contact; for helical pairs it is a convention. The others hold for any pair and law.
+//! contact; for helical pairs it is a convention. The other equations hold for any pair and law.
 
 use std::num::NonZeroUsize;
 
@@ -32,18 +32,18 @@ const ORDER: NonZeroUsize = NonZeroUsize::MIN.saturating_add(15);
 /// The loss factors of a pair.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LossFactors {
-    /// H_V after Ohlendorf; from the geometry alone.
+    /// H_V according to Ohlendorf, which depends only on the geometry.
     pub ohlendorf: f64,
-    /// H_V with the line load of [`GearPair::line_load`] along the path: on helical pairs that at
-    /// the mean length of the contact lines.
+    /// H_V with the line load of [`GearPair::line_load`] along the path, for helical pairs at the mean length of the
+    /// contact lines.
     pub local: f64,
-    /// H_V with the load shared over the lines that touch at each instant, averaged over the mesh
-    /// cycle. Equal to `local` on spur pairs.
+    /// H_V with the load shared between the contact lines at each instant, averaged over the mesh cycle. Equal to
+    /// `local` on spur pairs.
     pub local_phase_averaged: f64,
 }
 
 impl GearPair {
-    /// All loss factors with one load sharing law.
+    /// All loss factors for a load sharing law.
     ///
     /// # Errors
     /// When the law does not hold for this pair.
@@ -98,7 +98,7 @@ impl GearPair {
     fn local_loss_factor(&self, weights: &Weights<'_>) -> f64 {
         cite!("Loss-2");
         let ends = self.segment_ends();
-        // A kink of the weight of one pair is felt by every pair in contact with it.
+        // A kink in the weight of one tooth pair causes a kink in the shares of all pairs in contact with it.
         let reach = self.path.eps_alpha.ceil() as i32;
         let kinks = weights
             .knots()
@@ -112,19 +112,19 @@ impl GearPair {
         2.0 * self.loss_scale() * self.contact_per_coordinate().si() * integral
     }
 
-    /// H_V = ∫₀¹ (∫ v|V_s| dξ / ∫ v dξ) dφ/(v_b cos β_b), inner integrals over the strips that
-    /// touch at the phase φ                                                     [Loss-3]
+    /// H_V = ∫₀¹ (∫ v|V_s| dξ / ∫ v dξ) dφ/(v_b cos β_b), inner integrals over the strips in
+    /// contact at the phase φ                                                   [Loss-3]
     fn phase_averaged_loss_factor(&self, weights: &Weights<'_>) -> f64 {
         cite!("Loss-3");
         let rule = gauss_legendre(ORDER);
         let pitch_point = self.path.eps_2;
-        let mut marks = weights.knots();
-        marks.push(pitch_point);
-        let phases = self.phase_breakpoints(marks.iter().copied());
+        let mut knots = weights.knots();
+        knots.push(pitch_point);
+        let phases = self.phase_breakpoints(knots.iter().copied());
         let mean = integrate(&phases, &rule, |phase| {
             let (mut sliding, mut load) = (0.0, 0.0);
             for (from, to) in self.strips(phase) {
-                let breaks = breakpoints(from, to, marks.iter().copied());
+                let breaks = breakpoints(from, to, knots.iter().copied());
                 sliding += integrate(&breaks, &rule, |xi| {
                     weights.at(xi) * (xi - pitch_point).abs()
                 });

@@ -1,4 +1,4 @@
-//! From the drawing of a gear pair to its working geometry.
+//! Working geometry of a gear pair.
 //!
 //! Source: ISO 21771:2007 (definitions and symbols).
 //!
@@ -6,19 +6,18 @@
 //! |---|---|---|
 //! | mₙ, mₜ | normal, transverse module | m |
 //! | αₙ, αₜ, α_wt | normal, transverse, working transverse pressure angle | rad |
-//! | β, β_b | helix angle at the reference, at the base cylinder | rad |
+//! | β, β_b | helix angle at the reference and the base cylinder | rad |
 //! | x₁, x₂ | profile shift coefficients, in normal modules | - |
 //! | a | centre distance | m |
 //! | r, r_b, r_w, r_a | reference, base, working pitch, tip radius | m |
 //! | b | width over which the faces overlap | m |
 //!
-//! Limits: parallel axes, perfect involutes, rigid teeth, no backlash. A pair is refused when a tip
-//! reaches past the mating involute, when a tooth is pointed, or when contact is not continuous.
-//! Undercut that the tool leaves below the path of contact is not looked for, nor is the fouling of
-//! tips inside a ring away from the line of action ([`GearPair::tips_may_foul`]).
+//! Limits: parallel axes, perfect involutes, rigid teeth, no backlash. A pair is an error if a tip reaches past the
+//! mating involute, a tooth is pointed, or contact is not continuous. Undercut below the path of contact and
+//! interference of tips inside a ring away from the line of action ([`GearPair::tips_may_foul`]) are not checked.
 //!
 //! A ring follows the signs of ISO 21771: with z₂ < 0 also u, r₂, r_b2, r_w2, r_a2, a and T₁T₂ are
-//! negative, and every formula stands as it is except A = T₁T₂ − sgn(z₂)·√(r_a2² − r_b2²).
+//! negative, and every formula holds unchanged except A = T₁T₂ − sgn(z₂)·√(r_a2² − r_b2²).
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Angle, Length};
@@ -27,13 +26,13 @@ use serde::{Deserialize, Serialize};
 use crate::centre_distance::Centre;
 use crate::error::GearError;
 use crate::input::GearPairInput;
-use crate::path_of_contact::{LEAST_OVERLAP, PathOfContact};
+use crate::path_of_contact::{MIN_OVERLAP, PathOfContact};
 use crate::rack::Rack;
 use crate::tips::{tip_radii, tip_thickness};
 
-/// Difference of the tooth numbers from which tips of a pinion and its ring stay clear of each other
-/// with standard addenda (Niemann and Winter, Maschinenelemente II; from memory, source not reached).
-const LEAST_RING_DIFFERENCE: u32 = 10;
+/// Minimum difference of the tooth numbers without tip interference between a pinion and its ring with standard addenda
+/// (Niemann and Winter, Maschinenelemente II; from memory, source not reached).
+const MIN_RING_DIFFERENCE: u32 = 10;
 
 /// The working geometry of a gear pair. Index 0 is gear 1, the pinion.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -60,7 +59,7 @@ pub struct GearPair {
     pub base_helix: Angle,
     /// Width b over which the faces overlap.
     pub face_width: Length,
-    /// Profile shift coefficients; none when only their sum is known.
+    /// Profile shift coefficients; `None` if only their sum is known.
     pub profile_shift: Option<[f64; 2]>,
     /// x₁ + x₂.
     pub profile_shift_sum: f64,
@@ -74,8 +73,8 @@ pub struct GearPair {
     pub working_pitch_radius: [Length; 2],
     /// Tip radii r_a.
     pub tip_radius: [Length; 2],
-    /// Thickness of the teeth at their tips in the transverse section; none when only the sum of
-    /// the profile shifts is known.
+    /// Thickness of the teeth at their tips in the transverse section; `None` if only the sum of the profile shifts is
+    /// known.
     pub tip_thickness: Option<[Length; 2]>,
     /// The path of contact.
     pub path: PathOfContact,
@@ -84,14 +83,13 @@ pub struct GearPair {
 impl GearPair {
     /// Derives the working geometry.
     ///
-    /// Centre distance and profile shifts may both be given, if they agree to 0.01 mₙ; the given
-    /// centre distance then counts for the mesh and the shifts for the teeth. With the centre
-    /// distance alone only the sum of the shifts follows, and the tip radii must be given.
+    /// If both centre distance and profile shifts are given, they must agree to 0.01 mₙ; the mesh then has the given
+    /// centre distance and the teeth the given shifts. A centre distance without shifts determines only the sum of the
+    /// shifts, and the tip radii must be given.
     ///
     /// # Errors
-    /// When a number is out of its domain, the givens contradict each other, or the pair does not
-    /// work: interference, pointed tips, or a contact ratio (transverse for spur, total for
-    /// helical pairs) of 1 or less.
+    /// When a number is out of its domain, the inputs contradict each other, or the geometry is invalid: interference,
+    /// pointed tips, or a contact ratio (transverse for spur, total for helical pairs) of 1 or less.
     ///
     /// ```
     /// use asperity_gear::{GearPair, GearPairInput};
@@ -107,9 +105,8 @@ impl GearPair {
 
     /// Derives the working geometry of a pinion inside a ring.
     ///
-    /// Gear 2 of the input is the ring; its tooth number, tip radius and the centre distance are
-    /// given as magnitudes. The sign of its profile shift is that of ISO 21771: a positive one
-    /// brings the teeth of the ring towards its axis.
+    /// Gear 2 of the input is the ring; its tooth number, tip radius and the centre distance are given as magnitudes.
+    /// The sign of its profile shift follows ISO 21771: a positive shift moves the teeth of the ring towards its axis.
     ///
     /// # Errors
     /// As [`GearPair::new`]; also when the ring has no more teeth than the pinion, or its tips reach
@@ -172,8 +169,8 @@ impl GearPair {
         &self.path
     }
 
-    /// The same pair with chamfered tips: the active tip radii are the tip radii minus the radial
-    /// chamfers (plus, for a ring).
+    /// The pair with chamfered tips: the active tip radii are the tip radii minus the radial chamfers (plus, for a
+    /// ring).
     ///
     /// # Errors
     /// When a chamfer is negative, takes a tip below its base circle, or leaves no continuous contact.
@@ -216,7 +213,7 @@ impl GearPair {
         })
     }
 
-    /// The division of the sum of profile shifts that the tip radii suggest for full-depth teeth.
+    /// Division of the sum of the profile shifts according to the tip radii of full-depth teeth.
     pub(crate) fn likely_profile_shift(&self) -> [f64; 2] {
         let addendum = |gear: usize| {
             (self.tip_radius[gear] - self.reference_radius[gear]) / self.normal_module
@@ -226,16 +223,16 @@ impl GearPair {
         [0.5 * (sum + difference), 0.5 * (sum - difference)]
     }
 
-    /// Whether the tips of a pinion and its ring may foul each other away from the line of action,
-    /// which is not checked: fewer than ten teeth of difference.
+    /// Whether the tips of a pinion and its ring may interfere away from the line of action, because their tooth
+    /// numbers differ by less than ten.
     pub fn tips_may_foul(&self) -> bool {
         let [z1, z2] = self.teeth;
-        self.internal && z2.saturating_sub(z1) < LEAST_RING_DIFFERENCE
+        self.internal && z2.saturating_sub(z1) < MIN_RING_DIFFERENCE
     }
 
-    /// Whether the teeth are straight: a helix that gives no overlap counts as none.
+    /// Whether this is a spur pair: a helix without overlap is neglected.
     pub fn is_spur(&self) -> bool {
-        self.path.eps_beta < LEAST_OVERLAP
+        self.path.eps_beta < MIN_OVERLAP
     }
 }
 

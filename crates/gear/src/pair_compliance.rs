@@ -1,4 +1,4 @@
-//! Compliance of a pair of teeth along the path of contact, ready for the load map.
+//! Compliance of a pair of teeth along the path of contact, tabulated for the load map.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -7,8 +7,8 @@
 //! | C_M | factor of theory to measurement | - |
 //! | ξ | profile coordinate, 0 at A and ε_α at E | - |
 //!
-//! q_b is computed at 25 Chebyshev points, which keeps it to 5e-7 (5e-4 where a load line passes
-//! below a root chord), and tabulated from there at even steps.
+//! q_b is interpolated from 25 Chebyshev points with an error of 5e-7 (5e-4 where a load line passes below a root
+//! chord) and tabulated at even steps.
 
 use asperity_core::material::Material;
 use serde::{Deserialize, Serialize};
@@ -20,18 +20,18 @@ use crate::pair::GearPair;
 use crate::tooth_compliance::ToothCompliance;
 use crate::tooth_outline::{Flank, Outline, RootForm};
 
-/// Points at which a compliance is tabulated along the path.
+/// Chebyshev points of a compliance along the path.
 const TABLE_POINTS: usize = 25;
 
 /// Source of the tooth stiffness.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum StiffnessSource {
-    /// Bending, foundation and flattening after Weber and Banaschek.
+    /// Bending, foundation and flattening according to Weber and Banaschek.
     WeberBanaschek,
-    /// The polynomial of ISO 6336-1, because the case asks for it.
+    /// The polynomial of ISO 6336-1, as stated in the case.
     Iso,
-    /// The polynomial of ISO 6336-1, because the tooth of this gear has no simple root outline.
+    /// The polynomial of ISO 6336-1, because the root outline of this gear cannot be constructed.
     IsoForRootForm(Gear),
 }
 
@@ -46,12 +46,12 @@ pub(crate) struct PairCompliance {
 /// Dependence of q_H on the load.
 #[derive(Debug, Clone)]
 enum Flattening {
-    /// q_H(f) with the part of the teeth tabulated.
+    /// q_H(f) with its load-independent part tabulated.
     Hertz {
         shape: SmoothTable,
         /// 1/(π E*).
         sum: f64,
-        /// The same over C_M.
+        /// 1/(π E* C_M).
         slope: f64,
     },
     /// A constant.
@@ -59,7 +59,7 @@ enum Flattening {
 }
 
 impl PairCompliance {
-    /// Weber and Banaschek, or ISO 6336-1 where the root has no simple outline.
+    /// Compliance by Weber and Banaschek, or by ISO 6336-1 if a root outline cannot be constructed.
     pub(crate) fn teeth(
         pair: &GearPair,
         shift: [f64; 2],
@@ -97,7 +97,7 @@ impl PairCompliance {
             let depth = depths(pair, [&teeth[0].outline.flank, &teeth[1].outline.flank], xi);
             finite(hertz.shape(depth) / stiffness_factor)
         })?;
-        // The smallest value, at the ends of the path, must leave room for the floor of the load.
+        // The smallest value, at the ends of the path, must be positive.
         positive(hertz.at(
             depths(
                 pair,
@@ -118,7 +118,7 @@ impl PairCompliance {
         })
     }
 
-    /// ISO 6336-1, with the flattening in the middle of the path at the mean load held constant.
+    /// Compliance by ISO 6336-1 with constant flattening, evaluated in the middle of the path at the mean load.
     pub(crate) fn iso(
         pair: &GearPair,
         shift: [f64; 2],
@@ -142,7 +142,7 @@ impl PairCompliance {
         })
     }
 
-    /// The same everywhere, for the limits with a closed form.
+    /// Constant compliance, for limits with a closed form.
     #[cfg(test)]
     pub(crate) fn constant(bending: f64, flattening: f64) -> Self {
         let fit = Chebyshev::fit((0.0, 1.0), 1, |_| Ok::<_, ()>(bending));
@@ -153,12 +153,12 @@ impl PairCompliance {
         }
     }
 
-    /// q_b at ξ; beyond the path that at its end.
+    /// q_b at ξ, constant beyond the ends of the path.
     pub(crate) fn bending(&self, xi: f64) -> f64 {
         self.bending.at(xi)
     }
 
-    /// q_H at ξ under the load `load`; beyond the path that at its end.
+    /// q_H at ξ under the load `load`, constant beyond the ends of the path.
     pub(crate) fn flattening(&self, pair: &GearPair, xi: f64, load: f64) -> f64 {
         match &self.flattening {
             Flattening::Constant(q) => *q,
@@ -190,13 +190,13 @@ fn depths(pair: &GearPair, flanks: [&Flank; 2], xi: f64) -> [f64; 2] {
     [0, 1].map(|gear| flanks[gear].load(rolls[gear]).2)
 }
 
-/// R at ξ.
+/// Relative radius of curvature R at ξ.
 pub(crate) fn radius(pair: &GearPair, xi: f64) -> f64 {
     let (s, t) = (pair.path.place(xi).si(), pair.path.t1t2.si());
     s * (t - s) / t / pair.base_helix.si().cos()
 }
 
-/// Undercut must end below the lowest point of contact.
+/// Checks that undercut ends below the lowest point of contact.
 fn require_involute_contact(pair: &GearPair, outlines: &[Outline; 2]) -> Result<(), GearError> {
     let [a, e] = [rolls(pair, 0.0), rolls(pair, pair.path.eps_alpha)];
     let lowest = [a[0], e[1]];

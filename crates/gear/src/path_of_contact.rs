@@ -1,11 +1,11 @@
-//! The path of contact: where along the line of action the teeth touch.
+//! The path of contact: the part of the line of action on which the teeth are in contact.
 //!
 //! Source: ISO 21771:2007.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | s | distance from T₁ along the transverse line of action | m |
-//! | T₁, T₂ | feet of the perpendiculars from the axes on the line of action | |
+//! | T₁, T₂ | feet of the perpendiculars from the axes to the line of action | |
 //! | A, E | first and last point of contact when gear 1 drives | m |
 //! | B, D | ends of single contact of a spur pair, 1 < ε_α < 2 | m |
 //! | C | pitch point | m |
@@ -21,24 +21,24 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{Gear, GearError};
 
-/// Overlap ratio below which the helix is lost in rounding and the pair is a spur pair.
-pub(crate) const LEAST_OVERLAP: f64 = 1e-9;
+/// Overlap ratio below which the helix angle is a rounding error and the pair is a spur pair.
+pub(crate) const MIN_OVERLAP: f64 = 1e-9;
 
-/// Overlap ratio beyond which the numbers are taken for a slip of units.
-const LARGEST_OVERLAP: f64 = 1000.0;
+/// Overlap ratio above which an error of units is assumed.
+const MAX_OVERLAP: f64 = 1000.0;
 
 /// Points along the line of action, as distances from T₁, and the contact ratios.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PathOfContact {
-    /// A: the tip of gear 2 enters contact.
+    /// A: start of contact at the tip of gear 2.
     pub a: Length,
     /// B = E − p_et: the pair ahead leaves contact. Before A when ε_α < 1.
     pub b: Length,
-    /// C: the pitch point, where nothing slides.
+    /// C: the pitch point, without sliding.
     pub c: Length,
     /// D = A + p_et: the pair behind enters contact. After E when ε_α < 1.
     pub d: Length,
-    /// E: the tip of gear 1 leaves contact.
+    /// E: end of contact at the tip of gear 1.
     pub e: Length,
     /// Distance T₁T₂; negative for a ring, whose T₂ lies behind T₁.
     pub t1t2: Length,
@@ -59,7 +59,7 @@ pub struct PathOfContact {
 }
 
 impl PathOfContact {
-    /// The points A to E with their letters. B and D lie beyond the ends of a path with less than one pair in contact.
+    /// The points A to E with their letters. B and D are outside the path if ε_α < 1.
     #[must_use]
     pub fn named_points(&self) -> [(&'static str, Length); 5] {
         [
@@ -89,7 +89,7 @@ impl PathOfContact {
         let [rb1, rb2] = base_radius.map(Length::si);
         let [ra1, ra2] = tip_radius.map(Length::si);
         let t1t2 = (rb1 + rb2) * working_angle.tan();
-        // (r_a − r_b)(r_a + r_b) keeps the digits that r_a² − r_b² loses.
+        // (r_a − r_b)(r_a + r_b) avoids the cancellation of r_a² − r_b².
         let reach_1 = ((ra1 - rb1) * (ra1 + rb1)).sqrt();
         let reach_2 = ((ra2 - rb2) * (ra2 + rb2)).sqrt();
         for (gear, reach) in [(Gear::Pinion, reach_1), (Gear::Wheel, reach_2)] {
@@ -145,13 +145,13 @@ impl PathOfContact {
             });
         }
         DomainError::require(
-            eps_beta < LARGEST_OVERLAP,
+            eps_beta < MAX_OVERLAP,
             "overlap ratio",
             eps_beta,
             "-",
             "is impossible; check face width and module",
         )?;
-        if eps_beta < LEAST_OVERLAP && eps_alpha <= 1.0 {
+        if eps_beta < MIN_OVERLAP && eps_alpha <= 1.0 {
             return Err(GearError::SpurContactRatio { eps_alpha });
         }
         if eps_gamma <= 1.0 {
@@ -175,12 +175,12 @@ impl PathOfContact {
         (s - self.a) / self.base_pitch
     }
 
-    /// The place of the profile coordinate ξ.
+    /// Distance from T₁ of the profile coordinate ξ.
     pub fn place(&self, xi: f64) -> Length {
         self.a + self.base_pitch * xi
     }
 
-    /// The coordinate of `s` when the teeth touch there.
+    /// The profile coordinate of `s`, which must be on the path.
     pub(crate) fn coordinate_on_path(&self, s: Length) -> Result<f64, GearError> {
         if s >= self.a && s <= self.e {
             Ok(self.coordinate(s))

@@ -1,6 +1,6 @@
-//! Planetary sets of sun, planets and ring: kinematics, the two kinds of meshes, and their loss.
+//! Planetary sets of sun, planets and ring: kinematics, the two kinds of mesh, and the loss.
 //!
-//! Source: R. Willis; ISO 21771:2007 for the pairs.
+//! Source: Willis equation; ISO 21771:2007 for the pairs.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -8,11 +8,10 @@
 //! | z_s, z_p, z_r | tooth numbers, all positive here | - |
 //! | n_p | number of planets | - |
 //! | T_s | torque at the sun | N m |
-//! | K_γ | load of the most loaded planet over the mean | - |
+//! | K_γ | mesh load factor: load of the most loaded planet over the mean | - |
 //!
-//! Every mesh is an ordinary pair that turns with its speeds relative to the carrier. In the mesh of
-//! planet and ring the planet is gear 1. The two flanks of a planet are different flanks. How the
-//! planets are phased does not matter for the mean loss.
+//! Every mesh is a gear pair with speeds relative to the carrier. In the planet-ring mesh the planet is gear 1. The two
+//! meshes use opposite flanks of a planet. The mean loss does not depend on the phases of the planets.
 
 use asperity_core::quantity::{Angle, AngularSpeed, Length, Power, Torque};
 use asperity_core::{DomainError, cite};
@@ -23,7 +22,7 @@ use crate::error::GearError;
 use crate::input::GearPairInput;
 use crate::pair::GearPair;
 
-/// A planetary set as on its drawing. Three values belong to sun, planet and ring.
+/// Drawing data of a planetary set. Arrays hold the values of sun, planet and ring.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlanetarySetInput {
@@ -41,8 +40,7 @@ pub struct PlanetarySetInput {
     pub face_width: [Length; 3],
     /// Profile shift coefficients.
     pub profile_shift: [f64; 3],
-    /// Distance of the planet axes from that of the sun; without it that of sun and planet without
-    /// backlash.
+    /// Distance between the axes of sun and planet; default: without backlash between them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub centre_distance: Option<Length>,
     /// Tip radii.
@@ -76,7 +74,7 @@ impl PlanetarySetInput {
         }
     }
 
-    /// The pair of two of the three gears, by their places in the fields.
+    /// Input of the pair of two gears, given by their indices in the arrays.
     fn pair(&self, gears: [usize; 2], centre_distance: Option<Length>) -> GearPairInput {
         let [first, second] = gears;
         GearPairInput {
@@ -111,10 +109,10 @@ pub struct PlanetarySpeeds {
     pub planet_relative: AngularSpeed,
 }
 
-/// Load and speed of a mesh, for its pair with gear 1 as stated.
+/// Load and speed of a mesh at its gear 1.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PlanetaryMesh {
-    /// Torque at gear 1 of one mesh, for losses.
+    /// Mean torque at gear 1 of one mesh, for losses.
     pub torque: Torque,
     /// Torque at gear 1 of the most loaded mesh, K_γ times the mean, for pressures.
     pub pressure_torque: Torque,
@@ -125,11 +123,11 @@ pub struct PlanetaryMesh {
 /// Operating point of a planetary set.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PlanetaryOperation {
-    /// Torque at the sun; positive drives in the direction of its speed.
+    /// Torque at the sun, positive in the direction of its speed.
     pub sun_torque: Torque,
     /// Speed of the sun.
     pub sun_speed: AngularSpeed,
-    /// Speed of the ring, zero when it is held.
+    /// Speed of the ring, zero if it is fixed.
     pub ring_speed: AngularSpeed,
     /// Load of the most loaded planet over the mean, K_γ.
     pub load_share_factor: f64,
@@ -150,8 +148,8 @@ impl PlanetarySet {
     /// Derives both pairs at a common centre distance.
     ///
     /// # Errors
-    /// When a pair does not work, the ring does not fit at the centre distance of sun and planet, or
-    /// the planets run into each other.
+    /// When a pair has invalid geometry, the ring does not fit at the centre distance of sun and planet, or the planets
+    /// collide.
     ///
     /// ```
     /// use asperity_core::quantity::{AngularSpeed, Torque};
@@ -175,13 +173,13 @@ impl PlanetarySet {
         let sun_planet = GearPair::new(&input.pair([0, 1], input.centre_distance))?;
         let distance = sun_planet.centre_distance;
         let planet_ring = GearPair::internal(&input.pair([1, 2], Some(distance)))?;
-        let apart = distance * (2.0 * (std::f64::consts::PI / f64::from(planets)).sin());
-        let needed = sun_planet.tip_radius[1] * 2.0;
-        if planets > 1 && apart <= needed {
+        let axis_distance = distance * (2.0 * (std::f64::consts::PI / f64::from(planets)).sin());
+        let tip_diameter = sun_planet.tip_radius[1] * 2.0;
+        if planets > 1 && axis_distance <= tip_diameter {
             return Err(GearError::PlanetsCollide {
                 planets,
-                distance: apart,
-                needed,
+                distance: axis_distance,
+                needed: tip_diameter,
             });
         }
         Ok(Self {
@@ -217,7 +215,7 @@ impl PlanetarySet {
         let omega_r = DomainError::finite("speed of the ring", ring)?;
         let [z_s, z_p, z_r] = self.teeth();
         let omega_c = (omega_s * z_s + omega_r * z_r) / (z_s + z_r);
-        // Not ω_s − ω_c, which leaves a rounding error when the set turns as a block.
+        // ω_s − ω_c would leave a rounding error when the set rotates as a block.
         let relative = (omega_s - omega_r) * z_r / (z_s + z_r);
         Ok(PlanetarySpeeds {
             sun,
@@ -231,10 +229,10 @@ impl PlanetarySet {
     /// T = T_s/n_p at the sun and T_s z_p/(n_p z_s) at the planet, with the speeds relative to the
     /// carrier                                                                  [Planet-2]
     ///
-    /// The first mesh is that of sun and planet, the second that of planet and ring.
+    /// The first mesh is the sun-planet mesh, the second the planet-ring mesh.
     ///
     /// # Errors
-    /// When a number is not finite, K_γ is below 1, or the set turns as a block: then nothing rolls.
+    /// When a number is not finite, K_γ is below 1, or the set rotates as a block, without relative motion.
     pub fn meshes(&self, operation: &PlanetaryOperation) -> Result<[PlanetaryMesh; 2], GearError> {
         cite!("Planet-2");
         let torque = DomainError::finite("torque at the sun", operation.sun_torque)?;
@@ -244,7 +242,7 @@ impl PlanetarySet {
         DomainError::require(fits, "load share factor", share, "-", rule)?;
         let speeds = self.speeds(operation.sun_speed, operation.ring_speed)?;
         let relative = speeds.sun_relative.si();
-        let rule = "must differ from that of the ring: a set that turns as a block does not roll";
+        let rule = "must differ from the speed of the ring: a set that rotates as a block has no relative motion";
         let sun = operation.sun_speed.si();
         DomainError::require(relative != 0.0, "speed of the sun", sun, "rad/s", rule)?;
         let [z_s, z_p, _] = self.teeth();
@@ -266,7 +264,7 @@ impl PlanetarySet {
         (sun_planet + planet_ring) * f64::from(self.planets)
     }
 
-    /// |T_s·(ω_s − ω_c)|: the power that passes the meshes.
+    /// Rolling power transmitted by the meshes, |T_s·(ω_s − ω_c)|.
     ///
     /// # Errors
     /// When a number is not finite.
@@ -276,8 +274,7 @@ impl PlanetarySet {
         Ok(Power::from_si((torque * speeds.sun_relative.si()).abs()))
     }
 
-    /// The power that enters through sun, ring and carrier, without losses: T_r = T_s z_r/z_s,
-    /// T_c = −T_s − T_r.
+    /// Input power through sun, ring and carrier without losses: T_r = T_s z_r/z_s, T_c = −T_s − T_r.
     ///
     /// # Errors
     /// When a number is not finite.

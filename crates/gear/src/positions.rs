@@ -1,13 +1,13 @@
-//! Places along the path of contact, with weights for means over a mesh cycle.
+//! Mesh positions along the path of contact, with weights for means over a mesh cycle.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | s | distance from T₁ along the line of action | m |
 //! | g | any quantity per metre of contact line | |
-//! | w | weight of a place | m |
+//! | w | weight of a position | m |
 //!
-//! The places are spread over the segments on which a mesh is smooth. The sliding speed has a kink
-//! at C; on a spur pair the shares jump where another pair enters or leaves, at A + k·p_et and
+//! The positions are distributed over the segments on which the integrands are smooth. The sliding speed has a kink
+//! at C; on a spur pair the load shares jump where another pair enters or leaves, at A + k·p_et and
 //! E − k·p_et (B and D when 1 < ε_α < 2).
 
 use std::num::NonZeroUsize;
@@ -21,28 +21,28 @@ use crate::error::GearError;
 use crate::pair::GearPair;
 use crate::quadrature::{breakpoints, gauss_legendre};
 
-/// Most places accepted; more than any mesh needs, and still quickly laid out.
-const MOST_POSITIONS: usize = 100_000;
+/// Maximum number of positions: more than any mesh requires.
+const MAX_POSITIONS: usize = 100_000;
 
-/// Distribution of places within a segment.
+/// Distribution of positions within a segment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum PositionRule {
     /// Gauss-Legendre points: the most accurate means.
     #[default]
     GaussLegendre,
-    /// The middles of equal parts: evenly spaced results.
+    /// Midpoints of equal parts: evenly spaced results.
     Midpoint,
 }
 
-/// A place on the path of contact.
+/// A position on the path of contact.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct MeshPosition {
     /// Distance from T₁ along the line of action.
     pub s: Length,
     /// Profile coordinate ξ in base pitches from A.
     pub xi: f64,
-    /// Weight in a mean over the mesh cycle: the length of contact line that the place represents.
+    /// Weight in a mean over the mesh cycle: the length of contact line that the position represents.
     pub weight: Length,
 }
 
@@ -57,15 +57,15 @@ impl GearPair {
     /// sum to the mean length of the contact lines.
     ///
     /// # Errors
-    /// When there are fewer places than segments of the path, or absurdly many.
+    /// When `count` is less than the number of segments of the path, or above 100 000.
     ///
     /// ```
     /// use asperity_gear::{GearPair, GearPairInput, PositionRule};
     /// let pair = GearPair::new(&GearPairInput::standard(
     ///     [50, 120], "1.3 mm".parse()?, "30 deg".parse()?, "50 mm".parse()?,
     /// ))?;
-    /// let places = pair.positions(32, PositionRule::GaussLegendre)?;
-    /// let total: f64 = places.iter().map(|place| place.weight.si()).sum();
+    /// let positions = pair.positions(32, PositionRule::GaussLegendre)?;
+    /// let total: f64 = positions.iter().map(|position| position.weight.si()).sum();
     /// assert!((total - pair.mean_contact_length().si()).abs() < 1e-15);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -77,16 +77,16 @@ impl GearPair {
         cite!("Mean-1");
         let breaks = self.segment_ends();
         let least = breaks.len() - 1;
-        if !(least..=MOST_POSITIONS).contains(&count) {
+        if !(least..=MAX_POSITIONS).contains(&count) {
             return Err(GearError::PositionCount {
                 count,
                 least,
-                most: MOST_POSITIONS,
+                most: MAX_POSITIONS,
             });
         }
         let per_length = self.contact_per_coordinate();
         let mut positions = Vec::with_capacity(count);
-        for (ends, share) in breaks.windows(2).zip(spread(count, &breaks)) {
+        for (ends, share) in breaks.windows(2).zip(distribute(count, &breaks)) {
             let width = ends[1] - ends[0];
             for (node, weight) in nodes(rule, share) {
                 let xi = ends[0] + width * node;
@@ -100,7 +100,7 @@ impl GearPair {
         Ok(positions)
     }
 
-    /// One place that represents the whole path, for a mesh evaluated at a single point.
+    /// A single position that represents the whole path.
     ///
     /// # Errors
     /// When s is not on the path A to E.
@@ -110,8 +110,8 @@ impl GearPair {
     /// let pair = GearPair::new(&GearPairInput::standard(
     ///     [50, 120], "1.3 mm".parse()?, "30 deg".parse()?, "50 mm".parse()?,
     /// ))?;
-    /// let place = pair.single_position(pair.path().c)?;
-    /// assert_eq!(place.weight, pair.mean_contact_length());
+    /// let position = pair.single_position(pair.path().c)?;
+    /// assert_eq!(position.weight, pair.mean_contact_length());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn single_position(&self, s: Length) -> Result<MeshPosition, GearError> {
@@ -122,8 +122,7 @@ impl GearPair {
         })
     }
 
-    /// Mean over a mesh cycle of g summed over all lines of contact, `[Mean-1]`; g is given per
-    /// metre of contact line, so the result has the unit of g times a metre.
+    /// Mean over a mesh cycle of g summed over all lines of contact, `[Mean-1]`. g is per metre of contact line.
     ///
     /// # Errors
     /// As [`GearPair::positions`].
@@ -145,7 +144,7 @@ impl GearPair {
         let positions = self.positions(count, PositionRule::GaussLegendre)?;
         Ok(positions
             .iter()
-            .map(|place| place.weight.si() * g(place))
+            .map(|position| position.weight.si() * g(position))
             .sum())
     }
 
@@ -154,7 +153,7 @@ impl GearPair {
         self.face_width / self.base_helix.si().cos()
     }
 
-    /// Ends of the segments on which a mesh is smooth, as coordinates ξ from 0 to ε_α.
+    /// Ends of the segments on which the integrands are smooth, as coordinates ξ from 0 to ε_α.
     pub(crate) fn segment_ends(&self) -> Vec<f64> {
         let eps_alpha = self.path.eps_alpha;
         let mut inner = vec![self.path.eps_2];
@@ -172,12 +171,12 @@ impl GearPair {
     }
 }
 
-/// `count` shared out over the segments by their width, at least one each.
-pub(crate) fn spread(count: usize, breaks: &[f64]) -> Vec<usize> {
+/// `count` points distributed over the segments in proportion to their widths, at least one each.
+pub(crate) fn distribute(count: usize, breaks: &[f64]) -> Vec<usize> {
     let widths: Vec<f64> = breaks.windows(2).map(|ends| ends[1] - ends[0]).collect();
     let mut shares = vec![1; widths.len()];
     for _ in widths.len()..count {
-        // Backwards, so that the first of equally coarse segments is refined.
+        // In reverse order, because `max_by` returns the last maximum: of equally coarse segments the first is refined.
         let coarsest = (0..widths.len()).rev().max_by(|&i, &j| {
             let (i, j) = (widths[i] / shares[i] as f64, widths[j] / shares[j] as f64);
             i.total_cmp(&j)
@@ -207,7 +206,7 @@ mod tests {
 
     #[test]
     fn places_are_spread_by_width_and_every_segment_has_one() {
-        assert_eq!(spread(10, &[0.0, 1.0, 2.0, 2.001]), [5, 4, 1]);
-        assert_eq!(spread(3, &[0.0, 1.0, 2.0, 2.001]), [1, 1, 1]);
+        assert_eq!(distribute(10, &[0.0, 1.0, 2.0, 2.001]), [5, 4, 1]);
+        assert_eq!(distribute(3, &[0.0, 1.0, 2.0, 2.001]), [1, 1, 1]);
     }
 }

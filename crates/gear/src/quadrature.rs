@@ -4,10 +4,10 @@ use std::num::NonZeroUsize;
 
 use gauss_quad::GaussLegendre;
 
-/// Segments narrower than this share of the whole are rounding, not physics.
-const LEAST_SEGMENT: f64 = 1e-9;
+/// Relative width below which a segment is a rounding error.
+const MIN_SEGMENT: f64 = 1e-9;
 
-/// Nodes and weights of the rule of this order on 0..1, in ascending order.
+/// Nodes and weights of the Gauss-Legendre rule on 0..1, in ascending order.
 pub(crate) fn gauss_legendre(order: NonZeroUsize) -> Vec<(f64, f64)> {
     let mut rule: Vec<(f64, f64)> = GaussLegendre::new(order)
         .iter()
@@ -17,9 +17,9 @@ pub(crate) fn gauss_legendre(order: NonZeroUsize) -> Vec<(f64, f64)> {
     rule
 }
 
-/// `low`, `high` and those of `inner` that lie between them, ascending, without doubles.
+/// `low`, `high` and the points of `inner` between them, in ascending order without duplicates.
 pub(crate) fn breakpoints(low: f64, high: f64, inner: impl IntoIterator<Item = f64>) -> Vec<f64> {
-    let gap = LEAST_SEGMENT * (high - low);
+    let gap = MIN_SEGMENT * (high - low);
     let mut inner: Vec<f64> = inner
         .into_iter()
         .filter(|&x| x > low + gap && x < high - gap)

@@ -1,4 +1,4 @@
-//! Geometry from the basic rack and the tooth numbers, before the gears are brought together.
+//! Geometry of the single gears from the basic rack and the tooth numbers.
 //!
 //! Source: ISO 21771:2007. Symbols as in [`crate::pair`].
 
@@ -10,16 +10,16 @@ use crate::error::GearError;
 use crate::input::{GearPairInput, Plane};
 use crate::involute::ToothSection;
 
-/// Largest helix angle accepted; drawings end near 45°, beyond 60° the pair is a pair of screws.
-const STEEPEST_HELIX_DEGREES: f64 = 60.0;
+/// Maximum helix angle; drawings have up to 45°, and pairs above 60° are screws.
+const MAX_HELIX_DEGREES: f64 = 60.0;
 
-/// Largest normal pressure angle accepted; beyond it a full-depth rack tooth is pointed.
-const LARGEST_PRESSURE_ANGLE_DEGREES: f64 = 45.0;
+/// Maximum normal pressure angle; above it a full-depth rack tooth is pointed.
+const MAX_PRESSURE_ANGLE_DEGREES: f64 = 45.0;
 
 /// The transverse section and its radii.
 #[derive(Debug, Clone)]
 pub(crate) struct Rack {
-    /// z₁, z₂; negative for a ring, like every radius that follows from it.
+    /// z₁, z₂; negative for a ring, like its radii.
     pub(crate) teeth: [f64; 2],
     pub(crate) internal: bool,
     pub(crate) normal_module: Length,
@@ -41,7 +41,7 @@ impl Rack {
         let module = DomainError::positive("module", input.module)?;
         let alpha_n = DomainError::positive("pressure angle", input.pressure_angle)?;
         DomainError::require(
-            alpha_n <= LARGEST_PRESSURE_ANGLE_DEGREES.to_radians(),
+            alpha_n <= MAX_PRESSURE_ANGLE_DEGREES.to_radians(),
             "pressure angle",
             alpha_n.to_degrees(),
             "deg",
@@ -49,7 +49,7 @@ impl Rack {
         )?;
         let beta = DomainError::finite("helix angle", input.helix)?.abs();
         DomainError::require(
-            beta <= STEEPEST_HELIX_DEGREES.to_radians(),
+            beta <= MAX_HELIX_DEGREES.to_radians(),
             "helix angle",
             beta.to_degrees(),
             "deg",
@@ -94,7 +94,7 @@ impl Rack {
     }
 }
 
-/// The tooth numbers with the signs of ISO 21771: that of a ring is negative.
+/// The tooth numbers with the signs of ISO 21771: negative for a ring.
 fn signed_teeth(teeth: [u32; 2], internal: bool) -> Result<[f64; 2], DomainError> {
     for z in teeth {
         DomainError::require(z >= 1, "teeth", z.into(), "-", "must be at least 1")?;
@@ -108,7 +108,7 @@ fn signed_teeth(teeth: [u32; 2], internal: bool) -> Result<[f64; 2], DomainError
         "teeth of the ring",
         z2,
         "-",
-        "must be more than those of the gear inside it",
+        "must be more than the teeth of the gear inside it",
     )?;
     Ok([z1, -z2])
 }

@@ -1,17 +1,17 @@
-//! Modifications of the flanks, as drawings give them, and the gap that they open between the teeth.
+//! Flank modifications as stated on drawings, and the resulting separation of the flanks.
 //!
 //! Source: ISO 21771:2007 and ISO 1328-1:2013 (definitions).
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | e(ξ, y) | separation of unloaded flanks, normal to the flank; positive removes material | m |
-//! | C_a, L, n | amount, roll length and power of a relief | m, m, - |
+//! | e(ξ, y) | separation of unloaded flanks, normal to the flank; positive for removed material | m |
+//! | C_a, L, n | amount, roll length and exponent of a relief | m, m, - |
 //! | C_c, C_l, C_p, C_Ca | crowning, lead slope, profile slope, profile crowning of the pair | m |
 //! | w_i(ρ) | measured form of gear i over its roll length, above the involute | m |
 //! | b | face width | m |
 //!
-//! Amounts count along the transverse base tangent, as inspection charts print them, and are then
-//! multiplied by cos β_b; [`AmountDirection::Normal`] takes them normal to the flank as they are.
+//! Amounts are measured along the transverse base tangent, as on inspection charts, and multiplied by cos β_b. With
+//! [`AmountDirection::Normal`] they are normal to the flank.
 
 use asperity_core::DomainError;
 use asperity_core::cite;
@@ -20,8 +20,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Gear, GearError};
+use crate::interpolation::{self, interpolate};
 use crate::pair::GearPair;
-use crate::straight;
 
 /// The direction in which amounts are measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
@@ -48,14 +48,14 @@ pub enum ReliefExtent {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ReliefShape {
-    /// In proportion to the roll length, n = 1.
+    /// Proportional to the roll length, n = 1.
     #[default]
     Linear,
-    /// With its square, n = 2.
+    /// Proportional to the square of the roll length, n = 2.
     Parabolic,
 }
 
-/// Relief of the tips or roots of a gear.
+/// Tip or root relief of a gear.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Relief {
@@ -68,7 +68,7 @@ pub struct Relief {
     pub shape: ReliefShape,
 }
 
-/// Relief of both ends of the face.
+/// End relief at both ends of the face.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EndRelief {
@@ -81,13 +81,13 @@ pub struct EndRelief {
     pub shape: ReliefShape,
 }
 
-/// Form of the flank of one gear as it was measured, against the involute and normal to the flank.
+/// Measured form deviation of the flank of a gear from the involute, normal to the flank.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MeasuredForm {
-    /// Roll lengths, rising.
+    /// Roll lengths in ascending order.
     pub roll_length: Vec<Length>,
-    /// Heights above the involute at these places; between them the form is straight, beyond them level.
+    /// Heights above the involute at the roll lengths, with linear interpolation, constant beyond the ends.
     pub height: Vec<Length>,
 }
 
@@ -95,17 +95,17 @@ impl MeasuredForm {
     /// Height at a roll length \[m\].
     #[must_use]
     pub fn at(&self, roll: Length) -> f64 {
-        let above = self.roll_length.partition_point(|place| *place <= roll);
+        let above = self.roll_length.partition_point(|point| *point <= roll);
         let point = |k: usize| Some((self.roll_length.get(k)?.si(), self.height.get(k)?.si()));
-        straight::between(
+        interpolation::between(
             above.checked_sub(1).and_then(point),
             point(above),
             roll.si(),
         )
     }
 
-    /// Mean of several forms of one gear over the roll lengths that all of them have; none of no forms, or where
-    /// they have no common place.
+    /// Mean of several forms of a gear over their common range of roll lengths; `None` without forms or without a
+    /// common range.
     ///
     /// ```
     /// use asperity_core::quantity::Length;
@@ -154,7 +154,7 @@ impl MeasuredForm {
     }
 }
 
-/// All modifications of a pair. Index 0 is gear 1; the rest is the sum over both gears.
+/// All modifications of a pair. Arrays hold gears 1 and 2; other fields are sums over both gears.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct MicroGeometry {
@@ -164,17 +164,17 @@ pub struct MicroGeometry {
     pub root_relief: [Option<Relief>; 2],
     /// Crowning C_c along the face, zero in the middle.
     pub crowning: Length,
-    /// Relief of both ends of the face.
+    /// End relief at both ends of the face.
     pub end_relief: Option<EndRelief>,
-    /// Lead slope C_l over the face: cutting, bearings and shafts together.
+    /// Lead slope C_l over the face, the sum of manufacture, bearings and shafts.
     pub lead_slope: Length,
     /// Profile slope C_p over the path of contact.
     pub profile_slope: Length,
     /// Profile crowning C_Ca, zero in the middle of the path.
     pub profile_crowning: Length,
-    /// Pitch deviations of successive pairs of teeth; the mesh cycle has as many pitches.
+    /// Pitch deviations of successive pairs of teeth; their number is the number of pitches in the mesh cycle.
     pub pitch: Vec<Length>,
-    /// Measured form of each gear, normal to the flank whatever the direction of the amounts.
+    /// Measured form of each gear, always normal to the flank.
     pub measured: [Option<MeasuredForm>; 2],
     /// The direction in which all amounts are measured.
     pub direction: AmountDirection,
@@ -202,7 +202,7 @@ impl MicroGeometry {
         }
     }
 
-    /// Whether nothing is modified.
+    /// Whether the flanks have no modifications.
     pub fn is_unmodified(&self) -> bool {
         let slopes = [
             self.crowning,
@@ -218,7 +218,7 @@ impl MicroGeometry {
             && self.pitch.iter().all(|c| c.si() == 0.0)
     }
 
-    /// Whether tips or roots are relieved, as drawn or as measured.
+    /// Whether there is tip or root relief, or a measured form.
     pub fn relieves_profile(&self) -> bool {
         self.tip_relief != [None; 2]
             || self.root_relief != [None; 2]
@@ -226,12 +226,12 @@ impl MicroGeometry {
     }
 }
 
-/// A relief in the coordinates of the path.
+/// A tip or root relief in coordinates of the path.
 #[derive(Debug, Clone, Copy)]
-struct End {
-    /// ξ from which it grows.
+struct PathRelief {
+    /// ξ at the start of the relief.
     start: f64,
-    /// Towards E when positive.
+    /// 1 towards E, −1 towards A.
     direction: f64,
     /// Length in base pitches.
     length: f64,
@@ -239,7 +239,7 @@ struct End {
     squared: bool,
 }
 
-impl End {
+impl PathRelief {
     fn at(&self, xi: f64) -> f64 {
         let t = ((xi - self.start) * self.direction / self.length).max(0.0);
         self.amount * if self.squared { t * t } else { t }
@@ -249,14 +249,14 @@ impl End {
 /// e(ξ, y) of a pair, in SI units and normal to the flank.
 #[derive(Debug, Clone)]
 pub(crate) struct Separation {
-    ends: Vec<End>,
+    ends: Vec<PathRelief>,
     crowning: f64,
     end_relief: Option<(f64, f64, bool)>,
     lead_slope: f64,
     profile_slope: f64,
     profile_crowning: f64,
     pitch: Vec<f64>,
-    /// Separation by the measured form of each gear, over ξ.
+    /// Separation due to the measured form of each gear, over ξ.
     measured: Vec<Vec<(f64, f64)>>,
     eps_alpha: f64,
 }
@@ -281,9 +281,9 @@ impl Separation {
                 let amount = normal("relief", relief.amount)?;
                 let length =
                     roll_length(pair, gear, tip, relief.extent)? / pair.path.base_pitch.si();
-                // The tip of gear 1 and the root of gear 2 touch at E.
+                // The tip of gear 1 and the root of gear 2 are in contact at E.
                 let at_e = (gear == 0) == tip;
-                ends.push(End {
+                ends.push(PathRelief {
                     start: if at_e {
                         pair.path.eps_alpha - length
                     } else {
@@ -324,7 +324,7 @@ impl Separation {
     /// e = Σ C_a ((ξ − ξ₁) p_et/L)ⁿ + C_c (2y/b − 1)² + C_l (y/b − ½) + C_p (ξ/ε_α − ½)
     /// + C_Ca (2ξ/ε_α − 1)² + Σ e_i(ξ) + pitch                                 [Relief-1]
     ///
-    /// `across` is y/b; `tooth` counts the pairs of teeth.
+    /// `across` is y/b; `tooth` is the number of the pair of teeth.
     pub(crate) fn at(&self, xi: f64, across: f64, tooth: i64) -> f64 {
         let along = xi / self.eps_alpha - 0.5;
         let from_middle = across - 0.5;
@@ -332,7 +332,7 @@ impl Separation {
         let lead = self.lead_slope * from_middle + self.crowning * 4.0 * from_middle * from_middle;
         let reliefs: f64 = self.ends.iter().map(|end| end.at(xi)).sum();
         let measured: f64 = (self.measured.iter())
-            .map(|form| straight::along(form, xi))
+            .map(|form| interpolate(form, xi))
             .sum();
         let face_ends = self.end_relief.map_or(0.0, |(amount, length, squared)| {
             let t = (1.0 - across.min(1.0 - across) / length).max(0.0);
@@ -347,7 +347,7 @@ impl Separation {
             + self.pitch.get(turn).copied().unwrap_or(0.0)
     }
 
-    /// Coordinates within the path where a relief starts.
+    /// Coordinates of the starts of reliefs within the path.
     pub(crate) fn knots(&self) -> Vec<f64> {
         (self.ends.iter().map(|end| end.start))
             .filter(|xi| *xi > 0.0 && *xi < self.eps_alpha)
@@ -366,21 +366,21 @@ impl Separation {
 
 /// e_i(ξ) = w̄_i − w_i(ρ_i(ξ)),  ρ₁ = s_A + ξ p_et,  ρ₂ = |T₁T₂ − ρ₁|              [Relief-3]
 ///
-/// w̄_i is the mean over the active flank by roll length: a constant only turns the gears.
+/// w̄_i is the mean over the active flank by roll length, because a constant only rotates the gears.
 fn measured(micro: &MicroGeometry, pair: &GearPair) -> Result<Vec<Vec<(f64, f64)>>, DomainError> {
     /// Intervals of the mean over the active flank.
     const INTERVALS: usize = 512;
     let path = &pair.path;
-    let mut found = Vec::new();
+    let mut separations = Vec::new();
     for (gear, form) in micro.measured.iter().enumerate() {
         let Some(form) = form else { continue };
         cite!("Relief-3");
         let rolls = &form.roll_length;
-        let rule = "must have as many heights as roll lengths, which rise";
+        let rule = "must have as many heights as roll lengths, in ascending order";
         let rises = rolls.windows(2).all(|two| two[0].si() < two[1].si());
         let matches = rises && !rolls.is_empty() && rolls.len() == form.height.len();
         DomainError::require(matches, "measured form", rolls.len() as f64, "points", rule)?;
-        let place = |roll: f64| {
+        let coordinate = |roll: f64| {
             let s = match (gear, pair.internal) {
                 (0, _) => roll,
                 (_, false) => path.t1t2.si() - roll,
@@ -391,25 +391,28 @@ fn measured(micro: &MicroGeometry, pair: &GearPair) -> Result<Vec<Vec<(f64, f64)
         let mut line = Vec::with_capacity(rolls.len());
         for (roll, height) in rolls.iter().zip(&form.height) {
             let height = DomainError::finite("height of the measured form", *height)?;
-            line.push((place(DomainError::finite("roll length", *roll)?), -height));
+            line.push((
+                coordinate(DomainError::finite("roll length", *roll)?),
+                -height,
+            ));
         }
         if line.len() > 1 && line[0].0 > line[1].0 {
             line.reverse();
         }
         let step = path.eps_alpha / INTERVALS as f64;
         let middles = (0..INTERVALS).map(|k| (k as f64 + 0.5) * step);
-        let mean = middles.map(|xi| straight::along(&line, xi)).sum::<f64>() / INTERVALS as f64;
+        let mean = middles.map(|xi| interpolate(&line, xi)).sum::<f64>() / INTERVALS as f64;
         for (_, separation) in &mut line {
             *separation -= mean;
         }
-        found.push(line);
+        separations.push(line);
     }
-    Ok(found)
+    Ok(separations)
 }
 
 /// L = |√(r_end² − r_b²) − √(r_start² − r_b²)|                                    [Relief-2]
 ///
-/// The end is that of the active flank: the tip, or the lowest point of contact.
+/// The end is the end of the active flank: the tip, or the lowest point of contact.
 fn roll_length(
     pair: &GearPair,
     gear: usize,
@@ -442,7 +445,7 @@ fn roll_length(
         0 => end_of_path.si(),
         _ => (pair.path.t1t2 - end_of_path).si().abs(),
     };
-    // Roll lengths grow towards the tip, on a ring towards the root.
+    // Roll lengths increase towards the tip, on a ring towards the root.
     let towards_tip = if pair.internal && gear == 1 {
         -1.0
     } else {

@@ -1,4 +1,4 @@
-//! Tip radii, and whether the teeth still have a land there.
+//! Tip radii and tip thickness.
 //!
 //! Source: ISO 21771:2007. Symbols as in [`crate::pair`].
 
@@ -53,7 +53,7 @@ pub(crate) fn tip_radii(
     Ok(radii)
 }
 
-/// The tip lands, or the refusal of a pair whose teeth are pointed.
+/// Tip thickness of both gears, or an error if a tooth is pointed.
 pub(crate) fn tip_thickness(
     rack: &Rack,
     centre: &Centre,
@@ -69,7 +69,7 @@ pub(crate) fn tip_thickness(
         Ok([angle(0)?, second])
     };
     let Some(shifts) = centre.profile_shift else {
-        // z·(half-angle) is linear in x, so the sum over both gears does not depend on the division.
+        // z·(half-angle) is linear in x, so its sum over both gears does not depend on the division of the shifts.
         let angles = half_angles([centre.shift_sum, 0.0])?;
         let [z1, z2] = rack.teeth.map(f64::abs);
         let sum = z1 * angles[0] + z2 * angles[1];
@@ -98,7 +98,7 @@ fn signed(radii: [Length; 2], rack: &Rack) -> [Length; 2] {
     }
 }
 
-/// Half the angle that a ring tooth fills at a radius: π/(2|z|) + 2 x tan αₙ/|z| − inv αₜ + inv α_r.
+/// Half the angular thickness of a ring tooth at a radius: π/(2|z|) + 2 x tan αₙ/|z| − inv αₜ + inv α_r.
 fn ring_half_angle(rack: &Rack, shift: f64, radius: Length) -> Result<f64, DomainError> {
     let z = rack.teeth[1].abs();
     let cosine = rack.base_radius[1] / radius;

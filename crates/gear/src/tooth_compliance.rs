@@ -1,4 +1,4 @@
-//! Compliance of a tooth and its foundation after Weber and Banaschek.
+//! Compliance of a tooth and its foundation according to Weber and Banaschek.
 //!
 //! Source: C. Weber and K. Banaschek 1953, the base of ISO 6336-1 and DIN 3990 (constants from memory,
 //! source not reached; checked against the stiffness polynomial of ISO 6336-1 and finite elements).
@@ -6,14 +6,14 @@
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | q₁ | bending, shear and compression of the tooth, per metre of contact line | m²/N |
-//! | q₂ | yielding of the half-plane below the root chord | m²/N |
+//! | q₂ | compliance of the half-plane below the root chord | m²/N |
 //! | L | height η of the load line on the centre line of the tooth | m |
 //! | s_f | root chord | m |
 //! | a′ | angle of the load line | rad |
 //! | X(η) | half thickness of the tooth | m |
 //!
-//! Limits: prismatic teeth on a massive body; a load line below the root chord (L < 0) bends
-//! nothing, q₁ = 0, and q₂ is taken with L as it is.
+//! Limits: prismatic teeth on a massive body; for a load line below the root chord (L < 0) q₁ = 0, and q₂ is evaluated
+//! with the negative L.
 
 use std::f64::consts::PI;
 use std::num::NonZeroUsize;

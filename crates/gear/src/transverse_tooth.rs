@@ -1,17 +1,17 @@
 //! Outline of a tooth in the transverse section, for drawings: root of the tool, involute, tip.
 //!
-//! Source: ISO 21771:2007 (involute); envelope of the rounded edge of a rack that is longer by 1/cos β in the
-//! transverse section, own derivation.
+//! Source: ISO 21771:2007 (involute); own derivation of the envelope of the rounded tip edge of the rack, which is
+//! stretched by 1/cos β in the transverse section.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | r, r_b | reference and base radius | m |
 //! | ρ | roll length on the involute | m |
-//! | γ | half the angle that the tooth fills at a radius | rad |
+//! | γ | half the angular thickness of the tooth at a radius | rad |
 //! | h_fP*, ρ_fP* | dedendum and tip rounding of the rack, in normal modules | - |
-//! | ψ, t | place on the rounding, 0 at its deepest point; t = tan ψ | rad, - |
+//! | ψ, t | position on the rounding, 0 at its deepest point; t = tan ψ | rad, - |
 //!
-//! The load over the teeth uses the normal section instead ([`crate::tooth_outline`]).
+//! Tooth compliance uses the normal section ([`crate::tooth_outline`]).
 
 use asperity_core::cite;
 use asperity_core::numerics::find_root;
@@ -24,15 +24,15 @@ use crate::tooth_outline::{RackEdge, RootForm};
 /// Points on a fillet and on an involute.
 const POINTS: usize = 24;
 
-/// One half of a tooth, symmetric about its middle.
+/// Outline of half a tooth; the other half is its mirror image.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TransverseTooth {
-    /// Radius \[m\] and half the angle that the tooth fills there \[rad\], from the middle of the tooth space at the
-    /// root to the middle of the tip.
+    /// Radius \[m\] and half the angular thickness of the tooth \[rad\], from the middle of the tooth space at the root
+    /// to the middle of the tip.
     pub outline: Vec<[f64; 2]>,
-    /// Roll length at which the involute ends at the root \[m\].
+    /// Roll length of the lowest point of the involute \[m\].
     pub involute_start: f64,
-    /// Whether the root is that of the tool; a straight one stands for a root that the tool cannot make.
+    /// Whether the root is the envelope of the tool; otherwise it is replaced by a radial line.
     pub is_root_cut: bool,
     involute: Involute,
 }
@@ -65,7 +65,7 @@ impl Involute {
 
 /// Envelope of the rounded edge of a rack in the transverse section.
 #[derive(Debug, Clone, Copy)]
-struct Fillet {
+struct TransverseFillet {
     rack: RackEdge,
     radius: f64,
     teeth: f64,
@@ -73,11 +73,11 @@ struct Fillet {
     lean: f64,
 }
 
-impl Fillet {
+impl TransverseFillet {
     /// P = ((h + k) t cos β, r − h − k), k = ρ/√(1 + t²), turned back by ((h + k) t cos β − (E + k t)/cos β)/r;
     /// h and E as in Tooth-2                                                       [Tooth-4]
     ///
-    /// Radius of the point and γ there.
+    /// Returns the radius of the point and γ.
     fn point(&self, t: f64) -> [f64; 2] {
         cite!("Tooth-4");
         let k = self.rack.rounding / (1.0 + t * t).sqrt();
@@ -92,7 +92,7 @@ impl Fillet {
 }
 
 impl TransverseTooth {
-    /// Half the angle that the tooth fills at the roll length `roll` \[m\], in radians.
+    /// Half the angular thickness of the tooth at the roll length `roll` \[m\], in radians.
     #[must_use]
     pub fn half_angle(&self, roll: f64) -> f64 {
         self.involute.half_angle(roll)
@@ -100,8 +100,8 @@ impl TransverseTooth {
 }
 
 impl GearPair {
-    /// A tooth of `gear` as a tool with the root `root` leaves it. Of a pair of which only the sum of the profile
-    /// shifts is known, that sum is divided as the tip radii suggest.
+    /// Outline of a tooth of `gear`, cut by a tool with the root `root`. If only the sum of the profile shifts is
+    /// known, it is divided according to the tip radii.
     ///
     /// ```
     /// use asperity_gear::{Gear, GearPair, GearPairInput, RootForm};
@@ -133,7 +133,7 @@ impl GearPair {
         let radius = self.reference_radius[index].si().abs();
         let module = self.normal_module.si();
         let root_radius = radius - sign * module * (root.dedendum - shift);
-        let fillet = Fillet {
+        let fillet = TransverseFillet {
             rack: RackEdge::new(root, shift, module, normal),
             radius,
             teeth,
@@ -160,7 +160,7 @@ impl GearPair {
         outline.extend(flank);
         outline.push([tip, 0.0]);
         for point in &mut outline {
-            // A tooth ends in the middle of its spaces; pointed tips are refused by the pair.
+            // A tooth ends in the middle of the tooth space.
             point[1] = point[1].clamp(0.0, middle);
         }
         TransverseTooth {
@@ -171,9 +171,9 @@ impl GearPair {
         }
     }
 
-    /// How far contact reaches below the involute of `gear`, as a roll length: the tip of the mating gear then meets the
-    /// fillet that the tool has left, which no law of the load computes. None where the involute begins below all contact
-    /// (to a hundredth of a module), of a ring, and where the profile shifts or the root are not known.
+    /// Length of contact below the involute of `gear`, as a roll length: the mating tip is then in contact with the
+    /// fillet, which no load distribution models. `None` if all contact is on the involute (within a hundredth of a
+    /// module), for a ring, and if the profile shifts or the root are unknown.
     ///
     /// ```
     /// use asperity_gear::{Gear, GearPair, GearPairInput, RootForm};
@@ -187,8 +187,8 @@ impl GearPair {
     /// ```
     #[must_use]
     pub fn contact_below_involute(&self, gear: Gear, root: RootForm) -> Option<Length> {
-        /// Modules that are neglected.
-        const NEGLECTED: f64 = 0.01;
+        /// Neglected roll length in modules.
+        const TOLERANCE: f64 = 0.01;
         self.profile_shift?;
         let is_ring = self.internal && gear == Gear::Wheel;
         let tooth = self.transverse_tooth(gear, root);
@@ -198,25 +198,29 @@ impl GearPair {
         };
         let below = tooth.involute_start - lowest;
         let is_known = tooth.is_root_cut && !is_ring;
-        (is_known && below > NEGLECTED * self.normal_module.si()).then(|| Length::from_si(below))
+        (is_known && below > TOLERANCE * self.normal_module.si()).then(|| Length::from_si(below))
     }
 }
 
-/// Points of the fillet, and the roll length at which the involute takes over; none where the rack is pointed above
-/// its rounding, cuts the teeth off at their roots, or does not reach the involute.
-fn cut_root(fillet: &Fillet, involute: &Involute, end: f64) -> Option<(Vec<[f64; 2]>, f64)> {
+/// Points of the fillet, and the roll length of its end on the involute; `None` if the rack is pointed above its
+/// rounding, cuts the teeth off at their roots, or does not reach the involute.
+fn cut_root(
+    fillet: &TransverseFillet,
+    involute: &Involute,
+    end: f64,
+) -> Option<(Vec<[f64; 2]>, f64)> {
     let foot = fillet.point(0.0);
     let rack = fillet.rack;
     if rack.edge < 0.0 || rack.depth + rack.rounding >= fillet.radius || foot[1] <= 0.0 {
         return None;
     }
-    // Positive where the fillet is wider than the involute.
+    // Positive if the fillet is wider than the involute.
     let excess = |t: f64| {
         let [radius, angle] = fillet.point(t);
         angle - involute.half_angle(involute.roll_at(radius))
     };
     let last = fillet.point(end);
-    // The straight part of the rack makes the involute from here on, unless it has been cut away.
+    // Start of the involute generated by the straight flank of the rack; negative with undercut.
     let sin = end.recip() / (fillet.lean.powi(2) + end.recip().powi(2)).sqrt();
     let start = fillet.radius * sin - (rack.depth + rack.rounding / (1.0 + end * end).sqrt()) / sin;
     let (stop, start) = if start >= 0.0 {

@@ -1,9 +1,8 @@
-//! Profilometer files: reading measured profiles with everything that was found or assumed, and writing
-//! them without losing a bit.
+//! Profilometer files: reading measured profiles with a record of assumptions, and writing them without loss.
 //!
-//! [`read`] recognises the format of a file and gives its [`Profile`](asperity_core::Profile) with units,
-//! spacing, metadata and [`Warning`]s, or a typed refusal; [`mod@write`] makes the bytes of a file. The crate
-//! has no filters and no parameters: they are in `asperity-roughness`.
+//! [`read`] recognises the format of a file and returns its [`Profile`](asperity_core::Profile) with units, spacing,
+//! metadata and [`Warning`]s, or a typed error; [`mod@write`] returns the bytes of a file. Filters and parameters are
+//! in `asperity-roughness`.
 //!
 //! ```
 //! use asperity_profile_io::read::{ReadOptions, read_bytes};

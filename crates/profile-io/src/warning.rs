@@ -1,4 +1,4 @@
-//! Warnings about a file that was read all the same.
+//! Warnings about a file that was read.
 
 use std::borrow::Cow;
 
@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::read::options::{Abscissa, Axis, LengthUnit};
 use crate::read::steepness::Steepness;
 
-/// A note that goes with a reading, under a stable code.
+/// A warning about a file, with a stable code.
 ///
 /// ```
 /// use asperity_profile_io::{Warning, read::{Axis, LengthUnit}};
@@ -22,14 +22,14 @@ use crate::read::steepness::Steepness;
 #[serde(tag = "kind", rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Warning {
-    /// A unit was found by elimination.
+    /// A unit was determined by elimination.
     #[error(
         "no unit found for the {axis}; taken as {unit} because no other unit gives a possible trace"
     )]
     UnitAssumed {
         /// Column.
         axis: Axis,
-        /// The unit taken.
+        /// The assumed unit.
         unit: LengthUnit,
     },
     /// Missing points were interpolated on request.
@@ -37,22 +37,22 @@ pub enum Warning {
         "{filled} missing points interpolated (longest run {longest}), {cut} cut off at the ends"
     )]
     GapsFilled {
-        /// Points interpolated.
+        /// Number of interpolated points.
         filled: usize,
-        /// Longest run of them.
+        /// Longest run of missing points.
         longest: usize,
-        /// Missing points dropped at the ends.
+        /// Number of missing points dropped at the ends.
         cut: usize,
     },
     /// The trace was stored backwards.
     #[error("x decreases along the file; the trace was reversed")]
     Reversed,
-    /// The stated spacing overrides another one.
+    /// The stated spacing overrides the spacing of the x column.
     #[error("spacing {stated} was stated, the x column says {column:.4}; the stated one is used")]
     SpacingOverridden {
-        /// As stated.
+        /// Stated spacing.
         stated: Length,
-        /// From the x column.
+        /// Spacing of the x column.
         column: Length,
     },
     /// The file holds the output of a roughness filter.
@@ -60,19 +60,19 @@ pub enum Warning {
         "the file says it holds an already filtered roughness profile; filtering it again changes it"
     )]
     AlreadyFiltered,
-    /// A checksum in the file is not that of its content.
+    /// A checksum in the file differs from the checksum of its content.
     #[error(
         "the {what} checksum {stated} is not that of the content, {found}: the file was changed, or its writer counts differently"
     )]
     ChecksumDiffers {
-        /// Checksum that differs.
+        /// Name of the checksum.
         what: Cow<'static, str>,
-        /// As the file says.
+        /// Checksum stated in the file.
         stated: String,
-        /// Of the content.
+        /// Checksum of the content.
         found: String,
     },
-    /// The trace is shorter than the header says.
+    /// The trace is shorter than stated in the header.
     #[error(
         "the header says {nominal:.4} but {traced:.4} were traced: the trace was aborted; the spacing follows from what was traced"
     )]
@@ -89,16 +89,16 @@ pub enum Warning {
     FewerHeights {
         /// As stated in the header.
         stated: usize,
-        /// Heights read.
+        /// Number of heights.
         heights: usize,
     },
-    /// The spacing comes from a number that looks like one.
+    /// The first line is assumed to be the spacing.
     #[error("line 1 reads {value} and is taken as the spacing in um, as in NPL text profiles")]
     SpacingFromFirstLine {
         /// The number.
         value: f64,
     },
-    /// The spacing comes from a length printed with few digits.
+    /// The spacing follows from a length printed with few digits.
     #[error("the spacing follows from an evaluation length printed as {length}: it is known to {:.4} % only", 100.0 * uncertainty)]
     LengthRounded {
         /// The length.
@@ -106,19 +106,18 @@ pub enum Warning {
         /// Relative uncertainty of the spacing.
         uncertainty: f64,
     },
-    /// Heights that no flank has; for computing with them see
-    /// [`Reading::check_heights`](crate::read::Reading::check_heights).
+    /// Implausible heights, which [`Reading::check_heights`](crate::read::Reading::check_heights) refuses.
     #[error("{steepness}")]
     ImplausibleHeights {
-        /// Slopes and what they point at.
+        /// Slopes with their likely cause.
         steepness: Steepness,
     },
-    /// The points are read as if they were even, and are not.
+    /// Slightly uneven points are treated as even.
     #[error(
         "x is up to {:.1} % of a spacing off an even grid, so slopes are off by up to {:.1} %", 100.0 * off, 100.0 * slopes
     )]
     UnevenSpacing {
-        /// Largest distance from the even grid over the spacing.
+        /// Largest distance from the even grid divided by the spacing.
         off: f64,
         /// Largest relative difference of a single step from the spacing.
         slopes: f64,
@@ -128,40 +127,40 @@ pub enum Warning {
         "x was up to {:.1} % of a spacing off an even grid; resampled linearly to {spacing:.4}, which moves the heights at the points of the file by {rms:.3} (root mean square), at most {most:.3}", 100.0 * off
     )]
     Resampled {
-        /// Largest distance from the even grid over the spacing.
+        /// Largest distance from the even grid divided by the spacing.
         off: f64,
-        /// Spacing after.
+        /// Spacing after resampling.
         spacing: Length,
-        /// Root mean square distance of the points of the file from the lines between the new ones.
+        /// Root mean square distance of the original points from the lines between the new ones.
         rms: Length,
-        /// The largest of these distances.
+        /// Largest distance of the original points from these lines.
         most: Length,
     },
-    /// An uneven trace was written with the places of its points.
+    /// An uneven trace was written with the positions of its points.
     #[error("x is up to {:.1} % of a spacing off an even grid; every point keeps its x", 100.0 * off)]
     PositionsKept {
         /// Largest distance from the even grid over the spacing.
         off: f64,
     },
-    /// The trace is a mean of those of a surface.
+    /// The trace is the mean of the lines of a surface.
     #[error(
         "the trace is the mean of {lines} lines of a surface: roughness that does not run across all of them is averaged out"
     )]
     MeanLine {
-        /// Lines averaged.
+        /// Number of averaged lines.
         lines: usize,
     },
-    /// The file says that a replica was measured.
+    /// According to the file a replica was measured.
     #[error("the file says that a replica was measured: its peaks are the valleys of the flank")]
     Replica,
-    /// The stated unit overrides the one of the file.
+    /// The stated unit overrides the unit of the file.
     #[error("{stated} was stated for the {axis}, the file says {found}; the stated unit is used")]
     UnitOverridden {
         /// Column.
         axis: Axis,
         /// As stated.
         stated: LengthUnit,
-        /// From the file.
+        /// Unit of the file.
         found: LengthUnit,
     },
     /// A unit was stated for lengths that the file scales itself.
@@ -174,7 +173,7 @@ pub enum Warning {
         /// As stated.
         stated: LengthUnit,
     },
-    /// x was a roll length or angle and is now the distance along the involute.
+    /// x was a roll length or angle and was converted to the distance along the involute.
     #[error(
         "x is a {abscissa}; converted with the base radius {base_radius} to the distance along the involute and resampled to {spacing:.4}"
     )]
@@ -183,13 +182,13 @@ pub enum Warning {
         abscissa: Abscissa,
         /// Base radius.
         base_radius: Length,
-        /// Spacing along the involute after.
+        /// Spacing along the involute after the conversion.
         spacing: Length,
     },
 }
 
 impl Warning {
-    /// Remedy; empty where none is needed.
+    /// Remedy; empty if none is required.
     pub fn remedy(&self) -> Remedy {
         let dx = |why| Remedy::state(Setting::Spacing).because(why);
         match self {
@@ -210,7 +209,7 @@ impl Warning {
         }
     }
 
-    /// The code under which the message is explained.
+    /// Code of the explanation of the message.
     pub fn code(&self) -> &'static str {
         match self {
             Self::UnitAssumed { .. } => "W111",

@@ -1,4 +1,4 @@
-//! A case for a pair of gears, as commented TOML.
+//! Case of a stage as commented TOML.
 
 use crate::error::RexsError;
 use crate::model::{Component, Model};
@@ -6,7 +6,7 @@ use crate::set_text;
 use crate::stages::{StageKind, stages, teeth};
 use crate::writer::{CaseText, Text, source};
 
-/// Files with the traces of the flanks, as the case shall name them.
+/// Names of the trace files of the flanks for the case.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Flanks {
     /// Trace of the pinion, or of the sun.
@@ -18,8 +18,8 @@ pub struct Flanks {
 /// The case of stage `number` (from 1) at load case `load_case` (from 1); `file` is the name of the REXS file.
 ///
 /// # Errors
-/// When there is no such stage or load case, the stage is not of cylindrical gears, or an attribute that a case
-/// needs is missing or cannot be read.
+/// When the stage or load case does not exist, the gears are not cylindrical, or a required attribute is missing or
+/// cannot be read.
 pub fn case_text(
     model: &Model,
     file: &str,
@@ -91,7 +91,7 @@ fn pair(
     let z = [teeth(gears[0])?, teeth(gears[1])?];
     case.line("\n[gears]");
     let sign = if is_ring { "-" } else { "" };
-    case.say(
+    case.sourced_line(
         &format!("teeth = [{}, {sign}{}]", z[0], z[1]),
         &source(&gears, "number_of_teeth"),
     );

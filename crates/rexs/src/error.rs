@@ -1,6 +1,6 @@
 //! Errors of REXS files.
 
-/// Refusal of a REXS file, or of a stage in it.
+/// Error of a REXS file or of a stage in it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RexsError {
@@ -16,24 +16,24 @@ pub enum RexsError {
     /// The zip cannot be read, or holds no REXS file, or several.
     #[error("the zip {0}")]
     Zip(String),
-    /// The XML or JSON is not well formed, or not that of a REXS model.
+    /// The XML or JSON is malformed, or not a REXS model.
     #[error("{place}: {what}")]
     Malformed {
         /// Line, or path of the key.
         place: String,
-        /// Fault found there.
+        /// Description of the fault.
         what: String,
     },
-    /// A version that is not known.
+    /// Unknown version.
     #[error("REXS version {0:?} is not known; 1.0 to 2.0 are")]
     Version(String),
-    /// Two components of the same number.
+    /// Two components have the same number.
     #[error("component {id} occurs twice")]
     Twice {
         /// Number of the component.
         id: String,
     },
-    /// A relation names a component that the file does not hold, or leaves out a role.
+    /// A relation refers to a missing component, or lacks a role.
     #[error("relation {relation} ({kind}): {what}")]
     Relation {
         /// Number of the relation.
@@ -43,7 +43,7 @@ pub enum RexsError {
         /// Fault of the relation.
         what: String,
     },
-    /// An attribute that a case needs is missing.
+    /// A required attribute is missing.
     #[error("{component}: attribute {attribute} is missing")]
     Missing {
         /// Type, number and name of the component.
@@ -51,7 +51,7 @@ pub enum RexsError {
         /// Attribute.
         attribute: &'static str,
     },
-    /// An attribute is no number, or no sensible one.
+    /// An attribute is not a number, or not plausible.
     #[error("{component}: attribute {attribute} is {text:?}, {expected}")]
     Value {
         /// Type, number and name of the component.
@@ -63,7 +63,7 @@ pub enum RexsError {
         /// Expected value.
         expected: &'static str,
     },
-    /// An attribute has a unit that is not its own.
+    /// An attribute has an unexpected unit.
     #[error("{component}: attribute {attribute} is in {unit:?}, expected {expected}")]
     Unit {
         /// Type, number and name of the component.
@@ -72,26 +72,26 @@ pub enum RexsError {
         attribute: String,
         /// Unit of the file.
         unit: String,
-        /// Units that are read.
+        /// Expected unit.
         expected: &'static str,
     },
-    /// Both gears of a stage disagree.
+    /// The gears of a stage contradict each other.
     #[error("stage {stage}: {what}")]
     Contradiction {
         /// Number of the stage.
         stage: usize,
-        /// Contradiction found.
+        /// Description of the contradiction.
         what: String,
     },
-    /// There is no such stage.
+    /// The stage does not exist.
     #[error("there is no stage {wanted}; the file has {count}")]
     NoStage {
-        /// Stage asked for.
+        /// Requested stage.
         wanted: usize,
-        /// Stages there are.
+        /// Number of stages.
         count: usize,
     },
-    /// The stage is no pair of cylindrical gears.
+    /// The gears of the stage are not cylindrical.
     #[error("stage {stage} is a {kind}: only cylindrical gears can be modelled")]
     NotCylindrical {
         /// Number of the stage.
@@ -99,12 +99,12 @@ pub enum RexsError {
         /// Type of the stage or of its gear.
         kind: String,
     },
-    /// There is no such load case.
+    /// The load case does not exist.
     #[error("there is no load case {wanted}; the file has {count}")]
     NoLoadCase {
-        /// Load case asked for.
+        /// Requested load case.
         wanted: usize,
-        /// Load cases there are.
+        /// Number of load cases.
         count: usize,
     },
 }

@@ -1,4 +1,4 @@
-//! REXS as JSON.
+//! Reader of REXS in JSON.
 
 use std::collections::BTreeMap;
 
@@ -18,7 +18,7 @@ pub fn read(bytes: &[u8]) -> Result<Model, RexsError> {
     let model = value
         .get("model")
         .and_then(Value::as_object)
-        .ok_or_else(|| wrong("model", "is missing"))?;
+        .ok_or_else(|| malformed("model", "is missing"))?;
     let program = ["applicationId", "applicationVersion"].map(|key| text(model.get(key)));
     let relations = list(model, "model", "relations")?;
     let spectrum = model.get("load_spectrum").and_then(Value::as_object);
@@ -51,15 +51,15 @@ pub fn read(bytes: &[u8]) -> Result<Model, RexsError> {
 }
 
 fn relation(value: &Value, place: &str) -> Result<Relation, RexsError> {
-    let found = object(value, place)?;
+    let relation = object(value, place)?;
     let role = |value: &Value| -> Result<(String, String), RexsError> {
         let role = object(value, &format!("{place}.refs"))?;
         Ok((text(role.get("role")), text(role.get("id"))))
     };
-    let roles = list(found, place, "refs")?;
+    let roles = list(relation, place, "refs")?;
     Ok(Relation {
-        id: text(found.get("id")),
-        kind: text(found.get("type")),
+        id: text(relation.get("id")),
+        kind: text(relation.get("type")),
         roles: roles.iter().map(role).collect::<Result<_, _>>()?,
     })
 }
@@ -77,11 +77,11 @@ fn components(of: &Object, place: &str) -> Result<BTreeMap<String, Component>, R
 }
 
 fn component(value: &Value, place: &str) -> Result<Component, RexsError> {
-    let found = object(value, place)?;
+    let component = object(value, place)?;
     let mut attributes = BTreeMap::new();
-    for value in list(found, place, "attributes")? {
+    for value in list(component, place, "attributes")? {
         let attribute = object(value, &format!("{place}.attributes"))?;
-        // The value stands under the name of its type.
+        // The key of the value is the name of its type.
         let types = ["floating_point", "integer", "string", "enum", "boolean"];
         let value = types.iter().find_map(|key| attribute.get(*key));
         attributes.insert(
@@ -93,9 +93,9 @@ fn component(value: &Value, place: &str) -> Result<Component, RexsError> {
         );
     }
     Ok(Component {
-        id: text(found.get("id")),
-        kind: text(found.get("type")),
-        name: text(found.get("name")),
+        id: text(component.get("id")),
+        kind: text(component.get("type")),
+        name: text(component.get("name")),
         attributes,
     })
 }
@@ -103,15 +103,15 @@ fn component(value: &Value, place: &str) -> Result<Component, RexsError> {
 fn object<'a>(value: &'a Value, place: &str) -> Result<&'a Object, RexsError> {
     value
         .as_object()
-        .ok_or_else(|| wrong(place, "is no object"))
+        .ok_or_else(|| malformed(place, "is not an object"))
 }
 
-/// A list; empty where it is missing.
+/// The list `key`; empty if it is missing.
 fn list<'a>(of: &'a Object, place: &str, key: &str) -> Result<&'a [Value], RexsError> {
     match of.get(key) {
         None | Some(Value::Null) => Ok(&[]),
         Some(Value::Array(list)) => Ok(list),
-        Some(_) => Err(wrong(&format!("{place}.{key}"), "is no list")),
+        Some(_) => Err(malformed(&format!("{place}.{key}"), "is not a list")),
     }
 }
 
@@ -123,7 +123,7 @@ fn text(value: Option<&Value>) -> String {
     }
 }
 
-fn wrong(place: &str, what: &str) -> RexsError {
+fn malformed(place: &str, what: &str) -> RexsError {
     RexsError::Malformed {
         place: place.to_owned(),
         what: what.to_owned(),

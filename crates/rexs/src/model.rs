@@ -1,16 +1,16 @@
-//! Components, relations and load cases, as the file has them.
+//! Components, relations and load cases of a REXS file.
 
 use std::collections::BTreeMap;
 
 use crate::error::RexsError;
-use crate::units::{Unit, Wrong, converted};
+use crate::units::{Unit, UnitError, converted};
 
 /// An attribute of a component, as written.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Attribute {
-    /// Unit, as the file writes it.
+    /// Unit as written in the file.
     pub unit: String,
-    /// Value; empty for one that is not a single value.
+    /// Value; empty for an array or a matrix.
     pub text: String,
 }
 
@@ -21,7 +21,7 @@ pub struct Component {
     pub id: String,
     /// Type, `cylindrical_gear`.
     pub kind: String,
-    /// Name that its program gave it.
+    /// Name given by the exporting program.
     pub name: String,
     /// Attributes by their names.
     pub attributes: BTreeMap<String, Attribute>,
@@ -34,11 +34,11 @@ pub struct Relation {
     pub id: String,
     /// Type, `stage`.
     pub kind: String,
-    /// Roles and the numbers of the components that have them.
+    /// Roles, each with the number of its component.
     pub roles: Vec<(String, String)>,
 }
 
-/// A load case: attributes of components that hold in it.
+/// A load case with its attributes of components.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct LoadCase {
     /// Number in the file.
@@ -52,7 +52,7 @@ pub struct LoadCase {
 pub struct Model {
     /// Version of REXS.
     pub version: String,
-    /// Program that wrote the file, and its version.
+    /// Program that wrote the file, with its version.
     pub program: String,
     /// Components by their numbers.
     pub components: BTreeMap<String, Component>,
@@ -64,51 +64,51 @@ pub struct Model {
 
 impl Component {
     /// Type, number and name, for messages.
-    pub(crate) fn called(&self) -> String {
+    pub(crate) fn label(&self) -> String {
         match self.name.trim() {
             "" => format!("{} {}", self.kind, self.id),
             name => format!("{} {} ({name})", self.kind, self.id),
         }
     }
 
-    /// An attribute in the unit of the case; none where it is missing or empty.
+    /// An attribute in the unit of the case; `None` if it is missing or empty.
     pub(crate) fn number(
         &self,
         attribute: &'static str,
         unit: Unit,
     ) -> Result<Option<f64>, RexsError> {
-        let found = self.attributes.get(attribute);
-        let Some(found) = found.filter(|found| !found.text.is_empty()) else {
+        let stated = self.attributes.get(attribute);
+        let Some(stated) = stated.filter(|stated| !stated.text.is_empty()) else {
             return Ok(None);
         };
-        let value = converted(&found.text, &found.unit, unit);
-        value.map(Some).map_err(|wrong| match wrong {
-            Wrong::Number => self.refused(attribute, "which is no finite number"),
-            Wrong::Unit(expected) => RexsError::Unit {
-                component: self.called(),
+        let value = converted(&stated.text, &stated.unit, unit);
+        value.map(Some).map_err(|error| match error {
+            UnitError::Number => self.refused(attribute, "which is not a finite number"),
+            UnitError::Unit(expected) => RexsError::Unit {
+                component: self.label(),
                 attribute: attribute.to_owned(),
-                unit: found.unit.clone(),
+                unit: stated.unit.clone(),
                 expected,
             },
         })
     }
 
-    /// An attribute that a case needs, in its unit.
-    pub(crate) fn needed(&self, attribute: &'static str, unit: Unit) -> Result<f64, RexsError> {
+    /// A required attribute in the unit of the case.
+    pub(crate) fn required(&self, attribute: &'static str, unit: Unit) -> Result<f64, RexsError> {
         self.number(attribute, unit)?
             .ok_or_else(|| RexsError::Missing {
-                component: self.called(),
+                component: self.label(),
                 attribute,
             })
     }
 
-    /// Refusal of the value of an attribute.
+    /// Error for the value of an attribute.
     pub(crate) fn refused(&self, attribute: &'static str, expected: &'static str) -> RexsError {
         let text = self.attributes.get(attribute);
         RexsError::Value {
-            component: self.called(),
+            component: self.label(),
             attribute: attribute.to_owned(),
-            text: text.map_or_else(String::new, |found| found.text.clone()),
+            text: text.map_or_else(String::new, |attribute| attribute.text.clone()),
             expected,
         }
     }
@@ -117,8 +117,8 @@ impl Component {
 impl Relation {
     /// Number of the component in a role.
     pub(crate) fn role(&self, role: &str) -> Option<&str> {
-        let found = self.roles.iter().find(|(name, _)| name == role);
-        found.map(|(_, id)| id.as_str())
+        let component = self.roles.iter().find(|(name, _)| name == role);
+        component.map(|(_, id)| id.as_str())
     }
 
     fn refused(&self, what: String) -> RexsError {
@@ -131,7 +131,7 @@ impl Relation {
 }
 
 impl Model {
-    /// The component that a relation has in a role.
+    /// The component in a role of a relation.
     pub(crate) fn in_role(&self, relation: &Relation, role: &str) -> Result<&Component, RexsError> {
         let Some(id) = relation.role(role) else {
             return Err(relation.refused(format!("role {role} is missing")));

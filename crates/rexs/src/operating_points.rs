@@ -11,22 +11,22 @@ use crate::units::Unit;
 #[derive(Debug, Clone, PartialEq, Default)]
 #[non_exhaustive]
 pub struct OperatingPoint {
-    /// Number of the load case; none for what the components say themselves.
+    /// Number of the load case; `None` for values of the components themselves.
     pub load_case: Option<String>,
     /// Share of the time \[%\].
     pub share: Option<f64>,
-    /// Torque \[N m\], without sign, of a gearbox without losses, and where it came from.
+    /// Absolute torque \[N m\] of a gearbox without losses, and its source in the file.
     pub torque: Option<(f64, String)>,
-    /// Speed \[1/min\], without sign, and where it came from.
+    /// Absolute speed \[1/min\], and its source in the file.
     pub speed: Option<(f64, String)>,
-    /// Temperature of the oil \[°C\] and where it came from.
+    /// Oil temperature \[°C\], and its source in the file.
     pub temperature: Option<(f64, String)>,
 }
 
-/// The operating points of a stage: one per load case, or the one that the components themselves have.
+/// The operating points of a stage: one per load case, or a single one from the components.
 ///
-/// Speed and torque are known at some shafts of the file; the ratios of the stages between take them to the
-/// stage. Torque is taken where a single shaft has one: where power is split it is left out.
+/// A file states speed and torque at some shafts; the gear ratios transfer them to the stage. A torque is transferred
+/// only if a single shaft has one, because with several the power may be split.
 ///
 /// # Errors
 /// When a number or a unit cannot be read.
@@ -36,9 +36,9 @@ pub fn operating_points(model: &Model, stage: &Stage) -> Result<Vec<OperatingPoi
         StageKind::Planetary { sun, stage, .. } => (sun, stage),
         StageKind::Other { .. } => return Ok(Vec::new()),
     };
-    let none = LoadCase::default();
+    let without_loads = LoadCase::default();
     let cases = match model.load_cases.as_slice() {
-        [] => std::slice::from_ref(&none),
+        [] => std::slice::from_ref(&without_loads),
         cases => cases,
     };
     cases
@@ -71,7 +71,7 @@ impl Point<'_> {
         })
     }
 
-    /// An attribute in the load case, else that of the component itself, with its place.
+    /// An attribute of the load case, or else of the component itself, with its source.
     fn number(
         &self,
         component: &Component,
@@ -94,20 +94,19 @@ impl Point<'_> {
     }
 
     fn speed(&self, turns: &BTreeMap<String, f64>) -> Result<Option<(f64, String)>, RexsError> {
-        let mut found: Option<(f64, String)> = None;
+        let mut pinion_speed: Option<(f64, String)> = None;
         for shaft in self.model.of_kind("shaft") {
             let known = self.number(shaft, "rotational_speed", Unit::PerMinute)?;
             if let (Some((speed, from)), Some(ratio)) = (known, turns.get(&shaft.id))
                 && speed != 0.0
-                // The shaft of the gear itself before others.
-                && (found.is_none() || *ratio == 1.0)
+                // The gear's shaft has precedence.
+                && (pinion_speed.is_none() || *ratio == 1.0)
             {
-                found = Some(((speed / ratio).abs(), through(from, *ratio)));
+                pinion_speed = Some(((speed / ratio).abs(), through(from, *ratio)));
             }
         }
-        Ok(found)
+        Ok(pinion_speed)
     }
-
     fn torque(
         &self,
         gear: &str,
@@ -144,9 +143,9 @@ impl Point<'_> {
             .chain(self.model.of_kind("gear_casing"))
             .chain(self.model.of_kind("gear_unit"))
         {
-            let found = self.number(component, "temperature_lubricant", Unit::Celsius)?;
-            if found.is_some() {
-                return Ok(found);
+            let temperature = self.number(component, "temperature_lubricant", Unit::Celsius)?;
+            if temperature.is_some() {
+                return Ok(temperature);
             }
         }
         Ok(None)
@@ -171,7 +170,7 @@ fn shaft_of<'a>(model: &'a Model, part: &str) -> Option<&'a str> {
         .map(|shaft| shaft.id.as_str())
 }
 
-/// Turns of every shaft for one turn of `first`, over the pairs of gears between.
+/// Revolutions of every connected shaft per revolution of `first`.
 fn turns(model: &Model, first: &str) -> Result<BTreeMap<String, f64>, RexsError> {
     let mut links: Vec<[(String, f64); 2]> = Vec::new();
     for stage in stages(model)? {

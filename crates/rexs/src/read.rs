@@ -1,4 +1,4 @@
-//! A file of any of the three kinds.
+//! Reading a REXS file of any of the three formats.
 
 use std::io::{Cursor, Read};
 
@@ -8,8 +8,8 @@ use crate::error::RexsError;
 use crate::model::Model;
 use crate::{json, xml};
 
-/// Bytes that a file may hold, unpacked: the largest gearboxes seen have 1 MB.
-const MOST: u64 = 64 << 20;
+/// Maximum size of an unpacked file in bytes: real gearboxes have up to 1 MB.
+const MAX_BYTES: u64 = 64 << 20;
 const MIB: u64 = 1 << 20;
 /// Start of a zip file.
 const ZIP: &[u8] = b"PK\x03\x04";
@@ -18,7 +18,7 @@ impl Model {
     /// Reads a REXS file: XML, JSON, or a zip that holds one of either.
     ///
     /// # Errors
-    /// When it is none of these, is damaged, or of an unknown version.
+    /// When it has another format, is damaged, or has an unknown version.
     ///
     /// ```
     /// let xml = r#"<model version="1.4"><relations/><components>
@@ -29,7 +29,7 @@ impl Model {
     /// # Ok::<(), asperity_rexs::RexsError>(())
     /// ```
     pub fn read(bytes: &[u8]) -> Result<Self, RexsError> {
-        if bytes.len() as u64 > MOST {
+        if bytes.len() as u64 > MAX_BYTES {
             return Err(too_large());
         }
         let model = if bytes.starts_with(ZIP) {
@@ -51,7 +51,7 @@ impl Model {
 
 fn too_large() -> RexsError {
     RexsError::TooLarge {
-        most_mib: MOST / MIB,
+        most_mib: MAX_BYTES / MIB,
     }
 }
 
@@ -64,7 +64,7 @@ fn text(bytes: &[u8]) -> Result<Model, RexsError> {
     }
 }
 
-/// The one REXS file in a zip; `.rexs` where it holds `.rexsj` beside it.
+/// Unpacks the only REXS file in a zip; `.rexs` is preferred to `.rexsj`.
 fn unpacked(bytes: &[u8]) -> Result<Vec<u8>, RexsError> {
     let damaged = |error: zip::result::ZipError| RexsError::Zip(format!("is damaged: {error}"));
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(damaged)?;
@@ -78,17 +78,17 @@ fn unpacked(bytes: &[u8]) -> Result<Vec<u8>, RexsError> {
         let fits = |name: &&String| name.to_ascii_lowercase().ends_with(ending);
         names.iter().filter(fits).collect()
     };
-    let found = [".rexs", ".rexsj"].map(ending);
-    let name = match found.iter().find(|names| !names.is_empty()) {
+    let by_ending = [".rexs", ".rexsj"].map(ending);
+    let name = match by_ending.iter().find(|names| !names.is_empty()) {
         Some(names) if names.len() == 1 => names[0].clone(),
         Some(_) => return Err(RexsError::Zip("holds several REXS files".into())),
         None => return Err(RexsError::Zip("holds no .rexs or .rexsj file".into())),
     };
     let entry = archive.by_name(&name).map_err(damaged)?;
     let mut content = Vec::new();
-    let read = entry.take(MOST + 1).read_to_end(&mut content);
+    let read = entry.take(MAX_BYTES + 1).read_to_end(&mut content);
     read.map_err(|error| RexsError::Zip(format!("is damaged: {error}")))?;
-    if content.len() as u64 > MOST {
+    if content.len() as u64 > MAX_BYTES {
         return Err(too_large());
     }
     Ok(content)

@@ -14,11 +14,11 @@ pub fn gears(
 ) -> Result<(), RexsError> {
     let z = [teeth(gears[0])?, teeth(gears[1])?, teeth(gears[2])?];
     case.line("\n[planetary]");
-    case.say(
+    case.sourced_line(
         &format!("teeth = [{}, {}, -{}]", z[0], z[1], z[2]),
         &format!("sun, planet, ring {}", source(&gears, "number_of_teeth")),
     );
-    case.say(
+    case.sourced_line(
         &format!("planets = {planets}"),
         "gears that mesh with the ring",
     );
@@ -27,7 +27,7 @@ pub fn gears(
         case.chamfer(name, gear)?;
     }
     case.note(
-        "the ring is taken as held and the sun as driven: write planetary.ring_speed if it turns"
+        "the ring is assumed to be fixed and the sun to be driven: write planetary.ring_speed if the ring turns"
             .into(),
     );
     Ok(())

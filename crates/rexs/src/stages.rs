@@ -4,13 +4,13 @@ use crate::error::RexsError;
 use crate::model::{Component, Model, Relation};
 use crate::units::Unit;
 
-/// A stage, by the numbers of its components.
+/// A stage with the numbers of its components.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Stage {
     /// Number of the stage, from 1 in the order of the file.
     pub number: usize,
-    /// Name that its program gave it.
+    /// Name given by the exporting program.
     pub name: String,
     /// Its components.
     pub kind: StageKind,
@@ -20,13 +20,13 @@ pub struct Stage {
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum StageKind {
-    /// Two cylindrical gears, or one and a ring: the smaller one is the pinion.
+    /// Two cylindrical gears, or a gear and a ring.
     Pair {
         /// `cylindrical_stage`.
         stage: String,
-        /// Gear of fewer teeth.
+        /// Gear with fewer teeth.
         pinion: String,
-        /// The other one.
+        /// Gear with more teeth, or the ring.
         wheel: String,
         /// Whether the wheel is a `ring_gear`.
         is_ring: bool,
@@ -53,7 +53,7 @@ pub enum StageKind {
     },
 }
 
-/// The stages of a gearbox in the order of the file; a planetary set counts once.
+/// The stages of a gearbox in the order of the file; a planetary set is one stage.
 ///
 /// # Errors
 /// When a relation names a component that is missing, or a gear has no number of teeth.
@@ -79,7 +79,7 @@ pub fn stages(model: &Model) -> Result<Vec<Stage>, RexsError> {
     Ok(stages)
 }
 
-/// The planetary stage that a cylindrical stage is part of.
+/// The planetary stage that contains a cylindrical stage.
 fn set_of<'a>(model: &'a Model, stage: &Component) -> Option<&'a Component> {
     model
         .related("assembly")
@@ -97,11 +97,11 @@ fn pair(model: &Model, relation: &Relation, stage: &Component) -> Result<StageKi
     let [first, second] = gears;
     let (first, second) = (first?, second?);
     let parts = [stage, first, second];
-    let is_fitting = |(k, part): (usize, &&Component)| match k {
+    let is_cylindrical = |(k, part): (usize, &&Component)| match k {
         0 => part.kind == "cylindrical_stage",
         _ => is_gear(part),
     };
-    let other = parts.iter().enumerate().find(|part| !is_fitting(*part));
+    let other = parts.iter().enumerate().find(|part| !is_cylindrical(*part));
     if let Some((_, part)) = other {
         return Ok(StageKind::Other {
             kind: part.kind.clone(),
@@ -134,13 +134,13 @@ fn swapped(first: &Component, second: &Component) -> Result<bool, RexsError> {
     }
 }
 
-/// Number of teeth, without the sign that some programs give a ring.
+/// Number of teeth; some programs write it negative for a ring.
 pub fn teeth(gear: &Component) -> Result<u32, RexsError> {
-    /// Teeth of a gear, at most.
-    const MOST: f64 = 10_000.0;
-    let teeth = gear.needed("number_of_teeth", Unit::None)?.abs();
-    if teeth.fract() == 0.0 && (1.0..=MOST).contains(&teeth) {
-        // Whole and small.
+    /// Maximum number of teeth of a gear.
+    const MAX_TEETH: f64 = 10_000.0;
+    let teeth = gear.required("number_of_teeth", Unit::None)?.abs();
+    if teeth.fract() == 0.0 && (1.0..=MAX_TEETH).contains(&teeth) {
+        // `teeth` is a whole number of at most `MAX_TEETH`.
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         Ok(teeth as u32)
     } else {
@@ -149,8 +149,8 @@ pub fn teeth(gear: &Component) -> Result<u32, RexsError> {
 }
 
 fn planetary(model: &Model, set: &Component) -> Result<StageKind, RexsError> {
-    let mut outer: Vec<(&Component, [&Component; 2])> = Vec::new();
-    let mut inner: Vec<[&Component; 2]> = Vec::new();
+    let mut external: Vec<(&Component, [&Component; 2])> = Vec::new();
+    let mut internal: Vec<[&Component; 2]> = Vec::new();
     for relation in model.related("stage") {
         let stage = model.in_role(relation, "stage")?;
         if set_of(model, stage).is_none_or(|of| of.id != set.id) {
@@ -164,20 +164,23 @@ fn planetary(model: &Model, set: &Component) -> Result<StageKind, RexsError> {
             return Ok(StageKind::Other { kind });
         }
         match pair.iter().position(|gear| gear.kind == "ring_gear") {
-            Some(ring) => inner.push([pair[1 - ring], pair[ring]]),
-            None => outer.push((stage, pair)),
+            Some(ring) => internal.push([pair[1 - ring], pair[ring]]),
+            None => external.push((stage, pair)),
         }
     }
-    let planets: Vec<&str> = inner.iter().map(|[planet, _]| planet.id.as_str()).collect();
-    let found = inner.first().and_then(|[planet, ring]| {
+    let planets: Vec<&str> = internal
+        .iter()
+        .map(|[planet, _]| planet.id.as_str())
+        .collect();
+    let gears = internal.first().and_then(|[planet, ring]| {
         let with_planet = |(_, pair): &&(&Component, [&Component; 2])| {
             pair.iter().any(|gear| gear.id == planet.id)
         };
-        let (stage, pair) = outer.iter().find(with_planet)?;
+        let (stage, pair) = external.iter().find(with_planet)?;
         let sun = pair.iter().find(|gear| gear.id != planet.id)?;
         Some((stage, sun, planet, ring))
     });
-    let Some((stage, sun, planet, ring)) = found else {
+    let Some((stage, sun, planet, ring)) = gears else {
         return Ok(StageKind::Other {
             kind: "planetary set without sun or ring".into(),
         });

@@ -1,9 +1,9 @@
-//! Units of REXS, and those of a case.
+//! Conversion of REXS units to the units of a case.
 
-/// Unit of a number in a case, with the spellings that REXS files have for it.
+/// Unit of a number in a case, with its spellings in REXS files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unit {
-    /// A number without one.
+    /// Dimensionless.
     None,
     /// mm
     Millimetre,
@@ -36,13 +36,13 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// Spellings without blanks, each with the factor to the unit of the case, the usual one first.
+    /// Spellings without blanks, each with the factor to the unit of the case; the usual spelling is first.
     fn spellings(self) -> &'static [(&'static str, f64)] {
         match self {
             Self::None => &[("none", 1.0), ("", 1.0), ("-", 1.0)],
             Self::Millimetre => &[("mm", 1.0), ("m", 1e3), ("mum", 1e-3)],
             Self::Micrometre => &[("mum", 1.0), ("um", 1.0), ("µm", 1.0), ("mm", 1e3)],
-            // Files without a unit for angles write degrees, too.
+            // Angles without a unit are in degrees.
             Self::Degree => &[
                 ("deg", 1.0),
                 ("°", 1.0),
@@ -69,23 +69,23 @@ impl Unit {
     }
 }
 
-/// What is wrong with a number.
-pub enum Wrong {
-    /// It is in another unit than the one given here.
+/// Error of a number or its unit.
+pub enum UnitError {
+    /// The unit is not a spelling of the expected one, which is given here.
     Unit(&'static str),
-    /// It is no finite number.
+    /// Not a finite number.
     Number,
 }
 
-/// The number in `text` in the unit of the case.
-pub fn converted(text: &str, written: &str, unit: Unit) -> Result<f64, Wrong> {
+/// Parses `text` and converts it from the unit `written` to the unit of the case.
+pub fn converted(text: &str, written: &str, unit: Unit) -> Result<f64, UnitError> {
     let written: String = written.split_whitespace().collect();
     let spelling = unit.spellings().iter().find(|(text, _)| *text == written);
     let Some((_, factor)) = spelling else {
-        return Err(Wrong::Unit(unit.usual()));
+        return Err(UnitError::Unit(unit.usual()));
     };
     match text.trim().parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value * factor),
-        _ => Err(Wrong::Number),
+        _ => Err(UnitError::Number),
     }
 }

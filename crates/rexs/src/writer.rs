@@ -1,4 +1,4 @@
-//! A case while it is written: the parts that pairs and planetary sets share.
+//! Text of a case: the tables that pairs and planetary sets share.
 
 use std::fmt::Write as _;
 
@@ -8,23 +8,23 @@ use crate::operating_points::{OperatingPoint, operating_points};
 use crate::stages::Stage;
 use crate::units::Unit;
 
-/// Oil and temperature of a case whose file has none.
+/// Default oil and temperature \[°C\].
 const OIL: &str = "m100";
 const TEMPERATURE: f64 = 60.0;
-/// Centre distances that differ by more disagree \[mm\].
-const CENTRE_DISTANCE: f64 = 0.01;
+/// Tolerance of the centre distance \[mm\].
+const DISTANCE_TOLERANCE: f64 = 0.01;
 
-/// A case in TOML, and what its reader should know.
+/// A case in TOML with notes for its reader.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub struct CaseText {
     /// The case.
     pub toml: String,
-    /// Notes on contradictions in the file and on what it leaves out.
+    /// Notes on contradictions in the file and on missing values.
     pub notes: Vec<String>,
 }
 
-/// Sources of numbers of several components.
+/// Source of numbers: type and numbers of the components, and the attribute.
 pub fn source(components: &[&Component], attribute: &str) -> String {
     let ids: Vec<&str> = components.iter().map(|of| of.id.as_str()).collect();
     format!("{} {}: {attribute}", components[0].kind, ids.join(", "))
@@ -39,7 +39,7 @@ fn quantities(values: &[f64], unit: &str) -> String {
     texts.join(", ")
 }
 
-/// A case while it is written.
+/// Text of a case under construction.
 pub struct Text<'a> {
     model: &'a Model,
     toml: String,
@@ -56,7 +56,7 @@ impl<'a> Text<'a> {
         let (file, program) = (one_line(file), one_line(&model.program));
         let name = one_line(stage.name.trim());
         let mut toml = format!(
-            "# Stage {} of {file}: REXS {} by {program}.\n# Behind each number is the attribute it came from.\n",
+            "# Stage {} of {file}: REXS {} by {program}.\n# The comment on each number names its attribute.\n",
             stage.number, model.version
         );
         let title = format!("{file}, stage {}: {name}", stage.number);
@@ -77,23 +77,23 @@ impl<'a> Text<'a> {
         }
     }
 
-    /// A line of the case.
+    /// Appends a line.
     pub fn line(&mut self, text: &str) {
         self.toml.push_str(text);
         self.toml.push('\n');
     }
 
-    /// A line of the case with its source.
-    pub fn say(&mut self, text: &str, from: &str) {
+    /// Appends a line with its source as a comment.
+    pub fn sourced_line(&mut self, text: &str, from: &str) {
         self.line(&format!("{text}  # {from}"));
     }
 
-    /// Something that the reader of the case should know.
+    /// Adds a note for the reader of the case.
     pub fn note(&mut self, text: String) {
         self.notes.push(text);
     }
 
-    /// An attribute that all of these need.
+    /// A required attribute of all `components`.
     fn all(
         &self,
         components: &[&Component],
@@ -102,11 +102,11 @@ impl<'a> Text<'a> {
     ) -> Result<Vec<f64>, RexsError> {
         components
             .iter()
-            .map(|component| component.needed(attribute, unit))
+            .map(|component| component.required(attribute, unit))
             .collect()
     }
 
-    /// Flank of a gear: that of 1.0 or that of later versions.
+    /// Flank component of a gear.
     fn flank(&self, gear: &Component) -> Option<&'a Component> {
         let relation = self
             .model
@@ -116,7 +116,7 @@ impl<'a> Text<'a> {
         self.model.components.get(side)
     }
 
-    /// What the gears of every kind of stage have; returns their profile shifts where the file has all of them.
+    /// Writes the keys common to pairs and planetary sets; returns the profile shifts if the file has all of them.
     pub fn geometry(
         &mut self,
         mesh: &Component,
@@ -125,7 +125,7 @@ impl<'a> Text<'a> {
     ) -> Result<Option<Vec<f64>>, RexsError> {
         self.shared_geometry(gears)?;
         let widths = self.all(gears, "face_width", Unit::Millimetre)?;
-        self.say(
+        self.sourced_line(
             &format!("face_width = [{}]", quantities(&widths, "mm")),
             &source(gears, "face_width"),
         );
@@ -138,11 +138,11 @@ impl<'a> Text<'a> {
         Ok(shifts)
     }
 
-    /// Module, helix and pressure angle, which all gears of a stage share.
+    /// Writes module, helix angle and pressure angle, which must be equal for all gears of a stage.
     fn shared_geometry(&mut self, gears: &[&Component]) -> Result<(), RexsError> {
         let modules = self.all(gears, "normal_module", Unit::Millimetre)?;
         self.agree(gears, "normal_module", &modules)?;
-        self.say(
+        self.sourced_line(
             &format!("module = \"{} mm\"", modules[0]),
             &source(gears, "normal_module"),
         );
@@ -151,7 +151,7 @@ impl<'a> Text<'a> {
         self.agree(gears, "helix_angle_reference_diameter", &sizes)?;
         if sizes[0] > 0.0 {
             let from = source(gears, "helix_angle_reference_diameter");
-            self.say(
+            self.sourced_line(
                 &format!("helix = \"{} deg\"", sizes[0]),
                 &format!("{from}, without sign"),
             );
@@ -167,7 +167,7 @@ impl<'a> Text<'a> {
         if let Some((angle, from)) = angles.first().cloned() {
             let all: Vec<f64> = angles.iter().map(|(angle, _)| *angle).collect();
             self.agree(gears, "normal_pressure_angle", &all)?;
-            self.say(
+            self.sourced_line(
                 &format!("pressure_angle = \"{angle} deg\""),
                 &format!("{from}: normal_pressure_angle"),
             );
@@ -187,13 +187,13 @@ impl<'a> Text<'a> {
         const SAME: f64 = 1e-6;
         for (gear, value) in gears.iter().zip(values).skip(1) {
             if (value - values[0]).abs() > SAME * values[0].abs().max(1.0) {
-                return Err(gear.refused(attribute, "which is not that of its mating gear"));
+                return Err(gear.refused(attribute, "which differs from its mating gear"));
             }
         }
         Ok(())
     }
 
-    /// Profile shift coefficients, where every gear has one.
+    /// Writes the profile shift coefficients if every gear has one.
     fn shifts(&mut self, gears: &[&Component]) -> Result<Option<Vec<f64>>, RexsError> {
         let mut shifts = Vec::new();
         let mut from = Vec::new();
@@ -210,18 +210,18 @@ impl<'a> Text<'a> {
             return Ok(None);
         }
         let texts: Vec<String> = shifts.iter().map(|x| rounded(*x)).collect();
-        self.say(
+        self.sourced_line(
             &format!("profile_shift = [{}]", texts.join(", ")),
             &source(&from, "addendum_modification_coefficient"),
         );
         Ok(Some(shifts))
     }
 
-    /// Centre distance, needed where the profile shifts are not known.
+    /// Writes the centre distance, which is required if the profile shifts are unknown.
     fn centre_distance(&mut self, mesh: &Component, shifts: bool) -> Result<(), RexsError> {
         let distance = mesh.number("center_distance", Unit::Millimetre)?;
         match distance {
-            // The shifts decide: the distance of a file is often rounded.
+            // The shifts have precedence because the distance is often rounded.
             Some(distance) if shifts => {
                 self.line(&format!(
                     "# centre_distance = \"{distance} mm\"  # {}, follows from the shifts",
@@ -229,7 +229,7 @@ impl<'a> Text<'a> {
                 ));
             }
             Some(distance) => {
-                self.say(
+                self.sourced_line(
                     &format!("centre_distance = \"{distance} mm\""),
                     &source(&[mesh], "center_distance"),
                 );
@@ -237,7 +237,7 @@ impl<'a> Text<'a> {
             None if shifts => {}
             None => {
                 return Err(RexsError::Missing {
-                    component: mesh.called(),
+                    component: mesh.label(),
                     attribute: "center_distance",
                 });
             }
@@ -245,7 +245,7 @@ impl<'a> Text<'a> {
         Ok(())
     }
 
-    /// Notes a centre distance that disagrees with the profile shifts.
+    /// Adds a note if the centre distance disagrees with the profile shifts.
     pub fn check_distance(
         &mut self,
         mesh: &Component,
@@ -257,8 +257,8 @@ impl<'a> Text<'a> {
         let (Some(stated), Some(shifts)) = (stated, shifts) else {
             return Ok(());
         };
-        let module = gears[0].needed("normal_module", Unit::Millimetre)?;
-        let helix = gears[0].needed("helix_angle_reference_diameter", Unit::Degree)?;
+        let module = gears[0].required("normal_module", Unit::Millimetre)?;
+        let helix = gears[0].required("helix_angle_reference_diameter", Unit::Degree)?;
         let flank = self.flank(gears[0]);
         let angle = flank.map_or(Ok(None), |flank| {
             flank.number("normal_pressure_angle", Unit::Degree)
@@ -270,46 +270,46 @@ impl<'a> Text<'a> {
             helix.to_radians(),
             angle.unwrap_or(20.0).to_radians(),
         );
-        if distance.is_none_or(|distance| (distance - stated).abs() > CENTRE_DISTANCE) {
+        if distance.is_none_or(|distance| (distance - stated).abs() > DISTANCE_TOLERANCE) {
             let ours = distance.map_or("none".into(), |distance| format!("{distance:.4} mm"));
             self.note(format!(
                 "{}: center_distance is {stated} mm, the profile shifts give {ours}; the shifts are used",
-                mesh.called()
+                mesh.label()
             ));
         }
         Ok(())
     }
 
-    /// Tip diameters, where every gear has one that can be.
+    /// Writes the tip diameters if every gear has a plausible one.
     fn tips(&mut self, gears: &[&Component], z: &[f64]) -> Result<bool, RexsError> {
         let mut tips = Vec::new();
         for (gear, z) in gears.iter().zip(z) {
             let Some(tip) = gear.number("tip_diameter", Unit::Millimetre)? else {
                 continue;
             };
-            let module = gear.needed("normal_module", Unit::Millimetre)?;
-            let helix = gear.needed("helix_angle_reference_diameter", Unit::Degree)?;
+            let module = gear.required("normal_module", Unit::Millimetre)?;
+            let helix = gear.required("helix_angle_reference_diameter", Unit::Degree)?;
             let reference = z * module / helix.to_radians().cos();
             let tip = tip.abs();
             let is_ring = gear.kind == "ring_gear";
-            // A positive shift lowers the teeth of a ring, a negative one may lower those of a gear a little.
-            let most_off = 2.0 * module;
+            // A positive shift shortens the teeth of a ring, a negative one those of an external gear.
+            let allowance = 2.0 * module;
             let fits = if is_ring {
-                (reference - 4.0 * module..reference + most_off).contains(&tip)
+                (reference - 4.0 * module..reference + allowance).contains(&tip)
             } else {
-                (reference - most_off..reference + 6.0 * module).contains(&tip)
+                (reference - allowance..reference + 6.0 * module).contains(&tip)
             };
             if fits {
                 tips.push(tip);
             } else {
                 self.note(format!(
                     "{}: tip_diameter {tip} mm on a reference diameter of {reference:.3} mm is ignored",
-                    gear.called()
+                    gear.label()
                 ));
             }
         }
         if tips.len() == gears.len() {
-            self.say(
+            self.sourced_line(
                 &format!("tip_diameter = [{}]", quantities(&tips, "mm")),
                 &source(gears, "tip_diameter"),
             );
@@ -322,17 +322,18 @@ impl<'a> Text<'a> {
         Ok(tips.len() == gears.len())
     }
 
-    /// Profile shifts that follow from the centre distance alone, where the file has neither them nor tips. Of an
-    /// external pair their sum is split evenly; with a ring they are known where the distance is that of no shift.
+    /// Writes default profile shifts from the centre distance if the file has neither shifts nor tip diameters. Their
+    /// sum is split evenly between the gears of an external pair; with a ring they are zero if the centre distance is
+    /// the reference centre distance, and otherwise unknown.
     fn default_shifts(
         &mut self,
         mesh: &Component,
         gears: &[&Component],
         z: &[f64],
     ) -> Result<(), RexsError> {
-        let distance = mesh.needed("center_distance", Unit::Millimetre)?;
-        let module = gears[0].needed("normal_module", Unit::Millimetre)?;
-        let helix = gears[0].needed("helix_angle_reference_diameter", Unit::Degree)?;
+        let distance = mesh.required("center_distance", Unit::Millimetre)?;
+        let module = gears[0].required("normal_module", Unit::Millimetre)?;
+        let helix = gears[0].required("helix_angle_reference_diameter", Unit::Degree)?;
         let flank = self.flank(gears[0]);
         let angle = flank.map_or(Ok(None), |flank| {
             flank.number("normal_pressure_angle", Unit::Degree)
@@ -341,12 +342,12 @@ impl<'a> Text<'a> {
         let scale = 0.5 * module / helix.cos();
         let shifts = if gears.iter().any(|gear| gear.kind == "ring_gear") {
             let last = z.len() - 1;
-            let off = (scale * (z[last] - z[last - 1]) - distance).abs();
-            let outer = match z {
+            let ring_offset = (scale * (z[last] - z[last - 1]) - distance).abs();
+            let sun_offset = match z {
                 [sun, planet, _] => (scale * (sun + planet) - distance).abs(),
                 _ => 0.0,
             };
-            (off.max(outer) < CENTRE_DISTANCE).then(|| vec![0.0; z.len()])
+            (ring_offset.max(sun_offset) < DISTANCE_TOLERANCE).then(|| vec![0.0; z.len()])
         } else {
             let sum = shift_sum(z.iter().sum(), distance / scale, helix, angle);
             sum.map(|sum| vec![0.5 * sum; 2])
@@ -359,7 +360,7 @@ impl<'a> Text<'a> {
             return Ok(());
         };
         let texts: Vec<String> = shifts.iter().map(|x| rounded(*x)).collect();
-        self.say(
+        self.sourced_line(
             &format!("profile_shift = [{}]", texts.join(", ")),
             "default: from the centre distance, split evenly",
         );
@@ -367,19 +368,19 @@ impl<'a> Text<'a> {
         Ok(())
     }
 
-    /// Tip chamfer of a gear, in a line of its own table.
+    /// Writes the tip chamfer of a gear.
     pub fn chamfer(&mut self, name: &str, gear: &Component) -> Result<(), RexsError> {
         if let Some(flank) = self.flank(gear)
             && let Some(chamfer) = flank.number("tooth_tip_chamfer", Unit::Millimetre)?
             && chamfer > 0.0
         {
             let from = source(&[flank], "tooth_tip_chamfer");
-            self.say(&format!("{name}.tip_chamfer = \"{chamfer} mm\""), &from);
+            self.sourced_line(&format!("{name}.tip_chamfer = \"{chamfer} mm\""), &from);
         }
         Ok(())
     }
 
-    /// Operating point of a load case, the others as comments.
+    /// Writes the operating point of a load case, and the others as comments.
     pub fn operation(
         &mut self,
         stage: &Stage,
@@ -398,13 +399,13 @@ impl<'a> Text<'a> {
         for other in points.iter().filter(|other| *other != point) {
             self.line(&format!("# {}", summary(other)));
         }
-        let named = [
+        let quantities = [
             ("torque", "N m", &point.torque),
             ("speed", "1/min", &point.speed),
         ];
-        for (key, unit, found) in named {
-            if let Some((value, from)) = found {
-                self.say(
+        for (key, unit, stated) in quantities {
+            if let Some((value, from)) = stated {
+                self.sourced_line(
                     &format!("{key} = \"{} {unit}\"", rounded(*value)),
                     &format!("{first}; {from}"),
                 );
@@ -418,9 +419,9 @@ impl<'a> Text<'a> {
             }
         }
         if let Some((value, from)) = &point.temperature {
-            self.say(&format!("temperature = \"{value} °C\""), from);
+            self.sourced_line(&format!("temperature = \"{value} °C\""), from);
         } else {
-            self.say(
+            self.sourced_line(
                 &format!("temperature = \"{TEMPERATURE} °C\""),
                 "default: the file has no temperature_lubricant",
             );
@@ -431,12 +432,12 @@ impl<'a> Text<'a> {
         Ok(())
     }
 
-    /// The oil.
+    /// Writes the oil.
     pub fn lubricant(&mut self) -> Result<(), RexsError> {
         self.line("\n[lubricant]");
         let mut oils = self.model.of_kind("lubricant");
         let Some(oil) = oils.next() else {
-            self.say(
+            self.sourced_line(
                 &format!("oil = \"{OIL}\""),
                 "default: the file has no lubricant",
             );
@@ -447,22 +448,22 @@ impl<'a> Text<'a> {
         if several {
             self.note(format!(
                 "the file has several lubricants: {} is used",
-                oil.called()
+                oil.label()
             ));
         }
-        let viscosity = |attribute| oil.needed(attribute, Unit::SquareMillimetrePerSecond);
+        let viscosity = |attribute| oil.required(attribute, Unit::SquareMillimetrePerSecond);
         let cold = viscosity("viscosity_at_40_degree_celsius")?;
         let hot = viscosity("viscosity_at_100_degree_celsius")?;
         let from = source(&[oil], "viscosity_at_40_degree_celsius, _at_100_");
-        self.say(
+        self.sourced_line(
             &format!(
                 "viscosity = {{ law = \"astm-d341\", at_40 = \"{cold} mm2/s\", at_100 = \"{hot} mm2/s\" }}"
             ),
             &from,
         );
         let density = "density_at_15_degree_celsius";
-        let rho = oil.needed(density, Unit::KilogramPerCubicMetre)?;
-        self.say(
+        let rho = oil.required(density, Unit::KilogramPerCubicMetre)?;
+        self.sourced_line(
             &format!("density = \"{} kg/m3\"", rounded(rho)),
             &source(&[oil], density),
         );
@@ -488,13 +489,13 @@ impl<'a> Text<'a> {
         ];
         for (attribute, key, unit, written) in optional {
             if let Some(value) = oil.number(attribute, unit)? {
-                self.say(
+                self.sourced_line(
                     &format!("{key} = \"{value} {written}\""),
                     &source(&[oil], attribute),
                 );
             }
         }
-        self.say(
+        self.sourced_line(
             "assume_base_oil = \"mineral\"",
             "assumed: REXS does not name the base oil",
         );
@@ -502,19 +503,19 @@ impl<'a> Text<'a> {
         Ok(())
     }
 
-    /// Steel of the gears, by their names in the case.
+    /// Writes the steel of the gears, which have these names in the case.
     pub fn material(&mut self, gears: &[(&str, &Component)]) -> Result<(), RexsError> {
         let mut lines = Vec::new();
         for (name, gear) in gears {
             let Some(steel) = self.model.referenced(gear, "material") else {
                 continue;
             };
-            let wanted = [
+            let properties = [
                 ("elastic_modulus", "young", Unit::Megapascal, " MPa"),
                 ("poisson_ratio", "poisson", Unit::None, ""),
                 ("density", "density", Unit::KilogramPerCubicMetre, " kg/m3"),
             ];
-            for (attribute, key, unit, written) in wanted {
+            for (attribute, key, unit, written) in properties {
                 if let Some(value) = steel.number(attribute, unit)? {
                     let value = rounded(value);
                     let value = match written {
@@ -527,7 +528,7 @@ impl<'a> Text<'a> {
             }
             let hardness = steel.number("surface_hardness_vickers", Unit::Vickers)?;
             if let Some(hardness) = hardness.filter(|hardness| *hardness > 0.0) {
-                // Indentation hardness is a pressure in kgf/mm².
+                // Vickers hardness is a pressure in kgf/mm².
                 let pressure = rounded(hardness * 9.806_65);
                 let from = source(&[steel], "surface_hardness_vickers");
                 lines.push((
@@ -540,18 +541,18 @@ impl<'a> Text<'a> {
             self.line("\n[material]");
         }
         for (text, from) in lines {
-            self.say(&text, &from);
+            self.sourced_line(&text, &from);
         }
         Ok(())
     }
 
-    /// Flanks of the gears, by their names in the case, with the files of their traces.
+    /// Writes the flanks of the gears, which have these names in the case: trace files or roughness values.
     pub fn surface(&mut self, gears: &[(&str, &Component, Option<&str>)]) -> Result<(), RexsError> {
         self.line("\n[surface]");
         let [(first, ..), (second, ..), ..] = gears else {
             return Ok(());
         };
-        let mut open = false;
+        let mut is_missing = false;
         for (name, gear, file) in gears {
             if let Some(file) = file {
                 self.line(&format!("{name}.file = {}", quoted(file)));
@@ -559,12 +560,12 @@ impl<'a> Text<'a> {
             }
             let values = roughness(gear)?;
             for (key, value, from) in &values {
-                self.say(&format!("{name}.{key} = \"{value} um\""), from);
+                self.sourced_line(&format!("{name}.{key} = \"{value} um\""), from);
             }
-            open |= values.is_empty() && name != &"ring";
+            is_missing |= values.is_empty() && name != &"ring";
         }
-        if open {
-            self.line("# The measured flanks; the file holds none:");
+        if is_missing {
+            self.line("# The measured flanks, which are not in the file:");
             self.line(&format!("# {first}.file = \"{first}.csv\""));
             self.line(&format!("# {second}.file = \"{second}.csv\""));
             self.note(format!(
@@ -579,7 +580,7 @@ impl<'a> Text<'a> {
 fn roughness(gear: &Component) -> Result<Vec<(&'static str, f64, String)>, RexsError> {
     let attributes = [
         ("ra", "arithmetic_mean_roughness_flank_iso_4287_1997"),
-        // Spelt so in some versions.
+        // Misspelt in some versions.
         ("ra", "arithmentic_mean_roughness_flank_iso_4287_1997"),
         ("rz", "mean_peak_to_valley_roughness_flank_iso_4287_1997"),
         (
@@ -601,7 +602,7 @@ fn roughness(gear: &Component) -> Result<Vec<(&'static str, f64, String)>, RexsE
     Ok(values)
 }
 
-/// Working centre distance \[mm\] of an external pair; none where the shifts allow none.
+/// Working centre distance \[mm\] of an external pair; `None` if the profile shifts are too small.
 fn working_distance(
     teeth: f64,
     shift: f64,
@@ -615,7 +616,7 @@ fn working_distance(
     if wanted <= 0.0 {
         return None;
     }
-    // inv grows with the angle: bisection to the last digit.
+    // The involute function increases with the angle: bisection to the last digit.
     let (mut low, mut high) = (0.0_f64, 1.4_f64);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
@@ -647,8 +648,8 @@ fn summary(point: &OperatingPoint) -> String {
     text
 }
 
-/// Sum of the profile shift coefficients of an external pair, from its working distance in halves of the transverse
-/// module; none where the flanks cannot meet at it.
+/// Sum of the profile shift coefficients of an external pair from its working centre distance in units of half the
+/// transverse module; `None` if the base circles are further apart than the distance.
 fn shift_sum(teeth: f64, distance: f64, helix: f64, pressure_angle: f64) -> Option<f64> {
     let transverse = (pressure_angle.tan() / helix.cos()).atan();
     let involute = |angle: f64| angle.tan() - angle;
@@ -657,7 +658,7 @@ fn shift_sum(teeth: f64, distance: f64, helix: f64, pressure_angle: f64) -> Opti
     Some(teeth * (involute(working) - involute(transverse)) / (2.0 * pressure_angle.tan()))
 }
 
-/// A number that was converted, without the digits of rounding.
+/// A converted number without its rounding errors.
 fn rounded(value: f64) -> String {
     let text = format!("{value:.9e}");
     text.parse::<f64>().map_or(text, |value| value.to_string())

@@ -1,4 +1,4 @@
-//! REXS as XML.
+//! Reader of REXS in XML.
 
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
@@ -6,14 +6,14 @@ use quick_xml::events::{BytesStart, Event};
 use crate::error::RexsError;
 use crate::model::{Attribute, Component, LoadCase, Model, Relation};
 
-/// Elements that are open while a file is read.
+/// Elements whose end tags have not been read yet.
 #[derive(Default)]
 struct Open {
     component: Option<Component>,
     attribute: Option<(String, Attribute)>,
     relation: Option<Relation>,
     load_case: Option<LoadCase>,
-    /// Elements inside the attribute: an array or a matrix.
+    /// Depth of elements inside the attribute: an array or a matrix.
     nested: usize,
 }
 
@@ -27,34 +27,34 @@ pub fn read(bytes: &[u8]) -> Result<Model, RexsError> {
     loop {
         buffer.clear();
         let at = usize::try_from(reader.buffer_position()).unwrap_or(bytes.len());
-        let wrong = |what: String| malformed(bytes, at, what);
+        let malformed_here = |what: String| malformed(bytes, at, what);
         let event = reader
             .read_event_into(&mut buffer)
-            .map_err(|error| wrong(error.to_string()))?;
+            .map_err(|error| malformed_here(error.to_string()))?;
         match event {
             Event::Start(element) | Event::Empty(element) if model.is_none() => {
                 if element.name().as_ref() != "model" {
                     let name = element.name().as_ref().to_owned();
-                    return Err(wrong(format!("expected <model>, found <{name}>")));
+                    return Err(malformed_here(format!("expected <model>, not <{name}>")));
                 }
-                model = Some(head(&element).map_err(wrong)?);
+                model = Some(head(&element).map_err(malformed_here)?);
                 depth = 1;
             }
             Event::Start(element) => {
                 depth += 1;
-                started(&element, &mut open).map_err(wrong)?;
+                open_element(&element, &mut open).map_err(malformed_here)?;
             }
             Event::Empty(element) => {
-                started(&element, &mut open).map_err(wrong)?;
+                open_element(&element, &mut open).map_err(malformed_here)?;
                 let name = element.name();
                 if let Some(model) = &mut model {
-                    ended(name.as_ref(), &mut open, model)?;
+                    close_element(name.as_ref(), &mut open, model)?;
                 }
             }
             Event::End(element) => {
                 depth = depth.saturating_sub(1);
                 if let Some(model) = &mut model {
-                    ended(element.name().as_ref(), &mut open, model)?;
+                    close_element(element.name().as_ref(), &mut open, model)?;
                 }
             }
             Event::Text(text) => {
@@ -85,7 +85,7 @@ fn head(element: &BytesStart<'_>) -> Result<Model, String> {
     })
 }
 
-fn started(element: &BytesStart<'_>, open: &mut Open) -> Result<(), String> {
+fn open_element(element: &BytesStart<'_>, open: &mut Open) -> Result<(), String> {
     if open.attribute.is_some() {
         open.nested += 1;
         return Ok(());
@@ -130,7 +130,7 @@ fn started(element: &BytesStart<'_>, open: &mut Open) -> Result<(), String> {
     Ok(())
 }
 
-fn ended(name: &str, open: &mut Open, model: &mut Model) -> Result<(), RexsError> {
+fn close_element(name: &str, open: &mut Open, model: &mut Model) -> Result<(), RexsError> {
     if open.nested > 0 {
         open.nested -= 1;
         return Ok(());
@@ -162,15 +162,15 @@ fn ended(name: &str, open: &mut Open, model: &mut Model) -> Result<(), RexsError
     Ok(())
 }
 
-/// An XML attribute; empty where it is missing.
+/// Value of an XML attribute; empty if it is missing.
 fn value(element: &BytesStart<'_>, name: &str) -> Result<String, String> {
-    let found = element
+    let attribute = element
         .try_get_attribute(name)
         .map_err(|error| error.to_string())?;
-    let Some(found) = found else {
+    let Some(attribute) = attribute else {
         return Ok(String::new());
     };
-    let text = quick_xml::escape::unescape(&found.value).map_err(|error| error.to_string())?;
+    let text = quick_xml::escape::unescape(&attribute.value).map_err(|error| error.to_string())?;
     Ok(text.into_owned())
 }
 

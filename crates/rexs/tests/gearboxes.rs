@@ -195,7 +195,7 @@ fn damaged_files_name_component_and_attribute() {
     let cases: &[(&str, &str, &str)] = &[
         ("<relations>", "<relations", "line "),
         ("</model>", "", "the file ends inside of an element"),
-        ("<model ", "<gearbox ", "expected <model>, found <gearbox>"),
+        ("<model ", "<gearbox ", "expected <model>, not <gearbox>"),
         (
             "version=\"1.4\"",
             "version=\"3.0\"",
@@ -245,7 +245,7 @@ fn damaged_files_name_component_and_attribute() {
         (
             "<attribute id=\"normal_module\" unit=\"mm\">2</attribute>",
             "<attribute id=\"normal_module\" unit=\"mm\">2.1</attribute>",
-            "12 (Wheel): attribute normal_module is \"2\", which is not that of its mating gear",
+            "12 (Wheel): attribute normal_module is \"2\", which differs from its mating gear",
         ),
         (
             "unit=\"deg\">15<",

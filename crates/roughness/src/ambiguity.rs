@@ -1,11 +1,11 @@
 //! Ambiguity of roughness parameters: their dependence on choices that the standards leave open.
 //!
-//! Sources of the choices: ISO 16610-28 (ends), ISO 4287 and ISO 21920-2 (per section or over the length),
-//! ISO 13565-2 (line of the material ratio curve, which makers draw in two ways), ISO 3274 (λ_s, which
-//! older instruments do not apply).
+//! Sources of the choices: ISO 16610-28 (ends), ISO 4287 and ISO 21920-2 (per section or over the length), ISO 13565-2
+//! (equivalent line of the material ratio curve, by least squares or as a secant), ISO 3274 (λ_s, which older
+//! instruments do not apply).
 //!
-//! Two laboratories that follow the standards may print any value of such a range. One choice at a time
-//! is changed from the recipe, so that each range says whose it is.
+//! Laboratories that follow the standards may report any value in such a range. The choices are changed from the recipe
+//! one at a time, which attributes each range to a choice.
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
@@ -21,17 +21,17 @@ use crate::preparation::{Preparation, RoughnessFilter, prepare_with};
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Sections {
-    /// As many of this length as fit.
+    /// Sections of this length, as many as fit.
     OfLength(Length),
-    /// This many equal ones.
+    /// This number of equal sections.
     Number(usize),
 }
 
 impl Sections {
-    /// Their number in `profile`.
+    /// Number of sections in `profile`.
     ///
     /// # Errors
-    /// When not one fits.
+    /// When the profile is shorter than a section.
     ///
     /// ```
     /// use asperity_core::{Profile, quantity::Length};
@@ -48,7 +48,7 @@ impl Sections {
     }
 }
 
-/// Choices left open.
+/// A choice that the standards leave open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -59,15 +59,15 @@ pub enum Choice {
     Standard,
     /// The line of Rk by least squares or as a secant.
     Line,
-    /// λ_s as in the recipe, or none.
+    /// With λ_s of the recipe, or without λ_s.
     ShortCutoff,
 }
 
-/// Values of a parameter over one choice, in the unit of its [`Ambiguity`].
+/// Range of a parameter over a choice, in the unit of its [`Ambiguity`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Spread {
-    /// Choice that was made otherwise.
+    /// The varied choice.
     pub choice: Choice,
     /// Smallest value.
     pub low: f64,
@@ -75,7 +75,7 @@ pub struct Spread {
     pub high: f64,
 }
 
-/// The range of one parameter over all allowed choices.
+/// Range of a parameter over all permitted choices.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Ambiguity {
@@ -87,11 +87,11 @@ pub struct Ambiguity {
     pub low: f64,
     /// Largest value.
     pub high: f64,
-    /// The same by each choice that the parameter depends on.
+    /// Ranges over the individual choices that the parameter depends on.
     pub spreads: Vec<Spread>,
 }
 
-/// A parameter: its name, its unit, where it stands.
+/// Name, unit and accessor of a parameter.
 type Getter<T> = (&'static str, &'static str, fn(&T) -> Option<f64>);
 
 const HEIGHTS: [Getter<HeightParameters>; 12] = [
@@ -117,10 +117,10 @@ const MATERIAL: [Getter<RkParameters>; 5] = [
     ("Mr2", "%", |p| Some(p.mr2)),
 ];
 
-/// The ranges of `profile` under `recipe`, evaluated in `sections`; `prepared` is what the recipe makes
-/// of the profile.
+/// Ranges of the parameters of `profile` under `recipe`, evaluated in `sections`; `prepared` is the profile prepared
+/// with the recipe.
 ///
-/// Ends that the trace is too short for are left out.
+/// End treatments that require a longer trace are omitted.
 ///
 /// # Errors
 /// When `prepared` has too few points.
@@ -137,8 +137,8 @@ const MATERIAL: [Getter<RkParameters>; 5] = [
 /// let sections = Sections::OfLength(Length::from_si(0.8e-3));
 /// let (recipe, filter) = (Preparation::default(), RoughnessFilter::Gaussian);
 /// let prepared = prepare(&trace, &recipe)?.profile;
-/// let found = ambiguity(&trace, &prepared, &recipe, filter, sections)?;
-/// assert!(found.iter().all(|range| range.low <= range.high));
+/// let ranges = ambiguity(&trace, &prepared, &recipe, filter, sections)?;
+/// assert!(ranges.iter().all(|range| range.low <= range.high));
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn ambiguity(
@@ -155,7 +155,7 @@ pub fn ambiguity(
     let base = evaluated(prepared, sections)?;
     let is_filtered = recipe.lambda_c.or(recipe.lambda_s).is_some();
     let others = [Ends::Cut, Ends::Reg0, Ends::Reg1, Ends::Reflect].into_iter();
-    // The robust filter keeps to the ends in one way; only whether they are cut differs.
+    // The robust filter always extends to the ends; the only choice is whether they are cut.
     let is_cut = |ends: Ends| ends == Ends::Cut;
     let is_other = |ends: &Ends| match filter {
         RoughnessFilter::Gaussian => *ends != recipe.ends,
@@ -174,12 +174,12 @@ pub fn ambiguity(
         without_short: recipe.lambda_s.and_then(|_| of(&long).ok()),
         base,
     };
-    let mut found = all.ranges(&HEIGHTS, Choice::Standard, |e| &e.heights);
-    found.extend(all.ranges(&MATERIAL, Choice::Line, |e| &e.lines));
-    Ok(found)
+    let mut ranges = all.ranges(&HEIGHTS, Choice::Standard, |e| &e.heights);
+    ranges.extend(all.ranges(&MATERIAL, Choice::Line, |e| &e.lines));
+    Ok(ranges)
 }
 
-/// Parameters in both modes, ISO 4287 first, and with both lines, least squares first.
+/// Parameters in both modes (ISO 4287 first) and with both equivalent lines (least squares first).
 struct Evaluated {
     heights: [HeightParameters; 2],
     lines: [RkParameters; 2],
@@ -196,7 +196,7 @@ fn evaluated(prepared: &Profile, sections: Sections) -> Result<Evaluated, Roughn
     })
 }
 
-/// The recipe as it is, and with one choice changed.
+/// Parameters of the recipe and of recipes with one changed choice.
 struct Variations {
     base: Evaluated,
     other_ends: Vec<Evaluated>,
@@ -204,8 +204,8 @@ struct Variations {
 }
 
 impl Variations {
-    /// A range a parameter that the recipe itself gives a value of; `second` is the choice that leads to
-    /// the second of `both`.
+    /// Ranges of the parameters that exist for the recipe itself; `second` is the choice between the two values of
+    /// `both`.
     fn ranges<T>(
         &self,
         getters: &[Getter<T>],

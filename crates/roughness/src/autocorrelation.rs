@@ -7,9 +7,9 @@
 //! | ρ(τ) | autocorrelation, 1 at τ = 0 | - |
 //! | τ | shift along the trace | m |
 //!
-//! Over the overlap means that a shift of k points averages n − k products: unbiased, and noisy where
-//! little overlaps. The products come from fast Fourier transforms, the lengths from as few shifts as
-//! they need.
+//! A shift of k points averages the n − k products of the overlap. The estimate is unbiased, and noisy where the
+//! overlap is short. The products are computed by fast Fourier transforms; the lengths use only the required number of
+//! shifts.
 
 use asperity_core::cite;
 use asperity_core::numerics::{good_fft_length, real_transforms, sum};
@@ -20,13 +20,13 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::RoughnessError;
 
-/// Lengths over which a profile forgets itself.
+/// Autocorrelation lengths of a profile.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct AutocorrelationLengths {
-    /// Shortest shift at which ρ falls to 0.2 (Ral of ISO 25178-2, in profile); none when it never does.
+    /// Shortest shift at which ρ falls to 0.2 (Ral of ISO 25178-2, for a profile); `None` if it never does.
     pub to_one_fifth: Option<Length>,
-    /// Shortest shift at which ρ falls to 1/e; none when it never does.
+    /// Shortest shift at which ρ falls to 1/e; `None` if it never does.
     pub to_one_over_e: Option<Length>,
 }
 
@@ -40,8 +40,8 @@ pub struct AutocorrelationLengths {
 /// ```
 /// use asperity_roughness::autocorrelation::autocorrelation;
 /// let wave: Vec<f64> = (0..1000).map(|i| (f64::from(i) / 50.0 * std::f64::consts::TAU).sin()).collect();
-/// let found = autocorrelation(&wave)?;
-/// assert!((found[25] + 1.0).abs() < 1e-2 && (found[50] - 1.0).abs() < 1e-2);
+/// let rho = autocorrelation(&wave)?;
+/// assert!((rho[25] + 1.0).abs() < 1e-2 && (rho[50] - 1.0).abs() < 1e-2);
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn autocorrelation(heights: &[f64]) -> Result<Vec<f64>, RoughnessError> {
@@ -51,11 +51,11 @@ pub fn autocorrelation(heights: &[f64]) -> Result<Vec<f64>, RoughnessError> {
 }
 
 fn at_least_two(heights: &[f64]) -> Result<&[f64], RoughnessError> {
-    const LEAST: usize = 2;
-    if heights.len() < LEAST {
+    const MIN_POINTS: usize = 2;
+    if heights.len() < MIN_POINTS {
         return Err(RoughnessError::TooFewPoints {
             points: heights.len(),
-            needed: LEAST,
+            needed: MIN_POINTS,
             purpose: "the autocorrelation",
         });
     }
@@ -68,7 +68,7 @@ fn centred(heights: &[f64]) -> Result<Vec<f64>, DomainError> {
     let mean = heights.iter().sum::<f64>() / n;
     let z: Vec<f64> = heights.iter().map(|z| z - mean).collect();
     let square = sum(&z, |z| z * z);
-    // Rounding of a mean is no roughness.
+    // Rounding errors of the mean are not roughness.
     let rounding = (f64::EPSILON * mean).powi(2) * n;
     DomainError::require(
         square > rounding && square.is_finite(),
@@ -80,9 +80,9 @@ fn centred(heights: &[f64]) -> Result<Vec<f64>, DomainError> {
     Ok(z)
 }
 
-/// Σ z_i z_i+k for k = 0 .. `shifts` − 1, with the transforms of blocks added up before they go back.
+/// Σ z_i z_i+k for k = 0 .. `shifts` − 1. The spectra of the blocks are summed before the inverse transform.
 fn products(z: &[f64], shifts: usize) -> Vec<f64> {
-    // New points per transform in shifts: three of four points are new.
+    // New points per transform, in units of the number of shifts: three of four points are new.
     const STEP: usize = 3;
     let step = (STEP * shifts).min(z.len());
     let length = good_fft_length(step + shifts);
@@ -119,7 +119,7 @@ fn products(z: &[f64], shifts: usize) -> Vec<f64> {
     signal
 }
 
-/// Products over their overlap of `n` − k points, 1 at k = 0.
+/// Products divided by their overlap of `n` − k points and normalised to 1 at k = 0.
 fn normalised(products: &[f64], n: usize) -> Vec<f64> {
     cite!("ACF-1");
     let scale = n as f64 / products[0];
@@ -142,14 +142,14 @@ fn normalised(products: &[f64], n: usize) -> Vec<f64> {
 /// let wave = |i: usize| 1e-6 * (i as f64 / 400.0 * std::f64::consts::TAU).sin();
 /// let profile = Profile::new(Length::from_si(0.1e-6), (0..40_000).map(wave).collect())?;
 /// // cos(2π τ/λ) = 0.2 at τ = 0.2180 λ.
-/// let found = lengths(&profile)?.to_one_fifth.unwrap();
-/// assert!((found.si() / (0.217_95 * 40e-6) - 1.0).abs() < 3e-3);
+/// let length = lengths(&profile)?.to_one_fifth.unwrap();
+/// assert!((length.si() / (0.217_95 * 40e-6) - 1.0).abs() < 3e-3);
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn lengths(profile: &Profile) -> Result<AutocorrelationLengths, RoughnessError> {
     cite!("ACF-2");
     const ONE_FIFTH: f64 = 0.2;
-    // Most profiles forget themselves within these shifts; few need more than eight times as many.
+    // Most profiles are uncorrelated within `FIRST` shifts; few need more than eight times as many.
     const FIRST: usize = 4096;
     const MORE: usize = 8;
     let (n, spacing) = (profile.len(), profile.spacing());

@@ -1,23 +1,23 @@
-//! Block transforms of long traces, sized to stay in the cache.
+//! Division of long traces into blocks for Fourier transforms that fit into the cache.
 
 use asperity_core::numerics::good_fft_length;
 
-/// Shortest transform of a trace in blocks: shorter ones do not pay their overhead.
+/// Minimum length of a block transform: the overhead of shorter ones is too large.
 const SHORTEST: usize = 8192;
-/// Transform length in reaches: of 16 reaches 14 are new. From 8 to 24 the time is the same.
+/// Transform length in units of the kernel reach: 14 of 16 reaches are new points. From 8 to 24 the time is the same.
 const REACHES: usize = 16;
 
-/// Transform of a trace.
+/// Block sizes of a trace.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Blocks {
-    /// Points of a transform, a good length.
+    /// Points of a transform, with small prime factors.
     pub length: usize,
-    /// New points of each block; all points when there is one.
+    /// New points of each block; all points if there is only one block.
     pub step: usize,
 }
 
 impl Blocks {
-    /// For `n` points and a kernel that reaches `m` points to either side.
+    /// Block sizes for `n` points and a kernel that extends `m` points to either side.
     pub(crate) fn of(n: usize, m: usize) -> Self {
         let whole = good_fft_length(n + m);
         let block = good_fft_length((REACHES * m).max(SHORTEST));

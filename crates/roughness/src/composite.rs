@@ -1,4 +1,4 @@
-//! Two rough surfaces as one: the composite profile and its root mean square height.
+//! Composite profile of two rough surfaces and its root mean square height.
 //!
 //! Source: equation (8) of the 2022 paper.
 //!
@@ -20,13 +20,13 @@ use crate::error::RoughnessError;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct Pairing {
-    /// Run the second profile from its other end, as flanks that face each other do.
+    /// Reverse the second profile, as for flanks that face each other.
     pub mirror_second: bool,
-    /// Resample the coarser profile linearly when the spacings differ, instead of refusing.
+    /// Resample the coarser profile linearly if the spacings differ; otherwise this is an error.
     pub resample: bool,
 }
 
-/// A composite profile and how it was made.
+/// A composite profile with a record of its construction.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Composite {
@@ -35,18 +35,18 @@ pub struct Composite {
     pub profile: Profile,
     /// Whether the second profile was reversed.
     pub mirrored: bool,
-    /// Spacing of the profile that was resampled, if one was.
+    /// Original spacing of the resampled profile; `None` without resampling.
     pub resampled_from: Option<Length>,
-    /// Points of the longer profile that found no partner.
+    /// Number of unused points of the longer profile.
     pub points_unused: usize,
 }
 
 /// z(x) = z₁(x) + z₂(x)                                                       [Composite-1]
 ///
-/// Both from their first points; the composite ends where the shorter profile does.
+/// The profiles start at their first points; the composite has the length of the shorter profile.
 ///
 /// # Errors
-/// When the spacings differ by more than [`common_spacing`] allows and resampling was not asked for.
+/// When the spacings differ by more than [`common_spacing`] allows and `resample` is false.
 ///
 /// ```
 /// use asperity_core::{Profile, quantity::Length};
@@ -95,8 +95,8 @@ pub fn compose(
     })
 }
 
-/// The profile on a grid of `spacing`: its own points if its spacing counts as equal ([`common_spacing`]), otherwise
-/// linear between them.
+/// The profile on a grid of `spacing`: its own points if the spacings are equal ([`common_spacing`]), otherwise
+/// linearly interpolated.
 ///
 /// # Errors
 /// As [`resampled`].
@@ -116,19 +116,19 @@ pub fn spaced(profile: &Profile, spacing: Length) -> Result<Profile, DomainError
     }
 }
 
-/// The profile on a grid of `spacing`, linear between its points.
+/// The profile on a grid of `spacing`, linearly interpolated.
 ///
 /// # Errors
-/// When the spacing is not positive, or so fine that a hundred million points do not suffice.
+/// When the spacing is not positive, or the profile would have more than a hundred million points.
 pub fn resampled(profile: &Profile, spacing: Length) -> Result<Profile, DomainError> {
-    /// As many points as the generators make at the most: 800 MB.
-    const MOST: f64 = 1e8;
+    /// Maximum number of points, as in the generators: 800 MB.
+    const MAX_POINTS: f64 = 1e8;
     let z = profile.heights();
     let dx = DomainError::positive("spacing", spacing)?;
     let ratio = spacing / profile.spacing();
     let intervals = (z.len() - 1) as f64 / ratio * (1.0 + f64::EPSILON);
     let rule = "is too fine: the profile would have more than a hundred million points";
-    DomainError::require(intervals < MOST, "spacing", dx, "m", rule)?;
+    DomainError::require(intervals < MAX_POINTS, "spacing", dx, "m", rule)?;
     let count = intervals.floor() as usize + 1;
     let at = |i: usize| {
         let position = i as f64 * ratio;
@@ -141,8 +141,8 @@ pub fn resampled(profile: &Profile, spacing: Length) -> Result<Profile, DomainEr
 
 /// S = √(Rq₁² + Rq₂²)                                                          `[P8]`
 ///
-/// Exact for uncorrelated flanks; for a profile against its own mirror image the Rq of the
-/// composite profile says what really meets.
+/// Exact for uncorrelated flanks. For correlated flanks, such as a profile and its mirror image, use the Rq of the
+/// composite profile.
 ///
 /// # Errors
 /// When a height is negative or not finite.

@@ -2,36 +2,36 @@
 //!
 //! Source: ISO 4287 with its ±10 % Rz rule, ISO 21920-2 (crossing-the-line).
 //!
-//! A crossing counts when the profile has been beyond a threshold on one side and comes beyond the
-//! threshold on the other; it lies at the first zero after the last point beyond the former, found
-//! by linear interpolation. An element runs from a crossing to the next but one. In ISO 4287 elements
-//! follow each other; in ISO 21920 every crossing starts one, and the trace is run both ways.
+//! A crossing is counted if the profile exceeds a threshold on one side and then the threshold on the other side. Its
+//! position is the first zero after the last point beyond the former threshold, by linear interpolation. An element
+//! extends from a crossing to the next but one. In ISO 4287 elements are consecutive; in ISO 21920 an element starts at
+//! every crossing, and the trace is evaluated in both directions.
 
 use asperity_core::numerics::extremes;
 
-/// Width [points] and height [unit of z] of one profile element.
+/// Width [points] and height [unit of z] of a profile element.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Element {
     pub width: f64,
     pub height: f64,
 }
 
-/// Counted crossings: last point beyond the one threshold, first point beyond the other.
+/// Counted crossings: last point beyond one threshold, first point beyond the other.
 fn crossings(z: &[f64], above: f64, below: f64) -> Vec<(usize, usize)> {
     let beyond = |up: bool, z: f64| if up { z > above } else { z < -below };
-    let mut found = Vec::new();
+    let mut crossings = Vec::new();
     let first = z.iter().position(|&z| beyond(true, z) || beyond(false, z));
     let Some(mut at) = first else {
-        return found;
+        return crossings;
     };
     let mut up = beyond(true, z[at]);
     while let Some(step) = z[at..].iter().position(|&z| beyond(!up, z)) {
         let to = at + step;
         let stay = z[at..to].iter().rposition(|&z| beyond(up, z));
-        found.push((at + stay.unwrap_or(0), to));
+        crossings.push((at + stay.unwrap_or(0), to));
         (at, up) = (to, !up);
     }
-    found
+    crossings
 }
 
 /// The first zero between points `from` and `to`, whose heights differ in sign, in points from the first.
@@ -41,7 +41,7 @@ fn first_zero(z: &[f64], (from, to): (usize, usize)) -> f64 {
     zero_after(z, k.unwrap_or(from))
 }
 
-/// The last zero there: the first of the trace run backwards.
+/// The last zero between points `from` and `to`: the first zero of the reversed trace.
 fn last_zero(z: &[f64], (from, to): (usize, usize)) -> f64 {
     let positive = z[to] > 0.0;
     let k = (from..to).rfind(|&k| (z[k] > 0.0) != positive);
@@ -54,23 +54,23 @@ fn zero_after(z: &[f64], k: usize) -> f64 {
     k as f64 + if fall == 0.0 { 0.0 } else { z[k] / fall }
 }
 
-/// Elements of `z` about its zero line that follow each other.
+/// Consecutive elements of `z` about its zero line.
 pub(crate) fn elements(z: &[f64], above: f64, below: f64) -> Vec<Element> {
     let crossings = crossings(z, above, below).into_iter();
-    let zeros: Vec<f64> = crossings.map(|place| first_zero(z, place)).collect();
+    let zeros: Vec<f64> = crossings.map(|crossing| first_zero(z, crossing)).collect();
     between(z, zeros.windows(3).step_by(2)).collect()
 }
 
-/// Elements of `z` that start at every crossing, of the trace run forwards and backwards.
+/// Elements of `z` that start at every crossing, in both directions of the trace.
 pub(crate) fn overlapping_elements(z: &[f64], above: f64, below: f64) -> Vec<Element> {
-    // Both ways the same excursions follow each other; only the zeros between them may differ.
+    // Both directions have the same excursions; only the zeros between them may differ.
     let (forwards, backwards): (Vec<f64>, Vec<f64>) = crossings(z, above, below)
         .into_iter()
-        .map(|place| (first_zero(z, place), last_zero(z, place)))
+        .map(|crossing| (first_zero(z, crossing), last_zero(z, crossing)))
         .unzip();
-    let mut found: Vec<Element> = between(z, forwards.windows(3)).collect();
-    found.extend(between(z, backwards.windows(3)));
-    found
+    let mut elements: Vec<Element> = between(z, forwards.windows(3)).collect();
+    elements.extend(between(z, backwards.windows(3)));
+    elements
 }
 
 fn between<'a>(z: &[f64], zeros: impl Iterator<Item = &'a [f64]>) -> impl Iterator<Item = Element> {

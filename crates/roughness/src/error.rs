@@ -1,4 +1,4 @@
-//! Errors of the numerical half of the crate; files are read by `asperity-profile-io`.
+//! Errors of filters, parameters and generators.
 
 use asperity_core::DomainError;
 use asperity_core::quantity::Length;
@@ -11,43 +11,43 @@ pub enum RoughnessError {
     /// An input outside its domain.
     #[error(transparent)]
     Domain(#[from] DomainError),
-    /// The trace is shorter than the evaluation needs.
+    /// The trace is too short for the evaluation.
     #[error("the profile is {length:.4} long, {purpose} needs at least {needed:.4}")]
     TooShort {
-        /// Length at hand.
+        /// Length of the trace.
         length: Length,
-        /// Least length.
+        /// Minimum length.
         needed: Length,
         /// Purpose.
         purpose: &'static str,
     },
-    /// Fewer points than the formula takes.
+    /// Too few points for the formula.
     #[error("{points} points are too few for {purpose}, which needs {needed}")]
     TooFewPoints {
-        /// Points at hand.
+        /// Number of points.
         points: usize,
-        /// Least number.
+        /// Minimum number.
         needed: usize,
         /// Purpose.
         purpose: &'static str,
     },
-    /// No summit can be measured on the profile.
+    /// The profile has no suitable summit.
     #[error("no summit with a {window} window on either side lies above the {level}")]
     NoSummit {
         /// Half width of the curvature window.
         window: Length,
-        /// The level summits must reach.
+        /// Minimum level of the summits.
         level: &'static str,
     },
     /// The summits are flat or hollow on average, so they have no radius.
-    #[error("the mean curvature of {count} summits is {curvature:e} 1/m: no radius follows")]
+    #[error("the mean curvature of {count} summits is {curvature:e} 1/m: they have no radius")]
     NoRadius {
-        /// Summits measured.
+        /// Number of summits.
         count: usize,
         /// Mean curvature [1/m].
         curvature: f64,
     },
-    /// Two profiles that must share a grid do not.
+    /// Two profiles have different spacings.
     #[error(
         "the profiles are spaced {first:.4} and {second:.4}; resample one, or allow linear resampling"
     )]
@@ -57,20 +57,20 @@ pub enum RoughnessError {
         /// Spacing of the second profile.
         second: Length,
     },
-    /// All points around a place are outliers.
-    #[error("at {place:.4} the robust filter finds no points that are not outliers")]
+    /// All points around a position are outliers.
+    #[error("all points around {place:.4} are outliers of the robust filter")]
     NoSupport {
         /// Distance from the start of the profile.
         place: Length,
     },
-    /// An iteration did not settle.
+    /// An iteration did not converge.
     #[error(
         "{what} did not converge in {iterations} iterations: last relative change {residual:e}"
     )]
     NotConverged {
         /// The iteration.
         what: &'static str,
-        /// Iterations made.
+        /// Number of iterations.
         iterations: usize,
         /// Last relative change.
         residual: f64,

@@ -1,7 +1,7 @@
-//! Removing the form of a flank before anything is called roughness.
+//! Removal of the form of a flank.
 //!
-//! Source: least-squares fits; orthogonal polynomials on an even grid make each coefficient a plain
-//! projection, so the fit needs no system of equations and loses no digits.
+//! Source: least-squares fits; with orthogonal polynomials on an even grid each coefficient is a projection, so the fit
+//! needs no system of equations.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -18,15 +18,15 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::RoughnessError;
 
-/// Highest degree of a polynomial fitted.
-const HIGHEST_DEGREE: usize = 2;
+/// Maximum degree of a fitted polynomial.
+const MAX_DEGREE: usize = 2;
 
 /// The form to remove.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Form {
-    /// Nothing, not even the mean height.
+    /// No removal, not even of the mean height.
     None,
     /// The mean height (degree 0).
     Mean,
@@ -45,7 +45,7 @@ pub enum Form {
 pub struct Polynomial {
     /// Coefficients c₀, c₁, c₂ `[m]`; those above the degree are zero.
     pub coefficients: [f64; 3],
-    /// Points of the grid.
+    /// Number of points of the grid.
     pub points: usize,
 }
 
@@ -85,7 +85,7 @@ fn mean_square(n: usize) -> f64 {
 /// c_k = Σ zᵢ pₖ(tᵢ) / Σ pₖ(tᵢ)²; `degree` is 0, 1 or 2.
 ///
 /// # Errors
-/// When the degree is above 2, or there are no more points than the degree.
+/// When the degree is above 2, or the number of points does not exceed the degree.
 ///
 /// ```
 /// use asperity_roughness::form::fit;
@@ -97,7 +97,7 @@ pub fn fit(heights: &[f64], degree: usize) -> Result<Polynomial, RoughnessError>
     cite!("Form-1");
     let n = heights.len();
     DomainError::require(
-        degree <= HIGHEST_DEGREE,
+        degree <= MAX_DEGREE,
         "degree",
         degree as f64,
         "-",
@@ -117,7 +117,7 @@ pub fn fit(heights: &[f64], degree: usize) -> Result<Polynomial, RoughnessError>
         _ => t * t - square,
     };
     let mut coefficients = [0.0; 3];
-    // Projecting what is left keeps the digits of small terms under a large offset.
+    // Projecting the residual preserves the accuracy of small terms with a large offset.
     let mean = heights.iter().sum::<f64>() / n as f64;
     coefficients[0] = mean + heights.iter().map(|z| z - mean).sum::<f64>() / n as f64;
     for k in 1..=degree {
@@ -135,7 +135,7 @@ pub fn fit(heights: &[f64], degree: usize) -> Result<Polynomial, RoughnessError>
     })
 }
 
-/// The profile without its form.
+/// Removes the form from a profile.
 ///
 /// # Errors
 /// When the profile has too few points for the fit, or the circle does not converge.
@@ -171,24 +171,24 @@ pub fn remove(profile: &Profile, form: Form) -> Result<Profile, RoughnessError> 
 
 /// z(x) = c₀ + c₁ x ± (√(R² − x²) − R), fitted to the heights by Gauss-Newton       [Form-2]
 ///
-/// x runs from the middle of the trace, the curvature κ = ±1/R is the unknown, and
-/// √(R² − x²) − R = −κ x²/(1 + √(1 − κ² x²)), which holds for a flat trace too.
+/// x is measured from the middle of the trace, the curvature κ = ±1/R is the unknown, and
+/// √(R² − x²) − R = −κ x²/(1 + √(1 − κ² x²)), which also holds for a flat trace.
 fn circle_residual(profile: &Profile) -> Result<Vec<f64>, RoughnessError> {
     cite!("Form-2");
-    const MOST: usize = 50;
-    // Relative change of the curvature at which the heights no longer change.
-    const SETTLED: f64 = 1e-12;
+    const MAX_ITERATIONS: usize = 50;
+    // Convergence criterion: relative change of the curvature.
+    const TOLERANCE: f64 = 1e-12;
     let z = profile.heights();
     let parabola = fit(z, 2)?;
     let half = 0.5 * profile.length().si();
     let mut curvature = -2.0 * parabola.coefficients[2] / (half * half);
-    // The steepest circle that still spans the trace.
+    // The smallest circle that spans the trace.
     let steepest = 0.999 / half;
     let mut residual = 1.0;
-    for _ in 0..MOST {
+    for _ in 0..MAX_ITERATIONS {
         curvature = curvature.clamp(-steepest, steepest);
         let (arc, slope) = arc_and_slope(z.len(), half, curvature);
-        // Offset and tilt follow the arc exactly; only the curvature needs steps.
+        // Offset and tilt are linear and fitted exactly; only the curvature is iterated.
         let rest: Vec<f64> = z.iter().zip(&arc).map(|(z, arc)| z - arc).collect();
         let line = fit(&rest, 1)?;
         let tangent = fit(&slope, 1)?;
@@ -201,10 +201,10 @@ fn circle_residual(profile: &Profile) -> Result<Vec<f64>, RoughnessError> {
         let step = if norm > 0.0 { product / norm } else { 0.0 };
         residual = step.abs() / curvature.abs().max(f64::MIN_POSITIVE);
         curvature += step;
-        // A step that moves no height by more than its rounding counts as none on a flat trace.
+        // On a flat trace a step has converged if it changes no height by more than its rounding error.
         let moved = step.abs() * half * half;
         let scale = z.iter().fold(0.0_f64, |m, z| m.max(z.abs()));
-        if residual < SETTLED || moved <= f64::EPSILON * scale {
+        if residual < TOLERANCE || moved <= f64::EPSILON * scale {
             return Ok(rest
                 .iter()
                 .enumerate()
@@ -214,12 +214,12 @@ fn circle_residual(profile: &Profile) -> Result<Vec<f64>, RoughnessError> {
     }
     Err(RoughnessError::NotConverged {
         what: "the circle fit",
-        iterations: MOST,
+        iterations: MAX_ITERATIONS,
         residual,
     })
 }
 
-/// Heights of the arc over its apex, and their derivative by the curvature.
+/// Heights of the arc above its apex, and their derivatives with respect to the curvature.
 fn arc_and_slope(n: usize, half: f64, curvature: f64) -> (Vec<f64>, Vec<f64>) {
     (0..n)
         .map(|i| {

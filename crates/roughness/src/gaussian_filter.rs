@@ -1,4 +1,4 @@
-//! The linear Gaussian profile filter and what it does at the ends of a trace.
+//! Linear Gaussian profile filter, with the treatment of the ends of a trace.
 //!
 //! Source: ISO 16610-21 (weights, 50 % at the cut-off), ISO 16610-28 (ends).
 //!
@@ -9,8 +9,8 @@
 //! | s(x) | weighting function | 1/m |
 //! | w_k | sampled weights, k = −m .. m, sum 1 | - |
 //!
-//! The weights reach to ±1.0 λ_c; ±0.5 λ_c, which the standard allows, errs by up to 2.7 % in Rq.
-//! Sums over many weights are convolutions by fast Fourier transform, block by block: n log m.
+//! The weights extend to ±1.0 λ_c; with ±0.5 λ_c, which the standard permits, the error of Rq is up to 2.7 %. Sums over
+//! many weights are convolutions by fast Fourier transform in blocks: n log m operations.
 
 use asperity_core::cite;
 use std::f64::consts::{LN_2, PI};
@@ -24,10 +24,10 @@ use serde::{Deserialize, Serialize};
 use crate::blocks::Blocks;
 use crate::error::RoughnessError;
 
-/// Reach of the weights on either side, in cut-offs.
+/// Extent of the weights on either side, in cut-offs.
 pub const SUPPORT: f64 = 1.0;
 
-/// Treatment of the ends of the trace, where the weights reach past them.
+/// Treatment of the ends of the trace, where the weights extend beyond it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
@@ -37,7 +37,7 @@ pub enum Ends {
     Cut,
     /// The remaining weights are normalised (regression of degree 0).
     Reg0,
-    /// A weighted line is fitted (regression of degree 1): a straight line is kept to the ends.
+    /// A weighted line is fitted (regression of degree 1), which preserves straight lines up to the ends.
     Reg1,
     /// The trace is continued as its mirror image.
     Reflect,
@@ -45,7 +45,7 @@ pub enum Ends {
 
 /// α = √(ln 2/π)                                                            [Gauss-1]
 ///
-/// The constant that makes the filter pass half the amplitude at its cut-off.
+/// With this constant the filter transmits half the amplitude at its cut-off.
 ///
 /// ```
 /// assert!((asperity_roughness::gaussian_filter::alpha() - 0.469_718_639).abs() < 1e-9);
@@ -57,7 +57,7 @@ pub fn alpha() -> f64 {
 
 /// a(λ) = exp(−π (α λ_c/λ)²)                                                 [Gauss-2]
 ///
-/// Share of a sine of wavelength λ that stays in the mean line: ½ at λ = λ_c, 1 for long waves.
+/// Amplitude transmission of a sine of wavelength λ into the mean line: ½ at λ = λ_c, 1 for long waves.
 ///
 /// # Errors
 /// When a length is not positive.
@@ -95,10 +95,10 @@ pub fn transmission(wavelength: Length, cutoff: Length) -> Result<f64, DomainErr
 /// ```
 pub fn weights(cutoff: Length, spacing: Length) -> Result<Vec<f64>, DomainError> {
     cite!("Gauss-3");
-    // A cut-off that is a whole number of spacings must not gain a weight by rounding.
+    // Rounding errors must not add a weight if the cut-off is a whole number of spacings.
     const ROUNDING: f64 = 1e-9;
-    // 10^8 weights are a gigabyte; no trace is that long.
-    const MOST: f64 = 1e8;
+    // 10^8 weights need 800 MB, and no trace is that long.
+    const MAX_WEIGHTS: f64 = 1e8;
     let dx = DomainError::positive("spacing", spacing)?;
     let lc = DomainError::positive("cut-off", cutoff)?;
     DomainError::require(
@@ -109,7 +109,7 @@ pub fn weights(cutoff: Length, spacing: Length) -> Result<Vec<f64>, DomainError>
         "must not be shorter than the spacing",
     )?;
     DomainError::require(
-        lc <= MOST * dx,
+        lc <= MAX_WEIGHTS * dx,
         "cut-off",
         lc,
         "m",
@@ -168,7 +168,7 @@ pub fn mean_line(
 
 /// Σ w_k zᵢ₊ₖ over the points that exist.
 fn convolve(z: &[f64], w: &[f64]) -> Vec<f64> {
-    // A λ_s filter has a handful of weights; up to here their sum is faster than transforms.
+    // A λ_s filter has few weights; up to this number a direct sum is faster than transforms.
     const FEW: usize = 24;
     let (n, m) = (z.len(), w.len() - 1);
     let mut out = vec![0.0; n];
@@ -183,7 +183,7 @@ fn convolve(z: &[f64], w: &[f64]) -> Vec<f64> {
     let step = if blocks.step < n { blocks.step - m } else { n };
     for start in (0..n).step_by(step) {
         let end = (start + step).min(n);
-        // Points up to m before and after the block weigh on it.
+        // The block depends on up to m points before and after it.
         let (from, to) = (start.saturating_sub(m), (end + m).min(n));
         product.apply(&z[from..to], &mut piece);
         out[start..end].copy_from_slice(&piece[start - from..end - from]);
@@ -192,7 +192,7 @@ fn convolve(z: &[f64], w: &[f64]) -> Vec<f64> {
 }
 
 fn summed(z: &[f64], w: &[f64], out: &mut [f64]) {
-    // Points worked at a time, for one weight after the other, in registers and cache.
+    // Number of points per pass over the weights, so that they stay in the cache.
     const AT_ONCE: usize = 512;
     let (n, m) = (z.len(), w.len() - 1);
     let at = |i: usize| {
@@ -221,7 +221,7 @@ fn summed(z: &[f64], w: &[f64], out: &mut [f64]) {
     }
 }
 
-/// Weights inside the trace, as sums of moments Σ w kʲ over the points that exist around point i.
+/// Moments Σ w kʲ of the weights over the existing points around point i.
 struct Moments<'a> {
     w: &'a [f64],
     /// Prefix sums of w_k, k w_k, k² w_k over k = 1 .. m.
@@ -267,7 +267,7 @@ impl<'a> Moments<'a> {
 }
 
 fn renormalised(z: &[f64], w: &[f64]) -> Vec<f64> {
-    // The offset of a raw trace, up to 0.1 m, would cost digits in the transform.
+    // The offset of a raw trace, up to 0.1 m, would cause rounding errors in the transform.
     let offset = z.iter().sum::<f64>() / z.len() as f64;
     let centred: Vec<f64> = z.iter().map(|z| z - offset).collect();
     let moments = Moments::new(w, z.len());
@@ -278,7 +278,8 @@ fn renormalised(z: &[f64], w: &[f64]) -> Vec<f64> {
     line
 }
 
-/// Inside the trace S₁ = 0 and the line equals the mean; only the ends are worked again.
+/// Mean line by regression of degree 1. Inside the trace S₁ = 0 and the regression equals the weighted mean, so only
+/// the ends are computed again.
 fn regressed(z: &[f64], w: &[f64]) -> Vec<f64> {
     let mut line = renormalised(z, w);
     let (n, m) = (z.len(), w.len() - 1);
@@ -288,8 +289,8 @@ fn regressed(z: &[f64], w: &[f64]) -> Vec<f64> {
     line[..count].copy_from_slice(&corrected[..count]);
     let backwards: Vec<f64> = z[n - reach..].iter().rev().copied().collect();
     let corrected = regressed_start(&backwards, w, n);
-    // A trace shorter than two supports has points that both ends reach: `reach` is then n, and
-    // either side gives the same regression.
+    // In a trace shorter than two supports the ends overlap: `reach` is then n, and both sides give the same
+    // regression.
     for (k, value) in corrected[..count].iter().enumerate() {
         line[n - 1 - k] = *value;
     }

@@ -1,16 +1,15 @@
-//! Height, spacing and slope parameters in the two ways in which they are standardised.
+//! Height, spacing and slope parameters according to ISO 4287 and ISO 21920-2.
 //!
-//! Source: ISO 4287:1997 with ISO 4288 (per sampling length, then the mean; what testers print), and
+//! Source: ISO 4287:1997 with ISO 4288 (per sampling length, then the mean, as roughness testers print), and
 //! ISO 21920-2:2021 (field parameters over the evaluation length, feature parameters per section).
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | z | height over the mean line of the filter (never centred again) | m |
+//! | z | height above the mean line of the filter (not centred again) | m |
 //! | l_e, l_c | evaluation length, section (sampling) length | m |
 //! | n | sections, ⌊l_e/l_c⌋; section i is z[i N/n .. (i+1) N/n] | - |
 //!
-//! The two ways differ by up to a factor on surfaces with single features: the mode goes with every
-//! value.
+//! On surfaces with single features the two standards differ by large factors, so every value states its mode.
 
 use asperity_core::cite;
 use asperity_core::numerics::{extremes, sum};
@@ -23,18 +22,18 @@ use crate::elements::{Element, elements, overlapping_elements};
 use crate::error::RoughnessError;
 use crate::spectral::{each_slope, mean_square};
 
-/// Share of Rz (or Rp, Rv) that a profile element must exceed on either side (ISO 4287, 21920-2).
+/// Fraction of Rz (or Rp, Rv) that a profile element must exceed on either side (ISO 4287, ISO 21920-2).
 const DISCRIMINATION: f64 = 0.1;
 
-/// The standard whose definitions are used.
+/// Standard that defines the parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Mode {
-    /// Per sampling length, then the mean: ISO 4287, as testers print it.
+    /// ISO 4287: per sampling length, then the mean, as roughness testers print.
     #[default]
     Iso4287,
-    /// Over the evaluation length: ISO 21920-2.
+    /// ISO 21920-2: over the evaluation length.
     Iso21920,
 }
 
@@ -51,17 +50,17 @@ impl std::fmt::Display for Mode {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct HeightParameters {
-    /// The definitions used.
+    /// Standard of the definitions.
     pub mode: Mode,
-    /// Sections evaluated.
+    /// Number of sections.
     pub sections: usize,
     /// Arithmetic mean height.
     pub ra: Length,
     /// Root mean square height.
     pub rq: Length,
-    /// Skewness; none for a flat profile.
+    /// Skewness; `None` for a flat profile.
     pub rsk: Option<f64>,
-    /// Kurtosis, 3 for Gaussian heights; none for a flat profile.
+    /// Kurtosis, 3 for Gaussian heights; `None` for a flat profile.
     pub rku: Option<f64>,
     /// Mean peak height.
     pub rp: Length,
@@ -69,17 +68,17 @@ pub struct HeightParameters {
     pub rv: Length,
     /// Rp + Rv.
     pub rz: Length,
-    /// Largest Rz of a section (also printed as Rmax, Rz1max, Rzx).
+    /// Largest Rz of a section (also called Rmax, Rzx).
     pub rz1max: Length,
     /// Total height over the evaluation length.
     pub rt: Length,
-    /// Mean width of profile elements; none without an element.
+    /// Mean width of profile elements; `None` without elements.
     pub rsm: Option<Length>,
-    /// Mean height of profile elements; none without an element.
+    /// Mean height of profile elements; `None` without elements.
     pub rc: Option<Length>,
     /// Root mean square slope, 7-point.
     pub rdq: f64,
-    /// Sections in which no profile element was found (whole trace counted as one in ISO 21920-2).
+    /// Number of sections without a profile element (in ISO 21920-2 the whole trace is one section).
     pub sections_without_element: usize,
 }
 
@@ -93,9 +92,9 @@ pub struct HeightParameters {
 /// use asperity_roughness::height_parameters::{Mode, height_parameters};
 /// let wave = |i: usize| 1e-6 * (i as f64 / 100.0 * std::f64::consts::TAU).sin();
 /// let profile = Profile::new(Length::from_si(0.8e-6), (0..5000).map(wave).collect())?;
-/// let found = height_parameters(&profile, Mode::Iso4287, "0.8 mm".parse()?)?;
-/// assert_eq!(found.sections, 5);
-/// assert!((found.rq.si() - 1e-6 / 2f64.sqrt()).abs() < 1e-12);
+/// let parameters = height_parameters(&profile, Mode::Iso4287, "0.8 mm".parse()?)?;
+/// assert_eq!(parameters.sections, 5);
+/// assert!((parameters.rq.si() - 1e-6 / 2f64.sqrt()).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn height_parameters(
@@ -120,7 +119,7 @@ pub fn height_parameters(
 /// ```
 pub fn sections_in(profile: &Profile, section_length: Length) -> Result<usize, RoughnessError> {
     cite!("Section-1");
-    // Five sections of 0.8 mm must not become four by the rounding of dx.
+    // Five sections of 0.8 mm must not become four due to the rounding of dx.
     const ROUNDING: f64 = 1e-9;
     let lc = DomainError::positive("section length", section_length)?;
     let evaluated = profile.spacing() * profile.len() as f64;
@@ -135,19 +134,19 @@ pub fn sections_in(profile: &Profile, section_length: Length) -> Result<usize, R
     Ok((sections as usize).min(profile.len()))
 }
 
-/// The parameters of a filtered profile cut into `sections` equal sections.
+/// The parameters of a filtered profile divided into `sections` equal sections.
 ///
 /// # Errors
-/// When there is no section, or one has fewer than the seven points that a slope takes.
+/// When `sections` is zero, or a section has fewer than the seven points of a slope.
 ///
 /// ```
 /// use asperity_core::{Profile, quantity::Length};
 /// use asperity_roughness::height_parameters::{Mode, in_sections};
 /// let heights = (0..500).map(|i| if i % 2 == 0 { 1e-6 } else { -1e-6 }).collect();
 /// let profile = Profile::new(Length::from_si(1e-6), heights)?;
-/// let found = in_sections(&profile, Mode::Iso21920, 5)?;
-/// assert_eq!(found.rz.si(), 2e-6);
-/// assert!((found.ra.si() - 1e-6).abs() < 1e-18);
+/// let parameters = in_sections(&profile, Mode::Iso21920, 5)?;
+/// assert_eq!(parameters.rz.si(), 2e-6);
+/// assert!((parameters.ra.si() - 1e-6).abs() < 1e-18);
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn in_sections(
@@ -155,14 +154,14 @@ pub fn in_sections(
     mode: Mode,
     sections: usize,
 ) -> Result<HeightParameters, RoughnessError> {
-    const LEAST: usize = 7;
+    const MIN_POINTS: usize = 7;
     let z = profile.heights();
     let n = sections;
     DomainError::require(n > 0, "sections", 0.0, "-", "must be at least one")?;
-    if z.len() / n < LEAST {
+    if z.len() / n < MIN_POINTS {
         return Err(RoughnessError::TooFewPoints {
             points: z.len() / n,
-            needed: LEAST,
+            needed: MIN_POINTS,
             purpose: "the slope of a section",
         });
     }
@@ -170,15 +169,15 @@ pub fn in_sections(
         .map(|i| &z[i * z.len() / n..(i + 1) * z.len() / n])
         .collect();
     let dx = profile.spacing().si();
-    let found = match mode {
+    let raw = match mode {
         Mode::Iso4287 => per_section(&parts, dx),
         Mode::Iso21920 => over_the_length(z, &parts, dx),
     };
     let (low, high) = extremes(z);
-    Ok(found.finish(mode, n, high - low))
+    Ok(raw.finish(mode, n, high - low))
 }
 
-/// Numbers in SI on their way to [`HeightParameters`].
+/// Values of [`HeightParameters`] in SI units and points.
 struct Raw {
     moments: Moments,
     rp: f64,
@@ -226,7 +225,7 @@ fn moments(z: &[f64]) -> Moments {
     cite!("Height-1");
     let n = z.len() as f64;
     let rq = (sum(z, |z| z * z) / n).sqrt();
-    // Heights are scaled by Rq before they are raised, so that no power underflows.
+    // Heights are divided by Rq so that their powers do not underflow.
     let shape = (rq > 0.0).then(|| {
         let scale = 1.0 / rq;
         let power = |p: i32| sum(z, |z| (z * scale).powi(p)) / n;
@@ -253,7 +252,7 @@ fn per_section(parts: &[&[f64]], dx: f64) -> Raw {
     let average = |value: fn(&Section) -> f64| mean(each.iter().map(value)).unwrap_or_default();
     let shapes = || each.iter().filter_map(|section| section.moments.shape);
     let shape = mean(shapes().map(|s| s.0)).zip(mean(shapes().map(|s| s.1)));
-    let found: Vec<Element> = each.iter().filter_map(|section| section.element).collect();
+    let found_elements: Vec<Element> = each.iter().filter_map(|section| section.element).collect();
     let ranges = each.iter().map(|section| section.high - section.low);
     Raw {
         moments: Moments {
@@ -264,8 +263,8 @@ fn per_section(parts: &[&[f64]], dx: f64) -> Raw {
         rp: average(|section| section.high),
         rv: average(|section| -section.low),
         rz1max: ranges.fold(0.0, f64::max),
-        empty: parts.len() - found.len(),
-        element: mean_element(&found),
+        empty: parts.len() - found_elements.len(),
+        element: mean_element(&found_elements),
         rdq: average(|section| section.rdq),
         dx,
     }
@@ -306,14 +305,14 @@ fn over_the_length(z: &[f64], parts: &[&[f64]], dx: f64) -> Raw {
     let height = |values: &[f64]| values.iter().sum::<f64>() / n as f64;
     let (rp, rv) = (height(&hills), height(&dales));
     let ranges = hills.iter().zip(&dales).map(|(hill, dale)| hill + dale);
-    let found = overlapping_elements(z, DISCRIMINATION * rp, DISCRIMINATION * rv);
+    let found_elements = overlapping_elements(z, DISCRIMINATION * rp, DISCRIMINATION * rv);
     Raw {
         moments: moments(z),
         rp,
         rv,
         rz1max: ranges.fold(0.0, f64::max),
-        empty: usize::from(found.is_empty()),
-        element: mean_element(&found),
+        empty: usize::from(found_elements.is_empty()),
+        element: mean_element(&found_elements),
         rdq: mean_square(each_slope(z, dx)).sqrt(),
         dx,
     }
@@ -323,7 +322,7 @@ fn over_the_length(z: &[f64], parts: &[&[f64]], dx: f64) -> Raw {
 /// points on one side of the mean line and belongs to the section of its extremum.
 fn hills_and_dales(z: &[f64], n: usize) -> (Vec<f64>, Vec<f64>) {
     let (mut hills, mut dales) = (vec![0.0; n], vec![0.0; n]);
-    // Side, place and size of the extremum of the run so far.
+    // Side, position and size of the extremum of the current run.
     let (mut up, mut at, mut size) = (z.first().is_some_and(|z| *z > 0.0), 0, f64::NEG_INFINITY);
     let mut close = |up: bool, at: usize, size: f64| {
         // Section i holds the points i N/n .. (i+1) N/n, rounded down.
@@ -348,8 +347,8 @@ fn hills_and_dales(z: &[f64], n: usize) -> (Vec<f64>, Vec<f64>) {
     (hills, dales)
 }
 
-fn mean_element(found: &[Element]) -> Option<Element> {
-    let width = mean(found.iter().map(|element| element.width))?;
-    let height = mean(found.iter().map(|element| element.height))?;
+fn mean_element(elements: &[Element]) -> Option<Element> {
+    let width = mean(elements.iter().map(|element| element.width))?;
+    let height = mean(elements.iter().map(|element| element.height))?;
     Some(Element { width, height })
 }

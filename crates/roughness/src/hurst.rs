@@ -1,4 +1,4 @@
-//! The Hurst exponent of a profile, from its spectrum.
+//! Hurst exponent of a profile from its spectrum.
 //!
 //! Source: Jacobs, Junge, Pastewka 2017 (power law of the spectrum, averages over bands of equal ratio).
 //!
@@ -6,10 +6,10 @@
 //! |---|---|---|
 //! | C(f) | power spectral density | m³ |
 //! | H | Hurst exponent | - |
-//! | b | slope of log C over log f | - |
+//! | b | slope of log C against log f | - |
 //!
-//! The fit is over the wavelengths that the user names: a spectrum has a roll-off above and a filter
-//! below, and neither has the slope of the surface.
+//! The user states the wavelengths of the fit, because the slope differs above the roll-off and below the filter
+//! cut-off of a spectrum.
 
 use asperity_core::cite;
 use asperity_core::quantity::Length;
@@ -21,20 +21,20 @@ use crate::spectral::power_spectrum;
 
 /// Bands per decade of wavelength.
 const BANDS_PER_DECADE: f64 = 10.0;
-/// Fewest bands of a fit.
-const FEWEST: usize = 4;
+/// Minimum number of bands of a fit.
+const MIN_BANDS: usize = 4;
 
 /// A fitted power law.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct HurstFit {
-    /// Hurst exponent H = −(b + 1)/2; outside 0 .. 1 the spectrum is not that of a self-affine profile.
+    /// Hurst exponent H = −(b + 1)/2; outside 0 .. 1 the profile is not self-affine.
     pub hurst: f64,
     /// Standard error of H, from the scatter of the bands about the line.
     pub standard_error: f64,
-    /// Slope b of log C over log f.
+    /// Slope b of log C against log f.
     pub slope: f64,
-    /// Bands fitted.
+    /// Number of fitted bands.
     pub bands: usize,
 }
 
@@ -44,7 +44,7 @@ pub struct HurstFit {
 /// `longest` to `shortest`.
 ///
 /// # Errors
-/// When the wavelengths are out of order or beyond the profile's, or span fewer than four bands.
+/// When the wavelengths are out of order or outside the range of the profile, or span fewer than four bands.
 ///
 /// ```
 /// use asperity_core::quantity::Length;
@@ -53,8 +53,8 @@ pub struct HurstFit {
 ///     points: 1 << 16, spacing: Length::from_si(0.5e-6), rq: Length::from_si(0.3e-6), hurst: 0.7,
 ///     roll_off: Length::from_si(400e-6), short_cut: Length::from_si(4e-6), seed: 3,
 /// };
-/// let found = hurst_fit(&recipe.generate()?, Length::from_si(200e-6), Length::from_si(8e-6))?;
-/// assert!((found.hurst - 0.7).abs() < 0.05, "{found:?}");
+/// let fit = hurst_fit(&recipe.generate()?, Length::from_si(200e-6), Length::from_si(8e-6))?;
+/// assert!((fit.hurst - 0.7).abs() < 0.05, "{fit:?}");
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn hurst_fit(
@@ -76,10 +76,10 @@ pub fn hurst_fit(
         "must be above the shortest, within the profile, and the shortest at least two spacings",
     )?;
     let points = bands(profile, long, short)?;
-    if points.len() < FEWEST {
+    if points.len() < MIN_BANDS {
         return Err(RoughnessError::TooFewPoints {
             points: points.len(),
-            needed: FEWEST,
+            needed: MIN_BANDS,
             purpose: "a Hurst fit, counted in bands of a tenth of a decade",
         });
     }
@@ -92,26 +92,26 @@ pub fn hurst_fit(
     })
 }
 
-/// log f and log C of each band that holds power.
+/// Mean log f and log C of each band with power.
 fn bands(profile: &Profile, long: f64, short: f64) -> Result<Vec<(f64, f64)>, RoughnessError> {
     let spectrum = power_spectrum(profile)?;
     let band = |f: f64| ((f * long).log10() * BANDS_PER_DECADE).floor();
-    let mut found: Vec<(f64, f64, f64, f64)> = Vec::new();
+    let mut bands: Vec<(f64, f64, f64, f64)> = Vec::new();
     for (k, density) in spectrum.density.iter().enumerate() {
         let f = k as f64 * spectrum.frequency_step;
         if f < 1.0 / long || f > 1.0 / short {
             continue;
         }
-        match found.last_mut() {
+        match bands.last_mut() {
             Some(last) if last.0 == band(f) => {
                 last.1 += f.log10();
                 last.2 += density;
                 last.3 += 1.0;
             }
-            _ => found.push((band(f), f.log10(), *density, 1.0)),
+            _ => bands.push((band(f), f.log10(), *density, 1.0)),
         }
     }
-    let means = found.iter().map(|(_, f, c, n)| (f / n, (c / n).log10()));
+    let means = bands.iter().map(|(_, f, c, n)| (f / n, (c / n).log10()));
     Ok(means.filter(|(_, c)| c.is_finite()).collect())
 }
 

@@ -1,4 +1,4 @@
-//! The involute taken off a flank that was traced from root to tip.
+//! Removal of the involute from a flank that was traced from root to tip.
 //!
 //! Source: geometry of the involute (Litvin and Fuentes 2004, chapter 10).
 //!
@@ -6,9 +6,9 @@
 //! |---|---|---|
 //! | r_b | base radius | m |
 //! | ρ₀ | roll length (radius of curvature) at the middle of the trace | m |
-//! | ξ₀ | roll angle there, ρ₀/r_b | rad |
-//! | θ | roll angle from there | rad |
-//! | x, z | along the tangent at the middle, out of the material | m |
+//! | ξ₀ | roll angle at the middle, ρ₀/r_b | rad |
+//! | θ | roll angle from the middle | rad |
+//! | x, z | coordinates along the tangent at the middle and out of the material | m |
 
 use asperity_core::cite;
 use asperity_core::quantity::Length;
@@ -43,17 +43,17 @@ pub struct Involute {
 /// use asperity_core::quantity::Length;
 /// use asperity_roughness::involute::{Involute, heights};
 /// let flank = Involute { base_radius: Length::from_si(50e-3), roll_length: Length::from_si(15e-3), towards_root: false };
-/// // Near the middle it is a circle of radius ρ₀.
+/// // Near the middle the involute is a circle of radius ρ₀.
 /// let z = heights(&flank, &[0.1e-3])?;
 /// assert!((z[0] + 0.1e-3_f64.powi(2) / (2.0 * 15e-3)).abs() < 5e-9);
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn heights(flank: &Involute, x: &[f64]) -> Result<Vec<f64>, RoughnessError> {
     cite!("Form-3");
-    // Newton's steps shrink to the rounding of x(θ), 1e-16/ξ, and no further: near the root ξ is a hundredth.
-    // A step of 1e-12 moves x by less than a picometre on any gear, and the next would be its square.
-    const SETTLED: f64 = 1e-12;
-    const MOST: usize = 50;
+    // Newton steps decrease to the rounding error of x(θ), 1e-16/ξ, where ξ is 0.01 near the root. A step of 1e-12
+    // changes x by less than a picometre on any gear, and the next step would be of the order of its square.
+    const TOLERANCE: f64 = 1e-12;
+    const MAX_ITERATIONS: usize = 50;
     let rb = DomainError::positive("base radius", flank.base_radius)?;
     let roll = DomainError::positive("roll length", flank.roll_length)?;
     let start = roll / rb;
@@ -65,33 +65,33 @@ pub fn heights(flank: &Involute, x: &[f64]) -> Result<Vec<f64>, RoughnessError> 
             "m",
             "is too short: the trace reaches below the base circle",
         )?;
-        // Arc length along the involute is r_b ξ²/2, and x is nearly that.
+        // x is approximately the arc length of the involute, r_b ξ²/2.
         let squared = (start * start + 2.0 * x / rb).max(1e-6 * start * start);
         let mut theta = squared.sqrt() - start;
         let mut step = f64::INFINITY;
-        for _ in 0..MOST {
+        for _ in 0..MAX_ITERATIONS {
             let xi = start + theta;
-            let found = rb * (theta.cos() + xi * theta.sin() - 1.0);
+            let reached = rb * (theta.cos() + xi * theta.sin() - 1.0);
             // dx/dθ = r_b ξ cos θ.
-            step = (x - found) / (rb * xi * theta.cos());
-            // Not below the base circle, where there is no flank.
+            step = (x - reached) / (rb * xi * theta.cos());
+            // The flank ends at the base circle.
             step = step.max(-0.5 * xi);
             theta += step;
-            if step.abs() <= SETTLED * (1.0 + theta.abs()) {
+            if step.abs() <= TOLERANCE * (1.0 + theta.abs()) {
                 let xi = start + theta;
                 return Ok(rb * (xi * theta.cos() - theta.sin() - start));
             }
         }
         Err(RoughnessError::NotConverged {
             what: "the roll angle",
-            iterations: MOST,
+            iterations: MAX_ITERATIONS,
             residual: step.abs(),
         })
     };
     x.iter().map(|x| at(*x)).collect()
 }
 
-/// The profile without its involute, and without the tilt and offset that setting up leaves.
+/// Removes the involute and the remaining tilt and offset from a profile.
 ///
 /// # Errors
 /// As [`heights`].
@@ -110,7 +110,7 @@ pub fn remove(profile: &Profile, flank: &Involute) -> Result<Profile, RoughnessE
     Ok(Profile::new(profile.spacing(), level)?)
 }
 
-/// Heights `z` spaced by `dx` without the involute and without the line that is left.
+/// Removes the involute and the remaining line from heights `z` with spacing `dx`.
 fn level(z: &[f64], dx: f64, flank: &Involute) -> Result<Vec<f64>, RoughnessError> {
     let n = z.len();
     let middle = 0.5 * (n.max(1) - 1) as f64;
@@ -125,8 +125,8 @@ fn level(z: &[f64], dx: f64, flank: &Involute) -> Result<Vec<f64>, RoughnessErro
 
 /// ρ̂ = argmin over ρ₀ of Σ (zᵢ − z(xᵢ; ρ₀, r_b) − line)²                        `[Form-4]`
 ///
-/// Roll length at the middle that fits `profile` best with the base radius of `flank`. Golden section in
-/// 1/ρ₀, on at most two thousand of the points: an involute is as smooth as that.
+/// Best-fit roll length at the middle of `profile` with the base radius of `flank`, by golden section search in 1/ρ₀.
+/// At most two thousand points are used, because an involute is smooth.
 ///
 /// # Errors
 /// When the profile has too few points, or a length of `flank` is not positive.
@@ -145,8 +145,8 @@ pub fn fitted_roll_length(profile: &Profile, flank: &Involute) -> Result<Length,
     cite!("Form-4");
     const POINTS: usize = 2000;
     const STEPS: usize = 80;
-    // Longest roll length looked at, over the one given.
-    const LONGEST: f64 = 20.0;
+    // Maximum roll length, relative to the given one.
+    const MAX_RATIO: f64 = 20.0;
     let stride = profile.len().div_ceil(POINTS);
     let z: Vec<f64> = profile.heights().iter().copied().step_by(stride).collect();
     let dx = profile.spacing().si() * stride as f64;
@@ -165,7 +165,7 @@ pub fn fitted_roll_length(profile: &Profile, flank: &Involute) -> Result<Length,
         Ok(rest.iter().map(|z| z * z).sum())
     };
     let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
-    let (mut low, mut high) = (1.0 / (LONGEST * given.max(shortest)), 1.0 / shortest);
+    let (mut low, mut high) = (1.0 / (MAX_RATIO * given.max(shortest)), 1.0 / shortest);
     let mut inner = [high - golden * (high - low), low + golden * (high - low)];
     let mut squares = [square(inner[0])?, square(inner[1])?];
     for _ in 0..STEPS {
@@ -182,8 +182,8 @@ pub fn fitted_roll_length(profile: &Profile, flank: &Involute) -> Result<Length,
     Ok(Length::from_si(2.0 / (low + high)))
 }
 
-/// The warning that a parabola or a cubic is left in `profile` after the involute `flank` came off: the
-/// flank is crowned, or its base radius or roll length is another.
+/// Warning about a parabola or a cubic that remains in `profile` after removal of the involute `flank`: the flank is
+/// crowned, or its base radius or roll length is wrong.
 ///
 /// # Errors
 /// As [`fitted_roll_length`].
@@ -202,7 +202,7 @@ pub fn fitted_roll_length(profile: &Profile, flank: &Involute) -> Result<Length,
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn form_left(profile: &Profile, flank: &Involute) -> Result<Option<Warning>, RoughnessError> {
-    // Long waves of the roughness itself make up to about one Rq of parabola.
+    // Long waves of the roughness cause a parabola of up to about one Rq.
     const NOTICEABLE: f64 = 1.0;
     let rest = level(profile.heights(), profile.spacing().si(), flank)?;
     let parabola = fit(&rest, 2)?;
@@ -229,7 +229,7 @@ pub fn form_left(profile: &Profile, flank: &Involute) -> Result<Option<Warning>,
         left += (z - smooth).powi(2);
     }
     let (form, left) = ((form / n).sqrt(), (left / n).sqrt());
-    // Rounding of heights under a large offset is no form.
+    // Rounding errors of heights with a large offset are not form.
     let largest = profile
         .heights()
         .iter()

@@ -1,9 +1,8 @@
 //! Filters, roughness parameters and synthetic profiles.
 //!
-//! From a [`Profile`](asperity_core::Profile) to numbers: [`preparation`] removes form and filters by a
-//! recipe that goes with the result, [`Parameters`] bundles what standards ask for. [`composite`] lays two
-//! flanks on each other, [`summits`] finds the radius of their asperities, [`generate`] makes profiles from
-//! a seed. Files are read by `asperity-profile-io`.
+//! [`preparation`] removes the form of a [`Profile`](asperity_core::Profile) and filters it by a recorded recipe;
+//! [`Parameters`] holds the standardised parameters. [`composite`] adds two flanks, [`summits`] computes the radius of
+//! asperities, [`generate`] creates synthetic profiles from a seed. Files are read by `asperity-profile-io`.
 //!
 //! ```
 //! use asperity_roughness::{Parameters, height_parameters::Mode, preparation::{Preparation, prepare}};
@@ -11,8 +10,8 @@
 //! let heights = (0..12_000).map(|i| 1e-6 * (0.063 * f64::from(i)).sin()).collect();
 //! let flank = Profile::new(Length::from_si(0.5e-6), heights)?;
 //! let prepared = prepare(&flank, &Preparation::default())?;
-//! let found = Parameters::of(&prepared.profile, Mode::Iso4287, "0.8 mm".parse()?)?;
-//! assert!((found.heights.ra.si() / 0.6366e-6 - 1.0).abs() < 0.01);
+//! let parameters = Parameters::of(&prepared.profile, Mode::Iso4287, "0.8 mm".parse()?)?;
+//! assert!((parameters.heights.ra.si() / 0.6366e-6 - 1.0).abs() < 0.01);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -1,14 +1,14 @@
-//! Weighted parabolas about every point of a trace, for the robust filter.
+//! Weighted local parabolas at every point of a trace, for the robust filter.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | s_k | weights of the places, symmetric, k = −m .. m | - |
+//! | s_k | weights of the positions, symmetric, k = −m .. m | - |
 //! | δ | weights of the points | - |
 //! | S_j, T_j | Σ s_k δ_i+k uʲ and Σ s_k δ_i+k z_i+k uʲ, u = k/m | -, m |
 //!
-//! The sums are convolutions by fast Fourier transform in blocks that stay in the cache, each reaching m
-//! points into its neighbours: n log m, ten real transforms a block. A symmetric kernel has a real
-//! transform and an antisymmetric one an imaginary one, so one number per frequency is kept.
+//! The sums are convolutions by fast Fourier transform in blocks that fit into the cache and overlap by m points: n log
+//! m operations, ten real transforms per block. A symmetric kernel has a real transform and an antisymmetric kernel an
+//! imaginary one, so one number per frequency is stored.
 
 use std::sync::Arc;
 
@@ -19,11 +19,11 @@ use realfft::{ComplexToReal, RealToComplex};
 
 use crate::blocks::Blocks;
 
-/// Least determinant of a place with a parabola, over what an error of the full sums K₀, K₂, K₄ makes
-/// of it: the transforms are good to about 10⁻¹⁵ of the full sums, and three digits shall remain.
-const LEAST_DETERMINANT: f64 = 1e-12;
+/// Minimum determinant for a parabola, relative to its change by an error of the full sums K₀, K₂, K₄: the transforms
+/// are accurate to about 10⁻¹⁵ of the full sums, which leaves three digits.
+const MIN_DETERMINANT: f64 = 1e-12;
 
-/// A place about which the weighted points give no parabola.
+/// The weighted points around a point do not define a parabola.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct NoParabola {
     /// Index of the point.
@@ -40,7 +40,7 @@ pub(crate) struct LocalParabolas {
     inverse: Arc<dyn ComplexToReal<f64>>,
     /// Transforms of s_k uʲ, j = 0 .. 4: real for even j, imaginary for odd.
     kernels: [Vec<f64>; 5],
-    /// K₀, K₂, K₄: S₀, S₂, S₄ where no point is left out.
+    /// K₀, K₂, K₄: S₀, S₂, S₄ with unit weights δ, away from the ends.
     full: [f64; 3],
     signal: Vec<f64>,
     scratch: Vec<Complex<f64>>,
@@ -84,7 +84,7 @@ impl LocalParabolas {
         for (k, weight) in weights.iter().enumerate() {
             let u = k as f64 / self.m as f64;
             let value = weight * u.powi(power) / length as f64;
-            // Point i gathers i + k: the kernel runs backwards.
+            // The sum at point i uses i + k: the kernel is reversed.
             self.signal[(length - k) % length] = value;
             self.signal[k] = if even || k == 0 { value } else { -value };
         }
@@ -93,7 +93,7 @@ impl LocalParabolas {
         self.spectra[0].iter().map(part).collect()
     }
 
-    /// The heights at their own places of the parabolas through `weighted` = δ z with the weights δ.
+    /// Heights of the local parabolas at their centres, for `weighted` = δ z with the weights δ.
     pub(crate) fn heights(
         &mut self,
         weights: &[f64],
@@ -127,7 +127,7 @@ impl LocalParabolas {
         Ok(())
     }
 
-    /// Block from `start`: its own points first, those before it at the end of the signal.
+    /// Copies the block from `start` into the signal, with the preceding points at the end of the signal.
     fn place(&mut self, x: &[f64], start: usize) {
         let (n, m, length) = (self.n, self.m, self.signal.len());
         let before = start.min(m);
@@ -193,13 +193,13 @@ fn solve(
         let determinant = matrix.determinant();
         let height = of_height.determinant() / determinant;
         let error = k0 * s2[i] * s4[i] + s0[i] * k2 * s4[i] + s0[i] * s2[i] * k4;
-        let supported = error > 0.0 && s0[i] > 0.0 && determinant > LEAST_DETERMINANT * error;
+        let supported = error > 0.0 && s0[i] > 0.0 && determinant > MIN_DETERMINANT * error;
         (height, supported)
     };
     for (i, height) in heights.iter_mut().enumerate() {
-        let (found, good) = determined(i);
-        *height = found;
-        supported &= good;
+        let (solution, is_supported) = determined(i);
+        *height = solution;
+        supported &= is_supported;
     }
     if supported {
         return Ok(());

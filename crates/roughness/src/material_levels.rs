@@ -1,13 +1,13 @@
-//! Material ratio at a level, level at a material ratio, and the height between two ratios.
+//! Material ratio at a level, level at a material ratio, and height difference between two ratios.
 //!
 //! Source: ISO 4287:1997, 4.5 (Rmr(c), Rδc, relative Rmr) and ISO 21920-2:2021 (Rmr(c), Rmc(p), Rdc(p, q)), over
-//! the evaluation length. Levels are heights over the mean line.
+//! the evaluation length. Levels are heights above the mean line.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | c | level, height over the mean line | m |
-//! | Rmr(c) | share of the evaluation length in the material at c | % |
-//! | Rmc(p) | level at which the share is p | m |
+//! | c | level, height above the mean line | m |
+//! | Rmr(c) | material ratio: fraction of the evaluation length in the material at c | % |
+//! | Rmc(p) | level at which the material ratio is p | m |
 //! | Rdc(p, q) | Rmc(p) − Rmc(q), p < q | m |
 
 use asperity_core::cite;
@@ -16,7 +16,7 @@ use asperity_core::quantity::Length;
 use crate::error::RoughnessError;
 use crate::material_ratio::{curve, cut};
 
-/// The material ratio curve of a profile, asked for levels and ratios.
+/// Material ratio curve of a profile for computing levels and ratios.
 ///
 /// ```
 /// use asperity_core::quantity::Length;
@@ -30,7 +30,7 @@ use crate::material_ratio::{curve, cut};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MaterialLevels {
-    /// Heights in falling order; that of point k is the level at (k + ½)/N.
+    /// Heights in descending order; the height of point k is the level at (k + ½)/N.
     curve: Vec<f64>,
 }
 

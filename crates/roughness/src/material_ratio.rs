@@ -1,11 +1,11 @@
-//! The material ratio (Abbott) curve and the Rk family.
+//! Material ratio (Abbott) curve and the Rk parameters.
 //!
-//! Source: ISO 13565-2:1996, without the height classes that makers use (their values differ by
-//! 1 to 4 % from each other). Heights that were counted in steps are spread over them before.
+//! Source: ISO 13565-2:1996, without the height classes of instrument makers (whose values differ by 1 to 4 % from each
+//! other). Quantised heights are first distributed over their steps.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | s_k | heights in falling order, k = 0 .. N−1 | m |
+//! | s_k | heights in descending order, k = 0 .. N−1 | m |
 //! | Mr_k | material ratio at s_k, (k + ½)/N | % |
 //! | m | 40 % of the points, round(0.4 N) | - |
 //! | c(Mr) | the equivalent straight line | m |
@@ -19,7 +19,7 @@ use serde::{Deserialize, Serialize};
 use crate::error::RoughnessError;
 use crate::quantised::spread;
 
-/// Share of the curve that the line is laid through (ISO 13565-2).
+/// Fraction of the curve for the equivalent line (ISO 13565-2).
 const WINDOW: f64 = 0.4;
 
 /// Fit of the equivalent line through the flattest 40 % of the curve.
@@ -27,14 +27,14 @@ const WINDOW: f64 = 0.4;
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Line {
-    /// By least squares, as the standard says.
+    /// Least-squares line, as in the standard.
     #[default]
     LeastSquares,
-    /// Through the two end points, as some instruments do.
+    /// Line through the two end points, as in some instruments.
     Secant,
 }
 
-/// The Rk family.
+/// The Rk parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct RkParameters {
@@ -44,36 +44,36 @@ pub struct RkParameters {
     pub rpk: Length,
     /// Reduced pit depth.
     pub rvk: Length,
-    /// Material ratio where the core meets the peaks `[%]`.
+    /// Material ratio at the upper end of the core `[%]`.
     pub mr1: f64,
-    /// Material ratio where the core meets the pits `[%]`.
+    /// Material ratio at the lower end of the core `[%]`.
     pub mr2: f64,
-    /// Area of the peaks over the core line, in heights times percent/100 of the trace `[m]`.
+    /// Area of the peaks above the core, per length of the trace `[m]`.
     pub a1: Length,
-    /// Area of the pits under the core line, likewise `[m]`.
+    /// Area of the pits below the core, per length of the trace `[m]`.
     pub a2: Length,
-    /// Height of the core's upper end c(0 %) over the zero of the heights.
+    /// Height of the upper end of the core, c(0 %).
     pub upper: Length,
-    /// Height of the core's lower end c(100 %).
+    /// Height of the lower end of the core, c(100 %).
     pub lower: Length,
-    /// Material ratio at which the 40 % window starts `[%]`.
+    /// Material ratio at the start of the 40 % window `[%]`.
     pub window_start: f64,
     /// Fit of the line.
     pub line: Line,
 }
 
-/// The Rk family of `heights` `[m]`, with the line by least squares.
+/// The Rk parameters of `heights` `[m]` with the least-squares line.
 ///
 /// # Errors
 /// As [`rk_parameters_with`].
 ///
 /// ```
 /// use asperity_roughness::material_ratio::rk_parameters;
-/// // A triangular profile has a straight curve: all core.
+/// // A triangular profile has a straight curve without peaks and pits.
 /// let heights: Vec<f64> = (0..2000).map(|i| f64::from(i) * 1e-9).collect();
-/// let found = rk_parameters(&heights)?;
-/// assert!((found.rk.si() - 2e-6).abs() < 1e-14);
-/// assert!(found.rpk.si() < 1e-14 && found.rvk.si() < 1e-14);
+/// let parameters = rk_parameters(&heights)?;
+/// assert!((parameters.rk.si() - 2e-6).abs() < 1e-14);
+/// assert!(parameters.rpk.si() < 1e-14 && parameters.rvk.si() < 1e-14);
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn rk_parameters(heights: &[f64]) -> Result<RkParameters, RoughnessError> {
@@ -82,9 +82,9 @@ pub fn rk_parameters(heights: &[f64]) -> Result<RkParameters, RoughnessError> {
 
 /// Rk = c(0) − c(100),  Rpk = 2 A₁/Mr1,  Rvk = 2 A₂/(100 − Mr2)                   [Rk-1]
 ///
-/// c is the line through the 40 % of the curve with the least secant slope (the first such window);
-/// Mr1 and Mr2 are where c(0) and c(100) cut the curve; A₁ = (100/N) Σ max(s − c(0), 0),
-/// A₂ = (100/N) Σ max(c(100) − s, 0).
+/// c is the line through the 40 % of the curve with the smallest secant slope (the first such window); Mr1 and Mr2 are
+/// the intersections of c(0) and c(100) with the curve; A₁ = (100/N) Σ max(s − c(0), 0), A₂ = (100/N) Σ max(c(100) − s,
+/// 0).
 ///
 /// # Errors
 /// When there are fewer than ten heights, or one is not finite.
@@ -101,26 +101,26 @@ pub fn rk_parameters_with(heights: &[f64], line: Line) -> Result<RkParameters, R
     Ok(rk_of_curve(&curve(heights)?, line))
 }
 
-/// The Rk family with the line by least squares and as a secant, from one curve.
+/// The Rk parameters with the least-squares line and with the secant.
 pub(crate) fn rk_of_both_lines(heights: &[f64]) -> Result<[RkParameters; 2], RoughnessError> {
     let s = curve(heights)?;
     Ok([Line::LeastSquares, Line::Secant].map(|line| rk_of_curve(&s, line)))
 }
 
-/// The material ratio curve of enough heights, those that were counted in steps spread over them.
+/// The material ratio curve of at least ten heights; quantised heights are distributed over their steps.
 pub(crate) fn curve(heights: &[f64]) -> Result<Vec<f64>, RoughnessError> {
-    const LEAST: usize = 10;
-    if heights.len() < LEAST {
+    const MIN_POINTS: usize = 10;
+    if heights.len() < MIN_POINTS {
         return Err(RoughnessError::TooFewPoints {
             points: heights.len(),
-            needed: LEAST,
+            needed: MIN_POINTS,
             purpose: "the material ratio curve",
         });
     }
     Ok(spread(abbott_curve(heights)?))
 }
 
-/// The Rk family of a material ratio curve of ten points or more.
+/// The Rk parameters of a material ratio curve of at least ten points.
 fn rk_of_curve(s: &[f64], line: Line) -> RkParameters {
     cite!("Rk-1");
     let n = s.len();
@@ -129,7 +129,7 @@ fn rk_of_curve(s: &[f64], line: Line) -> RkParameters {
     let start = flattest_window(s, m);
     let (c0, c100) = equivalent_line(s, start, m, line);
     let share = 100.0 / n as f64;
-    // Sums of heights times percent; a triangle of base Mr1 and height Rpk has the area A₁.
+    // Areas in height times percent; a triangle of base Mr1 and height Rpk has the area A₁.
     let above = s.iter().map(|s| s - c0).take_while(|s| *s > 0.0);
     let below = s.iter().rev().map(|s| c100 - s).take_while(|s| *s > 0.0);
     let a1 = share * above.fold(0.0, |sum, s| sum + s);
@@ -179,9 +179,10 @@ pub fn abbott_curve(heights: &[f64]) -> Result<Vec<f64>, DomainError> {
     Ok(falling(heights))
 }
 
-/// Heights in falling order, sorted as the integers of the same order, which takes half the time.
+/// Heights in descending order. They are sorted as integers of the same order, which takes half the time.
 fn falling(heights: &[f64]) -> Vec<f64> {
-    // The bits below the sign of negative numbers run backwards; swapping them is its own inverse.
+    // Flipping the bits below the sign of negative numbers makes the integer order equal; the mapping is its own
+    // inverse.
     let ordered = |bits: i64| bits ^ (((bits >> 63) as u64) >> 1) as i64;
     let keys = heights.iter().map(|z| ordered(z.to_bits() as i64));
     let mut keys: Vec<i64> = keys.collect();
@@ -190,9 +191,9 @@ fn falling(heights: &[f64]) -> Vec<f64> {
     keys.into_iter().rev().map(height).collect()
 }
 
-/// i* = argmin (s_i − s_i+m), the first of several that differ by rounding only.
+/// i* = argmin (s_i − s_i+m), the first of several that are equal within rounding errors.
 fn flattest_window(s: &[f64], m: usize) -> usize {
-    // The curve of a symmetric profile has two windows that are equal but for rounding.
+    // The curve of a symmetric profile has two windows that are equal within rounding errors.
     const TIE: f64 = 1e-9;
     let tie = TIE * (s[0] - s[s.len() - 1]);
     let (mut best, mut least) = (0, f64::INFINITY);
@@ -232,7 +233,7 @@ fn equivalent_line(s: &[f64], start: usize, m: usize, line: Line) -> (f64, f64) 
     )
 }
 
-/// The material ratio at which the curve falls through `level`, 0 or 100 when it does not.
+/// The material ratio at which the curve intersects `level`; 0 or 100 if it does not.
 pub(crate) fn cut(s: &[f64], level: f64, ratio: impl Fn(usize) -> f64) -> f64 {
     let above = s.partition_point(|s| *s > level);
     if above == 0 {

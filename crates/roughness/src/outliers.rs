@@ -1,15 +1,15 @@
-//! Outliers that are not part of the surface, replaced on request and recorded.
+//! Detection and replacement of outliers, with a record.
 //!
-//! Source: Hampel 1974 (distance from a running median in median deviations).
+//! Source: Hampel 1974 (distance from a running median in units of the median deviation).
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | z̃ᵢ | median over ±w points | m |
 //! | d | 1.4826 · median of \|z − z̃ᵢ\| over the same points, a robust standard deviation | m |
 //!
-//! d is not taken below its median over the profile, so that a flat spot is no trap. Dust and lost light make spikes of a few points. A pit or scratch is wider than the window, moves
-//! the median with it, and stays. Towards the ends the window narrows evenly; the outermost points have
-//! none and stay.
+//! The minimum of d is its median over the profile, so that points in flat regions are not replaced. Dust and lost
+//! light cause spikes of a few points. A pit or scratch is wider than the window, so the median follows it and it
+//! remains. Towards the ends the window narrows symmetrically; the outermost points are never replaced.
 
 use asperity_core::cite;
 use asperity_core::profile::WIDEST_SPIKE;
@@ -21,10 +21,10 @@ use serde::{Deserialize, Serialize};
 use crate::error::RoughnessError;
 use crate::warning::Warning;
 
-/// Median deviation of normal heights over their standard deviation, inverted.
+/// Standard deviation of normally distributed heights divided by their median deviation.
 const NORMAL: f64 = 1.4826;
-/// Widest window; the running median costs points times window.
-const WIDEST: usize = 1000;
+/// Maximum half window: the cost of the running median is points times window.
+const MAX_HALF_WINDOW: usize = 1000;
 
 /// Criterion for outliers.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -32,12 +32,12 @@ const WIDEST: usize = 1000;
 pub struct Outliers {
     /// Distance from the running median in robust standard deviations beyond which a point is replaced.
     pub deviations: f64,
-    /// Points on either side in the running median; spikes up to this wide are found.
+    /// Points on either side in the running median: the maximum width of detected spikes.
     pub half_window: usize,
 }
 
 impl Outliers {
-    /// Points farther than `deviations` in windows that find spikes of up to [`WIDEST_SPIKE`] points.
+    /// Criterion for points farther than `deviations`, for spikes of up to [`WIDEST_SPIKE`] points.
     pub fn beyond(deviations: f64) -> Self {
         Self {
             deviations,
@@ -46,24 +46,24 @@ impl Outliers {
     }
 }
 
-/// Replaced points.
+/// Record of the replaced points.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct OutlierRecord {
-    /// The rule.
+    /// The criterion.
     pub rule: Outliers,
-    /// Points replaced.
+    /// Number of replaced points.
     pub replaced: usize,
-    /// Longest run of them.
+    /// Longest run of replaced points.
     pub longest: usize,
     /// Largest distance of a replaced point from the running median.
     pub farthest: Length,
-    /// Least distance at which a point was replaced.
+    /// Minimum distance of a replaced point in regions with the median d.
     pub threshold: Length,
 }
 
 impl OutlierRecord {
-    /// The warning that points were replaced, if any were.
+    /// Warning about the replaced points; `None` if there are none.
     pub fn warning(&self) -> Option<Warning> {
         (self.replaced > 0).then_some(Warning::OutliersReplaced {
             points: self.replaced,
@@ -73,10 +73,10 @@ impl OutlierRecord {
     }
 }
 
-/// zᵢ ← linear between its neighbours, where |zᵢ − z̃ᵢ| > k d                     `[Outlier-1]`
+/// zᵢ ← linear interpolation between its neighbours, where |zᵢ − z̃ᵢ| > k d                     `[Outlier-1]`
 ///
 /// # Errors
-/// When the rule is not positive or its window wider than the profile.
+/// When the deviations are not positive or the window is wider than the profile.
 ///
 /// ```
 /// use asperity_core::{Profile, quantity::Length};
@@ -105,7 +105,7 @@ pub fn replace(
     )?;
     let w = rule.half_window;
     DomainError::require(
-        (1..=WIDEST).contains(&w) && 2 * w < z.len(),
+        (1..=MAX_HALF_WINDOW).contains(&w) && 2 * w < z.len(),
         "half window",
         w as f64,
         "points",
@@ -139,13 +139,13 @@ pub fn replace(
     Ok((Profile::new(profile.spacing(), cleaned)?, record))
 }
 
-/// Distance of every point from its running median, and the median distance of its window from it.
+/// Distance of every point from its running median, and the median deviation of its window.
 fn distances(z: &[f64], half_window: usize) -> (Vec<f64>, Vec<f64>) {
     let mut window = Vec::with_capacity(2 * half_window + 1);
     (0..z.len())
         .map(|i| {
             window.clear();
-            // A one-sided window would take a slope at the ends for spikes.
+            // With a one-sided window slopes at the ends would be detected as spikes.
             let w = half_window.min(i).min(z.len() - 1 - i);
             window.extend_from_slice(&z[i - w..=i + w]);
             let middle = median(&mut window);
@@ -155,7 +155,7 @@ fn distances(z: &[f64], half_window: usize) -> (Vec<f64>, Vec<f64>) {
         .unzip()
 }
 
-/// A straight line over `length` points from `start`; level at an end of the profile.
+/// Replaces `length` points from `start` by a straight line; by a constant at an end of the profile.
 fn bridge(z: &mut [f64], start: usize, length: usize) {
     let before = start.checked_sub(1).map(|at| z[at]);
     let after = z.get(start + length).copied();
@@ -167,7 +167,7 @@ fn bridge(z: &mut [f64], start: usize, length: usize) {
     }
 }
 
-/// The middle value, of an even number the upper one of the two.
+/// The median; for an even number the upper of the two middle values.
 fn median(values: &mut [f64]) -> f64 {
     let middle = values.len() / 2;
     *values.select_nth_unstable_by(middle, f64::total_cmp).1

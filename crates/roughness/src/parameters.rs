@@ -1,4 +1,4 @@
-//! All parameters of a prepared profile in one bundle.
+//! All parameters of a prepared profile.
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
@@ -10,29 +10,29 @@ use crate::material_ratio::{RkParameters, rk_parameters};
 use crate::spectral::{SpectralMoments, moments};
 use crate::warning::Warning;
 
-/// Sections that ISO 4288 takes as normal.
+/// Standard number of sections (ISO 4288).
 const NORMAL_SECTIONS: usize = 5;
 
-/// The parameters of a prepared profile, with the mode they were computed in.
+/// The parameters of a prepared profile.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Parameters {
-    /// Heights, spacing and slope; carries the mode.
+    /// Height, spacing and slope parameters, with their mode.
     pub heights: HeightParameters,
-    /// Rk family over the whole evaluation length.
+    /// Rk parameters over the whole evaluation length.
     pub material: RkParameters,
     /// Mean squares of height, slope and curvature.
     pub spectral: SpectralMoments,
     /// Section length.
     pub lambda_c: Length,
-    /// Length evaluated.
+    /// Evaluation length.
     pub evaluation_length: Length,
     /// Warnings.
     pub warnings: Vec<Warning>,
 }
 
 impl Parameters {
-    /// The parameters of `profile`, which has its form removed and its filters applied.
+    /// The parameters of `profile`, which must be prepared.
     ///
     /// # Errors
     /// When the profile is shorter than one `lambda_c` or has too few points.
@@ -42,24 +42,24 @@ impl Parameters {
     /// use asperity_roughness::{Parameters, height_parameters::Mode};
     /// let wave = |i: usize| 1e-6 * (i as f64 / 100.0 * std::f64::consts::TAU).sin();
     /// let profile = Profile::new(Length::from_si(0.8e-6), (0..5000).map(wave).collect())?;
-    /// let found = Parameters::of(&profile, Mode::Iso4287, "0.8 mm".parse()?)?;
-    /// assert!((found.material.rk.si() / 1.7747e-6 - 1.0).abs() < 0.01);
+    /// let parameters = Parameters::of(&profile, Mode::Iso4287, "0.8 mm".parse()?)?;
+    /// assert!((parameters.material.rk.si() / 1.7747e-6 - 1.0).abs() < 0.01);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn of(profile: &Profile, mode: Mode, lambda_c: Length) -> Result<Self, RoughnessError> {
-        let mut found = Self::with_sections(profile, mode, sections_in(profile, lambda_c)?)?;
-        found.lambda_c = lambda_c;
-        if found.heights.sections < NORMAL_SECTIONS {
-            found.warnings.push(Warning::FewSections {
-                sections: found.heights.sections,
+        let mut parameters = Self::with_sections(profile, mode, sections_in(profile, lambda_c)?)?;
+        parameters.lambda_c = lambda_c;
+        if parameters.heights.sections < NORMAL_SECTIONS {
+            parameters.warnings.push(Warning::FewSections {
+                sections: parameters.heights.sections,
                 lambda_c,
-                length: found.evaluation_length,
+                length: parameters.evaluation_length,
             });
         }
-        Ok(found)
+        Ok(parameters)
     }
 
-    /// The same in another mode, of the same `profile`: only the heights are worked again.
+    /// The parameters of the same `profile` in another mode; only the height parameters are computed again.
     ///
     /// # Errors
     /// As [`with_sections`](Self::with_sections).
@@ -70,10 +70,10 @@ impl Parameters {
         })
     }
 
-    /// The parameters of `profile` cut into `sections` equal sections, however long.
+    /// The parameters of `profile` divided into `sections` equal sections of any length.
     ///
     /// # Errors
-    /// When there is no section, or the profile has too few points.
+    /// When `sections` is zero, or the profile has too few points.
     pub fn with_sections(
         profile: &Profile,
         mode: Mode,

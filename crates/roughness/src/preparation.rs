@@ -1,8 +1,7 @@
-//! From a trace to a roughness profile, by a recipe that goes with the result.
+//! Preparation of a roughness profile from a trace, with a record of the recipe.
 //!
-//! Form first, then the short-wave filter λ_s, then the roughness profile R = P − mean line(λ_c)
-//! (ISO 21920-2, ISO 16610-21). With [`Ends::Cut`] half a λ_c is dropped at both ends, none for
-//! λ_s alone.
+//! Form first, then the short-wave filter λ_s, then the roughness profile R = P − mean line(λ_c) (ISO 21920-2, ISO
+//! 16610-21). With [`Ends::Cut`] half a λ_c is dropped at both ends, but nothing for λ_s.
 
 use asperity_core::Profile;
 use asperity_core::cite;
@@ -21,15 +20,15 @@ const LAMBDA_S: f64 = 2.5e-6;
 /// λ_c of the default recipe `[m]` (ISO 4288 for Ra from 0.1 to 2 um).
 const LAMBDA_C: f64 = 0.8e-3;
 
-/// The recipe.
+/// Recipe of a preparation.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct Preparation {
     /// Form to remove.
     pub form: Form,
-    /// Cut-off of the short-wave filter; none keeps the short waves.
+    /// Cut-off of the short-wave filter; `None` for no filter.
     pub lambda_s: Option<Length>,
-    /// Cut-off of the roughness filter; none keeps the long waves.
+    /// Cut-off of the roughness filter; `None` for no filter.
     pub lambda_c: Option<Length>,
     /// Treatment of the ends of the trace.
     pub ends: Ends,
@@ -46,7 +45,7 @@ impl Default for Preparation {
     }
 }
 
-/// The filter that gives the mean line at λ_c.
+/// Filter for the mean line at λ_c.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
@@ -54,8 +53,8 @@ pub enum RoughnessFilter {
     /// The linear Gaussian filter (ISO 16610-21).
     #[default]
     Gaussian,
-    /// The robust Gaussian regression filter (ISO 16610-31), for damaged flanks. It keeps to the ends by
-    /// regression, whatever the recipe says about them, except that `cut` drops the same points.
+    /// The robust Gaussian regression filter (ISO 16610-31), for damaged flanks. It always extends to the ends by
+    /// regression; [`Ends::Cut`] drops the same points as with the Gaussian filter.
     RobustGaussian,
 }
 
@@ -63,30 +62,30 @@ pub enum RoughnessFilter {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct PreparationRecord {
-    /// The recipe.
+    /// Recipe of the preparation.
     pub recipe: Preparation,
     /// Spacing of the points.
     pub spacing: Length,
-    /// Points before.
+    /// Number of points before.
     pub points_before: usize,
-    /// Points after.
+    /// Number of points after.
     pub points_after: usize,
-    /// Points dropped at each end.
+    /// Number of points dropped at each end.
     pub dropped_each_end: usize,
-    /// The filter that gave the mean line at λ_c.
+    /// Filter for the mean line at λ_c.
     pub filter: RoughnessFilter,
-    /// Outcome of its iteration, if it iterates.
+    /// Convergence of the robust filter.
     pub robust: Option<RobustEvidence>,
 }
 
-/// A profile that has been through a recipe.
+/// A prepared profile.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Prepared {
     /// The profile.
     #[serde(skip)]
     pub profile: Profile,
-    /// Index of its first point in the profile it was made from.
+    /// Index of its first point in the original profile.
     pub first_index: usize,
     /// Record of the preparation.
     pub record: PreparationRecord,
@@ -94,7 +93,7 @@ pub struct Prepared {
     pub warnings: Vec<Warning>,
 }
 
-/// The profile after form removal and filters.
+/// Prepares a profile: removes the form and filters it with the Gaussian filter.
 ///
 /// P = S(z − form; λ_s),  R = P − w̄(P; λ_c)                                   [Prep-1]
 ///
@@ -117,7 +116,7 @@ pub fn prepare(profile: &Profile, recipe: &Preparation) -> Result<Prepared, Roug
     prepare_with(profile, recipe, RoughnessFilter::Gaussian)
 }
 
-/// As [`prepare`], with the mean line at λ_c by `filter`.
+/// Prepares a profile as [`prepare`], with the mean line at λ_c from `filter`.
 ///
 /// # Errors
 /// As [`prepare`], and when the robust filter does not converge.
@@ -177,12 +176,12 @@ fn from_primary(
     })
 }
 
-/// The three profiles of a trace: P, and the W and R into which λ_c parts it.
+/// Primary, waviness and roughness profile of a trace, P = W + R.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profiles {
     /// Primary profile, over the whole trace.
     pub primary: Profile,
-    /// Waviness profile, over the points of the roughness profile; none without λ_c.
+    /// Waviness profile at the points of the roughness profile; `None` without λ_c.
     pub waviness: Option<Profile>,
     /// Roughness profile with its record.
     pub roughness: Prepared,
@@ -190,7 +189,7 @@ pub struct Profiles {
 
 /// P = W + R, W = w̄(P; λ_c)                                                  `[Prep-2]`
 ///
-/// No long-wave filter bounds W: its form is what was removed.
+/// W is not bounded by a long-wave filter, only by the form removal.
 ///
 /// # Errors
 /// As [`prepare_with`].
@@ -200,9 +199,9 @@ pub struct Profiles {
 /// use asperity_roughness::preparation::{Preparation, RoughnessFilter, profiles};
 /// let wave = |i: usize| 1e-6 * (i as f64 * 0.5e-6 / 50e-6 * std::f64::consts::TAU).sin();
 /// let profile = Profile::new(Length::from_si(0.5e-6), (0..11_201).map(wave).collect())?;
-/// let found = profiles(&profile, &Preparation::default(), RoughnessFilter::Gaussian)?;
-/// // A wave of a sixteenth of λ_c is roughness alone, but for the tilt of its ends.
-/// assert!(found.waviness.unwrap().heights().iter().all(|w| w.abs() < 30e-9));
+/// let profiles = profiles(&profile, &Preparation::default(), RoughnessFilter::Gaussian)?;
+/// // A wave of a sixteenth of λ_c is roughness except for the tilt due to its ends.
+/// assert!(profiles.waviness.unwrap().heights().iter().all(|w| w.abs() < 30e-9));
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn profiles(
@@ -225,7 +224,7 @@ pub fn profiles(
     })
 }
 
-/// P = S(z − form; λ_s), with the warning that the grid is too coarse for it.
+/// P = S(z − form; λ_s), with a warning if the spacing is too coarse for λ_s.
 fn primary(
     profile: &Profile,
     recipe: &Preparation,
@@ -233,7 +232,7 @@ fn primary(
     let (mut warnings, spacing) = (Vec::new(), profile.spacing());
     let mut current = form::remove(profile, recipe.form)?;
     if let Some(lambda_s) = recipe.lambda_s {
-        // Five points per cut-off sample the weights to 0.1 % (the sum of the neglected aliases).
+        // Five points per cut-off sample the weights with an error of 0.1 % (the sum of the neglected aliases).
         const POINTS_PER_LAMBDA_S: f64 = 5.0;
         if spacing.si() * POINTS_PER_LAMBDA_S > lambda_s.si() * (1.0 + 1e-9) {
             warnings.push(Warning::CoarseForLambdaS { spacing, lambda_s });
@@ -243,7 +242,7 @@ fn primary(
     Ok((current, warnings))
 }
 
-/// R = P − mean line(λ_c), with the evidence of a filter that iterates.
+/// R = P − mean line(λ_c), with the convergence of the robust filter.
 fn roughness(
     primary: &Profile,
     lambda_c: Length,
@@ -253,8 +252,8 @@ fn roughness(
     let (line, evidence) = match filter {
         RoughnessFilter::Gaussian => (mean_line(primary, lambda_c, ends)?, None),
         RoughnessFilter::RobustGaussian => {
-            let found = robust_mean_line(primary, lambda_c)?;
-            (found.heights, Some(found.evidence))
+            let line = robust_mean_line(primary, lambda_c)?;
+            (line.heights, Some(line.evidence))
         }
     };
     let heights = primary.heights().iter().zip(&line);
@@ -264,10 +263,10 @@ fn roughness(
 
 fn cut(profile: &Profile, dropped: usize, lambda_c: Length) -> Result<Profile, RoughnessError> {
     let points = (lambda_c / profile.spacing()).floor() as usize;
-    let kept = dropped..profile.len().saturating_sub(dropped);
-    let long_enough = kept.len() >= points;
+    let remaining = dropped..profile.len().saturating_sub(dropped);
+    let long_enough = remaining.len() >= points;
     profile
-        .slice(kept)
+        .slice(remaining)
         .filter(|_| long_enough)
         .ok_or(RoughnessError::TooShort {
             length: profile.length(),
@@ -276,15 +275,15 @@ fn cut(profile: &Profile, dropped: usize, lambda_c: Length) -> Result<Profile, R
         })
 }
 
-/// The warning that a parabola is still in the result: the filter λ_c turns one of curvature κ into
-/// an offset κ σ²/2 with σ² = (α λ_c)²/(2π), and without λ_c all of it stays.
+/// Warning about a parabola in the result: the filter λ_c changes a parabola of curvature κ into an offset κ σ²/2 with
+/// σ² = (α λ_c)²/(2π); without λ_c it remains.
 fn form_left(
     profile: &Profile,
     recipe: &Preparation,
     result: &Profile,
 ) -> Result<Option<Warning>, RoughnessError> {
-    // Behind a filter, a tenth of Rq is an offset that moves Rsk and Rp visibly; without one, long
-    // waves of the roughness itself make up to about one Rq of parabola.
+    // With the filter an offset of a tenth of Rq changes Rsk and Rp noticeably. Without it long waves of the roughness
+    // cause a parabola of up to about one Rq.
     const NOTICEABLE_OFFSET: f64 = 0.1;
     const NOTICEABLE_SAG: f64 = 3.0;
     if !matches!(recipe.form, Form::None | Form::Mean | Form::Level) || profile.len() < 3 {
@@ -305,7 +304,7 @@ fn form_left(
         .map(|(i, z)| (z - parabola.at(i)).powi(2))
         .sum::<f64>()
         / profile.len() as f64;
-    // Rounding of heights under a large offset is no form.
+    // Rounding errors of heights with a large offset are not form.
     let rounding = 1e3 * f64::EPSILON * parabola.coefficients[0].abs();
     if left <= noticeable * rough.sqrt() + rounding {
         return Ok(None);

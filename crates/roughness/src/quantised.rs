@@ -1,20 +1,20 @@
-//! Heights that an instrument counted in steps, on the material ratio curve.
+//! Material ratio curve of quantised heights.
 //!
-//! On a staircase many windows of 40 % fall by equally many steps, and the first of them (ISO 13565-2) lies high on
-//! the curve where the slope is not the least: Rk of Gaussian heights comes out 16 % too large at a step of
-//! Rq/2 and 36 % at Rq. So the points of a step are spread evenly over it, as rounding gathered them.
+//! The curve of quantised heights is a staircase: many windows of 40 % fall by the same number of steps, and the first
+//! of them (ISO 13565-2) is high on the curve, where the slope is not the smallest. Rk of Gaussian heights would be 16
+//! % too large at a step of Rq/2 and 36 % at Rq. The points of a step are therefore distributed evenly over its height.
 
 use asperity_core::cite;
 
-/// Fewest levels; two heights of a grating are no rounding.
-const FEWEST_LEVELS: usize = 8;
-/// Part of a step by which a level may be off its place.
-const OFF: f64 = 1e-3;
+/// Minimum number of levels: the two heights of a grating are not quantisation.
+const MIN_LEVELS: usize = 8;
+/// Tolerance of a level, as a fraction of a step.
+const LEVEL_TOLERANCE: f64 = 1e-3;
 
 /// s_j = s + q (½ − (j + ½)/n) for the n points j of a step of height s                [Rk-3]
 ///
-/// The heights `s` \[m\] in falling order, changed where all of them are multiples of a step q and points share
-/// levels; they stay in order.
+/// Distributes the heights `s` \[m\] in descending order if all their differences are multiples of a step q and levels
+/// repeat. The order is preserved.
 pub(crate) fn spread(mut s: Vec<f64>) -> Vec<f64> {
     let Some(step) = step(&s) else {
         return s;
@@ -32,7 +32,7 @@ pub(crate) fn spread(mut s: Vec<f64>) -> Vec<f64> {
     s
 }
 
-/// The step of which all differences of `s` are multiples, where there is one and points share levels.
+/// The step of quantised heights: all differences of `s` are multiples of it and levels repeat.
 fn step(s: &[f64]) -> Option<f64> {
     let gaps = || {
         s.windows(2)
@@ -40,13 +40,13 @@ fn step(s: &[f64]) -> Option<f64> {
             .filter(|gap| *gap > 0.0)
     };
     let levels = gaps().count() + 1;
-    if levels < FEWEST_LEVELS || levels == s.len() {
+    if levels < MIN_LEVELS || levels == s.len() {
         return None;
     }
     let step = gaps().fold(f64::INFINITY, f64::min);
     let multiple = |gap: f64| {
         let steps = gap / step;
-        (steps - steps.round()).abs() <= OFF * steps.round()
+        (steps - steps.round()).abs() <= LEVEL_TOLERANCE * steps.round()
     };
     gaps().all(multiple).then_some(step)
 }

@@ -1,4 +1,4 @@
-//! Ra, Rq and Rz of one section alone, for windows too short to be cut into sections.
+//! Ra, Rq and Rz of a single section, for windows too short to be divided into sections.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -24,15 +24,15 @@ pub struct SectionHeights {
 
 /// Ra = ⟨|z|⟩,  Rq = √⟨z²⟩,  Rz = max z − min z                                [Section-2]
 ///
-/// The same as the height parameters of a profile of one section, without widths and slopes.
+/// Equal to the height parameters of a profile of one section, without widths and slopes.
 ///
 /// # Errors
-/// When there is no height.
+/// When `heights` is empty.
 ///
 /// ```
 /// use asperity_roughness::section_heights::section_heights;
-/// let found = section_heights(&[1e-6, -1e-6, 1e-6, -1e-6])?;
-/// assert_eq!((found.ra.si(), found.rz.si()), (1e-6, 2e-6));
+/// let section = section_heights(&[1e-6, -1e-6, 1e-6, -1e-6])?;
+/// assert_eq!((section.ra.si(), section.rz.si()), (1e-6, 2e-6));
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn section_heights(heights: &[f64]) -> Result<SectionHeights, RoughnessError> {

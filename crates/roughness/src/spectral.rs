@@ -8,9 +8,8 @@
 //! | f | spatial frequency | 1/m |
 //! | C(f) | one-sided power spectral density | m³ |
 //!
-//! m₄ grows without bound as the spacing falls unless a λ_s filter bounds it: moments are stated with
-//! λ_s and dx. They are never taken from a periodogram without a window, whose leakage makes m₄ up to
-//! three times too large.
+//! Without a λ_s filter m₄ increases without bound as the spacing decreases: moments are stated with λ_s and dx. They
+//! are not computed from a periodogram without a window, whose leakage would make m₄ up to three times too large.
 
 use asperity_core::cite;
 use std::f64::consts::{PI, TAU};
@@ -26,19 +25,19 @@ use crate::error::RoughnessError;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct SpectralMoments {
-    /// Mean square height about the mean `[m²]`: a mean height is no wave.
+    /// Mean square height about the mean `[m²]`.
     pub m0: f64,
     /// Mean square slope, 7-point.
     pub m2: f64,
     /// Mean square curvature, 3-point [1/m²].
     pub m4: f64,
-    /// Spacing at which the derivatives were taken.
+    /// Spacing of the derivatives.
     pub spacing: Length,
 }
 
 /// z′ᵢ = (zᵢ₊₃ − 9 zᵢ₊₂ + 45 zᵢ₊₁ − 45 zᵢ₋₁ + 9 zᵢ₋₂ − zᵢ₋₃)/(60 dx)              [Slope-1]
 ///
-/// Slopes of `heights` `[m]` at `dx` `[m]`, without the three points at each end (none for fewer than 7).
+/// Slopes of `heights` `[m]` at `dx` `[m]`, without the three points at each end; empty for fewer than 7 points.
 ///
 /// ```
 /// let slopes = asperity_roughness::spectral::slopes(&[0.0, 2.0, 4.0, 6.0, 8.0, 10.0, 12.0], 1.0);
@@ -49,7 +48,7 @@ pub fn slopes(heights: &[f64], dx: f64) -> Vec<f64> {
     each_slope(heights, dx).collect()
 }
 
-/// The slopes one by one.
+/// Iterator over the slopes.
 pub(crate) fn each_slope(heights: &[f64], dx: f64) -> impl Iterator<Item = f64> {
     cite!("Slope-1");
     let slope =
@@ -68,18 +67,18 @@ pub(crate) fn each_slope(heights: &[f64], dx: f64) -> impl Iterator<Item = f64> 
 /// let k = 2.0 * std::f64::consts::PI / 100e-6;
 /// let wave = |i: usize| 1e-6 * (k * 1e-6 * i as f64).sin();
 /// let profile = Profile::new(Length::from_si(1e-6), (0..10_000).map(wave).collect())?;
-/// let found = moments(&profile)?;
-/// assert!((found.m2 / (0.5e-12 * k * k) - 1.0).abs() < 1e-3);
+/// let moments = moments(&profile)?;
+/// assert!((moments.m2 / (0.5e-12 * k * k) - 1.0).abs() < 1e-3);
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn moments(profile: &Profile) -> Result<SpectralMoments, RoughnessError> {
     cite!("Moment-1");
-    const LEAST: usize = 7;
+    const MIN_POINTS: usize = 7;
     let (z, dx) = (profile.heights(), profile.spacing().si());
-    if z.len() < LEAST {
+    if z.len() < MIN_POINTS {
         return Err(RoughnessError::TooFewPoints {
             points: z.len(),
-            needed: LEAST,
+            needed: MIN_POINTS,
             purpose: "spectral moments",
         });
     }
@@ -102,16 +101,16 @@ pub(crate) fn mean_square(values: impl Iterator<Item = f64>) -> f64 {
 impl SpectralMoments {
     /// α = m₀ m₄/m₂²                                                          `[Nayak-2]`
     ///
-    /// Bandwidth: 1 for a single wave, larger the more scales a profile has. None for a profile without
+    /// Bandwidth: 1 for a single wave, larger for a profile with many length scales. `None` for a profile without
     /// slope.
     ///
     /// ```
     /// use asperity_core::{Profile, quantity::Length};
     /// let wave = |i: usize| 1e-6 * (i as f64 / 100.0 * std::f64::consts::TAU).sin();
     /// let profile = Profile::new(Length::from_si(1e-6), (0..10_000).map(wave).collect())?;
-    /// let found = asperity_roughness::spectral::moments(&profile)?;
+    /// let moments = asperity_roughness::spectral::moments(&profile)?;
     /// // ⟨sin²⟩ ⟨sin²⟩/⟨cos²⟩² = 1 for one wave of even height.
-    /// assert!((found.bandwidth().unwrap() - 1.0).abs() < 1e-3);
+    /// assert!((moments.bandwidth().unwrap() - 1.0).abs() < 1e-3);
     /// # Ok::<(), asperity_roughness::RoughnessError>(())
     /// ```
     pub fn bandwidth(&self) -> Option<f64> {
@@ -124,7 +123,7 @@ impl SpectralMoments {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct PowerSpectrum {
-    /// Step of the spatial frequency [1/m]; entry k of `density` is at k times this.
+    /// Step of the spatial frequency [1/m]; entry k of `density` is at k times the step.
     pub frequency_step: f64,
     /// C(f) `[m³]`; its integral over f from 0 is the windowed mean square height.
     pub density: Vec<f64>,
@@ -143,19 +142,19 @@ pub struct PowerSpectrum {
 /// use asperity_roughness::spectral::power_spectrum;
 /// let wave = |i: usize| 1e-6 * (i as f64 / 50.0 * std::f64::consts::TAU).sin();
 /// let profile = Profile::new(Length::from_si(1e-6), (0..1000).map(wave).collect())?;
-/// let found = power_spectrum(&profile)?;
-/// let power: f64 = found.density.iter().sum::<f64>() * found.frequency_step;
+/// let spectrum = power_spectrum(&profile)?;
+/// let power: f64 = spectrum.density.iter().sum::<f64>() * spectrum.frequency_step;
 /// assert!((power / 0.5e-12 - 1.0).abs() < 1e-4);
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn power_spectrum(profile: &Profile) -> Result<PowerSpectrum, RoughnessError> {
     cite!("PSD-1");
-    const LEAST: usize = 4;
+    const MIN_POINTS: usize = 4;
     let (n, dx) = (profile.len(), profile.spacing().si());
-    if n < LEAST {
+    if n < MIN_POINTS {
         return Err(RoughnessError::TooFewPoints {
             points: n,
-            needed: LEAST,
+            needed: MIN_POINTS,
             purpose: "a spectrum",
         });
     }
@@ -168,7 +167,7 @@ pub fn power_spectrum(profile: &Profile) -> Result<PowerSpectrum, RoughnessError
     let mut spectrum = plan.make_output_vec();
     let done = plan.process(&mut signal, &mut spectrum);
     debug_assert!(done.is_ok(), "buffers are made by the plan");
-    // Σ h² of a Hann window that ends in zeros.
+    // Σ h² of a Hann window with zeros at its ends.
     let squares = 0.375 * (n - 1) as f64;
     let density = spectrum.iter().enumerate().map(|(k, value)| {
         let sides = if k == 0 || 2 * k == n { 1.0 } else { 2.0 };

@@ -1,16 +1,16 @@
-//! The radius of the asperities that carry the load, for the lubrication regime.
+//! Radius of the load-carrying asperities, for the lubrication regime.
 //!
-//! Source: Hansen, Björling, Larsson 2021 (the film over one asperity); Nayak 1971 (spectral estimate).
+//! Source: Hansen, Björling, Larsson 2021 (film over a single asperity); Nayak 1971 (spectral estimate).
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | z | composite profile, already filtered at λ_s | m |
+//! | z | composite profile, filtered at λ_s | m |
 //! | κ | curvature of a summit, by a least-squares parabola over ±λ_s | 1/m |
 //! | R_xa | asperity radius along the trace, 1/⟨κ⟩ | m |
 //!
-//! A summit is a local maximum (a plateau counts once, at its middle). Those that reach above the
-//! core, c(0) of the Rk line, carry the load; when fewer than five do, those above the mean line are
-//! taken, and the result says so.
+//! A summit is a local maximum (a plateau is one summit at its middle). The load-carrying summits are those above the
+//! core, c(0) of the Rk line. If they are fewer than five, the summits above the mean line are used, which
+//! [`AsperityRadius::level`] reports.
 
 use asperity_core::cite;
 use asperity_core::quantity::Length;
@@ -21,10 +21,10 @@ use crate::error::RoughnessError;
 use crate::material_ratio::rk_parameters;
 use crate::spectral::{gaussian_summit_curvature, moments};
 
-/// Fewest summits in the peak zone for a mean.
-const FEWEST: usize = 5;
+/// Minimum number of summits in the peak zone.
+const MIN_SUMMITS: usize = 5;
 
-/// Selection of the summits measured.
+/// Reference level for the selection of summits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -35,33 +35,32 @@ pub enum ReferenceLevel {
     MeanLine,
 }
 
-/// The asperity radius and how it was found.
+/// Asperity radius with the details of its computation.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct AsperityRadius {
-    /// R_xa, one over the mean curvature.
+    /// R_xa, the reciprocal of the mean curvature.
     pub radius: Length,
-    /// Summits measured.
+    /// Number of summits.
     pub count: usize,
     /// Points of the curvature window on either side of a summit.
     pub window_points: usize,
     /// Half width of the curvature window.
     pub window: Length,
-    /// Selection of the summits measured.
+    /// Reference level of the summits.
     pub level: ReferenceLevel,
-    /// Height of that level in the profile.
+    /// Height of the reference level in the profile.
     pub level_height: Length,
-    /// 1/√(π m₄/2): what a Gaussian profile of the same m₄ would have.
+    /// 1/√(π m₄/2): radius of a Gaussian profile of the same m₄.
     pub spectral_radius: Length,
 }
 
-/// R_xa = 1/⟨κ⟩ over the summits that reach into the peak zone                     [Summit-1]
+/// R_xa = 1/⟨κ⟩ over the summits in the peak zone                     [Summit-1]
 ///
-/// `composite` must already be filtered at `lambda_s`; κ is measured over ±λ_s. Summits closer
-/// than that to an end are left out.
+/// `composite` must be filtered at `lambda_s`; κ is computed over ±λ_s. Summits closer than λ_s to an end are omitted.
 ///
 /// # Errors
-/// When λ_s is shorter than the spacing, no summit is found, or the mean curvature is not positive.
+/// When λ_s is shorter than half the spacing, there is no summit, or the mean curvature is not positive.
 ///
 /// ```
 /// use asperity_core::{Profile, quantity::Length};
@@ -69,8 +68,8 @@ pub struct AsperityRadius {
 /// // Parabolic ridges of radius 50 um, 40 um apart.
 /// let ridge = |i: usize| { let x = ((i % 80) as f64 - 40.0) * 0.5e-6; -x * x / 100e-6 };
 /// let profile = Profile::new(Length::from_si(0.5e-6), (0..8000).map(ridge).collect())?;
-/// let found = asperity_radius(&profile, Length::from_si(2.5e-6))?;
-/// assert!((found.radius.si() - 50e-6).abs() < 1e-12);
+/// let asperities = asperity_radius(&profile, Length::from_si(2.5e-6))?;
+/// assert!((asperities.radius.si() - 50e-6).abs() < 1e-12);
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn asperity_radius(
@@ -123,25 +122,25 @@ pub fn asperity_radius(
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct SummitStatistics {
-    /// Summits found, those within a window of an end left out.
+    /// Number of summits, without those within a window of an end.
     pub count: usize,
-    /// Summits per length [1/m].
+    /// Number of summits per length [1/m].
     pub density: f64,
-    /// Mean height of the summits over the mean line.
+    /// Mean height of the summits above the mean line.
     pub mean_height: Length,
-    /// Standard deviation of their heights.
+    /// Standard deviation of the heights of the summits.
     pub height_deviation: Length,
     /// Mean curvature [1/m], by a least-squares parabola.
     pub mean_curvature: f64,
-    /// One over the mean curvature; none when summits are flat or hollow on average.
+    /// Reciprocal of the mean curvature; `None` if the mean curvature is not positive.
     pub mean_radius: Option<Length>,
-    /// √(m₄/m₂)/(2π), the density [1/m] that a Gaussian profile of the same moments would have.
+    /// √(m₄/m₂)/(2π), the density [1/m] of a Gaussian profile of the same moments.
     pub spectral_density: f64,
 }
 
-/// D = √(m₄/m₂)/(2π) for a Gaussian profile, counted and measured here                `[Summit-3]`
+/// D = √(m₄/m₂)/(2π) for a Gaussian profile                `[Summit-3]`
 ///
-/// All summits, whatever their height; κ is measured over ±`window`.
+/// Statistics of all summits, whatever their height; κ is computed over ±`window`.
 ///
 /// # Errors
 /// When the window is shorter than half the spacing, or there is no summit.
@@ -151,9 +150,9 @@ pub struct SummitStatistics {
 /// use asperity_roughness::summits::summit_statistics;
 /// let wave = |i: usize| 1e-6 * (i as f64 / 100.0 * std::f64::consts::TAU).sin();
 /// let profile = Profile::new(Length::from_si(0.5e-6), (0..20_000).map(wave).collect())?;
-/// let found = summit_statistics(&profile, Length::from_si(0.5e-6))?;
-/// assert_eq!(found.count, 200);
-/// assert!((found.density * 50e-6 - 1.0).abs() < 0.01);
+/// let statistics = summit_statistics(&profile, Length::from_si(0.5e-6))?;
+/// assert_eq!(statistics.count, 200);
+/// assert!((statistics.density * 50e-6 - 1.0).abs() < 0.01);
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
 pub fn summit_statistics(
@@ -188,7 +187,7 @@ pub fn summit_statistics(
     })
 }
 
-/// Points of a curvature window on either side.
+/// Number of points of a curvature window on either side.
 fn window_points(window: Length, dx: f64) -> Result<usize, RoughnessError> {
     let window = DomainError::positive("window", window)?;
     DomainError::require(
@@ -201,7 +200,8 @@ fn window_points(window: Length, dx: f64) -> Result<usize, RoughnessError> {
     Ok((window / dx).round() as usize)
 }
 
-/// The summits in the peak zone, or above the mean line when those are too few; with the level.
+/// The load-carrying summits: those in the peak zone, or above the mean line if they are too few; with the reference
+/// level.
 fn carrying(z: &[f64], all: &[usize]) -> Result<(ReferenceLevel, f64, Vec<usize>), RoughnessError> {
     let above = |level: f64| {
         all.iter()
@@ -211,16 +211,16 @@ fn carrying(z: &[f64], all: &[usize]) -> Result<(ReferenceLevel, f64, Vec<usize>
     };
     let core_top = rk_parameters(z)?.upper.si();
     let in_peak_zone = above(core_top);
-    if in_peak_zone.len() >= FEWEST {
+    if in_peak_zone.len() >= MIN_SUMMITS {
         return Ok((ReferenceLevel::PeakZone, core_top, in_peak_zone));
     }
     let mean = z.iter().sum::<f64>() / z.len() as f64;
     Ok((ReferenceLevel::MeanLine, mean, above(mean)))
 }
 
-/// Indices of local maxima at least `margin` points from the ends; a plateau by its middle.
+/// Indices of local maxima at least `margin` points from the ends; for a plateau the index of its middle.
 fn summits(z: &[f64], margin: usize) -> Vec<usize> {
-    let mut found = Vec::new();
+    let mut summits = Vec::new();
     let mut rise = None;
     for i in 1..z.len() {
         if z[i] > z[i - 1] {
@@ -230,11 +230,11 @@ fn summits(z: &[f64], margin: usize) -> Vec<usize> {
         {
             let middle = (start + i - 1) / 2;
             if middle >= margin && middle + margin < z.len() {
-                found.push(middle);
+                summits.push(middle);
             }
         }
     }
-    found
+    summits
 }
 
 /// κ = −2 c₂ of the least-squares parabola c₀ + c₁ x + c₂ x² through 2m + 1 even points     [Summit-2]
@@ -242,7 +242,7 @@ fn parabola_curvature(z: &[f64], dx: f64) -> f64 {
     cite!("Summit-2");
     let m = (z.len() / 2) as f64;
     let count = z.len() as f64;
-    // In points from the middle: ⟨k²⟩ and Σ (k² − ⟨k²⟩)².
+    // ⟨k²⟩ for k in points from the middle.
     let mean_square = m * (m + 1.0) / 3.0;
     let (mut product, mut norm) = (0.0, 0.0);
     let middle = z.iter().sum::<f64>() / count;

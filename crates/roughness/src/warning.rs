@@ -1,36 +1,36 @@
-//! Warnings about a profile that was prepared and evaluated all the same.
+//! Warnings of the preparation and evaluation of a profile.
 
 use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
 use serde::{Deserialize, Serialize};
 
-/// A note that goes with a result, under a stable code.
+/// A warning with a stable code.
 ///
 /// ```
 /// use asperity_core::quantity::Length;
 /// use asperity_roughness::Warning;
-/// let note = Warning::FewSections {
+/// let warning = Warning::FewSections {
 ///     sections: 2,
 ///     lambda_c: Length::from_si(2.5e-3),
 ///     length: Length::from_si(5e-3),
 /// };
-/// assert_eq!(note.code(), "W114");
-/// assert_eq!(note.to_string(), "2 sampling lengths of 2.5 mm in 5 mm; five are usual");
+/// assert_eq!(warning.code(), "W114");
+/// assert_eq!(warning.to_string(), "2 sampling lengths of 2.5 mm in 5 mm; five are usual");
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, thiserror::Error)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Warning {
-    /// The trace still has its form.
+    /// The form of the trace was not removed.
     #[error(
         "form not removed (parabola of {sag:.4} over {length:.4}); Ra {ra:.4} is not roughness"
     )]
     FormNotRemoved {
         /// Height of the parabola between its apex and the ends.
         sag: Length,
-        /// Length it was fitted over.
+        /// Length of the trace.
         length: Length,
-        /// Arithmetic mean height of what was left.
+        /// Arithmetic mean height of the result.
         ra: Length,
     },
     /// The grid is too coarse for the short-wave filter.
@@ -43,10 +43,10 @@ pub enum Warning {
         /// Cut-off of the short-wave filter.
         lambda_s: Length,
     },
-    /// Fewer sampling lengths than the five that ISO 4288 takes as normal.
+    /// Fewer sampling lengths than the standard five (ISO 4288).
     #[error("{sections} sampling lengths of {lambda_c} in {length:.4}; five are usual")]
     FewSections {
-        /// Sections evaluated.
+        /// Number of sections.
         sections: usize,
         /// Sampling length.
         lambda_c: Length,
@@ -58,33 +58,33 @@ pub enum Warning {
         "{points} points were replaced as outliers by straight lines, at most {longest} in a row, up to {farthest:.4} from the running median"
     )]
     OutliersReplaced {
-        /// Points replaced.
+        /// Number of replaced points.
         points: usize,
-        /// Longest run of them.
+        /// Longest run of replaced points.
         longest: usize,
         /// Largest distance from the running median.
         farthest: Length,
     },
-    /// The involute that came off is not that of the trace.
+    /// The removed involute does not fit the trace.
     #[error(
         "a parabola or cubic of {form:.3} root mean square is left after the involute, over {roughness:.3} of roughness: the flank is crowned, or its base radius or roll length is another. With this base radius a roll length of {fitted:.4} fits best, not {given:.4}"
     )]
     InvoluteLeft {
-        /// Root mean square of the parabola and cubic left.
+        /// Root mean square of the remaining parabola and cubic.
         form: Length,
-        /// Root mean square of the rest.
+        /// Root mean square of the residual.
         roughness: Length,
         /// Height of the parabola between its apex and the ends.
         parabola: Length,
-        /// Roll length that was given.
+        /// Given roll length.
         given: Length,
-        /// Roll length that fits best with the base radius given.
+        /// Best-fit roll length with the given base radius.
         fitted: Length,
     },
 }
 
 impl Warning {
-    /// Remedy; empty where only a better measurement helps.
+    /// Remedy; empty if only a better measurement helps.
     pub fn remedy(&self) -> Remedy {
         match self {
             Self::FormNotRemoved { .. } => Remedy::set(Setting::Form, Value::This("poly2".into())),
@@ -98,7 +98,7 @@ impl Warning {
         }
     }
 
-    /// The code under which the message is explained.
+    /// Code of the explanation of the message.
     pub fn code(&self) -> &'static str {
         match self {
             Self::FormNotRemoved { .. } => "W112",

@@ -1,8 +1,8 @@
-//! Hidden folders in which files and folders are made before they get their names.
+//! Hidden folders in which files and folders are written before they are renamed to their final names.
 //!
-//! A draft holds a lock on a file of its own for as long as its process lives. The system releases the lock when the
-//! process ends, so the next process knows which drafts are left over. A hidden folder without such a file, with the
-//! text of this program in it, is not a draft and is left alone.
+//! A draft contains a file that is locked as long as its process lives. The system releases the lock when the process
+//! ends, so the next process recognises abandoned drafts. A hidden folder without a lock file of this program is not a
+//! draft and is not touched.
 
 use std::ffi::OsString;
 use std::fs::{self, File, TryLockError};
@@ -22,27 +22,27 @@ const PREFIX: &str = ".asperity-";
 const LETTERS: usize = 6;
 /// Text of the lock; the number of the process and a line feed follow.
 const TEXT: &str = "asperity draft of process ";
-/// Bytes of the longest lock.
+/// Maximum size of a lock file in bytes.
 const LONGEST: u64 = 64;
-/// A draft without its lock is being made, or was killed before it was.
+/// Age from which a draft without a lock counts as abandoned: younger ones may be about to be locked.
 const WITHOUT_LOCK: Duration = Duration::from_secs(5);
-/// Times that a process which is about to end tries to remove a draft, and the time between two.
+/// Attempts of a terminating process to remove a draft, and the pause between two attempts.
 const REMOVALS: usize = 100;
 const BETWEEN_REMOVALS: Duration = Duration::from_millis(2);
 
-/// Drafts of this process. Whoever holds it gives drafts their names or removes them.
+/// Drafts of this process. Renaming and removing a draft requires this lock.
 static DRAFTS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// Hidden folder beside the place of what is made in it; removed when it is dropped.
+/// Hidden folder next to its target; removed when it is dropped.
 #[derive(Debug)]
 pub struct Draft {
     folder: PathBuf,
-    /// Held as long as the draft is at work.
+    /// Locked as long as the draft exists.
     _lock: File,
 }
 
 impl Draft {
-    /// Makes a draft beside `target`, and removes what killed processes left there.
+    /// Creates a draft next to `target` and removes drafts of killed processes there.
     ///
     /// # Errors
     /// When the system refuses.
@@ -70,7 +70,7 @@ impl Draft {
         }
     }
 
-    /// Place in the draft at which the file or folder is made.
+    /// Path in the draft at which the file or folder is written.
     #[must_use]
     pub fn made(&self) -> PathBuf {
         self.folder.join(recovery::NEW)
@@ -90,30 +90,30 @@ impl Drop for Draft {
     }
 }
 
-/// Makes the lock of a draft under another name first, so that nobody finds it before it is held.
+/// Creates and locks the lock file of a draft under a temporary name, so that it is never visible unlocked.
 fn locked(folder: &Path) -> io::Result<File> {
     let making = folder.join(MAKING);
     let mut file = File::create_new(&making)?;
     file.lock()?;
-    // In one piece: a process that is killed here leaves all of it or nothing.
+    // A single write: a process killed here leaves the complete text or none.
     file.write_all(format!("{TEXT}{}\n", std::process::id()).as_bytes())?;
     fs::rename(&making, folder.join(LOCK))?;
     Ok(file)
 }
 
-/// The drafts of this process; while this is held none gets its name and none is removed.
+/// The drafts of this process; no draft is renamed or removed while the guard lives.
 pub(crate) fn drafts() -> MutexGuard<'static, Vec<PathBuf>> {
     DRAFTS.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Removes the drafts of this process, which is about to end: nothing gets its name after this.
+/// Removes the drafts of this process before it terminates; no draft is renamed afterwards.
 pub fn abandon() {
     let drafts = drafts();
     for folder in drafts.iter() {
         if !recovery::restore(folder) {
             continue;
         }
-        // A thread that still writes there can put a file back in the middle of it.
+        // Another thread may still write files into the draft during the removal.
         for _ in 0..REMOVALS {
             recovery::remove(folder);
             if matches!(look(folder), Ok(None)) {
@@ -122,12 +122,12 @@ pub fn abandon() {
             thread::sleep(BETWEEN_REMOVALS);
         }
     }
-    // Held for good: a thread that still writes must not make what nobody removes.
+    // Never released, so that no other thread creates a draft that would not be removed.
     mem::forget(drafts);
 }
 
-/// Restores and removes what killed processes left in `parent`. Nothing depends on it, so a refusal of
-/// the system is no error.
+/// Recovers or removes the drafts of killed processes in `parent`. Errors of the system are ignored because nothing
+/// depends on it.
 pub(crate) fn clear(parent: &Path) {
     for entry in fs::read_dir(parent).into_iter().flatten().flatten() {
         let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
@@ -145,14 +145,14 @@ pub(crate) fn clear(parent: &Path) {
     }
 }
 
-/// Removes a draft whose process was killed before it had its lock: an empty folder, or one with the beginning of a
-/// lock only.
+/// Removes a draft whose process was killed before the lock was complete: an empty folder, or one that holds only the
+/// beginning of a lock file.
 fn remove_unlocked(draft: &Path) {
     let making = draft.join(MAKING);
-    let is_ours = look(&making).is_ok_and(|found| found.is_some_and(|found| found.is_file()))
+    let is_ours = look(&making).is_ok_and(|entry| entry.is_some_and(|entry| entry.is_file()))
         && whole_text(&making, LONGEST).is_ok_and(|text| TEXT.starts_with(&text) || is_lock(&text));
-    let is_alone = fs::read_dir(draft).is_ok_and(|entries| entries.count() == 1);
-    if is_ours && is_alone {
+    let is_only_entry = fs::read_dir(draft).is_ok_and(|entries| entries.count() == 1);
+    if is_ours && is_only_entry {
         let _ = fs::remove_file(making);
     }
     let _ = fs::remove_dir(draft);
@@ -172,9 +172,9 @@ fn is_lock(text: &str) -> bool {
     number.is_some_and(|number| number.parse::<u32>().is_ok())
 }
 
-/// Whether `lock` is one of ours that no process holds.
+/// Whether `lock` is a lock file of this program that no process holds.
 fn is_dead(lock: &Path) -> bool {
-    // Taken for a moment: whoever holds it lives.
+    // Locking fails while the owner lives; a lock obtained here is released at once.
     let is_free = regular_file(lock).is_ok_and(|lock| match lock.try_lock() {
         Ok(()) => true,
         Err(TryLockError::WouldBlock | TryLockError::Error(_)) => false,
@@ -183,6 +183,6 @@ fn is_dead(lock: &Path) -> bool {
 }
 
 fn is_old(entry: &fs::DirEntry) -> bool {
-    let changed = entry.metadata().and_then(|found| found.modified());
+    let changed = entry.metadata().and_then(|entry| entry.modified());
     changed.is_ok_and(|at| at.elapsed().is_ok_and(|age| age > WITHOUT_LOCK))
 }

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Reason why nothing was written; what was there before is there still.
+/// Reason why nothing was written. Earlier files are unchanged.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum StorageError {
@@ -29,32 +29,32 @@ pub enum StorageError {
         /// The link.
         path: PathBuf,
     },
-    /// A file or folder is in the place that this program did not write.
+    /// The target is a file or folder that this program did not write.
     #[error(
         "{path}: exists and is not a {kind} folder{}; choose another with -o, or remove it",
-        entry.as_ref().map(|name| format!(" ({name} is no part of a {kind})")).unwrap_or_default()
+        entry.as_ref().map(|name| format!(" ({name} is not part of a {kind})")).unwrap_or_default()
     )]
     NotOurs {
         /// The place.
         path: PathBuf,
-        /// Kind of folder that was to be written.
+        /// Kind of folder to be written.
         kind: &'static str,
-        /// Entry of the folder that is foreign to it.
+        /// Entry of the folder that this program did not write.
         entry: Option<String>,
     },
-    /// A file that this program wrote was changed since.
+    /// A file of this program was changed after it was written.
     #[error("{path}: was changed since it was written; choose another with -o, or move it away")]
     Changed {
         /// The file.
         path: PathBuf,
     },
-    /// A file is in a place that nobody named.
+    /// A file exists under a name that the user did not choose.
     #[error("{path}: exists; choose another with -o, or name it with -o to replace it")]
     Exists {
         /// The file.
         path: PathBuf,
     },
-    /// A name that would be a folder called `-`.
+    /// The target folder is `-`, which means standard output.
     #[error("-: a folder cannot go to standard output; name one with -o")]
     Dash,
 }

@@ -1,4 +1,4 @@
-//! A single file, whole or not at all.
+//! Atomic writing of a single file.
 
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -9,10 +9,10 @@ use crate::error::StorageError;
 use crate::read::whole_file;
 use crate::system::{look, parent_of, sync_folder};
 
-/// Writes `bytes` as `file`, in place of an older file of that name.
+/// Writes `bytes` as `file`, replacing an older file of that name.
 ///
 /// # Errors
-/// When there is no folder for it, its place is a folder or a link, or the system refuses.
+/// When its folder does not exist, `file` is a folder or a link, or the system refuses.
 ///
 /// ```
 /// let place = tempfile::tempdir()?;
@@ -33,12 +33,12 @@ pub fn save(file: &Path, bytes: &[u8]) -> Result<(), StorageError> {
     }
     let refused = StorageError::io(file);
     match look(file).map_err(&refused)? {
-        Some(found) if found.is_symlink() => {
+        Some(entry) if entry.is_symlink() => {
             return Err(StorageError::Link {
                 path: file.to_owned(),
             });
         }
-        Some(found) if !found.is_file() => {
+        Some(entry) if !entry.is_file() => {
             return Err(refused(io::ErrorKind::AlreadyExists.into()));
         }
         _ => {}
@@ -56,12 +56,12 @@ pub fn save(file: &Path, bytes: &[u8]) -> Result<(), StorageError> {
     written().map_err(&refused)
 }
 
-/// Writes `bytes` as `file` unless another file is there. One with these bytes is left as it is.
+/// Writes `bytes` as `file` if it does not exist. A file with the same bytes is accepted.
 ///
 /// For names that the user did not choose.
 ///
 /// # Errors
-/// When something else is there, there is no folder for it, or the system refuses.
+/// When `file` exists with other content, its folder does not exist, or the system refuses.
 ///
 /// ```
 /// let place = tempfile::tempdir()?;
@@ -73,12 +73,12 @@ pub fn save(file: &Path, bytes: &[u8]) -> Result<(), StorageError> {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn save_new(file: &Path, bytes: &[u8]) -> Result<(), StorageError> {
-    let Some(found) = look(file).map_err(StorageError::io(file))? else {
+    let Some(entry) = look(file).map_err(StorageError::io(file))? else {
         return save(file, bytes);
     };
-    let is_same = found.is_file()
-        && found.len() == bytes.len() as u64
-        && whole_file(file, found.len()).is_ok_and(|there| there == bytes);
+    let is_same = entry.is_file()
+        && entry.len() == bytes.len() as u64
+        && whole_file(file, entry.len()).is_ok_and(|there| there == bytes);
     if is_same {
         Ok(())
     } else {

@@ -1,10 +1,10 @@
-//! Guard against numbers that are not finite, before a value is written.
+//! Check that all numbers of a value are finite before it is written.
 
 use serde::ser::{self, Serialize, Serializer};
 
 /// A number that is not finite, with its path in the value.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{path} is {value}, which is no result")]
+#[error("{path} is {value}, which is not a result")]
 pub struct NotFinite {
     /// Path of the number, `summary.loss_w`.
     pub path: String,
@@ -12,7 +12,7 @@ pub struct NotFinite {
     pub value: f64,
 }
 
-/// Whether every number of `value` is finite.
+/// Checks that every number of `value` is finite.
 ///
 /// # Errors
 /// With the first number that is not.
@@ -21,13 +21,13 @@ pub struct NotFinite {
 /// use asperity_storage::check_finite;
 /// assert!(check_finite(&[Some(1.0), None]).is_ok());
 /// let bad = check_finite(&[("a", 1.0), ("b", f64::NAN)]);
-/// assert_eq!(bad.map_err(|found| found.path), Err("[1][1]".to_owned()));
+/// assert_eq!(bad.map_err(|number| number.path), Err("[1][1]".to_owned()));
 /// ```
 pub fn check_finite<T: Serialize + ?Sized>(value: &T) -> Result<(), NotFinite> {
     match value.serialize(Walk) {
-        // A value that cannot be serialised at all says so when it is written.
+        // A value that cannot be serialised is reported when it is written.
         Ok(()) | Err(Stop::Other) => Ok(()),
-        Err(Stop::Found { mut path, value }) => {
+        Err(Stop::NotFinite { mut path, value }) => {
             path.reverse();
             let path = path.concat();
             Err(NotFinite {
@@ -40,7 +40,7 @@ pub fn check_finite<T: Serialize + ?Sized>(value: &T) -> Result<(), NotFinite> {
 
 #[derive(Debug)]
 enum Stop {
-    Found { path: Vec<String>, value: f64 },
+    NotFinite { path: Vec<String>, value: f64 },
     Other,
 }
 
@@ -61,9 +61,9 @@ impl ser::Error for Stop {
 impl Stop {
     fn within(self, part: impl FnOnce() -> String) -> Self {
         match self {
-            Self::Found { mut path, value } => {
+            Self::NotFinite { mut path, value } => {
                 path.push(part());
-                Self::Found { path, value }
+                Self::NotFinite { path, value }
             }
             Self::Other => Self::Other,
         }
@@ -73,7 +73,7 @@ impl Stop {
 fn finite(value: f64) -> Result<(), Stop> {
     match value.is_finite() {
         true => Ok(()),
-        false => Err(Stop::Found {
+        false => Err(Stop::NotFinite {
             path: Vec::new(),
             value,
         }),
@@ -82,7 +82,7 @@ fn finite(value: f64) -> Result<(), Stop> {
 
 struct Walk;
 
-/// Elements of a sequence or fields of a structure, counted.
+/// Index of the next element of a sequence, or key of the next entry of a map.
 struct Parts {
     next: usize,
     key: String,
@@ -158,8 +158,9 @@ impl Serializer for Walk {
         variant: &'static str,
         value: &T,
     ) -> Result<(), Stop> {
-        let found = value.serialize(self);
-        found.map_err(|stop| stop.within(|| format!(".{variant}")))
+        value
+            .serialize(self)
+            .map_err(|stop| stop.within(|| format!(".{variant}")))
     }
 
     fn serialize_seq(self, _: Option<usize>) -> Result<Parts, Stop> {
@@ -207,13 +208,15 @@ impl Parts {
     fn element<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Stop> {
         let index = self.next;
         self.next += 1;
-        let found = value.serialize(Walk);
-        found.map_err(|stop| stop.within(|| format!("[{index}]")))
+        value
+            .serialize(Walk)
+            .map_err(|stop| stop.within(|| format!("[{index}]")))
     }
 
     fn field<T: Serialize + ?Sized>(&mut self, key: &str, value: &T) -> Result<(), Stop> {
-        let found = value.serialize(Walk);
-        found.map_err(|stop| stop.within(|| format!(".{key}")))
+        value
+            .serialize(Walk)
+            .map_err(|stop| stop.within(|| format!(".{key}")))
     }
 }
 

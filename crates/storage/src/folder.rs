@@ -1,4 +1,4 @@
-//! Atomic writing of a folder, in place of an older one of ours.
+//! Atomic writing of a folder, replacing an older one of this program.
 
 use std::fs;
 use std::io;
@@ -10,18 +10,18 @@ use crate::manifest::{MANIFEST, Manifest};
 use crate::recovery::{JOURNAL, OLD};
 use crate::system::{exchanged, look, parent_of, sync_folder, sync_tree};
 
-/// Whether a folder of this `kind` ("result") may be written as `target`: nothing is there, or an empty
-/// folder, or an older one with the files of its manifest as they were written and nothing else. What
-/// killed processes left beside it, or in it while they replaced single files, is restored and removed first.
+/// Checks that a folder of this `kind` ("result") may be written as `target`: `target` does not exist, is empty, or
+/// holds exactly the unchanged files of its manifest. Drafts of killed processes next to it and in it are recovered
+/// first.
 ///
 /// # Errors
-/// When something else is there, a file was changed since, or `target` is a link.
+/// When `target` holds other files, a file was changed since it was written, or `target` is a link.
 pub fn check_folder(target: &Path, kind: &'static str) -> Result<(), StorageError> {
     if target == Path::new("-") {
         return Err(StorageError::Dash);
     }
     clear(parent_of(target));
-    if look(target).is_ok_and(|found| found.is_some_and(|found| found.is_dir())) {
+    if look(target).is_ok_and(|entry| entry.is_some_and(|entry| entry.is_dir())) {
         clear(target);
     }
     check(target, kind)
@@ -35,22 +35,21 @@ fn check(target: &Path, kind: &'static str) -> Result<(), StorageError> {
     };
     match look(target).map_err(StorageError::io(target))? {
         None => return Ok(()),
-        Some(found) if found.is_symlink() => {
+        Some(entry) if entry.is_symlink() => {
             return Err(StorageError::Link {
                 path: target.to_owned(),
             });
         }
-        Some(found) if !found.is_dir() => return Err(foreign),
+        Some(entry) if !entry.is_dir() => return Err(foreign),
         Some(_) => {}
     }
     Manifest::check(target, kind)
 }
 
-/// Fills a folder beside `target` and gives it that name, in place of an older one of ours.
+/// Fills a draft folder and renames it to `target`, replacing an older folder of this program.
 ///
 /// # Errors
-/// When `fill` or the system refuses, or `target` is not what [`check_folder`] allows; what is there then
-/// stays as it is.
+/// When `fill` or the system fails, or [`check_folder`] does; `target` is then unchanged.
 ///
 /// ```
 /// let place = tempfile::tempdir()?;
@@ -63,7 +62,7 @@ fn check(target: &Path, kind: &'static str) -> Result<(), StorageError> {
 /// asperity_storage::replace_folder(&target, "result", with("1"))?;
 /// asperity_storage::replace_folder(&target, "result", with("2"))?;
 /// assert_eq!(std::fs::read_to_string(target.join("value.txt"))?, "2");
-/// // A file of the user's own is kept.
+/// // A folder with a file of the user is not replaced.
 /// std::fs::write(target.join("notes.txt"), "mine")?;
 /// assert!(asperity_storage::replace_folder(&target, "result", with("3")).is_err());
 /// assert_eq!(std::fs::read_to_string(target.join("notes.txt"))?, "mine");
@@ -87,11 +86,11 @@ pub fn replace_folder<E: From<StorageError>>(
     Ok(())
 }
 
-/// Fills a folder beside `target`, which must not exist, and gives it that name. It is the user's from
-/// then on: it has no manifest.
+/// Fills a draft folder and renames it to `target`, which must not exist. It gets no manifest, so this program never
+/// replaces it.
 ///
 /// # Errors
-/// When `fill` or the system refuses, or something is there.
+/// When `fill` or the system fails, or `target` exists.
 pub fn new_folder<E: From<StorageError>>(
     target: &Path,
     fill: impl FnOnce(&Path) -> Result<(), E>,
@@ -129,12 +128,12 @@ fn filled<E: From<StorageError>>(
     Ok(draft)
 }
 
-/// Gives the folder in `draft` its name. The older one, checked once more where nobody reaches it by its
-/// name, is left in the draft, which is removed with the files of its manifest.
+/// Renames the folder in `draft` to `target`. An older folder is checked again after it has lost its name and is
+/// removed together with the draft.
 fn name(draft: &Draft, target: &Path, kind: &'static str) -> Result<(), StorageError> {
     let refused = StorageError::io(target);
     let parent = parent_of(target);
-    // No signal removes the draft in the middle of this.
+    // A signal handler must not remove the draft during the renaming.
     let _naming = drafts();
     let made = draft.made();
     if look(target).map_err(&refused)?.is_none() {
@@ -152,7 +151,8 @@ fn name(draft: &Draft, target: &Path, kind: &'static str) -> Result<(), StorageE
     name_in_two_steps(draft, target, kind)
 }
 
-/// Moves the older folder aside first. A kill between the two renames is repaired from the journal.
+/// Moves the older folder aside, then renames the new one. The journal stores the name of the older folder for recovery
+/// after a kill between the two.
 fn name_in_two_steps(draft: &Draft, target: &Path, kind: &'static str) -> Result<(), StorageError> {
     let refused = StorageError::io(target);
     let (old, journal) = (draft.folder().join(OLD), draft.folder().join(JOURNAL));

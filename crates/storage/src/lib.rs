@@ -1,18 +1,17 @@
-//! Files and folders written whole or not at all, and the one reader of files.
+//! Atomic writing of files and folders, and bounded reading of files.
 //!
-//! | what | how |
+//! | task | method |
 //! |---|---|
-//! | a file that is read ([`whole_file`]) | a regular file of a bounded size; no device, no pipe |
-//! | a file ([`save`]) | written beside its place, flushed to the disk, renamed |
-//! | a file whose name nobody chose ([`save_new`]) | the same, but never over another |
-//! | a folder ([`replace_folder`]) | filled beside its place, flushed, exchanged with the older one by one rename where the system can, by two with a journal where it cannot |
-//! | our files among others ([`write_among`]) | each as a file, the manifest before and after |
-//! | what is ours | a manifest with the SHA-256 of every file; whatever is not in it, or was changed since, is never touched; a manifest with a name that leads out of its folder is not ours |
-//! | a killed process | its drafts hold a lock with a text of ours, which the system released; the next process that writes there restores and removes |
-//! | a signal | [`abandon`] removes the drafts of this process |
+//! | reading a file ([`whole_file`]) | regular files of a bounded size; no device, no pipe |
+//! | writing a file ([`save`]) | written to a draft, flushed to the disk, renamed |
+//! | writing a file whose name the user did not choose ([`save_new`]) | as [`save`], but never replacing another file |
+//! | replacing a folder ([`replace_folder`]) | filled as a draft, flushed, exchanged with the older folder by one rename, or by two with a journal if the system has no exchange |
+//! | files in a folder with other files ([`write_among`]) | each by [`save`], the manifest before and after |
+//! | ownership | a manifest with the SHA-256 of every file; a file that is not in it, or was changed, is never touched; a manifest with a path out of its folder is not accepted |
+//! | killed processes | the system releases the locks of their drafts; the next process that writes there recovers or removes them |
+//! | signals | [`abandon`] removes the drafts of this process |
 //!
-//! Links are never followed onto the file behind them. Folders on the way are made for a folder, not for
-//! a single file, whose folder must exist.
+//! Links are never followed. Parent folders are created for a folder, but not for a single file.
 
 mod among;
 mod draft;

@@ -13,10 +13,10 @@ use crate::read::{regular_file, whole_text};
 
 /// Name of the manifest in its folder.
 pub const MANIFEST: &str = "manifest.json";
-/// Bytes of the largest manifest that is read: some 100 000 files.
+/// Maximum size of a manifest in bytes: some 100 000 files.
 const LARGEST: u64 = 20_000_000;
 
-/// Files of a folder by their paths in it, with the sums they may have. While a file is replaced it has
+/// Files of a folder by their relative paths, with their permitted checksums. While a file is being replaced it has
 /// two: the old and the new one.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Manifest {
@@ -35,7 +35,7 @@ impl Manifest {
         }
     }
 
-    /// Every file in `folder`.
+    /// The manifest of all files in `folder`.
     pub fn of(folder: &Path) -> io::Result<Self> {
         let mut manifest = Self::new();
         for name in entries(folder)? {
@@ -45,11 +45,11 @@ impl Manifest {
         Ok(manifest)
     }
 
-    /// The manifest in `folder`; `None` if there is none of ours. One with a name that leads out of the folder
-    /// is not.
+    /// The manifest in `folder`; `None` if there is no manifest of this program, or a path in it leads out of the
+    /// folder.
     pub fn read(folder: &Path) -> Option<Self> {
         let file = folder.join(MANIFEST);
-        let is_file = fs::symlink_metadata(&file).is_ok_and(|found| found.is_file());
+        let is_file = fs::symlink_metadata(&file).is_ok_and(|entry| entry.is_file());
         let text = is_file.then(|| whole_text(&file, LARGEST).ok()).flatten()?;
         let manifest: Self = serde_json::from_str(&text).ok()?;
         let is_ours = manifest.written_by.starts_with("asperity ")
@@ -65,8 +65,8 @@ impl Manifest {
         bytes
     }
 
-    /// Whether every entry of `folder` is a file of its manifest as it was written. A folder without a manifest of
-    /// ours has to be empty.
+    /// Checks that every entry of `folder` is an unchanged file of its manifest. A folder without a manifest of this
+    /// program must be empty.
     pub fn check(folder: &Path, kind: &'static str) -> Result<(), StorageError> {
         let manifest = Self::read(folder);
         for name in entries(folder).map_err(StorageError::io(folder))? {
@@ -87,12 +87,12 @@ impl Manifest {
         Ok(())
     }
 
-    /// Whether `name` in `folder`, which is there, is a file of this manifest as it was written.
+    /// Checks that the existing file `name` in `folder` is an unchanged file of this manifest.
     pub fn check_file(&self, folder: &Path, name: &str) -> Result<(), StorageError> {
         let path = folder.join(name);
-        let found = without_links(folder, name)?;
+        let entry = without_links(folder, name)?;
         let sums = self.sha256.get(name);
-        let is_same = found.is_file()
+        let is_same = entry.is_file()
             && sums.is_some_and(|sums| sum_of_file(&path).is_ok_and(|sum| sums.contains(&sum)));
         if is_same {
             Ok(())
@@ -101,7 +101,7 @@ impl Manifest {
         }
     }
 
-    /// Removes the files of this manifest that are as they were written, and then what is empty.
+    /// Removes the unchanged files of this manifest, then empty folders.
     pub fn remove_owned(&self, folder: &Path) {
         let mut folders = BTreeSet::new();
         for name in self.sha256.keys() {
@@ -110,7 +110,7 @@ impl Manifest {
             }
             folders.extend(name.match_indices('/').map(|(end, _)| &name[..end]));
         }
-        // The inner ones first; one that is not empty stays.
+        // Inner folders first; a folder that is not empty stays.
         for inner in folders.iter().rev() {
             if without_links(folder, inner).is_ok() {
                 let _ = fs::remove_dir(folder.join(inner));
@@ -124,24 +124,24 @@ impl Manifest {
     }
 }
 
-/// Facts about `name` in `folder`, where neither it nor a folder on the way to it is a link, which would lead out of
+/// Metadata of `name` in `folder`. Neither it nor one of its parent folders may be a link, which could lead out of
 /// `folder`.
 fn without_links(folder: &Path, name: &str) -> Result<Metadata, StorageError> {
-    let mut place = folder.to_owned();
+    let mut path = folder.to_owned();
     let mut parts = Path::new(name).iter().peekable();
     loop {
-        place.extend(parts.next());
-        let found = fs::symlink_metadata(&place).map_err(StorageError::io(&place))?;
-        if found.is_symlink() {
-            return Err(StorageError::Link { path: place });
+        path.extend(parts.next());
+        let entry = fs::symlink_metadata(&path).map_err(StorageError::io(&path))?;
+        if entry.is_symlink() {
+            return Err(StorageError::Link { path });
         }
         if parts.peek().is_none() {
-            return Ok(found);
+            return Ok(entry);
         }
     }
 }
 
-/// Whether `name` is a path below its folder as [`entries`] writes it: plain names with `/` between them.
+/// Whether `name` is a relative path as [`entries`] writes it: plain names separated by `/`.
 fn is_inside(name: &str) -> bool {
     let parts = Path::new(name).components().map(|part| match part {
         Component::Normal(part) => part.to_str(),
@@ -151,8 +151,7 @@ fn is_inside(name: &str) -> bool {
     parts.is_some_and(|parts| !parts.is_empty() && parts.join("/") == name)
 }
 
-/// Paths of all entries in `folder` but folders that hold some, with `/` between names; links are not
-/// followed.
+/// Relative paths of all files, links and empty folders in `folder`, separated by `/`. Links are not followed.
 fn entries(folder: &Path) -> io::Result<Vec<String>> {
     let mut names = Vec::new();
     for entry in fs::read_dir(folder)? {

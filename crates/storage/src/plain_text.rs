@@ -1,8 +1,8 @@
-//! Text from names and titles that must do nothing where it is shown.
+//! Neutralising text from names and titles before a spreadsheet or a terminal shows it.
 
 use std::borrow::Cow;
 
-/// `text` as a cell of a table that a spreadsheet opens: one that starts as a formula gets an apostrophe.
+/// `text` as a cell of a spreadsheet: an apostrophe precedes text that would be a formula.
 ///
 /// ```
 /// use asperity_storage::cell;
@@ -16,34 +16,34 @@ pub fn cell(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// `text` as a terminal shows it: control characters but line feeds and tabs are written out, and so are
-/// those that turn the direction of writing.
+/// `text` for a terminal: control characters except line feeds and tabs, and those that change the direction of
+/// writing, are escaped.
 ///
 /// ```
 /// assert_eq!(asperity_storage::printable("a\u{1b}[31mb\n"), "a\\u{1b}[31mb\n");
 /// ```
 pub fn printable(text: &str) -> Cow<'_, str> {
-    without(text, |c| acts(c) && c != '\n' && c != '\t')
+    escaped(text, |c| is_control(c) && c != '\n' && c != '\t')
 }
 
-/// A title or a name as a terminal shows it: the same with line feeds and tabs written out, so that it cannot begin a line
-/// of its own.
+/// A title or a name for a terminal: as [`printable`], with line feeds and tabs escaped too, so that it stays on one
+/// line.
 ///
 /// ```
 /// assert_eq!(asperity_storage::one_line("a\nE501 b"), "a\\u{a}E501 b");
 /// ```
 pub fn one_line(text: &str) -> Cow<'_, str> {
-    without(text, acts)
+    escaped(text, is_control)
 }
 
-/// Whether a character does something instead of being shown.
-fn acts(c: char) -> bool {
-    let turns = matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-    c.is_control() || turns
+/// Whether a character is a control character or changes the direction of writing.
+fn is_control(c: char) -> bool {
+    let changes_direction = matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    c.is_control() || changes_direction
 }
 
-/// `text` with such characters written out.
-fn without(text: &str, is_bad: impl Fn(char) -> bool) -> Cow<'_, str> {
+/// `text` with the characters for which `is_bad` holds escaped.
+fn escaped(text: &str, is_bad: impl Fn(char) -> bool) -> Cow<'_, str> {
     if !text.contains(&is_bad) {
         return Cow::Borrowed(text);
     }

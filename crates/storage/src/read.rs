@@ -1,11 +1,11 @@
-//! The one reader of files: a regular file of a bounded size. `clippy.toml` forbids the calls of the standard
-//! library that open anything of any size.
+//! Reading of regular files of a bounded size. `clippy.toml` forbids the functions of the standard library that open
+//! any kind of file of any size.
 
 use std::fs::{File, metadata};
 use std::io::{Error, ErrorKind, Read, Result};
 use std::path::Path;
 
-/// The file at `path`, opened. Opening a pipe would wait for its writer, and a device never ends.
+/// Opens the regular file at `path`. Opening a pipe would wait for its writer, and a device never ends.
 ///
 /// # Errors
 /// When the system refuses, or it is a folder, a device or a pipe.
@@ -27,7 +27,7 @@ pub fn regular_file(path: &Path) -> Result<File> {
     File::open(path)
 }
 
-/// The bytes of the file at `path`, of which there may be `most`.
+/// Reads the file at `path` of at most `most` bytes.
 ///
 /// # Errors
 /// When the system refuses, it is not a regular file, or it is larger.
@@ -52,7 +52,7 @@ pub fn whole_file(path: &Path, most: u64) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The text of the file at `path`, of at most `most` bytes.
+/// Reads the UTF-8 text of the file at `path` of at most `most` bytes.
 ///
 /// # Errors
 /// As [`whole_file`], and when it is not UTF-8.

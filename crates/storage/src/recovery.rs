@@ -1,4 +1,5 @@
-//! Recovery of a draft whose process ended: the older folder gets its name back, what is ours goes.
+//! Recovery of a draft whose process ended: the older folder gets its name back, and the files of this program are
+//! removed.
 
 use std::ffi::OsStr;
 use std::fs;
@@ -8,29 +9,29 @@ use crate::manifest::Manifest;
 use crate::read::whole_text;
 use crate::system::{look, parent_of};
 
-/// Kind of content made in a draft.
+/// The new file or folder in a draft.
 pub const NEW: &str = "new";
-/// The older folder, moved aside for a moment where two names cannot be exchanged at once.
+/// The older folder, moved aside if the system cannot exchange two names atomically.
 pub const OLD: &str = "old";
-/// Name that the older folder had.
+/// File with the name of the older folder.
 pub const JOURNAL: &str = "journal";
-/// The locked file of a draft, and its name until it is locked.
+/// The lock file of a draft, and its name until it is locked.
 pub const LOCK: &str = "lock";
 pub const MAKING: &str = "making";
-/// Bytes of the longest journal: the longest name that a system allows.
+/// Maximum size of a journal in bytes: no system allows a longer name.
 const LONGEST: u64 = 1024;
 
-/// Gives a folder that was moved aside its name back, where nothing has it. False where that fails, or the journal does
-/// not hold the plain name of a folder beside the draft: the draft then has to stay as it is.
+/// Renames a folder that was moved aside back to its old name if that is free. Returns false if this fails, or the
+/// journal is not the plain name of a folder next to the draft: the draft must then be left unchanged.
 pub fn restore(draft: &Path) -> bool {
     let old = draft.join(OLD);
     match look(&old) {
         Ok(None) => return true,
-        Ok(Some(found)) if found.is_dir() => {}
+        Ok(Some(entry)) if entry.is_dir() => {}
         _ => return false,
     }
     let journal = draft.join(JOURNAL);
-    let is_file = look(&journal).is_ok_and(|found| found.is_some_and(|found| found.is_file()));
+    let is_file = look(&journal).is_ok_and(|entry| entry.is_some_and(|entry| entry.is_file()));
     let Some(name) = is_file
         .then(|| whole_text(&journal, LONGEST).ok())
         .flatten()
@@ -48,22 +49,21 @@ pub fn restore(draft: &Path) -> bool {
     }
 }
 
-/// Restores what a dead process moved aside and removes its draft.
+/// Restores the folder that a dead process moved aside and removes its draft.
 pub fn recover(draft: &Path) {
     if restore(draft) {
         remove(draft);
     }
 }
 
-/// Removes a draft. Of an older folder in it only files of the manifest go; whatever else somebody put
-/// there stays.
+/// Removes a draft. Of an older folder in it only the files of its manifest are removed.
 pub fn remove(draft: &Path) {
     for place in [NEW, OLD] {
         let place = draft.join(place);
         match look(&place) {
-            Ok(Some(found)) if found.is_dir() => match Manifest::read(&place) {
+            Ok(Some(entry)) if entry.is_dir() => match Manifest::read(&place) {
                 Some(manifest) => manifest.remove_owned(&place),
-                // Not finished: nobody but this program has written there.
+                // Unfinished: only this program has written there.
                 None if place.ends_with(NEW) => {
                     let _ = fs::remove_dir_all(&place);
                 }

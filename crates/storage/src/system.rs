@@ -1,4 +1,4 @@
-//! Calls to the system: flushing to the disk, exchange of two names, looks that follow no link.
+//! System calls: flushing to the disk, exchange of two names, metadata without following links.
 
 use std::fs::{self, File, Metadata};
 use std::io;
@@ -12,10 +12,10 @@ pub fn parent_of(file: &Path) -> &Path {
     }
 }
 
-/// Facts about `path` itself, not about what a link points to; none when nothing is there.
+/// Metadata of `path` without following a link; `None` if it does not exist.
 pub fn look(path: &Path) -> io::Result<Option<Metadata>> {
     match fs::symlink_metadata(path) {
-        Ok(found) => Ok(Some(found)),
+        Ok(entry) => Ok(Some(entry)),
         Err(error)
             if matches!(
                 error.kind(),
@@ -55,7 +55,7 @@ pub fn sync_tree(folder: &Path) -> io::Result<()> {
     sync_folder(folder)
 }
 
-/// Exchanges the names of `a` and `b` at once; false where the system or its disk cannot.
+/// Exchanges the names of `a` and `b` atomically; false if the system or the file system does not support it.
 #[cfg(target_os = "linux")]
 pub fn exchanged(a: &Path, b: &Path) -> io::Result<bool> {
     use rustix::fs::{CWD, RenameFlags, renameat_with};
@@ -67,7 +67,7 @@ pub fn exchanged(a: &Path, b: &Path) -> io::Result<bool> {
     }
 }
 
-/// Exchanges the names of `a` and `b` at once; false where the system or its disk cannot.
+/// Exchanges the names of `a` and `b` atomically; false if the system or the file system does not support it.
 #[cfg(not(target_os = "linux"))]
 pub fn exchanged(_a: &Path, _b: &Path) -> io::Result<bool> {
     Ok(false)

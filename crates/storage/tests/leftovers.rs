@@ -1,4 +1,4 @@
-//! Recovery: the next process restores or removes what a killed one left behind; foreign files stay.
+//! Recovery: the next process restores or removes the drafts of a killed one; files of the user stay.
 
 #![allow(clippy::disallowed_methods, reason = "tests read their own files")]
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]

@@ -1,5 +1,5 @@
-//! Folders made to mislead: whatever a manifest, a journal or a hidden folder says, nothing outside the folder that is
-//! written changes, and nothing that this program did not write is removed.
+//! Malicious folders: whatever a manifest, a journal or a hidden folder says, nothing outside the target folder
+//! changes, and no file of the user is removed.
 
 #![allow(clippy::disallowed_methods, reason = "tests read their own files")]
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
@@ -189,8 +189,8 @@ fn a_pipe_in_place_of_a_file_of_ours_makes_nobody_wait() {
     pipe(".asperity-def456/journal");
     fs::write(at(".asperity-def456/lock"), LOCK).unwrap();
     let target = at("result");
-    let (tell, told) = std::sync::mpsc::channel();
-    std::thread::spawn(move || tell.send(check_folder(&target, "result").is_err()));
-    assert_eq!(told.recv_timeout(Duration::from_secs(10)), Ok(true));
+    let (sender, receiver) = std::sync::mpsc::channel();
+    std::thread::spawn(move || sender.send(check_folder(&target, "result").is_err()));
+    assert_eq!(receiver.recv_timeout(Duration::from_secs(10)), Ok(true));
     assert!(at(".asperity-abc123/lock").exists() && at(".asperity-def456/journal").exists());
 }

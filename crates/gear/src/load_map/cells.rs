@@ -1,14 +1,15 @@
-//! Cells of the path, for contacts that are too costly to solve at every point of a load map.
+//! Cells of the path, each represented by one contact, because a contact solution at every point of a load map would be
+//! too costly.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | K | number of cells | - |
-//! | ξ̄, f̄ | representative place and load of a cell | -, N/m |
+//! | ξ̄, f̄ | representative coordinate and load of a cell | -, N/m |
 //! | dP | f V_s dl, the weight | W |
 //!
-//! A coefficient of friction times the share of f |V_s| of a cell is its sliding power, exactly when
-//! friction is constant. For μ ~ f^0.2 V_s^−0.1 the loss errs by 1.5e-3 with K = 16, by 3.8e-3 at a
-//! tenth of the torque with relief; the arithmetic mean of f would be two to three times worse.
+//! The sliding power of a cell is the coefficient of friction times the cell's share of f |V_s|; this is exact for
+//! constant friction. For μ ~ f^0.2 V_s^−0.1 the error of the loss is 1.5e-3 with K = 16, and 3.8e-3 at a tenth of the
+//! torque with relief. With the arithmetic mean of f it would be two to three times larger.
 
 use asperity_core::quantity::{Force, Length, LineLoad};
 use asperity_core::{DomainError, cite};
@@ -16,46 +17,46 @@ use serde::Serialize;
 
 use super::map::{LoadMap, LoadSample, Model, NARROW_OVERLAP};
 use crate::error::GearError;
-use crate::positions::spread;
+use crate::interpolation;
+use crate::positions::distribute;
 use crate::quadrature::breakpoints;
-use crate::straight;
 
-/// Most cells accepted.
-const MOST_CELLS: usize = 10_000;
+/// Maximum number of cells.
+const MAX_CELLS: usize = 10_000;
 
-/// Strips of the face between which the load is compared, `[Width-1]`.
+/// Strips of the face for the face load factor, `[Width-1]`.
 const FACE_STRIPS: usize = 16;
 
-/// Phases at which the mean load of a helical pair at one place is taken.
+/// Phases for the mean load of a helical pair at a position.
 const DISPLAY_PHASES: u32 = 16;
 
-/// A cell of the path, with the one contact that represents it.
+/// A cell of the path with its representative contact.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LoadCell {
     /// First profile coordinate.
     pub from: f64,
     /// Last profile coordinate.
     pub to: f64,
-    /// Representative place ξ̄ of the cell.
+    /// Representative coordinate ξ̄ of the cell.
     pub xi: f64,
-    /// The same as a distance from T₁.
+    /// Distance of ξ̄ from T₁.
     pub s: Length,
     /// Representative load f̄ of the cell, the weighted geometric mean.
     pub load: LineLoad,
-    /// Contribution to H_V: μ times this times the input power is the sliding power of the cell.
+    /// Contribution to H_V: the sliding power of the cell divided by μ and the input power.
     pub loss_factor: f64,
     /// Share of H_V.
     pub sliding_share: f64,
     /// Loaded length of contact line, the weight of rolling losses.
     pub contact_length: Length,
-    /// Normal force carried on average.
+    /// Mean normal force.
     pub force: Force,
-    /// Zone of the face that it is of; 0 where the face is not divided.
+    /// Index of the zone of the face; 0 if the face is not divided.
     pub zone: usize,
 }
 
 #[derive(Debug, Clone, Copy, Default)]
-struct Sums {
+struct CellSums {
     power: f64,
     xi: f64,
     log: f64,
@@ -63,8 +64,8 @@ struct Sums {
     force: f64,
 }
 
-impl Sums {
-    /// Adds so large a share of a sample.
+impl CellSums {
+    /// Adds the fraction `share` of a sample.
     fn add(&mut self, sample: &LoadSample, power: f64, share: f64) {
         let (load, weight, power) = (sample.load.si(), share * sample.weight.si(), share * power);
         if load <= 0.0 {
@@ -82,13 +83,13 @@ impl Sums {
 struct Zones<'a> {
     edges: &'a [Length],
     width: Length,
-    /// Whether every point of the map stands for the whole face.
+    /// Whether every point of the map represents the whole face.
     is_single_row: bool,
 }
 
 impl<'a> Zones<'a> {
     fn new(edges: &'a [Length], width: Length, is_single_row: bool) -> Result<Self, GearError> {
-        let rule = "must lie within the face and rise";
+        let rule = "must lie within the face, in ascending order";
         let mut before = 0.0;
         for edge in edges {
             let y = edge.si();
@@ -107,7 +108,7 @@ impl<'a> Zones<'a> {
         self.edges.len() + 1
     }
 
-    /// Zones that a point at `y` stands for, each with its share of it.
+    /// Zones that a point at `y` represents, each with its share.
     fn shares(&self, y: Length) -> impl Iterator<Item = (usize, f64)> + '_ {
         let own = self.edges.partition_point(|edge| *edge <= y);
         (0..self.count()).filter_map(move |zone| match self.is_single_row {
@@ -124,24 +125,23 @@ impl<'a> Zones<'a> {
 impl LoadMap {
     /// ξ̄ = ∫ ξ dP/∫ dP, ln f̄ = ∫ ln f dP/∫ dP over each of K cells, dP = f |V_s| dl   [Cell-1]
     ///
-    /// The cells span the loaded part of the path; none straddles the pitch point nor, on spur pairs and
-    /// those of little overlap, a change of the number of pairs in contact. Cells that carry no power are
-    /// left out.
+    /// The cells span the loaded part of the path. The pitch point is an edge of a cell, and on spur pairs and pairs of
+    /// little overlap so are the changes of the number of pairs in contact. Cells without sliding power are omitted.
     ///
     /// # Errors
-    /// When `count` is less than the number of segments of the path, or absurdly large.
+    /// When `count` is less than the number of segments of the path, or above 10 000.
     pub fn cells(&self, count: usize) -> Result<Vec<LoadCell>, GearError> {
         self.cells_in_zones(count, &[])
     }
 
-    /// The same for each zone of the face on its own, zone by zone within a cell: `edges` are the places y between
-    /// them, rising and within the face.
+    /// Cells for each zone of the face, zone by zone within a cell. `edges` are the positions y between the zones, in
+    /// ascending order and within the face.
     ///
-    /// A point of the map belongs to the zone of its place; where one point stands for the whole face of a spur pair,
-    /// each zone has its share of that.
+    /// A point of the map belongs to the zone of its y. A point that represents the whole face of a spur pair is
+    /// divided between the zones by their widths.
     ///
     /// # Errors
-    /// As [`cells`](Self::cells), and when an edge is not on the face or they do not rise.
+    /// As [`cells`](Self::cells), and when the edges are not within the face or not in ascending order.
     pub fn cells_in_zones(
         &self,
         count: usize,
@@ -151,16 +151,16 @@ impl LoadMap {
         let zones = Zones::new(edges, self.pair.face_width, self.is_single_row())?;
         let breaks = self.cell_breaks();
         let least = breaks.len() - 1;
-        if !(least..=MOST_CELLS).contains(&count) {
+        if !(least..=MAX_CELLS).contains(&count) {
             return Err(GearError::PositionCount {
                 count,
                 least,
-                most: MOST_CELLS,
+                most: MAX_CELLS,
             });
         }
         let edges = self.cell_edges(count, &breaks);
         let each = zones.count();
-        let mut sums = vec![Sums::default(); (edges.len() - 1) * each];
+        let mut sums = vec![CellSums::default(); (edges.len() - 1) * each];
         for sample in &self.samples {
             let above = edges.partition_point(|edge| *edge <= sample.xi);
             let cell = above.clamp(1, edges.len() - 1) - 1;
@@ -192,21 +192,21 @@ impl LoadMap {
             .collect())
     }
 
-    /// Whether one point stands for the whole face.
+    /// Whether one point represents the whole face.
     fn is_single_row(&self) -> bool {
         match &self.model {
             Model::Elastic(grid, _) => grid.cells == 1,
-            Model::Rigid(_) | Model::Along(_) => self.pair.is_spur(),
+            Model::Rigid(_) | Model::Table(_) => self.pair.is_spur(),
         }
     }
 
-    /// Ends of the loaded path, the pitch point, and the changes of the pairs in contact.
+    /// Ends of the loaded path, the pitch point, and the changes of the number of pairs in contact.
     fn cell_breaks(&self) -> Vec<f64> {
         let loaded = || self.samples.iter().filter(|sample| sample.load.si() > 0.0);
         let (mut low, mut high) = loaded().fold((f64::INFINITY, f64::NEG_INFINITY), |ends, at| {
             (ends.0.min(at.xi), ends.1.max(at.xi))
         });
-        // A path that is loaded to its ends is sampled short of them.
+        // The outermost samples lie inside the ends of a fully loaded path.
         let eps_alpha = self.pair.path.eps_alpha;
         let slack = 1.0 / 16.0;
         if low > 0.0 && low < slack {
@@ -217,7 +217,7 @@ impl LoadMap {
         }
         let mut inner = self.pair.segment_ends();
         inner.push(self.pair.path.eps_2);
-        // Where the contact lines cross it within a cell, the load changes almost as suddenly as on a spur pair.
+        // With little overlap the load changes almost as abruptly as on a spur pair.
         if self.pair.path.eps_beta < NARROW_OVERLAP {
             inner.extend(self.pair.changes_of_contact());
         }
@@ -233,11 +233,11 @@ impl LoadMap {
                 let wanted = count as f64 * (pitch_point - low) / (high - low);
                 let above = breaks.len() - 1 - at;
                 let below = (wanted.round() as usize).clamp(at, count - above);
-                let mut shares = spread(below, &breaks[..=at]);
-                shares.extend(spread(count - below, &breaks[at..]));
+                let mut shares = distribute(below, &breaks[..=at]);
+                shares.extend(distribute(count - below, &breaks[at..]));
                 shares
             }
-            _ => spread(count, breaks),
+            _ => distribute(count, breaks),
         };
         let mut edges = vec![low];
         for (ends, share) in breaks.windows(2).zip(shares) {
@@ -249,8 +249,8 @@ impl LoadMap {
         edges
     }
 
-    /// Mean over the face of the load at a place of the path, for display; zero where relief keeps
-    /// the flanks apart. Between two points of a contact line the load is a straight line.
+    /// Line load at a position of the path, averaged over the face and interpolated linearly along the contact lines,
+    /// for display; zero if relief separates the flanks.
     ///
     /// # Errors
     /// When s is not on the path A to E.
@@ -262,7 +262,7 @@ impl LoadMap {
             let here = || points.iter().filter(|point| (point.xi - xi).abs() < 1e-6);
             let length: f64 = here().map(|point| point.length).sum();
             let force: f64 = here().map(|point| point.length * point.load).sum();
-            // E itself belongs to no phase; the pair leaves contact there.
+            // At E the pair has left contact; use the limit from inside the path.
             return if length > 0.0 {
                 Ok(LineLoad::from_si(force / length))
             } else {
@@ -283,7 +283,7 @@ impl LoadMap {
 
     /// K_Hβ = largest over mean load per width of the face, in 16 strips           [Width-1]
     ///
-    /// One where the load does not vary over the face of a spur pair.
+    /// 1 for a spur pair with constant load over the face.
     pub fn face_load_factor(&self) -> f64 {
         cite!("Width-1");
         if self.is_single_row() {
@@ -300,18 +300,18 @@ impl LoadMap {
     }
 }
 
-/// The value at `place` on the straight line between its neighbours among `points` (place, value), that of the
-/// outermost beyond them; zero without points.
-fn between_neighbours(place: f64, points: impl Iterator<Item = (f64, f64)>) -> f64 {
+/// Linear interpolation at `position` between the neighbours among unordered `points` (position, value), constant
+/// beyond the outermost; zero without points.
+fn between_neighbours(position: f64, points: impl Iterator<Item = (f64, f64)>) -> f64 {
     let (mut below, mut above) = (None::<(f64, f64)>, None::<(f64, f64)>);
     for point in points {
-        match point.0 <= place {
+        match point.0 <= position {
             true if below.is_none_or(|at| at.0 <= point.0) => below = Some(point),
             false if above.is_none_or(|at| at.0 > point.0) => above = Some(point),
             _ => {}
         }
     }
-    straight::between(below, above, place)
+    interpolation::between(below, above, position)
 }
 
 #[cfg(test)]

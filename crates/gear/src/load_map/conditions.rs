@@ -18,6 +18,6 @@ pub struct LoadConditions<'a> {
     pub micro: &'a MicroGeometry,
     /// Materials of gears 1 and 2.
     pub materials: &'a [Material; 2],
-    /// Numbers of a load map that are not of the pair.
+    /// Settings of the load map.
     pub settings: &'a LoadMapSettings,
 }

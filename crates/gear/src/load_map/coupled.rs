@@ -1,4 +1,4 @@
-//! Load over the lines of contact of elastic teeth at one phase.
+//! Load over the lines of contact of elastic teeth at a phase.
 //!
 //! Every pair of teeth in contact deflects by u + f q_H(f); u spreads along the face.
 //!
@@ -6,35 +6,35 @@
 //! |---|---|---|
 //! | f | load per length of contact line | N/m |
 //! | u, w | deflection of teeth and foundations, u = √q_b·w | m |
-//! | λ | length over which a tooth spreads a load along its face | m |
+//! | λ | coupling length of the deflection along the face | m |
 //! | δ | approach common to all pairs | m |
 //! | e | separation of the unloaded flanks | m |
 //! | a | covered fraction of a cell of the face | - |
 //! | g | slope of f q_H(f), q_H − K | m²/N |
 //!
-//! Method: Newton's method for the flattening around an active set of touching cells. A round costs
-//! one tridiagonal solution a row for the right sides 1 and −(e + f (q_H − g)); the force sum then
-//! gives δ. Cells off the line of contact only pass deflection on; their elimination is known
-//! beforehand ([`Tails`]).
+//! Method: active set of cells in contact with Newton's method for the flattening. An iteration solves a tridiagonal
+//! system per contact line for the right-hand sides 1 and −(e + f (q_H − g)); the force balance then gives δ. Cells
+//! outside the line of contact carry no load but transmit deflection; their elimination is computed in advance
+//! ([`Tails`]).
 
 use asperity_core::cite;
 
-/// Rounds allowed; 2 to 11 suffice.
-const MOST_ROUNDS: usize = 100;
+/// Maximum number of iterations; 2 to 11 suffice.
+const MAX_ROUNDS: usize = 100;
 
-/// Change of the load, over the mean load, at which the rounds end.
+/// Convergence criterion: change of the load divided by the mean load.
 const TOLERANCE: f64 = 1e-9;
 
-/// Share of the mean load below which the flattening is taken as proportional to the load.
+/// Fraction of the mean load below which the flattening is proportional to the load, which avoids ln 0.
 const LOAD_FLOOR: f64 = 1e-4;
 
-/// Least slope of the flattening over its secant at the mean load.
+/// Minimum slope of the flattening divided by its secant at the mean load, which keeps the Newton step finite.
 const SLOPE_FLOOR: f64 = 1e-3;
 
-/// Covered fraction of a cell that is no rounding.
+/// Covered fraction of a cell below which it is a rounding error.
 pub(crate) const LEAST_COVER: f64 = 1e-12;
 
-/// A cell of a row.
+/// A cell of a contact line.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Cell {
     /// ξ and y/b at the middle of the covered part.
@@ -53,27 +53,27 @@ pub(crate) struct Cell {
     pub(super) touches: bool,
     pub(super) slope: f64,
     pub(super) offset: f64,
-    /// Elimination: factor to the next cell and the two right sides, then u for both.
+    /// Elimination factor to the next cell and the two right-hand sides, then u for both.
     pub(super) factor: f64,
     pub(super) one: f64,
     pub(super) shift: f64,
 }
 
-/// The cells of one pair of teeth that the line of contact covers, from y = 0 upwards.
+/// The cells covered by the line of contact of a pair of teeth, in the order of y.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Row {
+pub(crate) struct ContactLine {
     pub(crate) tooth: i64,
-    /// Idle cells of the face on both sides.
+    /// Number of idle cells of the face on each side.
     pub(crate) idle: [usize; 2],
     pub(crate) cells: Vec<Cell>,
 }
 
-/// Data shared by all rows.
+/// Data common to all contact lines.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Problem<'a> {
     /// F_bn.
     pub(crate) force: f64,
-    /// Contact line in a wholly covered cell.
+    /// Length of contact line in a completely covered cell.
     pub(crate) cell_length: f64,
     /// Mean load f₀.
     pub(crate) mean_load: f64,
@@ -82,12 +82,12 @@ pub(crate) struct Problem<'a> {
     pub(crate) tails: &'a Tails,
 }
 
-/// Elimination of runs of idle cells at the ends of the face.
+/// Elimination of the idle cells at the ends of the face.
 #[derive(Debug, Clone)]
 pub(crate) struct Tails {
     /// (λ/h)².
     spread: f64,
-    /// w of the last of n idle cells over w of the cell that follows.
+    /// w of the last of n idle cells divided by w of the next cell.
     ratio: Vec<f64>,
 }
 
@@ -107,32 +107,32 @@ impl Tails {
     }
 }
 
-/// The solution besides the loads in the cells.
+/// PhaseSolution and convergence; the loads are stored in the cells.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Approach {
+pub(crate) struct PhaseSolution {
     /// δ.
     pub(crate) approach: f64,
     pub(crate) rounds: usize,
     pub(crate) converged: bool,
-    /// Last change of the load over the mean load.
+    /// Load change in the final iteration, divided by the mean load.
     pub(crate) residual: f64,
 }
 
 /// u = √q_b w, w − λ² w″ = √q_b f, w′ = 0 at both ends of the face;
 /// f > 0: u + f q_H(f) = δ − e, else u ≥ δ − e; Σ ∫ f dl = F_bn               [Load-map-1]
-pub(crate) fn solve(rows: &mut [Row], problem: &Problem<'_>) -> Approach {
+pub(crate) fn solve(rows: &mut [ContactLine], problem: &Problem<'_>) -> PhaseSolution {
     cite!("Load-map-1");
     for cell in rows.iter_mut().flat_map(|row| &mut row.cells) {
         cell.load = problem.mean_load;
         cell.touches = true;
     }
-    let mut last = Approach {
+    let mut last = PhaseSolution {
         approach: 0.0,
         rounds: 0,
         converged: false,
         residual: f64::INFINITY,
     };
-    while last.rounds < MOST_ROUNDS && !last.converged {
+    while last.rounds < MAX_ROUNDS && !last.converged {
         let (mut constant, mut stiffness) = (0.0, 0.0);
         for row in rows.iter_mut() {
             linearise(row, problem);
@@ -148,7 +148,7 @@ pub(crate) fn solve(rows: &mut [Row], problem: &Problem<'_>) -> Approach {
             residual = residual.max(change / problem.mean_load);
             changed |= moved;
         }
-        last = Approach {
+        last = PhaseSolution {
             approach,
             rounds: last.rounds + 1,
             converged: residual < TOLERANCE && !changed,
@@ -160,13 +160,13 @@ pub(crate) fn solve(rows: &mut [Row], problem: &Problem<'_>) -> Approach {
 }
 
 /// g and the offset e + f (q_H − g) of each cell.
-fn linearise(row: &mut Row, problem: &Problem<'_>) {
+fn linearise(row: &mut ContactLine, problem: &Problem<'_>) {
     let floor = LOAD_FLOOR * problem.mean_load;
     for cell in &mut row.cells {
         let mut secant = cell.flattening;
         cell.slope = secant;
         if problem.slope > 0.0 {
-            // In the first round the load is the mean load.
+            // In the first iteration the load is the mean load.
             if cell.load != problem.mean_load {
                 secant -= problem.slope * (cell.load.max(floor) / problem.mean_load).ln();
             }
@@ -181,11 +181,11 @@ fn linearise(row: &mut Row, problem: &Problem<'_>) {
     }
 }
 
-/// u for the right sides 1 and −offset, left in `one` and `shift`.
-fn deflect(row: &mut Row, tails: &Tails) {
+/// Computes u for the right-hand sides 1 and −offset, stored in `one` and `shift`.
+fn deflect(row: &mut ContactLine, tails: &Tails) {
     let spread = tails.spread;
     if spread == 0.0 {
-        // A slice deflects by its own load, however much of it is covered.
+        // An independent slice deflects by its own load, whatever fraction is covered.
         for cell in &mut row.cells {
             let q = cell.root_bending * cell.root_bending;
             let share = if cell.touches {
@@ -199,7 +199,7 @@ fn deflect(row: &mut Row, tails: &Tails) {
     }
     let last = row.cells.len().saturating_sub(1);
     let far = tails.after(row.idle[1]);
-    // Before the first cell w follows it: w₋₁ = t w₀.
+    // Idle cells before the first cell: w₋₁ = t w₀.
     let (mut factor, mut one, mut shift) = (tails.after(row.idle[0]), 0.0, 0.0);
     for (k, cell) in row.cells.iter_mut().enumerate() {
         let m = if cell.touches {
@@ -227,8 +227,8 @@ fn deflect(row: &mut Row, tails: &Tails) {
     }
 }
 
-/// Σ a f for δ = 0, and its derivative by δ.
-fn forces(row: &Row) -> [f64; 2] {
+/// Σ a f for δ = 0, and its derivative with respect to δ.
+fn forces(row: &ContactLine) -> [f64; 2] {
     let mut sums = [0.0; 2];
     for cell in row.cells.iter().filter(|cell| cell.touches) {
         let inverse = cell.cover / cell.slope;
@@ -238,8 +238,8 @@ fn forces(row: &Row) -> [f64; 2] {
     sums
 }
 
-/// New loads and contact; the largest change and whether a cell came or went.
-fn update(row: &mut Row, approach: f64) -> (f64, bool) {
+/// Updates loads and contact; returns the largest load change and whether the set of cells in contact changed.
+fn update(row: &mut ContactLine, approach: f64) -> (f64, bool) {
     let (mut largest, mut changed) = (0.0f64, false);
     for cell in &mut row.cells {
         let u = cell.one * approach + cell.shift;
@@ -258,8 +258,8 @@ fn update(row: &mut Row, approach: f64) -> (f64, bool) {
     (largest, changed)
 }
 
-/// Takes the rest of the tolerance out of the force sum.
-fn balance(rows: &mut [Row], problem: &Problem<'_>) {
+/// Scales the loads so that the force balance holds exactly.
+fn balance(rows: &mut [ContactLine], problem: &Problem<'_>) {
     let carried: f64 = (rows.iter().flat_map(|row| &row.cells))
         .map(|cell| cell.load * cell.cover)
         .sum();
@@ -273,7 +273,7 @@ fn balance(rows: &mut [Row], problem: &Problem<'_>) {
 mod tests {
     use super::*;
 
-    fn row(cells: usize, covered: usize) -> Row {
+    fn row(cells: usize, covered: usize) -> ContactLine {
         let cell = |k: usize| Cell {
             across: (k as f64 + 0.5) / cells as f64,
             cover: 1.0,
@@ -281,7 +281,7 @@ mod tests {
             flattening: 16.0,
             ..Cell::default()
         };
-        Row {
+        ContactLine {
             tooth: 0,
             idle: [0, cells - covered],
             cells: (0..covered).map(cell).collect(),
@@ -335,7 +335,7 @@ mod tests {
     }
 
     /// w of the whole face, from the loads alone and without the elimination of idle cells.
-    fn deflections(row: &Row, spread: f64, cells: usize) -> Vec<f64> {
+    fn deflections(row: &ContactLine, spread: f64, cells: usize) -> Vec<f64> {
         let mut source = vec![0.0; cells];
         for (k, cell) in row.cells.iter().enumerate() {
             source[row.idle[0] + k] = cell.root_bending * cell.cover * cell.load;

@@ -11,22 +11,22 @@ use asperity_core::quantity::Length;
 use serde::{Deserialize, Serialize};
 
 use super::map::{LoadMap, Model};
-use super::phases::Phase;
+use super::phases::MeshPhase;
 use crate::error::GearError;
 
-/// Even phases at which the error is taken.
+/// Number of evenly spaced phases per pitch.
 const PHASES: u32 = 64;
 
 /// Transmission error over a mesh cycle.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TransmissionError {
-    /// Mean.
+    /// Mean over the mesh cycle.
     pub mean: Length,
-    /// Highest minus lowest.
+    /// Difference of maximum and minimum.
     pub peak_to_peak: Length,
     /// Mean over the phases of F_bt/(b TE), in N/m².
     pub mesh_stiffness: f64,
-    /// Phase in pitches from the start of the cycle, and the error there.
+    /// Phases in pitches from the start of the cycle with the transmission errors.
     pub curve: Vec<(f64, Length)>,
 }
 
@@ -35,10 +35,10 @@ impl LoadMap {
     ///
     /// c_γ = mean of F_bt/(b TE)                                                 [TE-2]
     ///
-    /// None for a law without deflections.
+    /// `None` for a law without deflections.
     ///
     /// # Errors
-    /// Those of the solution at a phase.
+    /// As [`at_phase`](Self::at_phase).
     pub fn transmission_error(&self) -> Result<Option<TransmissionError>, GearError> {
         let Model::Elastic(grid, _) = &self.model else {
             return Ok(None);
@@ -51,7 +51,7 @@ impl LoadMap {
         let mut curve = Vec::new();
         for pitch in 0..grid.separation.pitches() {
             for n in 0..PHASES {
-                let phase = Phase {
+                let phase = MeshPhase {
                     phase: (f64::from(n) + 0.5) / f64::from(PHASES),
                     weight: 1.0,
                     pitch,

@@ -1,4 +1,4 @@
-//! Loss factors of all laws side by side.
+//! Comparison of the loss factors of all laws.
 
 use asperity_core::material::Material;
 use asperity_core::quantity::Torque;
@@ -10,8 +10,8 @@ use crate::pair::GearPair;
 use crate::relief::MicroGeometry;
 
 impl LoadMap {
-    /// H_V of every law, or why it does not hold for the pair. Laws without deflections are tried on
-    /// unmodified flanks.
+    /// H_V of every law, or the reason why the law does not hold for the pair. Laws without deflections are evaluated
+    /// on unmodified flanks.
     pub fn loss_factor_of_every_law(
         pair: &GearPair,
         torque: Torque,

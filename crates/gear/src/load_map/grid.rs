@@ -1,17 +1,17 @@
-//! Lines of contact at a phase, cut into cells of the face.
+//! Division of the lines of contact at a phase into cells of the face width.
 
-use super::coupled::{Cell, LEAST_COVER, Row};
+use super::coupled::{Cell, ContactLine, LEAST_COVER};
 use crate::edge_contact::TipGaps;
 use crate::pair::GearPair;
 use crate::pair_compliance::PairCompliance;
 use crate::relief::Separation;
 
-/// Data from which the cells are filled.
+/// Data for filling the cells.
 #[derive(Debug, Clone)]
 pub(crate) struct Grid {
     pub(crate) compliance: PairCompliance,
     pub(crate) separation: Separation,
-    /// Gaps of the tip edges outside the path, when they may touch.
+    /// Gaps of the tip edges outside the path; `None` without tip edge contact.
     pub(crate) edges: Option<TipGaps>,
     /// Cells across the face.
     pub(crate) cells: usize,
@@ -20,15 +20,21 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    /// The part of the path beyond each end where tip edges may touch, in base pitches.
+    /// Length beyond each end of the path in which tip edges may be in contact, in base pitches.
     pub(crate) fn reach(&self) -> f64 {
         self.edges
             .as_ref()
             .map_or(0.0, |_| crate::edge_contact::REACH)
     }
 
-    /// The rows at a phase; a tooth at φ + j + ε_β y/b touches where that is on the path.
-    pub(crate) fn rows(&self, pair: &GearPair, phase: f64, pitch: usize, rows: &mut Vec<Row>) {
+    /// Fills the contact lines at a phase: a tooth is in contact where φ + j + ε_β y/b is on the path.
+    pub(crate) fn rows(
+        &self,
+        pair: &GearPair,
+        phase: f64,
+        pitch: usize,
+        rows: &mut Vec<ContactLine>,
+    ) {
         let (eps_alpha, eps_beta) = (pair.path.eps_alpha, pair.path.eps_beta);
         let (low, high) = (-self.reach(), eps_alpha + self.reach());
         let first = (low - eps_beta - phase).floor() as i64;
@@ -40,7 +46,7 @@ impl Grid {
                 continue;
             };
             if used == rows.len() {
-                rows.push(Row::default());
+                rows.push(ContactLine::default());
             }
             if let Some(row) = rows.get_mut(used) {
                 row.tooth = tooth;
@@ -54,7 +60,7 @@ impl Grid {
     fn fill(
         &self,
         pair: &GearPair,
-        row: &mut Row,
+        row: &mut ContactLine,
         front: f64,
         (from, to): (f64, f64),
         pitch: usize,
@@ -69,7 +75,7 @@ impl Grid {
             let high = ((k + 1) as f64 / count).min(to);
             let cover = (high - low) * count;
             if cover <= LEAST_COVER {
-                // Rounding at an end of the line.
+                // Rounding error at an end of the line.
                 let side = usize::from(k > first);
                 row.idle[side] += 1;
                 continue;
@@ -102,7 +108,7 @@ impl Grid {
     }
 }
 
-/// The part of the face, as y/b, on which a tooth with the front coordinate touches.
+/// Contact interval y/b of the face for a tooth at the coordinate `front` on the front face.
 fn span(pair: &GearPair, front: f64, low: f64, high: f64) -> Option<(f64, f64)> {
     if pair.is_spur() {
         return (low <= front && front < high).then_some((0.0, 1.0));

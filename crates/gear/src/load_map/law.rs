@@ -1,4 +1,4 @@
-//! Laws of load distribution, and the further inputs of a load map.
+//! Laws of load distribution, and the settings of a load map.
 
 use asperity_core::DomainError;
 use schemars::JsonSchema;
@@ -12,42 +12,42 @@ use crate::tooth_outline::RootForm;
 /// Factor of theory to measurement, C_M (ISO 6336-1:2019, method B).
 const STIFFNESS_FACTOR: f64 = 0.8;
 
-/// Length over which a tooth spreads a load along its face, in normal modules: finite elements of
-/// racks and gears give 1.31 to 1.9, 1.55 where it counts.
+/// Coupling length of the deflection along the face, in normal modules: finite elements of racks and gears give 1.31 to
+/// 1.9, and 1.55 for common gears.
 const FACE_COUPLING: f64 = 1.55;
 
-/// Fewest cells across the face of a pair whose load varies over it.
-const LEAST_CELLS: usize = 64;
+/// Minimum number of cells across the face of a pair whose load varies over it.
+const MIN_CELLS: usize = 64;
 
 /// Cells across the face for each unit of overlap ratio.
 const CELLS_PER_OVERLAP: f64 = 16.0;
 
-/// Most cells accepted.
-const MOST_CELLS: usize = 4096;
+/// Maximum number of cells.
+const MAX_CELLS: usize = 4096;
 
 /// Law of the load distribution over the lines of contact.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum LoadLaw {
-    /// Elastic teeth after Weber and Banaschek, coupled along the face.
+    /// Elastic teeth according to Weber and Banaschek, coupled along the face.
     #[default]
     Elastic,
     /// Elastic teeth with the stiffness of ISO 6336-1, coupled along the face.
     IsoStiffness,
-    /// Rigid teeth: the same line load everywhere at an instant.
+    /// Rigid teeth: uniform line load at each instant.
     Uniform,
-    /// Equal shares at the mean length of the contact lines, as version 1 and the 2022 paper.
+    /// Equal shares at the mean length of the contact lines, as in the 2022 paper.
     MeanLength,
-    /// Least elastic energy, after Pedrero and Pleguezuelos. 1 < ε_α ≤ 2.
+    /// Minimum elastic potential energy (Pedrero and Pleguezuelos). 1 < ε_α ≤ 2.
     MinPotential,
     /// 1/3 rising to 2/3, 1, 2/3 falling to 1/3. Spur pairs with 1 < ε_α ≤ 2.
     Trapezoid,
-    /// Rows (place from 0 at A to 1 at E, weight), as [`LoadSharing::Table`].
+    /// Rows (position from 0 at A to 1 at E, weight), as [`LoadSharing::Table`].
     Table(Vec<(f64, f64)>),
 }
 
 impl LoadLaw {
-    /// Name as in a case file.
+    /// Name in a case file.
     pub fn name(&self) -> &'static str {
         match self {
             Self::Elastic => "elastic",
@@ -60,12 +60,12 @@ impl LoadLaw {
         }
     }
 
-    /// Whether the law includes deflections, and therefore modified flanks and transmission error.
+    /// Whether the law includes deflections, and therefore supports modified flanks and transmission error.
     pub fn is_elastic(&self) -> bool {
         matches!(self, Self::Elastic | Self::IsoStiffness)
     }
 
-    /// Every law without a table, in the order of a report.
+    /// Every law except `Table`, in the order of a report.
     pub fn all() -> [Self; 6] {
         [
             Self::Elastic,
@@ -88,20 +88,19 @@ impl LoadLaw {
     }
 }
 
-/// Numbers of a load map that are not of the pair.
+/// Settings of a load map.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct LoadMapSettings {
     /// Factor C_M of theory to measurement.
     pub stiffness_factor: f64,
-    /// Length over which a tooth spreads a load along its face, in normal modules; 0 for slices
-    /// that know nothing of each other.
+    /// Coupling length of the deflection along the face, in normal modules; 0 for independent slices.
     pub face_coupling: f64,
     /// Root of the basic rack of each gear.
     pub root: [RootForm; 2],
-    /// Whether tip edges may touch outside the path of contact.
+    /// Whether tip edges may be in contact outside the path of contact.
     pub edge_contact: bool,
-    /// Cells across the face; without it 64, or 16 for each unit of overlap ratio if that is more.
+    /// Cells across the face; default: 16 per unit of overlap ratio, at least 64.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cells: Option<usize>,
 }
@@ -144,9 +143,9 @@ impl LoadMapSettings {
                 "must be finite and not negative",
             )?;
         }
-        let cells = self.cells.unwrap_or(LEAST_CELLS);
+        let cells = self.cells.unwrap_or(MIN_CELLS);
         DomainError::require(
-            (1..=MOST_CELLS).contains(&cells),
+            (1..=MAX_CELLS).contains(&cells),
             "cells across the face",
             cells as f64,
             "-",
@@ -155,13 +154,13 @@ impl LoadMapSettings {
         Ok(())
     }
 
-    /// Cells across the face of this pair; one when nothing varies over it.
+    /// Cells across the face of this pair; one if the load is constant over it.
     pub(crate) fn cell_count(&self, pair: &GearPair, varies_across_the_face: bool) -> usize {
         if pair.is_spur() && !varies_across_the_face {
             return 1;
         }
         let by_overlap = (CELLS_PER_OVERLAP * pair.path.eps_beta).ceil() as usize;
         self.cells
-            .unwrap_or_else(|| by_overlap.clamp(LEAST_CELLS, MOST_CELLS))
+            .unwrap_or_else(|| by_overlap.clamp(MIN_CELLS, MAX_CELLS))
     }
 }

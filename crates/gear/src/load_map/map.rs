@@ -1,11 +1,11 @@
-//! The load map: solved at the phases of a mesh cycle.
+//! The load map, solved at the phases of a mesh cycle.
 
-use super::along::Along;
-use super::coupled::{self, Problem, Row, Tails};
+use super::coupled::{self, ContactLine, Problem, Tails};
 use super::grid::Grid;
 use super::law::{LoadLaw, LoadMapSettings};
-use super::phases::{Phase, phases};
-use super::rigid::{Point, RigidLaw};
+use super::line_load_table::LineLoadTable;
+use super::phases::{MeshPhase, phases};
+use super::rigid::{LinePoint, RigidLaw};
 use crate::edge_contact::TipGaps;
 use crate::error::GearError;
 use crate::pair::GearPair;
@@ -16,49 +16,49 @@ use asperity_core::quantity::{Length, LineLoad, Torque};
 use asperity_core::{DomainError, cite};
 use serde::{Deserialize, Serialize};
 
-/// Overlap ratio below which a pair is sampled and cut into cells like a spur pair: about the width of a cell.
+/// Overlap ratio below which a pair is sampled and divided into cells like a spur pair: about the width of a cell.
 pub(super) const NARROW_OVERLAP: f64 = 0.1;
 
 /// A point of a line of contact with its load.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LoadSample {
-    /// Mesh phase at which it touches, 0 to 1.
+    /// Mesh phase of the contact, 0 to 1.
     pub phase: f64,
     /// Profile coordinate in base pitches from A.
     pub xi: f64,
-    /// Place across the face.
+    /// Position across the face.
     pub y: Length,
-    /// Load per length of contact line; zero where relief keeps the flanks apart.
+    /// Load per length of contact line; zero if relief separates the flanks.
     pub load: LineLoad,
     /// Weight in a mean over the mesh cycle: the length of contact line that the point represents.
     pub weight: Length,
 }
 
-/// Evidence of the solution of a load map.
+/// Convergence and assumptions of a load map.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LoadMapEvidence {
-    /// Source of the tooth stiffness; none for laws without deflections.
+    /// Source of the tooth stiffness; `None` for laws without deflections.
     pub stiffness: Option<StiffnessSource>,
-    /// Phases solved.
+    /// Number of phases.
     pub phases: usize,
     /// Cells across the face; 0 for laws without deflections.
     pub cells: usize,
-    /// Rounds of the active set at all phases together.
+    /// Iterations of the active set, summed over all phases.
     pub rounds: usize,
-    /// Most rounds at one phase.
+    /// Maximum number of iterations at a phase.
     pub most_rounds: usize,
-    /// Whether every phase converged. A map that did not must be reported with a warning.
+    /// Whether every phase converged; otherwise results need a warning.
     pub converged: bool,
-    /// Largest last change of the load over the mean load.
+    /// Largest load change in a final iteration, divided by the mean load.
     pub residual: f64,
-    /// Mean approach of the teeth, normal to the flank; none for laws without deflections.
+    /// Mean approach of the teeth, normal to the flank; `None` for laws without deflections.
     pub mean_approach: Option<Length>,
-    /// Profile shifts assumed for the form of the teeth when only their sum is known.
+    /// Profile shifts assumed for the form of the teeth if only their sum is known.
     pub assumed_profile_shift: Option<[f64; 2]>,
 }
 
 impl LoadMapEvidence {
-    /// That of a law without deflections, which has nothing to solve.
+    /// Evidence of a law without deflections, which needs no solution.
     pub(super) fn of_a_rigid_law() -> Self {
         Self {
             stiffness: None,
@@ -80,7 +80,7 @@ pub struct LoadMap {
     pub(super) pair: GearPair,
     pub(super) torque: f64,
     pub(super) force: f64,
-    /// None for a user-defined law.
+    /// `None` for a user-defined law.
     pub(super) law: Option<LoadLaw>,
     pub(super) micro: MicroGeometry,
     pub(super) materials: [Material; 2],
@@ -96,18 +96,17 @@ pub struct LoadMap {
 pub(super) enum Model {
     Elastic(Box<Grid>, Tails),
     Rigid(RigidLaw),
-    Along(Along),
+    Table(LineLoadTable),
 }
 
 impl LoadMap {
     /// Solves for the load over a mesh cycle.
     ///
-    /// `torque` is that at gear 1, of either sign; `materials` are those of gears 1 and 2.
+    /// `torque` acts on gear 1 and may have either sign; `materials` belong to gears 1 and 2.
     ///
     /// # Errors
-    /// When the torque is zero, a number is out of its domain, the law does not hold for the pair,
-    /// a law without deflections meets modified flanks, or the tool has cut away the involute where
-    /// it should touch.
+    /// When the torque is zero, a number is out of its domain, the law does not hold for the pair, flanks are modified
+    /// but the law has no deflections, or undercut reaches into the path of contact.
     ///
     /// ```
     /// use asperity_gear::{GearPair, GearPairInput, LoadLaw, LoadMap, LoadMapSettings, MicroGeometry};
@@ -185,9 +184,9 @@ impl LoadMap {
     fn run(&mut self) -> Result<(), GearError> {
         let (single_row, pitches) = match &self.model {
             Model::Elastic(grid, _) => (grid.cells == 1, grid.separation.pitches()),
-            Model::Rigid(_) | Model::Along(_) => (self.pair.is_spur(), 1),
+            Model::Rigid(_) | Model::Table(_) => (self.pair.is_spur(), 1),
         };
-        // With little overlap a phase meets few places of the path, as with a single row.
+        // With little overlap a phase samples few positions of the path, as with one cell across the face.
         let fine = single_row || self.pair.path.eps_beta < NARROW_OVERLAP;
         let phases = phases(&self.pair, &self.marks, fine, pitches);
         let mut rows = Vec::new();
@@ -196,15 +195,16 @@ impl LoadMap {
         evidence.phases = phases.len();
         let mut mean = None;
         for phase in &phases {
-            let approach = self.solve(phase, &mut rows, &mut evidence, &mut |point: Point| {
-                samples.push(LoadSample {
-                    phase: phase.phase,
-                    xi: point.xi,
-                    y: self.pair.face_width * point.across,
-                    load: LineLoad::from_si(point.load),
-                    weight: Length::from_si(point.length * phase.weight),
-                });
-            })?;
+            let approach =
+                self.solve(phase, &mut rows, &mut evidence, &mut |point: LinePoint| {
+                    samples.push(LoadSample {
+                        phase: phase.phase,
+                        xi: point.xi,
+                        y: self.pair.face_width * point.across,
+                        load: LineLoad::from_si(point.load),
+                        weight: Length::from_si(point.length * phase.weight),
+                    });
+                })?;
             if let Some(approach) = approach {
                 mean = Some(mean.unwrap_or(0.0) + phase.weight * approach);
             }
@@ -215,13 +215,13 @@ impl LoadMap {
         Ok(())
     }
 
-    /// Calls `take` with every point of the lines of contact at a phase; δ where the law gives it.
+    /// Calls `take` with every point of the lines of contact at a phase. Returns δ for a law with deflections.
     pub(super) fn solve(
         &self,
-        phase: &Phase,
-        rows: &mut Vec<Row>,
+        phase: &MeshPhase,
+        rows: &mut Vec<ContactLine>,
         evidence: &mut LoadMapEvidence,
-        take: &mut dyn FnMut(Point),
+        take: &mut dyn FnMut(LinePoint),
     ) -> Result<Option<f64>, GearError> {
         let (grid, tails) = match &self.model {
             Model::Rigid(rigid) => {
@@ -229,8 +229,8 @@ impl LoadMap {
                 points.into_iter().for_each(take);
                 return Ok(None);
             }
-            Model::Along(along) => {
-                let points = along.points(&self.pair, phase.phase, &self.marks);
+            Model::Table(table) => {
+                let points = table.points(&self.pair, phase.phase, &self.marks);
                 points.into_iter().for_each(take);
                 return Ok(None);
             }
@@ -252,7 +252,7 @@ impl LoadMap {
         evidence.residual = evidence.residual.max(solved.residual);
         for row in rows.iter() {
             for cell in &row.cells {
-                take(Point {
+                take(LinePoint {
                     tooth: row.tooth,
                     xi: cell.xi,
                     across: cell.across,
@@ -285,18 +285,18 @@ impl LoadMap {
         self.loss_factor
     }
 
-    /// Mean over the mesh cycle of μ f |V_s| over the input power, for a coefficient of friction
-    /// that depends on the sample.
+    /// Mean of μ f |V_s| over the mesh cycle divided by the input power, for a coefficient of friction that depends on
+    /// the sample.
     pub fn friction_loss(&self, friction: impl Fn(&LoadSample) -> f64) -> f64 {
         self.sliding_integral(friction)
     }
 
-    /// The pair.
+    /// The gear pair.
     pub fn pair(&self) -> &GearPair {
         &self.pair
     }
 
-    /// The law; none where it is not of this crate.
+    /// The law; `None` if it is user-defined.
     pub fn law(&self) -> Option<&LoadLaw> {
         self.law.as_ref()
     }
@@ -316,7 +316,7 @@ impl LoadMap {
         &self.micro
     }
 
-    /// Every point with its load, by phase, pair of teeth and face.
+    /// All points with their loads, in the order of phase, pair of teeth and face position.
     pub fn samples(&self) -> &[LoadSample] {
         &self.samples
     }
@@ -326,7 +326,7 @@ impl LoadMap {
         &self.evidence
     }
 
-    /// The loads on all lines of contact at a phase, for a picture. Weights are lengths of line.
+    /// The loads on all lines of contact at a phase, for drawings. Weights are lengths of line.
     ///
     /// # Errors
     /// When the phase is not finite.
@@ -352,10 +352,10 @@ impl LoadMap {
             .collect())
     }
 
-    pub(super) fn points_at(&self, phase: f64) -> Result<Vec<Point>, GearError> {
+    pub(super) fn points_at(&self, phase: f64) -> Result<Vec<LinePoint>, GearError> {
         let mut points = Vec::new();
         let mut evidence = self.evidence.clone();
-        let phase = Phase {
+        let phase = MeshPhase {
             phase,
             weight: 1.0,
             pitch: 0,
@@ -366,7 +366,7 @@ impl LoadMap {
         Ok(points)
     }
 
-    /// The same pair and torque with other settings, flanks or chamfers.
+    /// A load map of the same torque and law with other settings, flank modifications or chamfers.
     pub(crate) fn variant(
         &self,
         pair: &GearPair,
@@ -374,7 +374,7 @@ impl LoadMap {
         settings: &LoadMapSettings,
     ) -> Result<Self, GearError> {
         let torque = Torque::from_si(self.torque);
-        // Only maps of elastic teeth have variants, and they are all of a law of this crate.
+        // Only maps with an elastic law of this crate have variants.
         let law = self.law.clone().unwrap_or_default();
         Self::new(pair, torque, &law, micro, &self.materials, settings)
     }

@@ -1,23 +1,23 @@
-//! Load map of a user-defined law, which gives the load along the path of contact alone.
+//! Load map of a user-defined law for the load along the path of contact.
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, LineLoad};
 
-use super::along::Along;
 use super::conditions::LoadConditions;
+use super::line_load_table::LineLoadTable;
 use super::map::{LoadMap, LoadMapEvidence, LoadSample, Model};
 use crate::error::GearError;
 use crate::positions::PositionRule;
 
-/// Places along the path at which the law is asked.
-const PLACES: usize = 256;
+/// Number of positions at which the law is evaluated.
+const POSITIONS: usize = 256;
 
 impl LoadMap {
-    /// Load map of a law that gives the load per length of contact line at a place of the path of
-    /// contact; it is the same over the face.
+    /// Load map of a law for the load per length of contact line at a position of the path of contact, constant over
+    /// the face width.
     ///
     /// # Errors
-    /// Those of the law, or when a load is not finite or negative, or the torque is zero.
+    /// When the law fails, a load is not finite or negative, or the torque is zero.
     pub fn of_line_load(
         mesh: &LoadConditions<'_>,
         line_load: impl Fn(Length) -> Result<LineLoad, GearError>,
@@ -25,19 +25,19 @@ impl LoadMap {
         let torque = DomainError::finite("torque", mesh.torque)?.abs();
         DomainError::require(torque > 0.0, "torque", torque, "N m", "must not be zero")?;
         let pair = mesh.pair;
-        let places = pair.positions(PLACES, PositionRule::GaussLegendre)?;
-        let mut table = Vec::with_capacity(places.len());
-        let mut samples = Vec::with_capacity(places.len());
-        for place in &places {
-            let load = line_load(place.s)?;
+        let positions = pair.positions(POSITIONS, PositionRule::GaussLegendre)?;
+        let mut table = Vec::with_capacity(positions.len());
+        let mut samples = Vec::with_capacity(positions.len());
+        for position in &positions {
+            let load = line_load(position.s)?;
             DomainError::non_negative("line load", load)?;
-            table.push((place.xi, load.si()));
+            table.push((position.xi, load.si()));
             samples.push(LoadSample {
-                phase: place.xi.fract(),
-                xi: place.xi,
+                phase: position.xi.fract(),
+                xi: position.xi,
                 y: pair.face_width / 2.0,
                 load,
-                weight: place.weight,
+                weight: position.weight,
             });
         }
         let mut map = Self {
@@ -48,7 +48,7 @@ impl LoadMap {
             micro: mesh.micro.clone(),
             materials: *mesh.materials,
             settings: *mesh.settings,
-            model: Model::Along(Along(table)),
+            model: Model::Table(LineLoadTable(table)),
             marks: vec![pair.path.eps_2],
             samples,
             loss_factor: 0.0,

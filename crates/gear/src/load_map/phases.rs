@@ -5,29 +5,29 @@ use std::num::NonZeroUsize;
 use crate::pair::GearPair;
 use crate::quadrature::{breakpoints, gauss_legendre};
 
-/// Gauss phases in a piece.
+/// Gauss points in a piece.
 const ORDER: NonZeroUsize = NonZeroUsize::MIN.saturating_add(1);
 
-/// Longest piece of the phase between breakpoints.
+/// Maximum length of a piece between breakpoints.
 const LONGEST_PIECE: f64 = 1.0 / 16.0;
 
-/// The same for a map of a single row, whose phases cost little, and of little overlap.
-const LONGEST_PIECE_OF_A_ROW: f64 = 1.0 / 64.0;
+/// Maximum length of a piece for a map with one cell across the face, whose phases cost little, or with little overlap.
+const LONGEST_FINE_PIECE: f64 = 1.0 / 64.0;
 
 /// A phase of the mesh cycle.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Phase {
+pub(crate) struct MeshPhase {
     pub(crate) phase: f64,
     pub(crate) weight: f64,
-    /// Pitches since the start of a cycle of several.
+    /// Pitch number within a cycle of several pitches.
     pub(crate) pitch: usize,
 }
 
-/// Two Gauss phases in each piece between the phases at which a line of contact starts, ends or
-/// passes a mark.
-pub(crate) fn phases(pair: &GearPair, marks: &[f64], fine: bool, pitches: usize) -> Vec<Phase> {
+/// Two Gauss points in each piece between the phases at which a line of contact starts, ends or passes one of the
+/// coordinates `marks`.
+pub(crate) fn phases(pair: &GearPair, marks: &[f64], fine: bool, pitches: usize) -> Vec<MeshPhase> {
     let longest = if fine {
-        LONGEST_PIECE_OF_A_ROW
+        LONGEST_FINE_PIECE
     } else {
         LONGEST_PIECE
     };
@@ -36,7 +36,7 @@ pub(crate) fn phases(pair: &GearPair, marks: &[f64], fine: bool, pitches: usize)
     let mut all = Vec::new();
     for pitch in 0..pitches {
         for (from, to) in pieces(&breaks, longest) {
-            all.extend(rule.iter().map(|&(node, weight)| Phase {
+            all.extend(rule.iter().map(|&(node, weight)| MeshPhase {
                 phase: from + (to - from) * node,
                 weight: weight * (to - from) / pitches as f64,
                 pitch,
@@ -46,7 +46,7 @@ pub(crate) fn phases(pair: &GearPair, marks: &[f64], fine: bool, pitches: usize)
     all
 }
 
-/// The segments between `breaks`, cut into equal pieces not longer than `longest`.
+/// The segments between `breaks`, divided into equal pieces not longer than `longest`.
 pub(crate) fn pieces(breaks: &[f64], longest: f64) -> Vec<(f64, f64)> {
     let cut = |from: f64, to: f64| {
         let count = ((to - from) / longest - 1e-9).ceil().max(1.0) as usize;
@@ -58,7 +58,7 @@ pub(crate) fn pieces(breaks: &[f64], longest: f64) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// The breakpoints of a strip of the path.
+/// Pieces of a strip of the path, with breakpoints at `marks`.
 pub(crate) fn strip_pieces(from: f64, to: f64, marks: &[f64], longest: f64) -> Vec<(f64, f64)> {
     pieces(&breakpoints(from, to, marks.iter().copied()), longest)
 }

@@ -1,4 +1,4 @@
-//! Load over the lines of contact by a law without deflections.
+//! Load over the lines of contact according to a law without deflections.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -17,27 +17,27 @@ use crate::load_sharing::{LoadSharing, Weights};
 use crate::pair::GearPair;
 use crate::quadrature::gauss_legendre;
 
-/// Points in a piece of a line of contact.
+/// Integration points in a piece of a line of contact.
 const ORDER: NonZeroUsize = NonZeroUsize::MIN.saturating_add(3);
 
-/// Longest piece of a line, in base pitches.
+/// Maximum length of a piece, in base pitches.
 const LONGEST_PIECE: f64 = 0.125;
 
 /// A law without deflections.
 #[derive(Debug, Clone)]
 pub(crate) struct RigidLaw {
     sharing: LoadSharing,
-    /// Whether the load is that at the mean length of the lines.
+    /// Whether the load is evaluated at the mean length of the lines.
     mean_length: bool,
 }
 
 /// A point of a line of contact.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Point {
+pub(crate) struct LinePoint {
     pub(crate) tooth: i64,
     pub(crate) xi: f64,
     pub(crate) across: f64,
-    /// Length of line that it represents.
+    /// Length of line that the point represents.
     pub(crate) length: f64,
     /// f.
     pub(crate) load: f64,
@@ -53,7 +53,7 @@ impl RigidLaw {
         Ok(rigid)
     }
 
-    /// Coordinates at which v has a kink.
+    /// Coordinates of the kinks of v.
     pub(crate) fn knots(&self, pair: &GearPair) -> Result<Vec<f64>, GearError> {
         Ok(pair.weights(&self.sharing)?.knots())
     }
@@ -61,14 +61,14 @@ impl RigidLaw {
     /// f = F_bn v(ξ)/I(φ), I = (b/(ε_β cos β_b))·Σ ∫ v dξ over the strips in contact, so that
     /// v = 1 gives F_bn/l(φ); a spur pair has F_bn R(ξ)/b                        [Load-map-2]
     ///
-    /// mean-length: f of `[Load-1]` and `[Load-2]` at every phase.
+    /// The law mean-length has f of `[Load-1]` and `[Load-2]` at every phase.
     pub(crate) fn points(
         &self,
         pair: &GearPair,
         force: f64,
         phase: f64,
         marks: &[f64],
-    ) -> Result<Vec<Point>, GearError> {
+    ) -> Result<Vec<LinePoint>, GearError> {
         cite!("Load-map-2");
         let weights = pair.weights(&self.sharing)?;
         let mut points = lines(pair, phase, marks);
@@ -77,13 +77,13 @@ impl RigidLaw {
                 point.load = force * pair.unit_line_load(&weights, point.xi);
             }
         } else {
-            share_out(&mut points, &weights, force);
+            distribute_force(&mut points, &weights, force);
         }
         Ok(points)
     }
 }
 
-fn share_out(points: &mut [Point], weights: &Weights<'_>, force: f64) {
+fn distribute_force(points: &mut [LinePoint], weights: &Weights<'_>, force: f64) {
     let mut all = 0.0;
     for point in points.iter_mut() {
         point.load = weights.at(point.xi);
@@ -95,14 +95,14 @@ fn share_out(points: &mut [Point], weights: &Weights<'_>, force: f64) {
 }
 
 /// Points on the lines of contact, without loads.
-pub(crate) fn lines(pair: &GearPair, phase: f64, marks: &[f64]) -> Vec<Point> {
+pub(crate) fn lines(pair: &GearPair, phase: f64, marks: &[f64]) -> Vec<LinePoint> {
     let eps_alpha = pair.path.eps_alpha;
     let per_face = pair.contact_per_coordinate().si();
     let mut points = Vec::new();
     if pair.is_spur() {
         let mut xi = phase;
         while xi < eps_alpha {
-            points.push(Point {
+            points.push(LinePoint {
                 tooth: (xi - phase).round() as i64,
                 xi,
                 across: 0.5,
@@ -119,7 +119,7 @@ pub(crate) fn lines(pair: &GearPair, phase: f64, marks: &[f64]) -> Vec<Point> {
         for (low, high) in strip_pieces(from, to, marks, LONGEST_PIECE) {
             points.extend(rule.iter().map(|&(node, weight)| {
                 let xi = low + (high - low) * node;
-                Point {
+                LinePoint {
                     tooth,
                     xi,
                     across: (xi - phase - tooth as f64) / eps_beta,

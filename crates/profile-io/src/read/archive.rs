@@ -1,8 +1,7 @@
-//! Members of zip files, with a bound on what they may unpack to.
+//! Members of zip files, with a limit of their unpacked size.
 //!
-//! A zip of some kilobytes can unpack to gigabytes. Members are streamed, never unpacked as a whole,
-//! and refused beyond a size that grows with their packed size: heights pack to a tenth or so, and a
-//! flat trace to a hundredth.
+//! A zip of some kilobytes can unpack to gigabytes. Members are streamed, never unpacked as a whole, and limited to a
+//! size proportional to their packed size: heights are compressed to about a tenth, a flat trace to a hundredth.
 
 use std::io::{BufReader, Read};
 
@@ -12,16 +11,16 @@ use super::error::ReadError;
 use super::format::Format;
 use super::text::Stream;
 
-/// Bytes any member may unpack to.
+/// Unpacked size that is always permitted, in bytes.
 const FREE: u64 = 16 << 20;
-/// Times its packed size that a larger member may unpack to.
+/// Maximum ratio of the unpacked to the packed size of larger members.
 const RATIO: u64 = 200;
-/// Bytes no member may exceed: 10⁸ heights.
+/// Maximum unpacked size of a member in bytes: 10⁸ heights.
 const MOST: u64 = 1 << 30;
-/// Members an archive may have; X3P has four, a workbook some dozens.
+/// Maximum number of members; X3P has four, a workbook some dozens.
 const MOST_MEMBERS: usize = 10_000;
 
-/// Bytes that `packed` bytes may unpack to.
+/// Maximum unpacked size of `packed` bytes.
 pub(super) fn most_unpacked(packed: u64) -> u64 {
     FREE.max(packed.saturating_mul(RATIO)).min(MOST)
 }
@@ -61,22 +60,24 @@ impl<'a> Archive<'a> {
         })
     }
 
-    /// Full name of the member called `name` (without its folder) that lies least deep.
+    /// Full name of the member called `name` in the outermost folder.
     pub(super) fn find(&self, name: &str) -> Option<String> {
         let called = |full: &&String| {
             let last = full.rsplit('/').next().unwrap_or_default();
             last.eq_ignore_ascii_case(name)
         };
-        let found = self.names.iter().filter(called);
-        found.min_by_key(|full| full.matches('/').count()).cloned()
+        let members = self.names.iter().filter(called);
+        members
+            .min_by_key(|full| full.matches('/').count())
+            .cloned()
     }
 
-    /// Whether there is a member of this full name.
+    /// Whether there is a member with this full name.
     pub(super) fn holds(&self, full: &str) -> bool {
         self.names.iter().any(|name| name == full)
     }
 
-    /// Hands the content of a member to `read`, which sees at most the bytes allowed.
+    /// Passes the content of a member to `read`, limited to the permitted size.
     pub(super) fn read<T>(
         &mut self,
         full: &str,
@@ -115,7 +116,7 @@ impl<'a> Archive<'a> {
     }
 }
 
-/// A reader that ends with an error once more than its limit came through.
+/// A reader that returns an error when its limit is exceeded.
 pub(super) struct Bounded<'a> {
     inner: Box<dyn Read + 'a>,
     left: u64,
@@ -134,8 +135,8 @@ impl Read for Bounded<'_> {
     }
 }
 
-/// The format of a zip that its name does not decide: X3P holds a main.xml, a workbook a folder xl, PLUX an
-/// index.xml beside its heights.
+/// Format of a zip file by its members: an X3P contains a main.xml, a workbook a folder xl, a PLUX an index.xml and its
+/// heights.
 pub(super) fn content(file: &str, stream: &mut dyn Stream, size: u64) -> Format {
     match Archive::open(file, Format::Archive, stream, size) {
         Ok(archive) if archive.holds("xl/workbook.xml") => Format::Excel,

@@ -1,9 +1,8 @@
-//! Files of measuring conditions beside a profile.
+//! Files of measuring conditions.
 
 use std::path::{Path, PathBuf};
 
-/// The name of the file of measuring conditions (Surfcom `.tx3`) that belongs to the profile `path`, where its
-/// format has one.
+/// Name of the file of measuring conditions (Surfcom `.tx3`) of the profile `path`, if its format has one.
 ///
 /// ```
 /// use asperity_profile_io::read::conditions_of;

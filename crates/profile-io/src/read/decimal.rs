@@ -1,9 +1,9 @@
 //! Decimal numbers from bytes, correctly rounded.
 //!
-//! value = m·10^e, with m the digits read as a whole number and e the exponent less the number of decimals.
-//! Where m ≤ 2⁵³ and |e| ≤ 22 both m and 10^|e| are exact in binary, so that the one multiplication or
-//! division rounds once, as it should (Clinger, How to read floating point numbers accurately, 1990).
-//! All other numbers are left to the standard library, which reads the same text to the same bits.
+//! value = m·10^e, where m are the digits as a whole number and e is the exponent minus the number of decimals. If m ≤
+//! 2⁵³ and |e| ≤ 22, both m and 10^|e| are exact in binary, so the single multiplication or division is correctly
+//! rounded (Clinger, How to read floating point numbers accurately, 1990). Other numbers are parsed by the standard
+//! library, with identical results.
 
 /// Powers of ten that are exact in binary.
 const POWERS: [f64; 23] = [
@@ -15,9 +15,9 @@ const MOST_EXACT: u64 = 1 << 53;
 /// Digits that always fit 64 bits.
 const MOST_DIGITS: usize = 19;
 
-/// The number at the start of `bytes` with the decimal sign `point`, and what follows it.
+/// The number at the start of `bytes` with the decimal sign `point`, and the rest.
 ///
-/// A decimal comma needs a digit after it: "1," is half of "1, 2".
+/// A decimal comma must be followed by a digit: "1," is the start of "1, 2".
 #[inline(always)]
 pub(super) fn prefix(bytes: &[u8], point: u8) -> Option<(f64, &[u8])> {
     let (negative, unsigned) = signed(bytes);
@@ -54,13 +54,13 @@ pub(super) fn prefix(bytes: &[u8], point: u8) -> Option<(f64, &[u8])> {
     Some((value, rest))
 }
 
-/// The number that `text` is from end to end.
+/// The number in the whole of `text`.
 pub(super) fn whole(text: &str, point: u8) -> Option<f64> {
     let (value, rest) = prefix(text.as_bytes(), point)?;
     rest.is_empty().then_some(value)
 }
 
-/// Whether there is a minus, and what follows the sign, if there is one.
+/// Whether there is a minus sign, and the rest after an optional sign.
 #[inline]
 fn signed(bytes: &[u8]) -> (bool, &[u8]) {
     match bytes {
@@ -70,8 +70,8 @@ fn signed(bytes: &[u8]) -> (bool, &[u8]) {
     }
 }
 
-/// `mantissa` with the digits at the start of `bytes` appended, and what follows them. It wraps beyond
-/// the digits that fit, and is then not used.
+/// `mantissa` with the digits at the start of `bytes` appended, and the rest. It wraps on overflow and is then not
+/// used.
 #[inline]
 fn digits(mut bytes: &[u8], mut mantissa: u64) -> (u64, &[u8]) {
     while let [digit @ b'0'..=b'9', rest @ ..] = bytes {
@@ -83,7 +83,7 @@ fn digits(mut bytes: &[u8], mut mantissa: u64) -> (u64, &[u8]) {
     (mantissa, bytes)
 }
 
-/// The exponent at the start of `bytes`, and what follows it.
+/// The exponent at the start of `bytes`, and the rest.
 fn whole_number(bytes: &[u8]) -> Option<(i64, &[u8])> {
     let (negative, unsigned) = signed(bytes);
     let (value, rest) = digits(unsigned, 0);

@@ -1,4 +1,4 @@
-//! Delimited text in any dialect: from lines to a [`Trace`].
+//! Delimited text in any dialect.
 
 use asperity_core::numerics::extremes;
 use asperity_core::profile::common_spacing;
@@ -73,7 +73,7 @@ pub(super) fn surface(
     text: &mut Text<'_>,
     options: &ReadOptions,
 ) -> Result<Areal, ReadError> {
-    /// Columns from which a table is no profile.
+    /// Minimum number of columns of a matrix.
     const FEWEST: usize = 3;
     let name = text.file;
     let lines: Vec<Line<'_>> = head.lines().filter(|line| !line.is_blank()).collect();
@@ -100,7 +100,7 @@ fn root_mean_square_step(z: &[f64]) -> f64 {
     (squares.sum::<f64>() / (z.len().max(2) - 1) as f64).sqrt()
 }
 
-/// A file on its way to a [`Trace`].
+/// A parsed table, to be converted to a [`Trace`].
 struct Parsed<'a> {
     name: &'a str,
     header: &'a [Line<'a>],
@@ -157,7 +157,7 @@ impl Parsed<'_> {
         let mut place = |row: usize| rows::place(text, self.first, row + header_numbers);
         grid::enough(name, z.len())?;
         let mut column = None;
-        // A stated spacing makes x unnecessary, even an x that would be refused.
+        // With a stated spacing x is not required and not checked.
         if let (Some(x), None) = (&mut x, self.options.dx) {
             let spacing = grid::spacing(name, x, &mut place)?;
             if spacing.falls {
@@ -218,7 +218,7 @@ impl Parsed<'_> {
         })
     }
 
-    /// Meaning of the x column: as stated, else by its label.
+    /// Meaning of the x column: as stated, or by its label.
     fn abscissa(&self) -> Abscissa {
         let labelled = self.chosen.x.and_then(|x| self.labels.get(x)?.role);
         match (self.options.abscissa, labelled) {
@@ -229,10 +229,10 @@ impl Parsed<'_> {
         }
     }
 
-    /// The unit a column has by statement or header.
+    /// The unit of a column: as stated, or from the header.
     fn unit(&self, axis: Axis, column: usize) -> Result<Option<LengthUnit>, ReadError> {
         let stated = match axis {
-            // Roll angles are roll lengths in metres by now.
+            // Roll angles have been converted to roll lengths in metres.
             Axis::Trace
                 if matches!(
                     self.abscissa(),
@@ -260,7 +260,7 @@ impl Parsed<'_> {
         }
     }
 
-    /// The warning that a stated unit differs from that of the header, or of the format where the header has none.
+    /// Warning that a stated unit differs from the unit of the header, or of the format if the header has none.
     fn unit_overridden(
         &self,
         axis: Axis,
@@ -294,7 +294,7 @@ impl Parsed<'_> {
         }
     }
 
-    /// Spacing and units: stated, from the header, or the only possible ones.
+    /// Spacing and units: as stated, from the header, or the only possible ones.
     fn measure(
         &self,
         x: Option<&[f64]>,
@@ -354,7 +354,7 @@ impl Parsed<'_> {
                 warnings.push(Warning::UnitAssumed { axis, unit });
             }
         }
-        // x carries rounding; the header of a written file carries the spacing itself.
+        // x has rounding errors; the header of a file of this program states the spacing.
         let from_column = x_unit.metres(column.mean);
         let agrees =
             |dx: &f64| common_spacing(Length::from_si(*dx), Length::from_si(from_column)).is_some();
@@ -394,7 +394,7 @@ impl Parsed<'_> {
         })
     }
 
-    /// The warning that a stated spacing differs from what the x column says, where it says anything.
+    /// Warning that a stated spacing differs from the spacing of the x column, if it has a unit.
     fn overridden(&self, x: &[f64], stated: Length) -> Option<Warning> {
         let unit = self.unit(Axis::Trace, self.chosen.x?).ok().flatten()?;
         let (first, last) = (x.first()?, x.last()?);

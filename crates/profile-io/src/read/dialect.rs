@@ -1,28 +1,28 @@
 //! Detection of separators, decimal sign and first row of a table.
 //!
-//! Every dialect is tried on a sample of the lines; the one that reads most of them as rows of
-//! numbers wins. Two dialects can only tie where a comma may be either sign; that case is decided
-//! by asking whether the first column rises. Only the head of the file is looked at.
+//! Every dialect is tried on a sample of lines from the head of the file; the one with the most rows of numbers is
+//! chosen. Two dialects can have the same number of rows only if a comma may be either sign; then the first column of
+//! the right one increases.
 
 use super::decimal;
 use super::layout::Dialect;
 use super::options::{Columns, DecimalSign, Separator};
 use super::text::Line;
 
-/// A dialect with what it makes of the file.
+/// A detected dialect.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Sniffed {
     pub dialect: Dialect,
-    /// Columns of most rows.
+    /// Number of columns of most rows.
     pub columns: usize,
-    /// Index of the first line of the table; those before are the header.
+    /// Index of the first line of the table; earlier lines are the header.
     pub first: usize,
-    /// Rows of the sample that are rows of numbers.
+    /// Number of rows of numbers in the sample.
     score: usize,
 }
 
-/// The dialects tried. Where two read the same rows the earlier one wins: a tab before blanks,
-/// a point before a comma for rows of whole numbers.
+/// Possible dialects. Of two with the same rows the earlier one is chosen: a tab before blanks, a point before a comma
+/// for rows of whole numbers.
 const CANDIDATES: [(Separator, DecimalSign); 9] = [
     (Separator::Semicolon, DecimalSign::Point),
     (Separator::Semicolon, DecimalSign::Comma),
@@ -35,7 +35,7 @@ const CANDIDATES: [(Separator, DecimalSign); 9] = [
     (Separator::None, DecimalSign::Comma),
 ];
 
-/// Words that instruments write for a missing height.
+/// Marks of instruments for a missing height.
 const MISSING: &[&str] = &[
     "nan",
     "-nan",
@@ -66,9 +66,9 @@ const MISSING: &[&str] = &[
     "",
 ];
 
-/// Characters of the longest number: what is longer is no measured value.
+/// Maximum length of a number in characters.
 pub(super) const LONGEST_NUMBER: usize = 64;
-/// Columns looked at; profiles have two to some dozens.
+/// Maximum number of columns; profiles have two to some dozens.
 const MOST_COLUMNS: usize = 1 << 16;
 
 /// Content of a cell.
@@ -80,7 +80,7 @@ pub(super) enum Cell {
 }
 
 impl Dialect {
-    /// The cells of a line, trimmed. Empty cells at the end are kept: they may be missing heights.
+    /// The trimmed cells of a line, including empty ones at its end, which may be missing heights.
     pub(super) fn cells(self, line: &str) -> impl Iterator<Item = &str> {
         let blank = self.separator == Separator::Blank;
         let sign = match self.separator {
@@ -116,7 +116,7 @@ impl Dialect {
         }
     }
 
-    /// Number of columns if the line is a row of numbers, of which `columns` must be when stated.
+    /// Number of columns if the line is a row of numbers; if `columns` is stated, these must be numbers.
     fn row(self, line: &str, columns: Option<Columns>) -> Option<usize> {
         let cells: Vec<&str> = self.cells(line).take(MOST_COLUMNS).collect();
         let filled = cells.iter().rposition(|cell| !cell.is_empty())? + 1;
@@ -151,7 +151,7 @@ fn trim_cell(cell: &str) -> &str {
     quoted.map_or(cell, str::trim)
 }
 
-/// Knowledge of the dialect beforehand.
+/// Stated parts of the dialect.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Stated {
     pub separator: Option<Separator>,
@@ -159,7 +159,7 @@ pub(super) struct Stated {
     pub columns: Option<Columns>,
 }
 
-/// The dialect that reads most lines, or `None` when none reads any.
+/// The dialect with the most rows of numbers; `None` if there are none.
 pub(super) fn sniff(lines: &[Line<'_>], stated: Stated) -> Option<Sniffed> {
     let fits = |(separator, decimal): &(Separator, DecimalSign)| {
         stated.separator.is_none_or(|s| s == *separator)
@@ -168,22 +168,22 @@ pub(super) fn sniff(lines: &[Line<'_>], stated: Stated) -> Option<Sniffed> {
     let mut best: Option<Sniffed> = None;
     for (separator, decimal) in CANDIDATES.into_iter().filter(fits) {
         let dialect = Dialect { separator, decimal };
-        let Some(found) = try_dialect(lines, dialect, stated) else {
+        let Some(sniffed) = try_dialect(lines, dialect, stated) else {
             continue;
         };
         let better = match &best {
             None => true,
-            Some(kept) if found.score == kept.score => comma_is_decimal(lines, kept, dialect),
-            Some(kept) => found.score > kept.score,
+            Some(other) if sniffed.score == other.score => comma_is_decimal(lines, other, dialect),
+            Some(other) => sniffed.score > other.score,
         };
         if better {
-            best = Some(found);
+            best = Some(sniffed);
         }
     }
     best
 }
 
-/// Whether rows like "0,27" are one number and not two columns: as columns, x does not rise.
+/// Whether rows like "0,27" are a number and not two columns, whose x would not increase.
 fn comma_is_decimal(lines: &[Line<'_>], as_columns: &Sniffed, other: Dialect) -> bool {
     if as_columns.dialect.separator != Separator::Comma || other.decimal != DecimalSign::Comma {
         return false;
@@ -231,7 +231,7 @@ fn try_dialect(lines: &[Line<'_>], dialect: Dialect, stated: Stated) -> Option<S
     })
 }
 
-/// The first row of the usual width that is followed by another one, or is the last line.
+/// The first row of the usual width that is followed by another one or is the last line.
 fn first_row(
     lines: &[Line<'_>],
     dialect: Dialect,

@@ -1,11 +1,11 @@
-//! Bytes to characters: byte order marks, UTF-16 without one, UTF-8, else Windows-1252.
+//! Character encodings: byte order marks, UTF-16 without a mark, UTF-8, or Windows-1252.
 
 use encoding_rs::{Decoder, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
 
 use super::options::Encoding;
 
 impl Encoding {
-    /// From bytes in chunks to characters; a byte order mark is dropped.
+    /// Decoder of bytes in chunks; a byte order mark is dropped.
     pub(super) fn decoder(self) -> Decoder {
         let encoding = match self {
             Self::Utf8 => UTF_8,
@@ -17,7 +17,7 @@ impl Encoding {
     }
 }
 
-/// The encoding that a byte order mark at the start states.
+/// Encoding according to a byte order mark.
 pub(super) fn by_mark(head: &[u8]) -> Option<Encoding> {
     match head {
         [0xef, 0xbb, 0xbf, ..] => Some(Encoding::Utf8),
@@ -27,7 +27,7 @@ pub(super) fn by_mark(head: &[u8]) -> Option<Encoding> {
     }
 }
 
-/// The encoding of a file without a mark by its first bytes, which are all of them if `whole`.
+/// Encoding of a file without a mark by its first bytes; `whole` if these are all bytes.
 pub(super) fn guess(head: &[u8], whole: bool) -> Encoding {
     const SAMPLE: usize = 4096;
     // Digits in UTF-16 have a zero as their high byte: every other byte of the text.
@@ -58,7 +58,7 @@ pub(super) fn guess(head: &[u8], whole: bool) -> Encoding {
     }
 }
 
-/// Whether the characters are text: no zero, and next to no control character.
+/// Whether the characters are text: no zeros and almost no control characters.
 pub(super) fn is_text(text: &str) -> bool {
     const ONE_IN: usize = 1000;
     let mut control = 0;

@@ -1,4 +1,4 @@
-//! Errors in reading a file: where, what was seen, what was expected, what to do.
+//! Errors of reading a file.
 
 use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
@@ -8,8 +8,8 @@ use super::layout::Dialect;
 use super::options::{Abscissa, Axis, DecimalSign, LengthUnit, Separator};
 use super::steepness::Steepness;
 
-/// A file that was refused. [`code`](Self::code) is stable; the text names file, line, what was seen and what
-/// was expected; [`remedy`](Self::remedy) says what can be done, as data.
+/// Error of reading a file. The text states file, line, and the actual and expected content; [`code`](Self::code) is
+/// stable; [`remedy`](Self::remedy) is the remedy as data.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReadError {
@@ -22,7 +22,7 @@ pub enum ReadError {
         line: usize,
         /// The cell.
         text: String,
-        /// Look of the rest of the file.
+        /// Detected dialect of the file.
         dialect: Dialect,
         /// Advice.
         remedy: CellRemedy,
@@ -32,7 +32,7 @@ pub enum ReadError {
     NoData {
         /// Name of the file.
         file: String,
-        /// Lines seen.
+        /// Number of lines.
         lines: usize,
         /// The first line, as `, which start with "..."`; empty for an empty file.
         first: FirstLine,
@@ -42,10 +42,10 @@ pub enum ReadError {
     NotReadable {
         /// Name of the file.
         file: String,
-        /// Reason the system gave.
+        /// Reason given by the system.
         source: std::io::Error,
     },
-    /// No unit, and the values do not single one out.
+    /// No unit is stated, and the values do not determine it.
     #[error("{file}: no unit found and {axis} span {span}")]
     NoUnit {
         /// Name of the file.
@@ -55,7 +55,7 @@ pub enum ReadError {
         /// Largest minus smallest value, in the unit of the file.
         span: f64,
     },
-    /// x turns back.
+    /// x changes its direction.
     #[error("{file}:{line}: x goes from {previous} to {next}, against the direction of the trace")]
     NotMonotone {
         /// Name of the file.
@@ -72,9 +72,9 @@ pub enum ReadError {
     TooFewPoints {
         /// Name of the file.
         file: String,
-        /// Points found.
+        /// Number of points.
         points: usize,
-        /// Least number.
+        /// Minimum number.
         needed: usize,
     },
     /// Points without a height.
@@ -82,18 +82,18 @@ pub enum ReadError {
     MissingPoints {
         /// Name of the file.
         file: String,
-        /// Line of the first.
+        /// Line of the first missing point.
         line: usize,
-        /// Text of the first one.
+        /// Text of the first missing point.
         text: String,
         /// Number of missing points.
         missing: usize,
         /// Number of rows.
         points: usize,
-        /// Whether [`Gaps::Interpolate`](super::Gaps::Interpolate) would take them.
+        /// Whether [`Gaps::Interpolate`](super::Gaps::Interpolate) would fill them.
         fillable: bool,
     },
-    /// A known format that this version does not read.
+    /// A known format that is not supported.
     #[error("{file}: {format} is not read by this version")]
     FormatNotRead {
         /// Name of the file.
@@ -101,14 +101,14 @@ pub enum ReadError {
         /// The format.
         format: Format,
     },
-    /// Points that do not lie on an even grid.
+    /// The points are not on an even grid.
     #[error(
         "{file}:{line}: uneven spacing, x = {x} (unit of the file) is {off:.3} spacings away from an even grid of {spacing:.4}"
     )]
     UnevenSpacing {
         /// Name of the file.
         file: String,
-        /// Line of the worst point.
+        /// Line of the point farthest from the grid.
         line: usize,
         /// Its x, in the unit of the file.
         x: f64,
@@ -117,26 +117,26 @@ pub enum ReadError {
         /// Mean spacing.
         spacing: Length,
     },
-    /// Neighbours so far apart that points must be missing.
+    /// A gap between points: some must be missing.
     #[error(
         "{file}: no points between x = {from:.6} and {to:.6}, {steps:.1} mean steps: they are missing, and resampling would draw a straight line there"
     )]
     GapInPositions {
         /// Name of the file.
         file: String,
-        /// Position before.
+        /// Position before the gap.
         from: Length,
-        /// Position after.
+        /// Position after the gap.
         to: Length,
-        /// Their distance over the mean step.
+        /// Width of the gap in mean steps.
         steps: f64,
     },
-    /// Heights only.
+    /// There is no x and no stated spacing.
     #[error("{file}: the heights have no x column to give the spacing{hint}")]
     NoSpacing {
         /// Name of the file.
         file: String,
-        /// Statement of the file about it.
+        /// Hint in the file on the spacing.
         hint: SpacingHint,
     },
     /// A row with too few or too many columns.
@@ -148,22 +148,22 @@ pub enum ReadError {
         line: usize,
         /// The line.
         text: String,
-        /// Columns found.
+        /// Number of columns.
         found: usize,
-        /// Columns expected.
+        /// Expected number of columns.
         expected: usize,
     },
-    /// Several columns, and no telling which are x and height.
+    /// The columns of x and height are unclear.
     #[error(
         "{file}: {columns} columns and no header that names x and height (or columns that do not exist)"
     )]
     ColumnsUnclear {
         /// Name of the file.
         file: String,
-        /// Columns found.
+        /// Number of columns.
         columns: usize,
     },
-    /// Commas that may separate or be decimal signs.
+    /// Commas may be separators or decimal signs.
     #[error("{file}:{line}: \"{text}\": commas may separate columns or be decimal signs")]
     AmbiguousComma {
         /// Name of the file.
@@ -173,7 +173,7 @@ pub enum ReadError {
         /// The line.
         text: String,
     },
-    /// A unit that is not a known length.
+    /// An unknown unit of length.
     #[error(
         "{file}: the header gives the {axis} in \"{unit}\", which is not one of m, mm, um, nm, angstrom, inch, mil, uin"
     )]
@@ -182,7 +182,7 @@ pub enum ReadError {
         file: String,
         /// Column.
         axis: Axis,
-        /// The unit seen.
+        /// The unit.
         unit: String,
     },
     /// The stated separator, decimal sign or encoding does not fit.
@@ -193,7 +193,7 @@ pub enum ReadError {
         /// As stated.
         separator: Separator,
     },
-    /// A file that breaks the rules of its own format.
+    /// An invalid file of a known format.
     #[error("{file}: not a valid {format} file: {what}{}", if seen.is_empty() { String::new() } else { format!(" (\"{seen}\")") })]
     Damaged {
         /// Name of the file.
@@ -202,10 +202,10 @@ pub enum ReadError {
         format: Format,
         /// Fault.
         what: &'static str,
-        /// Value seen, empty when there is nothing to show.
+        /// The invalid content; may be empty.
         seen: String,
     },
-    /// More bytes than a profile has.
+    /// A file, or a part of it, is too large.
     #[error("{file}: {what} has {bytes} bytes, more than the {most} allowed")]
     TooLarge {
         /// Name of the file.
@@ -214,7 +214,7 @@ pub enum ReadError {
         what: &'static str,
         /// Its size.
         bytes: u64,
-        /// The largest size read.
+        /// Maximum size.
         most: u64,
     },
     /// Several profiles in one file.
@@ -222,24 +222,24 @@ pub enum ReadError {
     SeveralProfiles {
         /// Name of the file.
         file: String,
-        /// Profiles in the file.
+        /// Number of profiles.
         rows: usize,
-        /// Points of each.
+        /// Number of points of each.
         points: usize,
-        /// The row asked for, 0 for none.
+        /// The requested row; 0 if none was requested.
         asked: usize,
     },
-    /// A file of a known format that holds something else than heights.
+    /// A file of a known format without heights.
     #[error("{file}: the file ({format}) holds {content}")]
     NotHeights {
         /// Name of the file.
         file: String,
         /// Its format.
         format: Format,
-        /// Content of it.
+        /// Content of the file.
         content: &'static str,
     },
-    /// Several arrays, and no telling which holds the heights.
+    /// Several arrays without the name of an array of heights.
     #[error("{file}: the file holds several arrays and none is named z: {names}")]
     SeveralArrays {
         /// Name of the file.
@@ -247,7 +247,7 @@ pub enum ReadError {
         /// Their names.
         names: String,
     },
-    /// An x column of an involute checker, without the base radius that converts it.
+    /// An x column of an involute checker without the base radius for its conversion.
     #[error(
         "{file}: x is a {abscissa} from a gear inspection machine, not the distance along the flank, and the base radius needed to convert it is not known"
     )]
@@ -257,15 +257,15 @@ pub enum ReadError {
         /// Meaning of x.
         abscissa: Abscissa,
     },
-    /// Heights that no flank has.
+    /// Implausible heights.
     #[error("{file}: {steepness}")]
     ImplausibleHeights {
         /// Name of the file.
         file: String,
-        /// Slopes and what they point at.
+        /// Slopes with their likely cause.
         steepness: Steepness,
     },
-    /// Numbers that make no profile: beyond the range of numbers, or no extent.
+    /// An impossible value, for example of a length or spacing.
     #[error("{file}: {what} is {value} {unit}, which no profile has")]
     Impossible {
         /// Name of the file.
@@ -280,7 +280,7 @@ pub enum ReadError {
 }
 
 impl ReadError {
-    /// Name of the file and, where one is to blame, the line in it, from 1.
+    /// Name of the file, and the line of the error, from 1, if there is one.
     pub fn place(&self) -> (&str, Option<usize>) {
         match self {
             Self::UnreadableNumber { file, line, .. }
@@ -391,7 +391,7 @@ impl ReadError {
         }
     }
 
-    /// The code under which the message is explained.
+    /// Code of the explanation of the message.
     pub fn code(&self) -> &'static str {
         match self {
             Self::UnreadableNumber { .. } => "E101",
@@ -422,15 +422,15 @@ impl ReadError {
     }
 }
 
-/// Treatment of a cell that is not a number.
+/// Remedy for a cell that is not a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum CellRemedy {
-    /// The file is written with this decimal sign.
+    /// The file has this decimal sign.
     Decimal(DecimalSign),
-    /// The separator that was stated is not that of the file.
+    /// The stated separator differs from the separator of the file.
     Separator,
-    /// Nothing but the line is wrong.
+    /// Only the line is wrong.
     Line,
 }
 
@@ -459,7 +459,7 @@ impl std::fmt::Display for FirstLine {
     }
 }
 
-/// Statement of a file without an x column about its spacing.
+/// Hint on the spacing in a file without an x column.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum SpacingHint {
@@ -467,7 +467,7 @@ pub enum SpacingHint {
     None,
     /// The x column counts the points.
     XCounts,
-    /// Line 1 is written unlike the others: a spacing in an unstated unit, as in NPL text profiles.
+    /// Line 1 has a different number of decimals: a spacing in an unstated unit, as in NPL text profiles.
     FirstLine(f64),
     /// Surfcom: nominal length and number of points; the length is wrong for an aborted trace.
     NominalLength {

@@ -1,4 +1,4 @@
-//! The dialect of a table, or why a text has none.
+//! Detection of the dialect of a table, and errors of texts without a table.
 
 use super::dialect::{self, Sniffed};
 use super::error::{FirstLine, ReadError};
@@ -24,7 +24,7 @@ pub(super) fn no_data(text: &mut Text<'_>) -> Result<ReadError, ReadError> {
     })
 }
 
-/// The dialect, none where no line is a row of numbers in any.
+/// The dialect; `None` if no line is a row of numbers in any dialect.
 pub(super) fn sniff(
     name: &str,
     lines: &[Line<'_>],

@@ -1,6 +1,6 @@
 //! The known file formats, read or not, one row each.
 //!
-//! Formats that are not read are named, so that the user learns what to export instead.
+//! Unsupported formats are named so that the message can explain how to export.
 
 use serde::{Deserialize, Serialize};
 

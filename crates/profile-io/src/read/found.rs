@@ -12,30 +12,30 @@ use super::options::{Axis, Encoding, LengthUnit, ReadOptions};
 use super::trace::{Positions, Trace};
 use crate::warning::Warning;
 
-/// Findings of a reader of an instrument's format.
+/// Content of a file, as returned by the reader of an instrument format.
 pub(super) struct Found {
     pub format: Format,
-    /// Heights in `z_unit`, NaN where there is none.
+    /// Heights in `z_unit`; NaN for a missing height.
     pub heights: Vec<f64>,
     pub z_unit: LengthUnit,
-    /// Positions in `x_unit` where each point has its own; they win over `spacing`.
+    /// Individual positions in `x_unit`; they override `spacing`.
     pub x: Option<Vec<f64>>,
-    /// Spacing in `x_unit` and how it was found.
+    /// Spacing in `x_unit` with its origin.
     pub spacing: Option<(f64, SpacingSource)>,
     pub x_unit: LengthUnit,
-    /// Whether factors of the header made the lengths what they are, so that a stated unit fits none of them.
+    /// Whether the lengths were scaled by factors of the header, so that a stated unit does not apply.
     pub scaled: bool,
     pub filter_state: FilterState,
     pub metadata: Metadata,
     pub warnings: Vec<Warning>,
     pub encoding: Option<Encoding>,
     pub table: Option<TableLayout>,
-    /// Line of the first height in the file; 1 where there are no lines.
+    /// Line of the first height in the file; 1 in binary files.
     pub first_line: usize,
 }
 
 impl Found {
-    /// Heights and spacing in metres, nothing else known.
+    /// Heights and spacing in metres without other facts.
     pub(super) fn new(format: Format, heights: Vec<f64>) -> Self {
         Self {
             format,
@@ -54,7 +54,7 @@ impl Found {
         }
     }
 
-    /// The trace, with what the user states put over what the file says.
+    /// The trace; statements of the user override statements of the file.
     pub(super) fn finish(self, file: &str, options: &ReadOptions) -> Result<Trace, ReadError> {
         grid::enough(file, self.heights.len())?;
         let mut warnings = self.warnings;
@@ -146,13 +146,13 @@ impl Found {
     }
 }
 
-/// Positions \[m\] of their own; points that were left out make them more uneven than the whole column is.
+/// Individual positions \[m\]; after the omission of points they are more uneven than the whole column.
 pub(super) fn own(x: Vec<f64>, unevenness: Unevenness) -> Positions {
     let unevenness = match grid::unevenness(&x) {
-        Some((_, found)) => Unevenness {
-            off: found.off,
-            slopes: found.slopes,
-            lost_rows: found.lost_rows,
+        Some((_, actual)) => Unevenness {
+            off: actual.off,
+            slopes: actual.slopes,
+            lost_rows: actual.lost_rows,
             ..unevenness
         },
         None => unevenness,
@@ -160,7 +160,7 @@ pub(super) fn own(x: Vec<f64>, unevenness: Unevenness) -> Positions {
     Positions::Own { x, unevenness }
 }
 
-/// The warning that a stated unit differs from the one that the file states.
+/// Warning that a stated unit differs from the unit of the file.
 pub(super) fn unit_overridden(
     axis: Axis,
     stated: LengthUnit,
@@ -173,14 +173,14 @@ pub(super) fn unit_overridden(
     })
 }
 
-/// The warning that a stated spacing differs from the one in the file.
+/// Warning that a stated spacing differs from the spacing of the file.
 pub(super) fn overridden(stated: Length, column: Length) -> Option<Warning> {
     const DIFFERS: f64 = 0.01;
     let differs = (column / stated - 1.0).abs() > DIFFERS;
     differs.then_some(Warning::SpacingOverridden { stated, column })
 }
 
-/// Refuses spacings that no stylus or optical instrument has: a file in other units than it says.
+/// Returns an error for impossible spacings, which indicate a wrong unit.
 fn check_spacing(file: &str, spacing: Length) -> Result<(), ReadError> {
     const FINEST: f64 = 1e-11;
     const COARSEST: f64 = 1e-2;

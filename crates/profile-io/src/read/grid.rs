@@ -9,13 +9,13 @@ use super::error::ReadError;
 use super::options::Gaps;
 use crate::warning::Warning;
 
-/// Fewest points of a profile; below it no roughness parameter means anything.
+/// Minimum number of points of a profile for meaningful roughness parameters.
 pub(super) const FEWEST_POINTS: usize = 100;
 
-/// Share of points that may be missing and interpolated: beyond it the filters see mostly lines.
+/// Maximum fraction of missing points that may be interpolated.
 const MOST_MISSING: f64 = 0.1;
 
-/// Distance from an even grid, in spacings, that rounding of x does not explain but scanners do.
+/// Maximum distance from an even grid, in spacings, of slightly uneven points, as of scanners.
 const UNEVENNESS: f64 = 0.25;
 /// Distance from an even grid, in spacings, from which slopes are off by some per cent.
 const NOTICEABLE: f64 = 0.02;
@@ -31,25 +31,25 @@ pub enum SpacingSource {
     Stated,
     /// Written in the header of the file.
     Header,
-    /// The first line of the file, in um, as NPL text profiles have it.
+    /// The first line of the file, in um, as in NPL text profiles.
     FirstLine,
     /// Evaluation length of the measuring conditions over the number of points.
     EvaluationLength,
 }
 
-/// The mean spacing of a column of x, and whether x falls along the file.
+/// Mean spacing and direction of a column of x.
 pub(super) struct Spacing {
     pub mean: f64,
     pub falls: bool,
-    /// Where rounding does not explain it and it is noticeable.
+    /// Unevenness, if it is noticeable and not due to rounding.
     pub unevenness: Option<Unevenness>,
 }
 
-/// Deviation of positions from an even grid of as many points between their ends.
+/// Deviation of positions from an even grid with the same number of points and the same ends.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Unevenness {
-    /// Line of the point farthest from the grid, or behind the first lost row, from 1.
+    /// Line of the point farthest from the grid, or after the first lost row, from 1.
     pub line: usize,
     /// Its x in the unit of the file.
     pub x: f64,
@@ -57,21 +57,21 @@ pub struct Unevenness {
     pub off: f64,
     /// Largest difference of a step from the spacing, over the spacing.
     pub slopes: f64,
-    /// Whether x steps by one amount but for jumps over rows that are not there.
+    /// Whether x has constant steps except for jumps over lost rows.
     pub lost_rows: bool,
 }
 
 impl Unevenness {
-    /// Whether the points may pass for even ones, with slopes that are off by some per cent.
+    /// Whether the points may be treated as even, with errors of the slopes of some per cent.
     pub fn is_slight(&self) -> bool {
         self.off <= UNEVENNESS && !self.lost_rows
     }
 }
 
-/// Finds the line number and text of a row, counted from 0 as in the file.
+/// Returns the line number and text of a row, counted from 0 in the order of the file.
 pub(super) type Place<'a> = dyn FnMut(usize) -> Result<(usize, String), ReadError> + 'a;
 
-/// Refuses fewer points than make a profile.
+/// Returns an error for fewer points than a profile requires.
 pub(super) fn enough(file: &str, points: usize) -> Result<(), ReadError> {
     if points >= FEWEST_POINTS {
         return Ok(());
@@ -83,7 +83,7 @@ pub(super) fn enough(file: &str, points: usize) -> Result<(), ReadError> {
     })
 }
 
-/// Checks order and evenness of x; the mean spacing in its unit. An x that falls is turned round.
+/// Checks order and evenness of x and returns its spacing. A descending x is reversed.
 pub(super) fn spacing(
     file: &str,
     x: &mut [f64],
@@ -96,9 +96,9 @@ pub(super) fn spacing(
         false => pairs.position(|pair| pair[1] < pair[0]),
         true => pairs.position(|pair| pair[1] > pair[0]),
     };
-    // A trace that ends where it started rises by this reckoning, and turns somewhere.
-    let stands = (last == first).then_some(0);
-    if let Some(at) = turn.or(stands) {
+    // A trace that ends at its start must change its direction.
+    let is_closed = (last == first).then_some(0);
+    if let Some(at) = turn.or(is_closed) {
         return Err(not_monotone(file, x, at, place(at + 1)?.0));
     }
     if falls {
@@ -107,7 +107,7 @@ pub(super) fn spacing(
     let row = |at: usize| if falls { x.len() - 1 - at } else { at };
     let unevenness = match unevenness(x) {
         Some((at, found)) => {
-            // Rounding makes neighbours equal; a trace that is uneven has one height at a place.
+            // Equal neighbours are permitted only due to rounding, not in an uneven trace.
             if let Some(at) = x.windows(2).position(|pair| pair[0] == pair[1]) {
                 return Err(not_monotone(file, x, at, place(row(at + 1))?.0));
             }
@@ -132,13 +132,13 @@ fn not_monotone(file: &str, x: &[f64], at: usize, line: usize) -> ReadError {
     }
 }
 
-/// The point that shows best that a rising x is uneven, and by how much; none where rounding explains it or it is too
-/// little to be noticed. The line is not known here.
+/// The point with the largest deviation of an ascending x from an even grid; `None` if the deviation is due to rounding
+/// or not noticeable. The line is set by the caller.
 pub(super) fn unevenness(x: &[f64]) -> Option<(usize, Unevenness)> {
     let mean = (x[x.len() - 1] - x[0]) / (x.len() - 1) as f64;
     let steps = || x.windows(2).map(|pair| pair[1] - pair[0]);
     let larger = |most: f64, value: f64| if value > most { value } else { most };
-    // Lost rows leave a step of at least 1.5 mean ones: nine steps in ten are at least 0.79 of it, or the others far more.
+    // Lost rows cause a step of at least 1.5 mean steps; only then are they searched for.
     let lost = match steps().fold(0.0, larger) > 1.5 * mean {
         true => lost_rows(x),
         false => None,
@@ -149,7 +149,7 @@ pub(super) fn unevenness(x: &[f64]) -> Option<(usize, Unevenness)> {
         return None;
     }
     let (at, off) = lost.unwrap_or_else(|| farthest(x, mean));
-    // Two ends and one point, each rounded by half the smallest step seen in the column.
+    // Two ends and one point, each rounded by half the resolution of the column.
     (lost.is_some() || off > resolution(x)).then(|| {
         let slopes = steps().map(|step| (step / mean - 1.0).abs());
         let found = Unevenness {
@@ -163,22 +163,22 @@ pub(super) fn unevenness(x: &[f64]) -> Option<(usize, Unevenness)> {
     })
 }
 
-/// The point farthest from an even grid, and how far it is.
+/// The point farthest from an even grid, and its distance.
 fn farthest(x: &[f64], mean: f64) -> (usize, f64) {
     let off = |at: usize, x_at: f64| (x_at - x[0] - mean * at as f64).abs();
     let offs = x.iter().enumerate().map(|(at, x_at)| (at, off(at, *x_at)));
     offs.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, 0.0))
 }
 
-/// The first jump over one or more rows in an x that otherwise steps by one and the same amount.
-/// On a coarsely rounded x it would pass for rounding.
+/// The first jump over one or more rows in an x with otherwise constant steps. In a coarsely rounded x it could not be
+/// distinguished from rounding.
 fn lost_rows(x: &[f64]) -> Option<(usize, f64)> {
     const SAME: f64 = 1e-6;
     const MOSTLY: f64 = 0.9;
     const JUMP: f64 = 1.9;
     let step = |pair: &[f64]| pair[1] - pair[0];
     let is_same = |step: f64, typical: f64| (step - typical).abs() <= SAME * typical;
-    // The amount that most steps have, if one has a majority: each other amount takes one vote away.
+    // Majority vote: the most frequent step, if it has a majority.
     let vote = |(typical, votes): (f64, usize), step: f64| match votes {
         0 => (step, 1),
         _ if is_same(step, typical) => (typical, votes + 1),
@@ -206,7 +206,7 @@ fn resolution(x: &[f64]) -> f64 {
     let mut step = 10f64.powi(largest.log10().floor() as i32);
     let finest = largest * 10f64.powi(FINEST);
     while step > finest {
-        // Written decimals come back from binary to within a few units in the last place.
+        // Decimal numbers are represented in binary with an error of a few units in the last place.
         let divides = |v: &f64| {
             let steps = v / step;
             (steps - steps.round()).abs() <= 4.0 * f64::EPSILON * steps.abs().max(1.0)
@@ -224,8 +224,7 @@ pub(super) fn counts_points(x: &[f64]) -> bool {
     matches!(x.first(), Some(0.0 | 1.0)) && x.windows(2).all(|pair| pair[1] == pair[0] + 1.0)
 }
 
-/// Heights in the unit of the file, of which those that are not finite are missing, without gaps; with
-/// them the number filled.
+/// Fills gaps in heights, where missing heights are not finite; returns the heights and the number of filled points.
 pub(super) fn heights(
     file: &str,
     z: Vec<f64>,
@@ -259,7 +258,7 @@ pub(super) fn heights(
     Ok((heights, filled))
 }
 
-/// Leaves missing points out of a trace whose points keep their places, where they may be interpolated; their number.
+/// Removes missing points from a trace with individual positions, if they may be interpolated; returns their number.
 pub(super) fn leave_out(
     file: &str,
     x: &mut Vec<f64>,
@@ -285,7 +284,7 @@ pub(super) fn leave_out(
     Ok(missing)
 }
 
-/// Whether so few of the points are missing that they may be interpolated.
+/// Whether the number of missing points is small enough for interpolation.
 fn fillable(missing: usize, points: usize) -> bool {
     missing as f64 <= MOST_MISSING * points as f64
 }

@@ -1,10 +1,10 @@
-//! The MD5 of what is read.
+//! MD5 checksum of a stream.
 
 use std::io::Read;
 
 use md5::{Digest, Md5};
 
-/// A reader that takes the MD5 of what passes through.
+/// A reader that computes the MD5 checksum of the bytes read.
 pub(super) struct Hashed<R> {
     inner: R,
     hash: Md5,

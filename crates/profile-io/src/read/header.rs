@@ -1,4 +1,4 @@
-//! Header lines above a table: the quantity and unit of each column, filtered or not.
+//! Header lines of a table: quantity and unit of each column, and the filter state.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,7 +7,7 @@ use super::layout::Dialect;
 use super::options::{Abscissa, LengthUnit};
 use super::text::Line;
 
-/// Whether the heights have been through a roughness filter, as far as the file says.
+/// Whether the heights are filtered, according to the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -17,7 +17,7 @@ pub enum FilterState {
     Unknown,
     /// Primary or unfiltered profile.
     Primary,
-    /// Roughness profile: the long waves are already gone.
+    /// Roughness profile, without the long waves.
     Roughness,
 }
 
@@ -25,7 +25,7 @@ pub enum FilterState {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Role {
     X,
-    /// Named y: the height unless another column is named z.
+    /// Column y: the height, unless another column is named z.
     Y,
     Z,
     /// 1 where the height is valid.
@@ -36,22 +36,22 @@ pub(super) enum Role {
     Roll(Abscissa),
 }
 
-/// A unit as a header states it.
+/// A unit stated in a header.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Stated {
     Length(LengthUnit),
-    /// In brackets, but no length known here.
+    /// Text in brackets that is not a known unit of length.
     Other(String),
 }
 
-/// Statement of the header about one column.
+/// Label of a column in the header.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Label {
     pub role: Option<Role>,
     pub unit: Option<Stated>,
 }
 
-/// The labels of `columns` columns, from up to the last four header lines.
+/// The labels of the columns, from at most the last four header lines.
 pub(super) fn labels(header: &[Line<'_>], dialect: Dialect, columns: usize) -> Vec<Label> {
     const LINES_LOOKED_AT: usize = 4;
     let mut labels = vec![Label::default(); columns];
@@ -168,18 +168,18 @@ fn unit_of(cell: &str) -> Option<Stated> {
         Some(at) => (cell[..at].trim_end(), &cell[at + 1..]),
         None => ("", cell),
     };
-    let found = unit(last)?;
+    let unit = unit(last)?;
     // A lone "m" after a blank may be any word's initial; after "in", "_" or "/" it is metre.
-    let certain = found != LengthUnit::Metre
+    let certain = unit != LengthUnit::Metre
         || before.is_empty()
         || before.to_lowercase().ends_with(" in")
         || cell.contains(['_', '/']);
-    certain.then_some(Stated::Length(found))
+    certain.then_some(Stated::Length(unit))
 }
 
 /// All units of a line, in order: in brackets, or after the word "in".
 fn units_in_order(line: &str) -> Vec<Stated> {
-    let mut found = Vec::new();
+    let mut units = Vec::new();
     let mut after_in = false;
     for word in line
         .split([' ', '\t', ';', ','])
@@ -187,13 +187,13 @@ fn units_in_order(line: &str) -> Vec<Stated> {
     {
         let bracketed = word.contains(['[', '(']);
         if bracketed {
-            found.extend(unit_of(word));
+            units.extend(unit_of(word));
         } else if after_in {
-            found.extend(unit(word).map(Stated::Length));
+            units.extend(unit(word).map(Stated::Length));
         }
         after_in = word.eq_ignore_ascii_case("in");
     }
-    found
+    units
 }
 
 fn unit(text: &str) -> Option<LengthUnit> {
@@ -212,7 +212,7 @@ fn unit(text: &str) -> Option<LengthUnit> {
     }
 }
 
-/// The filter state by telling words in the header, or by a Surfcom file name.
+/// The filter state by keywords in the header, or by a Surfcom file name.
 pub(super) fn filter_state(name: &str, header: &[Line<'_>]) -> FilterState {
     const ROUGHNESS: &[&str] = &[
         "roughness profile",

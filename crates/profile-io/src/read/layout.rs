@@ -1,15 +1,15 @@
-//! Layout of a table of text: its signs and its columns.
+//! Layout of a text table: separator, decimal sign and columns.
 
 use serde::{Deserialize, Serialize};
 
 use super::options::{Columns, DecimalSign, Separator};
 
-/// A way to write a table of numbers.
+/// Dialect of a table of numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Dialect {
-    /// Between columns.
+    /// Separator of the columns.
     pub separator: Separator,
-    /// Between whole and fraction.
+    /// Decimal sign.
     pub decimal: DecimalSign,
 }
 
@@ -34,6 +34,6 @@ pub struct TableLayout {
     pub separator: Separator,
     /// The decimal sign.
     pub decimal: DecimalSign,
-    /// Columns read.
+    /// Columns that are read.
     pub columns: Columns,
 }

@@ -55,12 +55,12 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
         let what = "the number of heights is not that of the header";
         return Err(damaged(file, FORMAT, what, &seen));
     }
-    // Some programs write no X but 0.
-    let stands = x.iter().all(|place| Some(place) == x.first());
+    // Some programs write only zeros for X.
+    let is_constant = x.iter().all(|place| Some(place) == x.first());
     Ok(Found {
         z_unit: LengthUnit::Millimetre,
         x_unit: LengthUnit::Millimetre,
-        x: (!stands).then_some(x),
+        x: (!is_constant).then_some(x),
         spacing: header.interval.map(|dx| (dx, SpacingSource::Header)),
         filter_state: header.state,
         metadata: header.metadata,
@@ -110,11 +110,11 @@ impl Header {
     }
 }
 
-/// X and Z of "index=X Y Z C 0" in plain numbers with single blanks, as nearly all points are written, at the start of
-/// `bytes`, and what follows it.
+/// X and Z of "index=X Y Z C 0" with plain numbers and single blanks, as for nearly all points, at the start of
+/// `bytes`, and the rest.
 #[inline]
 fn plain_point(bytes: &[u8]) -> Option<(f64, f64, &[u8])> {
-    /// What follows the next `end` on the same line, with something before it.
+    /// Rest after the next `end` on the same line, which must not be the first byte.
     #[inline]
     fn after(bytes: &[u8], end: u8) -> Option<&[u8]> {
         let at = bytes.iter().position(|byte| *byte == end || *byte < b' ')?;

@@ -1,4 +1,4 @@
-//! A matrix of heights as text: one trace a row, without x and without labels.
+//! A matrix of heights as text: one trace per row, without x and labels.
 
 use super::areal::trace::{Areal, HeightUnit, Heights};
 use super::dialect::{Cell, Sniffed};
@@ -15,8 +15,8 @@ use crate::warning::Warning;
 
 const FORMAT: Format = Format::TextMatrix;
 
-/// Whether a table of columns with these labels is a matrix: as many columns as a profile has points, and
-/// none of them named or asked for.
+/// Whether a table with these labels is a matrix: at least as many columns as a profile has points, without names and
+/// not requested by `options`.
 pub(super) fn is_matrix(labels: &[Label], options: &ReadOptions) -> bool {
     labels.len() >= grid::FEWEST_POINTS
         && options.columns.is_none()
@@ -61,7 +61,7 @@ fn cells(
             Cell::Other => return Err(table::unreadable(file, head, line, cell, dialect)),
         });
     }
-    // A separator at the end of each line makes an empty last cell.
+    // A separator at the end of each line creates an empty last cell.
     if heights.len() == columns + 1 && heights[columns].is_nan() {
         heights.pop();
     }
@@ -71,7 +71,7 @@ fn cells(
     }
 }
 
-/// The row that `options` ask for, of the matrix that starts at line `first`.
+/// The row requested by `options`, of the matrix that starts at line `first`.
 pub(super) fn read(
     text: &mut Text<'_>,
     first: usize,

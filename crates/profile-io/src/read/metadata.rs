@@ -1,4 +1,4 @@
-//! Metadata of an instrument's file beside the heights.
+//! Metadata in the file of an instrument.
 
 use asperity_core::quantity::Length;
 use serde::{Deserialize, Serialize};
@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::decimal;
 use super::options::LengthUnit;
 
-/// Facts about a measurement as the file states them.
+/// Facts about a measurement stated in its file.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Metadata {
     /// Maker, model or program that wrote the file.
@@ -15,23 +15,22 @@ pub struct Metadata {
     pub date: Option<String>,
     /// Name of the part or the trace.
     pub title: Option<String>,
-    /// Length that was to be traced; an aborted trace is shorter.
+    /// Nominal length of the trace; an aborted trace is shorter.
     pub nominal_length: Option<Length>,
-    /// Roughness cut-off that was set.
+    /// Roughness cut-off of the instrument.
     pub lambda_c: Option<Length>,
-    /// Short-wave cut-off that was set.
+    /// Short-wave cut-off of the instrument.
     pub lambda_s: Option<Length>,
     /// Radius of the stylus tip.
     pub stylus_radius: Option<Length>,
-    /// Distance along the involute from the base circle to the first point, of a file over roll lengths or roll
-    /// angles.
+    /// Distance along the involute from the base circle to the first point, for files with roll lengths or roll angles.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub arc_from_base: Option<Length>,
-    /// Results the instrument printed into the file.
+    /// Results of the instrument in the file.
     pub printed: Vec<PrintedParameter>,
 }
 
-/// A result of the instrument itself.
+/// A result of the instrument.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PrintedParameter {
     /// Name as printed, `Ra`.
@@ -40,12 +39,12 @@ pub struct PrintedParameter {
     pub value: f64,
     /// Unit as printed; empty for a number without one.
     pub unit: String,
-    /// Decimals printed.
+    /// Number of printed decimals.
     pub decimals: usize,
 }
 
 impl PrintedParameter {
-    /// Reads `value` and the unit that may hang on it: "0.018" or "0.0180um".
+    /// Parses `value` with an optional unit: "0.018" or "0.0180um".
     pub(super) fn parse(name: &str, value: &str, unit: &str) -> Option<Self> {
         const LONGEST_NAME: usize = 16;
         let end = value
@@ -71,12 +70,12 @@ impl PrintedParameter {
 /// Text of a file for display: trimmed, without control characters, at most eighty characters.
 pub(super) fn short(text: &str) -> Option<String> {
     const MOST: usize = 80;
-    let kept = text.trim().chars().filter(|c| !c.is_control()).take(MOST);
-    let kept: String = kept.collect();
-    (!kept.is_empty()).then_some(kept)
+    let shown = text.trim().chars().filter(|c| !c.is_control()).take(MOST);
+    let shown: String = shown.collect();
+    (!shown.is_empty()).then_some(shown)
 }
 
-/// A number in either decimal sign.
+/// A number with a decimal point or comma.
 pub(super) fn number(text: &str) -> Option<f64> {
     let text = text.trim();
     let parsed = decimal::whole(text, b'.').or_else(|| decimal::whole(text, b','));

@@ -1,9 +1,8 @@
 //! Mitutoyo SurfTest workbooks (`.xlsx` of the USB communication tool).
 //!
-//! Sheet `Certificate` states the conditions as label and value side by side (`Profile` R, `Cut-Off`
-//! 0.08mm, λs), sheet `DATA` holds printed results in column A ("Ra 0.018 µm") and the profile in two
-//! columns, x in millimetres and heights in micrometres. Any other workbook is read when one of its sheets
-//! has two such columns beside each other and its units are stated.
+//! Sheet `Certificate` states the conditions as label and value side by side (`Profile` R, `Cut-Off` 0.08mm, λs), sheet
+//! `DATA` holds printed results in column A ("Ra 0.018 µm") and the profile in two columns, x in millimetres and
+//! heights in micrometres. A workbook without the labels of Mitutoyo is not read.
 
 use super::archive::{Archive, damaged};
 use super::error::ReadError;
@@ -16,11 +15,11 @@ use super::text::Stream;
 use super::xml::walk;
 
 const FORMAT: Format = Format::MitutoyoXlsx;
-/// Columns looked at; the export uses six.
+/// Maximum number of columns; the export uses six.
 const MOST_COLUMNS: usize = 64;
-/// Shared texts kept.
+/// Maximum number of shared texts.
 const MOST_TEXTS: usize = 100_000;
-/// Texts kept of a sheet: those of its first rows.
+/// Maximum number of texts of a sheet.
 const MOST_LABELS: usize = 500;
 
 /// One sheet: its texts in reading order and its columns of numbers.
@@ -164,16 +163,16 @@ struct Pair {
     first_row: usize,
 }
 
-/// The longest pair of columns beside each other with numbers in the same rows, the first rising.
+/// The longest pair of adjacent columns with numbers in the same rows and ascending x.
 fn pair(sheet: &Sheet) -> Option<Pair> {
-    let beside = sheet.columns.windows(2).filter(|pair| {
+    let adjacent = sheet.columns.windows(2).filter(|pair| {
         let (x, z) = (&pair[0], &pair[1]);
         x.len() > 1
             && x.len() == z.len()
             && x.iter().zip(z).all(|(x, z)| x.0 == z.0)
             && x.windows(2).all(|step| step[1].1 > step[0].1)
     });
-    let longest = beside.max_by_key(|pair| pair[0].len())?;
+    let longest = adjacent.max_by_key(|pair| pair[0].len())?;
     let values = |column: &[(usize, f64)]| column.iter().map(|(_, value)| *value).collect();
     Some(Pair {
         x: values(&longest[0]),
@@ -182,7 +181,7 @@ fn pair(sheet: &Sheet) -> Option<Pair> {
     })
 }
 
-/// Takes conditions and printed results; whether the sheet is of a Mitutoyo export.
+/// Stores conditions and printed results; returns whether the sheet is a Mitutoyo export.
 fn describe(labels: &[String], metadata: &mut Metadata, state: &mut FilterState) -> bool {
     let known = labels
         .iter()

@@ -1,18 +1,17 @@
-//! Reading measured profiles from files, with everything that was found or assumed.
+//! Reading measured profiles from files, with a record of assumptions.
 //!
-//! A file is recognised ([`Format`]), decoded ([`Encoding`]), its dialect is sniffed ([`Dialect`]),
-//! its table read, put on an even grid and given units. What the user states in [`ReadOptions`]
-//! wins over what the file looks like. A [`Trace`] keeps points that are uneven; a [`Reading`] has an even grid.
-//! Nothing is repaired in silence: a file is read as it stands,
-//! with [`Warning`](crate::Warning)s for what was assumed, or refused with the line and a remedy.
+//! The format of a file is recognised ([`Format`]), its text decoded ([`Encoding`]), its dialect detected
+//! ([`Dialect`]), and its table read and given spacing and units. Statements in [`ReadOptions`] override the content of
+//! the file. A [`Trace`] may have uneven points; a [`Reading`] has an even grid. Nothing is repaired silently:
+//! assumptions are [`Warning`](crate::Warning)s, and an unreadable file is an error with its line and a remedy.
 //!
 //! | quantity | rule |
 //! |---|---|
 //! | spacing dx | (x_last − x_first)/(n − 1), or as stated |
-//! | units | as stated, else from the header, else the only possible ones, else refused |
-//! | missing heights | refused, or interpolated on request |
+//! | units | as stated, or from the header, or the only possible ones, or an error |
+//! | missing heights | an error, or interpolated on request |
 //!
-//! Reading is linear in the length of the file. This is the only module of the crate that opens files.
+//! The time is linear in the length of the file. Only this module opens files.
 
 mod archive;
 mod areal;
@@ -82,9 +81,9 @@ use asperity_storage::regular_file;
 use found::Found;
 use text::{Head, Start, Stream, Text};
 
-/// Bytes of the largest file read: two hundred million points of text.
+/// Maximum size of a file in bytes: two hundred million points of text.
 const MOST_BYTES: u64 = 4 << 30;
-/// Bytes of what comes through standard input and is held.
+/// Maximum size of standard input in bytes.
 const MOST_HELD: u64 = 1 << 30;
 /// The path that means standard input.
 const STANDARD_INPUT: &str = "-";
@@ -92,8 +91,8 @@ const STANDARD_INPUT: &str = "-";
 /// Reads the profile in the file at `path`; `-` is standard input, of which at most a gigabyte is held.
 ///
 /// # Errors
-/// When the file cannot be opened, is in a format that is not read, or holds no usable profile;
-/// [`ReadError`] lists the reasons.
+/// When the file cannot be opened, its format is not supported, or it has no usable profile; [`ReadError`] lists the
+/// reasons.
 ///
 /// ```
 /// use asperity_profile_io::read::{ReadOptions, read};
@@ -104,10 +103,10 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Reading, ReadError> {
     read_trace(path, options)?.reading(options.uneven)
 }
 
-/// Reads the trace in the file at `path` as it stands, with points that may be uneven; `-` is standard input.
+/// Reads the trace in the file at `path`, with points that may be uneven; `-` is standard input.
 ///
 /// # Errors
-/// As [`read`], except that uneven points are no error.
+/// As [`read`], except that uneven points are not an error.
 pub fn read_trace(path: &Path, options: &ReadOptions) -> Result<Trace, ReadError> {
     let name = path.display().to_string();
     let mut stream = open(path, &name)?;
@@ -115,7 +114,7 @@ pub fn read_trace(path: &Path, options: &ReadOptions) -> Result<Trace, ReadError
     trace_of(&name, &mut *stream, conditions.as_deref(), options)
 }
 
-/// Reads the trace in `bytes`, the content of a file called `name`, as it stands.
+/// Reads the trace in `bytes`, the content of a file called `name`, with points that may be uneven.
 ///
 /// # Errors
 /// As [`read_trace`], except that nothing is opened.
@@ -130,8 +129,7 @@ pub fn read_trace_bytes(
 /// Reads the surface in the file at `path`; `-` is standard input. A profile is a surface of one row.
 ///
 /// # Errors
-/// As [`read`], and for formats that hold profiles alone. Missing points and the number of points are no
-/// errors.
+/// As [`read`], and for formats without surfaces. Missing points and few points are not errors.
 pub fn read_surface(path: &Path, options: &ReadOptions) -> Result<Surface, ReadError> {
     let name = path.display().to_string();
     let mut stream = open(path, &name)?;
@@ -150,7 +148,7 @@ pub fn read_surface_bytes(
     surface_of(name, &mut Cursor::new(bytes), options)
 }
 
-/// Reads the surface in `stream`, in whichever format it is.
+/// Reads the surface in `stream`, in any format.
 fn surface_of(
     name: &str,
     stream: &mut dyn Stream,
@@ -180,7 +178,7 @@ fn surface_of(
     found.surface(name, options)
 }
 
-/// The format that the bytes at the start settle, or the members of an archive.
+/// The format identified by the first bytes, or by the members of an archive.
 fn format_of(name: &str, stream: &mut dyn Stream, start: &Start) -> Option<Format> {
     let zipped = start.bytes.starts_with(recognise::ZIP);
     match recognise::by_magic(name, &start.bytes) {
@@ -190,7 +188,7 @@ fn format_of(name: &str, stream: &mut dyn Stream, start: &Start) -> Option<Forma
     }
 }
 
-/// A file as it is read again and again; what cannot be (a pipe) is held.
+/// Opens a file for repeated reading; standard input is stored in memory.
 fn open(path: &Path, name: &str) -> Result<Box<dyn Stream>, ReadError> {
     let unreadable = |source| ReadError::NotReadable {
         file: name.to_owned(),
@@ -210,7 +208,7 @@ fn open(path: &Path, name: &str) -> Result<Box<dyn Stream>, ReadError> {
     Ok(Box::new(file))
 }
 
-/// Bytes that come once, held so that they can be read again.
+/// Stores a stream in memory so that it can be read again.
 fn held(name: &str, from: impl Read) -> Result<Box<dyn Stream>, ReadError> {
     let mut bytes = Vec::new();
     let taken = from.take(MOST_HELD + 1).read_to_end(&mut bytes);
@@ -255,8 +253,8 @@ pub fn read_bytes(name: &str, bytes: &[u8], options: &ReadOptions) -> Result<Rea
     read_stream(name, Cursor::new(bytes), options)
 }
 
-/// Reads the profile in `stream`, from its start, as a file called `name`. The stream is read in chunks
-/// and, where a second look is needed, again; a text is never held as a whole.
+/// Reads the profile in `stream`, from its start, as a file called `name`. The stream is read in chunks, and again if
+/// required; text is never stored as a whole.
 ///
 /// # Errors
 /// As [`read`], except that nothing is opened.
@@ -279,7 +277,7 @@ pub fn read_stream(
     trace_of(name, &mut stream, None, options)?.reading(options.uneven)
 }
 
-/// As [`read_bytes`], with the content of the file of measuring conditions (Surfcom `.tx3`) beside it.
+/// Reads the profile in `bytes` with the content of its file of measuring conditions (Surfcom `.tx3`).
 ///
 /// # Errors
 /// As [`read_bytes`].
@@ -303,7 +301,7 @@ pub fn read_with_conditions(
     trace_of(name, &mut Cursor::new(bytes), conditions, options)?.reading(options.uneven)
 }
 
-/// Reads the trace in `stream`, in whichever format it is.
+/// Reads the trace in `stream`, in any format.
 fn trace_of(
     name: &str,
     stream: &mut dyn Stream,
@@ -336,7 +334,7 @@ fn trace_of(
     if !text.is_malformed() {
         return found;
     }
-    // What looked like UTF-8 at its head is not: then it is in the code page of western Windows.
+    // The text is not UTF-8, as its head seemed; then it is in the Windows code page 1252.
     let (head, mut text) = Text::new(name, stream, &start, Some(Encoding::Windows1252));
     read_text(&start, &head, &mut text, conditions, options)
 }
@@ -381,7 +379,7 @@ fn read_text(
 }
 
 fn refused(name: &str, format: Format) -> ReadError {
-    // Its name says so, but it does not start as one, or it would have been read.
+    // The format follows only from the name: the content does not start with its mark.
     if format.may_hold_several() {
         return archive::damaged(name, format, "it does not start as such a file", "");
     }

@@ -1,4 +1,4 @@
-//! The natural cubic spline through points of a trace.
+//! Natural cubic spline through the points of a trace.
 //!
 //! Source: de Boor 1978, chapter IV.
 //!
@@ -6,13 +6,13 @@
 //! |---|---|---|
 //! | x_i, z_i | points | m, any |
 //! | h_i | x_(i+1) − x_i | m |
-//! | M_i | second derivative at x_i, nought at both ends | unit of z over m² |
+//! | M_i | second derivative at x_i, zero at both ends | unit of z over m² |
 //! | t | (x − x_i)/h_i | - |
 
 /// S(x) = (1−t)·z_i + t·z_(i+1) + ((1−t)³ − (1−t))·M_i·h_i²/6 + (t³ − t)·M_(i+1)·h_i²/6     `[Spline-1]`
 ///
-/// The spline through `z` at the rising `x`, two or more, at `positions` that rise too. Beyond the ends the outermost
-/// cubic goes on.
+/// The spline through `z` at two or more ascending `x`, evaluated at ascending `positions`. Beyond the ends the
+/// outermost cubic is extrapolated.
 pub(super) fn at_rising(positions: impl Iterator<Item = f64>, x: &[f64], z: &[f64]) -> Vec<f64> {
     asperity_core::cite!("Spline-1");
     let bends = second_derivatives(x, z);

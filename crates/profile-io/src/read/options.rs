@@ -1,4 +1,4 @@
-//! Statements of a user about a file; each wins over the look of the file.
+//! Statements of the user about a file, which override its content.
 
 use std::fmt;
 use std::str::FromStr;
@@ -36,7 +36,7 @@ pub struct ReadOptions {
     pub gaps: Gaps,
     /// Number of the profile in a file that holds several, counted from 1.
     pub row: Option<usize>,
-    /// Trace that is taken from a surface.
+    /// Trace of a surface that is read.
     pub line: TraceLine,
     /// Meaning of the x column.
     pub abscissa: Option<Abscissa>,
@@ -46,7 +46,7 @@ pub struct ReadOptions {
     pub uneven: Uneven,
 }
 
-/// Text that names none of the choices.
+/// Text that is not one of the choices.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("\"{text}\" is not one of: {accepted}")]
 pub struct UnknownChoice {
@@ -56,7 +56,7 @@ pub struct UnknownChoice {
     pub accepted: &'static str,
 }
 
-/// Implements the text form of a choice, the same for the command line and the case file.
+/// Implements the text form of a choice, for command line and case file.
 macro_rules! choice {
     ($type:ident, $accepted:literal: $($variant:ident $text:literal),+ $(,)?) => {
         impl fmt::Display for $type {
@@ -112,7 +112,7 @@ pub enum LengthUnit {
 choice!(LengthUnit, "m, mm, um, nm, angstrom, inch, mil, uin": Metre "m", Millimetre "mm", Micrometre "um", Nanometre "nm", Angstrom "angstrom", Inch "inch", Mil "mil", Microinch "uin");
 
 impl LengthUnit {
-    /// `value` of this unit in metres, as exact as a division or a multiplication is.
+    /// `value` of this unit in metres.
     ///
     /// ```
     /// use asperity_profile_io::read::LengthUnit;
@@ -141,7 +141,7 @@ impl LengthUnit {
 pub enum Abscissa {
     /// Distance along the trace.
     Distance,
-    /// Roll length of an involute (radius of curvature, length of action), as involute checkers export it.
+    /// Roll length of an involute (radius of curvature, length of action), as exported by involute checkers.
     RollLength,
     /// Roll angle of an involute in degrees.
     RollDegrees,
@@ -155,11 +155,10 @@ choice!(Abscissa, "distance, roll-length, roll-degrees, roll-radians": Distance 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Uneven {
-    /// Read up to a quarter of a spacing off an even grid as it stands, with a warning from 2 %, and
-    /// refuse the rest.
+    /// Accept points up to a quarter of a spacing off an even grid, with a warning from 2 %; refuse others.
     #[default]
     Refuse,
-    /// Resample linearly to an even grid of as many points, and report it.
+    /// Resample linearly to an even grid with the same number of points, and report it.
     Resample,
 }
 
@@ -222,7 +221,7 @@ impl FromStr for Columns {
     }
 }
 
-/// The sign between whole and fraction.
+/// Decimal sign.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum DecimalSign {
@@ -267,7 +266,7 @@ pub enum Encoding {
     /// UTF-16, high byte first.
     #[serde(rename = "utf-16be")]
     Utf16Be,
-    /// Windows code page 1252, of which Latin-1 is a part.
+    /// Windows code page 1252, which includes Latin-1.
     #[serde(rename = "windows-1252")]
     Windows1252,
 }

@@ -1,8 +1,7 @@
-//! Rows that are plain: digits, signs and separators, with blanks around them.
+//! Fast reading of plain rows: digits, signs, separators and blanks.
 //!
-//! They are read from bytes, without looking for the end of the line first. What is not plain (quotes, words
-//! for missing heights, characters beyond ASCII, too few or too many columns) is left to
-//! [`rows::row`](super::rows::row).
+//! Plain rows are read from bytes in a single pass. Other rows (quotes, words for missing heights, characters beyond
+//! ASCII, too few or too many columns) are read by [`rows::row`](super::rows::row).
 
 use super::decimal;
 use super::dialect::LONGEST_NUMBER;
@@ -55,7 +54,7 @@ impl Plain {
         }
     }
 
-    /// x and height of the line that `lines` starts with, if it is a plain row, and the lines after it.
+    /// x and height of the first line of `lines`, if it is a plain row, and the remaining lines.
     #[inline]
     pub(super) fn row<'l>(&self, lines: &'l [u8]) -> Option<(f64, f64, &'l [u8])> {
         if let [Use::X, Use::Z] = self.columns[..]
@@ -96,7 +95,7 @@ impl Plain {
         }
     }
 
-    /// The same where nothing but one separator stands beside x and height, as in most files.
+    /// x and height of a row with only these and a single separator, as in most files.
     #[inline]
     fn pair<'l>(&self, lines: &'l [u8]) -> Option<(f64, f64, &'l [u8])> {
         let (x, rest) = decimal::prefix(lines, self.point)?;
@@ -122,7 +121,7 @@ impl Plain {
         rest
     }
 
-    /// Rest after the separator that `rest` starts with; blanks are none.
+    /// Rest after the separator at the start of `rest`; blanks are not separators here.
     #[inline]
     fn after_separator<'l>(&self, rest: &'l [u8]) -> Option<&'l [u8]> {
         match rest {
@@ -131,7 +130,7 @@ impl Plain {
         }
     }
 
-    /// The next cell, when `rest` starts with what separates it from the last.
+    /// The next cell, if `rest` starts with a separator.
     #[inline]
     fn next_cell<'l>(&self, rest: &'l [u8]) -> Option<&'l [u8]> {
         let next = self.after_blanks(rest);
@@ -143,14 +142,14 @@ impl Plain {
             .map(|cell| self.after_blanks(cell))
     }
 
-    /// Rest after a cell that is not read; blanks beyond ASCII are left to the reading cell by cell.
+    /// Rest after an unused cell; `None` for characters beyond ASCII.
     fn after_cell<'l>(&self, rest: &'l [u8]) -> Option<&'l [u8]> {
         let ends = |byte: &u8| *byte == self.separator || !byte.is_ascii_graphic();
         rest.get(rest.iter().position(ends)?..)
     }
 }
 
-/// What follows the end of a line, also behind a CR, that `rest` starts with.
+/// Rest after the line end at the start of `rest`, which may be preceded by a CR.
 #[inline]
 pub(super) fn past_end(rest: &[u8], end: u8) -> Option<&[u8]> {
     match rest {
@@ -159,14 +158,14 @@ pub(super) fn past_end(rest: &[u8], end: u8) -> Option<&[u8]> {
     }
 }
 
-/// Takes the lines at hand that are a single number with a decimal point each, `most` of them at most, into `numbers`.
-/// What is written in any other way is left to the reading line by line, which gives the same numbers for these too.
+/// Reads buffered lines that contain a single number with a decimal point, at most `most` of them, into `numbers`.
+/// Other lines are read one by one, with the same results.
 pub(super) fn take_numbers(lines: &mut Lines<'_, '_>, most: usize, numbers: &mut Vec<f64>) {
     let (count, bytes) = numbers_at_start(lines.at_hand(), lines.end(), most, numbers);
     lines.pass(count, bytes.len());
 }
 
-/// Appends the numbers of such lines at the start of `lines`; how many, and their bytes.
+/// Appends the numbers of such lines at the start of `lines`; returns their count and bytes.
 pub(super) fn numbers_at_start<'l>(
     lines: &'l [u8],
     end: u8,

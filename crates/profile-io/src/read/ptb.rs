@@ -1,10 +1,9 @@
 //! Text profiles (`.pr`) of PTB's reference software.
 //!
-//! Line 1 is `Profil` and a name; line 2 gives length, resolution in points per millimetre and number of
-//! points, in German (`X-Maß = 5.6 X-Auflösung 2000 Punkte/Zeile : 11201`) or English (`X-len`,
-//! `X-resolution`, `points/scanline`); heights in micrometres follow. The layout is that of a public
-//! writer of the format; no file of PTB's own was at hand. The length is not used: writers give it in
-//! millimetres or micrometres.
+//! Line 1 is `Profil` and a name; line 2 gives length, resolution in points per millimetre and number of points, in
+//! German (`X-Maß = 5.6 X-Auflösung 2000 Punkte/Zeile : 11201`) or English (`X-len`, `X-resolution`,
+//! `points/scanline`); heights in micrometres follow. The layout follows a public writer of the format; no original PTB
+//! file was available. The length is not used, because writers state it in millimetres or micrometres.
 
 use super::archive::damaged;
 use super::error::ReadError;
@@ -45,7 +44,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
     let mut heights = Vec::new();
     while let Some(line) = lines.next()? {
         if !line.is_blank() {
-            let broken = || damaged(file, FORMAT, "a height is no number", line.text);
+            let broken = || damaged(file, FORMAT, "a height is not a number", line.text);
             heights.push(number(line.text).ok_or_else(broken)?);
             take_numbers(&mut lines, usize::MAX, &mut heights);
         }

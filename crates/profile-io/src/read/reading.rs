@@ -1,4 +1,4 @@
-//! A profile with all that was found out about its file.
+//! A profile with the facts about its file.
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
@@ -14,22 +14,22 @@ use super::options::{Encoding, LengthUnit};
 use super::steepness::implausible;
 use crate::warning::Warning;
 
-/// A profile with all that was found out about its file. Serialises without the heights, as the echo.
+/// A profile with the facts about its file. The heights are not serialised.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Reading {
-    /// Name of the file as given.
+    /// Name of the file.
     pub name: String,
     /// The profile, heights as in the file (no offset, form or tilt removed).
     #[serde(skip)]
     pub profile: Profile,
     /// Format of the file.
     pub format: Format,
-    /// Character encoding; none for binary formats.
+    /// Character encoding; `None` for binary formats.
     pub encoding: Option<Encoding>,
-    /// Dialect of the table; none for formats without a table.
+    /// Dialect of the table; `None` for formats without a table.
     pub table: Option<TableLayout>,
-    /// Unit of x; none when the spacing was stated and no x column was needed.
+    /// Unit of x; `None` if the spacing was stated.
     pub x_unit: Option<LengthUnit>,
     /// Unit of the heights in the file.
     pub z_unit: LengthUnit,
@@ -39,13 +39,13 @@ pub struct Reading {
     pub spacing_source: SpacingSource,
     /// Length of the trace, (n − 1)·dx.
     pub length: Length,
-    /// Whether the file says its heights are filtered.
+    /// Filter state according to the file.
     pub filter_state: FilterState,
     /// Number of points n.
     pub points: usize,
     /// Points that were interpolated on request.
     pub gaps_filled: usize,
-    /// Statements of the file beside the heights.
+    /// Metadata of the file.
     pub metadata: Metadata,
     /// Warnings.
     pub warnings: Vec<Warning>,
@@ -55,12 +55,12 @@ pub struct Reading {
 }
 
 impl Reading {
-    /// Refuses heights that no flank has, for computing with them: a root mean square slope above 2 or below 1e-6
-    /// (of heights that are not all equal), or a single step steeper than 5. The reading carries the same as a warning.
+    /// Returns an error for implausible heights: a root mean square slope above 2 or below 1e-6 (unless all heights are
+    /// equal), or a single step steeper than 5. The reading has the corresponding warning.
     ///
     /// # Errors
-    /// When the heights are too steep or too smooth; the error names the unit or the mark for missing points that
-    /// explains it, where one does.
+    /// When the heights are too steep or too smooth. The error states the unit or the mark for missing points that
+    /// explains it, if there is one.
     ///
     /// ```
     /// use asperity_profile_io::read::{ReadOptions, read_bytes};
@@ -89,7 +89,7 @@ impl Reading {
         })
     }
 
-    /// The reading with `profile` in place of its own, as after the replacement of spikes, checked anew.
+    /// The reading with its profile replaced, for example after the replacement of spikes, and checked again.
     #[must_use]
     pub fn corrected(self, profile: Profile) -> Self {
         let is_of_heights = |w: &Warning| matches!(w, Warning::ImplausibleHeights { .. });
@@ -102,7 +102,7 @@ impl Reading {
         .checked()
     }
 
-    /// The reading with the warning that no flank has its heights, where none has.
+    /// Adds the warning about implausible heights, if they are.
     pub(super) fn checked(mut self) -> Self {
         if let Some(mut steepness) = implausible(&self.profile, self.z_unit) {
             if self.is_scaled {

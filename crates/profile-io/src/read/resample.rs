@@ -1,4 +1,4 @@
-//! From points with places of their own to an even grid, and back to see what it changed.
+//! Resampling of uneven points to an even grid, with the resulting change of the heights.
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
@@ -8,12 +8,12 @@ use asperity_core::quantity::Length;
 pub(super) enum Between {
     /// Straight lines.
     Lines,
-    /// The natural cubic spline, for points that lie closer on one side than on the other as those of involutes do:
-    /// lines flatten the short waves.
+    /// The natural cubic spline, for points of involutes, whose spacing varies along the trace: straight lines would
+    /// flatten short waves.
     Spline,
 }
 
-/// A trace on an even grid, and how far the straight lines between its points are from the points of the file.
+/// A trace on an even grid, with the distances of the original points from the lines between its points.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Resampled {
@@ -25,7 +25,7 @@ pub struct Resampled {
     pub most: Length,
 }
 
-/// Heights in `intervals` steps of `spacing` from the first of the rising `x`, which end at the last or before it.
+/// Heights in `intervals` steps of `spacing` from the first of the ascending `x`, ending at the last or before it.
 pub(super) fn on_grid(
     x: &[f64],
     z: &[f64],
@@ -40,7 +40,7 @@ pub(super) fn on_grid(
     }
 }
 
-/// Heights at rising `positions` on the lines between the points; level beyond the last.
+/// Heights at ascending `positions` by linear interpolation, constant beyond the last point.
 fn on_lines(positions: impl Iterator<Item = f64>, x: &[f64], z: &[f64]) -> Vec<f64> {
     let last = x.len() - 1;
     let mut at = 0;
@@ -54,8 +54,8 @@ fn on_lines(positions: impl Iterator<Item = f64>, x: &[f64], z: &[f64]) -> Vec<f
     positions.map(value).collect()
 }
 
-/// Root mean square and largest distance of the points from the lines between even `heights`; points behind the last
-/// of these are left out.
+/// Root mean square and largest distance of the points from the lines between even `heights`; points beyond the last of
+/// these are omitted.
 pub(super) fn change(x: &[f64], z: &[f64], spacing: f64, heights: &[f64]) -> (f64, f64) {
     let last = heights.len() - 1;
     let (mut squares, mut most, mut count) = (0.0, 0.0_f64, 0_usize);

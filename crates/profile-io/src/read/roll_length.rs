@@ -9,15 +9,15 @@
 //! | L | roll length, r_b ξ | m |
 //! | s | distance along the involute from the base circle | m |
 //!
-//! Even steps of L are uneven steps of s. To compute with them, the heights are put on an even grid of s by a natural
-//! cubic spline `[Spline-1]`: straight lines, and cubics through four neighbours too, flatten waves of six points.
+//! Even steps of L are uneven steps of s. The heights are interpolated onto an even grid of s by a natural cubic spline
+//! `[Spline-1]`; straight lines, and cubics through four neighbours, would flatten waves of six points.
 
 use asperity_core::quantity::Length;
 
 use super::error::ReadError;
 use super::options::Abscissa;
 
-/// L `[m]` of the x column, which holds `abscissa`; roll lengths in metres stay as they are.
+/// Converts the x column of roll angles to roll lengths L `[m]`; roll lengths are unchanged.
 pub(super) fn roll_lengths(x: &mut [f64], abscissa: Abscissa, base_radius: Length) {
     let factor = match abscissa {
         Abscissa::RollDegrees => base_radius.si() * std::f64::consts::PI / 180.0,
@@ -32,7 +32,7 @@ pub(super) fn roll_lengths(x: &mut [f64], abscissa: Abscissa, base_radius: Lengt
 /// Distances along the involute \[m\] of the roll lengths `rolls` \[m\].
 ///
 /// # Errors
-/// When a roll length is negative, or one does not lie farther out than the one before.
+/// When a roll length is negative, or the roll lengths are not ascending.
 pub(super) fn along_involute(
     file: &str,
     rolls: Vec<f64>,

@@ -1,7 +1,7 @@
-//! The rows of a table as columns of numbers, every cell checked.
+//! Reading of the rows of a table into columns of numbers.
 //!
-//! Plain rows are taken from the bytes of whole blocks of lines. The first line of a block and every row
-//! that is not plain is read cell by cell, which gives the same numbers for plain rows too.
+//! Plain rows are read from the bytes of whole blocks of lines. The first line of a block and other rows are read cell
+//! by cell, with the same results.
 
 use super::dialect::{Cell, Sniffed};
 use super::error::ReadError;
@@ -10,16 +10,15 @@ use super::plain_row::Plain;
 use super::table::{self, Chosen};
 use super::text::{Line, Text};
 
-/// The columns that are read, in the units of the file.
+/// Columns of x and height in the units of the file.
 pub(super) struct Rows {
-    /// When the table has such a column.
+    /// x, if the table has such a column.
     pub x: Option<Vec<f64>>,
-    /// NaN where there is no height.
+    /// Heights; NaN for missing ones.
     pub z: Vec<f64>,
 }
 
-/// All rows from the line `first` on, or the error for the first cell that does not read.
-/// `head` is what an error is explained with.
+/// All rows from the line `first`, or the error of the first unreadable cell, explained with the lines `head`.
 pub(super) fn read(
     text: &mut Text<'_>,
     first: usize,
@@ -52,7 +51,7 @@ pub(super) fn read(
     Ok(rows)
 }
 
-/// Line number and text of a row of the table that starts at line `first`, by another look at the file.
+/// Line number and text of a row of the table that starts at line `first`, by reading the file again.
 pub(super) fn place(
     text: &mut Text<'_>,
     first: usize,
@@ -69,7 +68,7 @@ pub(super) fn place(
         }
         before -= 1;
     }
-    // The file has changed since: its first line is as good as any.
+    // The file has changed since then.
     Ok((first, String::new()))
 }
 
@@ -82,7 +81,7 @@ impl Rows {
     }
 }
 
-/// x and height of any row; x is NaN when there is no column, the height when it is missing.
+/// x and height of any row; x is NaN without an x column, the height is NaN if it is missing.
 pub(super) fn row(
     file: &str,
     head: &[Line<'_>],
@@ -110,7 +109,7 @@ pub(super) fn row(
         Cell::Missing => Ok(f64::NAN),
         Cell::Other => Err(unreadable(cell)),
     };
-    // The cells are read before they are counted: a text line is reported by its text.
+    // The cells are read before they are counted, so that a text line is reported by its text.
     let x = match chosen.x {
         Some(_) => Some(number(x_cell)?),
         None => None,
@@ -119,7 +118,7 @@ pub(super) fn row(
     if count < chosen.count || filled > chosen.count {
         return Err(table::ragged(file, line, count.max(filled), chosen.count));
     }
-    // A row without x cannot be placed, so it cannot be a gap to fill either.
+    // A row without x has no position and cannot be filled.
     if x.is_some_and(f64::is_nan) {
         return Err(unreadable(x_cell));
     }

@@ -1,7 +1,7 @@
 //! SDF as text (ISO 25178-71, EUNA 15178, "BCR").
 //!
-//! A header of `name = value` lines, `*`, the heights in any number per line, `*`, a trailer. A height is
-//! value · Zscale metres; `BAD` has none. One row of several is read when it is asked for.
+//! A header of `name = value` lines, `*`, the heights in any number per line, `*`, a trailer. A height is value ·
+//! Zscale metres; `BAD` marks a missing height. Of several rows the requested one is read.
 
 use super::archive::damaged;
 use super::areal::trace::{Areal, Heights};
@@ -70,7 +70,7 @@ pub(super) fn surface(text: &mut Text<'_>) -> Result<Areal, ReadError> {
     })
 }
 
-/// Header, first line of heights, and the heights \[m\] of one profile, from 1 or the only one, or of all.
+/// Header, first line of the heights, and the heights \[m\] of one profile (counted from 1) or of all profiles.
 fn matrix(
     text: &mut Text<'_>,
     row: Option<Option<usize>>,
@@ -141,6 +141,6 @@ fn value(file: &str, field: &str) -> Result<f64, ReadError> {
         None if field.eq_ignore_ascii_case("bad") || field.eq_ignore_ascii_case("nan") => {
             Ok(f64::NAN)
         }
-        None => Err(damaged(file, FORMAT, "a height is no number", field)),
+        None => Err(damaged(file, FORMAT, "a height is not a number", field)),
     }
 }

@@ -25,7 +25,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
             if !line.is_empty() {
                 let value = number(line);
                 heights.push(
-                    value.ok_or_else(|| damaged(file, FORMAT, "a height is no number", line))?,
+                    value.ok_or_else(|| damaged(file, FORMAT, "a height is not a number", line))?,
                 );
                 take_numbers(&mut lines, usize::MAX, heights);
             }

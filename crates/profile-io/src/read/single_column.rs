@@ -1,7 +1,7 @@
-//! One column of heights under a header number: NPL text profiles.
+//! A single column of heights after a header number: NPL text profiles.
 //!
-//! NPL text gives the spacing in um on line 1. A first line that is such a number is recognised by its decimals:
-//! instruments write all heights with the same number of them.
+//! NPL text states the spacing in um on line 1. Such a first line is recognised by its number of decimals, because
+//! instruments write all heights with the same number of decimals.
 
 use super::error::{ReadError, SpacingHint};
 use super::format::Format;
@@ -10,16 +10,16 @@ use super::options::{LengthUnit, ReadOptions};
 use super::text::Text;
 use crate::warning::Warning;
 
-/// Kind of a file, and the unit its format prescribes for heights.
+/// Format of a file and the unit that it prescribes for heights.
 pub(super) struct Special {
     pub format: Format,
     pub unit: Option<LengthUnit>,
-    /// Spacing [m] that the file gives in its own way.
+    /// Spacing [m] stated by the format.
     pub spacing: Option<f64>,
 }
 
 impl Special {
-    /// Plain delimited text, which prescribes nothing.
+    /// Delimited text, which prescribes no unit.
     pub(super) fn delimited() -> Self {
         Self {
             format: Format::DelimitedText,
@@ -29,8 +29,7 @@ impl Special {
     }
 }
 
-/// Takes header numbers off `heights` without x, which start at line `first`, or refuses when there is no
-/// spacing.
+/// Removes header numbers from `heights` without x, which start at line `first`; an error if there is no spacing.
 pub(super) fn interpret(
     text: &mut Text<'_>,
     first: usize,
@@ -74,20 +73,21 @@ pub(super) fn interpret(
     }
 }
 
-/// Whether a number is the spacing of a trace in um, as styluses and NPL's softgauges have them.
+/// Whether a number is a plausible spacing of a trace in um.
 fn plausible(value: f64, points: usize) -> bool {
     const SPACINGS: std::ops::RangeInclusive<f64> = 0.005..=20.0;
     const LENGTHS: std::ops::RangeInclusive<f64> = 25.0..=200_000.0;
     SPACINGS.contains(&value) && LENGTHS.contains(&(value * points as f64))
 }
 
-/// Equal to the four digits a header may have.
+/// Whether two values are equal within the four digits of a header.
 fn agrees(value: f64, expected: f64) -> bool {
     const DIGITS: f64 = 1e-4;
     (value - expected).abs() <= DIGITS * expected.abs()
 }
 
-/// Whether the first number has other decimals than all of the next ten thousand, which have the same.
+/// Whether the number of decimals of the first number differs from the next ten thousand numbers, which all have the
+/// same.
 fn first_is_written_unlike_the_rest(text: &mut Text<'_>, first: usize) -> Result<bool, ReadError> {
     const LOOKED_AT: usize = 10_000;
     let (mut header, mut usual) = (None, None);

@@ -23,22 +23,22 @@ use super::text::{Head, Text};
 use crate::warning::Warning;
 
 const FORMAT: Format = Format::Smd;
-/// Fields looked at in a line; an axis has seven.
+/// Maximum number of fields of a line; an axis has seven.
 const MOST_FIELDS: usize = 64;
-/// Of the sum of all bytes.
+/// Modulus of the sum of all bytes.
 const MODULUS: u32 = 65_536;
 const END_OF_RECORD: char = '\u{3}';
 const END_OF_FILE: char = '\u{1a}';
 
 /// An axis line.
-struct Axis {
+struct AxisRecord {
     points: usize,
     unit: LengthUnit,
     factor: f64,
     increment: Option<f64>,
 }
 
-/// Whether the file starts as an SMD does.
+/// Whether the file starts with the mark of SMD.
 pub(super) fn recognised(bytes: &[u8]) -> bool {
     bytes.starts_with(b"ISO 5436")
 }
@@ -59,11 +59,11 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadError>
             true => (line.whole.bytes()).fold(sum, |sum, byte| sum + u32::from(byte)) % MODULUS,
             false => line.whole.chars().fold(sum, add),
         };
-        // Nearly all lines of a file are heights that stand alone.
+        // Nearly all lines of a file contain a single height.
         if record == 3
             && let Some(height) = decimal::whole(line.text.trim_end(), b'.')
             && height.is_finite()
-            && let Some(stated) = z.as_ref().map(|z: &Axis| z.points)
+            && let Some(stated) = z.as_ref().map(|z: &AxisRecord| z.points)
             && heights.len() <= stated
         {
             if heights.is_empty() {
@@ -101,8 +101,8 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadError>
                 if heights.is_empty() {
                     first_line = line.number;
                 }
-                let stated = z.as_ref().map_or(0, |z: &Axis| z.points);
-                // More heights than stated would otherwise grow without a bound of their own.
+                let stated = z.as_ref().map_or(0, |z: &AxisRecord| z.points);
+                // The stated number limits the memory.
                 if heights.len() > stated {
                     break;
                 }
@@ -140,21 +140,21 @@ fn value(file: &str, text: &str) -> Result<f64, ReadError> {
     }
     match text.to_ascii_lowercase().as_str() {
         "nan" | "bad" => Ok(f64::NAN),
-        _ => Err(damaged(file, FORMAT, "a height is no number", text)),
+        _ => Err(damaged(file, FORMAT, "a height is not a number", text)),
     }
 }
 
-fn axis(file: &str, fields: &[&str]) -> Result<Axis, ReadError> {
+fn axis(file: &str, fields: &[&str]) -> Result<AxisRecord, ReadError> {
     let line = || fields.join(" ");
     let broken = || damaged(file, FORMAT, "an axis line cannot be read", &line());
     let field = |at: usize| fields.get(at).copied().unwrap_or_default();
     let points = number(field(2)).filter(|n| *n >= 1.0 && *n < 1e9);
     let increment = number(field(6)).filter(|dx| *dx > 0.0);
     if field(0) == "CX" && field(1) != "I" {
-        let what = "the points carry their own x, which is not read";
+        let what = "the points have individual x, which is not supported";
         return Err(damaged(file, FORMAT, what, &line()));
     }
-    Ok(Axis {
+    Ok(AxisRecord {
         points: points.ok_or_else(broken)? as usize,
         unit: field(3).parse().map_err(|_| broken())?,
         factor: number(field(4)).ok_or_else(broken)?,
@@ -174,7 +174,7 @@ fn describe(metadata: &mut Metadata, fields: &[&str]) {
         "COMMENT" => metadata.title = short(&rest).or(metadata.title.take()),
         "PARAMETER_VALUE" => {
             let field = |at: usize| fields.get(at).copied().unwrap_or_default();
-            // NPL's converter lists every parameter with a value of zero, to be computed.
+            // NPL's converter lists parameters to be computed with the value zero.
             let printed = PrintedParameter::parse(field(1), field(2), field(3));
             let computed = printed.filter(|printed| printed.value != 0.0);
             if metadata.printed.len() < 200 {
@@ -193,7 +193,7 @@ fn describe(metadata: &mut Metadata, fields: &[&str]) {
     }
 }
 
-/// Record 2 lists the filter to be applied, not one that was: the heights are a primary profile.
+/// Record 2 states the filter to be applied: the heights are a primary profile.
 fn filter_state(metadata: &Metadata) -> FilterState {
     match metadata.lambda_c {
         Some(_) => FilterState::Primary,
@@ -207,7 +207,7 @@ fn add(sum: u32, c: char) -> u32 {
     (sum + c as u32 % 256) % MODULUS
 }
 
-/// The warning that record 4 is not the sum of the bytes before it.
+/// Warning that record 4 differs from the sum of the preceding bytes.
 fn check(stated: &str, sum: u32) -> Option<Warning> {
     let agrees = stated
         .parse::<u64>()

@@ -1,7 +1,7 @@
-//! Number of points that the header of a text file states, against the number of heights that were read.
+//! Comparison of the number of points stated in the header of a text file with the number of heights.
 //!
-//! More heights than stated means that a number is taken as a height that is none, as the number of a trace in front
-//! of its heights. Fewer mean that the trace was aborted or the file cut off.
+//! If there are more heights than stated, another number was read as a height, for example the number of a trace before
+//! its heights. If there are fewer, the trace was aborted or the file is truncated.
 
 use super::error::ReadError;
 use super::format::Format;
@@ -33,10 +33,10 @@ const LABELS: [&str; 20] = [
     "anzahl messpunkte",
 ];
 
-/// Compares `heights`, the number of heights that were read of one trace, with the number in `header`.
+/// Compares the number `heights` of heights of a trace with the number in `header`.
 ///
 /// # Errors
-/// When more were read.
+/// When there are more heights than stated.
 pub(super) fn check(
     file: &str,
     format: Format,
@@ -61,7 +61,7 @@ pub(super) fn check(
     Ok((heights < stated).then_some(Warning::FewerHeights { stated, heights }))
 }
 
-/// The line and its number, if it states the number of points.
+/// The line and its number of points, if it states one.
 fn stated<'a, 'l>(line: &'a Line<'l>) -> Option<(&'a Line<'l>, usize)> {
     let text = line.text.trim_end_matches([' ', '\t', ';', ',']);
     let before = text.trim_end_matches(|c: char| c.is_ascii_digit());

@@ -1,16 +1,16 @@
-//! Heights that no flank has, recognised by their slopes: a wrong unit, or a marker for a missing point.
+//! Detection of implausible heights by their slopes: wrong units, marks for missing points, spikes.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | Rdq | root mean square of the slopes between neighbours | - |
 //! | s | root mean square of the flattest 90 % of the slopes | - |
 //!
-//! A wrong unit makes all slopes implausible, spikes only a few: where s is that of a flank and Rdq is not, the points
-//! that stand out of their surroundings are spikes.
+//! A wrong unit makes all slopes implausible, spikes only a few: if s is plausible and Rdq is not, outlying points are
+//! spikes.
 //!
 //! Ground and superfinished flanks have Rdq of 0.02 to 0.3. Stylus tips have flanks of 45 or 30 degrees to
 //! the vertical, so a stylus follows no slope above 2; a single step may be steeper, at a burr or a chip.
-//! Mirrors have Rdq of 1e-4; below 1e-6 there is no surface.
+//! Mirrors have Rdq of 1e-4; no surface has less than 1e-6.
 
 use std::fmt;
 
@@ -22,26 +22,26 @@ use serde::{Deserialize, Serialize};
 
 use super::options::LengthUnit;
 
-/// Rdq above which heights are not believed.
+/// Maximum plausible Rdq.
 const LARGEST_RDQ: f64 = 2.0;
-/// Rdq below which heights are not believed, unless there are none at all.
+/// Minimum plausible Rdq, unless all heights are equal.
 const SMALLEST_RDQ: f64 = 1e-6;
-/// Slope of a single step above which heights are not believed.
+/// Maximum plausible slope of a single step.
 const STEEPEST_STEP: f64 = 5.0;
-/// Rdq that flanks have in the right unit, from mirror finish to coarse turning.
+/// Range of Rdq of flanks, from mirror finish to coarse turning.
 const USUAL_RDQ: std::ops::RangeInclusive<f64> = 1e-4..=1.0;
 
-/// Robust deviations that are proposed for the replacement of spikes.
+/// Recommended robust deviations for the replacement of spikes.
 const USUAL_OUTLIERS: &str = "6";
-/// Share of the slopes, the flattest, that show the surface between spikes: a spike makes two steep slopes.
+/// Fraction of the slopes, the flattest, that represent the surface between spikes.
 const BULK: f64 = 0.9;
 
-/// Distance of a mark from the heights, over their range.
+/// Minimum distance of a mark from the heights, divided by their range.
 const FAR: f64 = 20.0;
-/// Share of points that may be marked.
+/// Maximum fraction of marked points.
 const MOST_MARKED: f64 = 0.2;
 
-/// Slopes that no flank has.
+/// Implausible slopes.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Steepness {
@@ -51,16 +51,16 @@ pub struct Steepness {
     pub steepest: f64,
     /// Index of the point before the steepest step.
     pub at: usize,
-    /// Cause that the slopes point at.
+    /// Likely cause of the slopes.
     pub suspicion: Suspicion,
 }
 
-/// Reason that implausible slopes point at.
+/// Likely cause of implausible slopes.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Suspicion {
-    /// The heights would be those of a flank in another unit.
+    /// The heights would be plausible in another unit.
     Unit {
         /// Unit they were read in.
         read: LengthUnit,
@@ -69,7 +69,7 @@ pub enum Suspicion {
     },
     /// The scale in the header of the file is off by this factor.
     Scale {
-        /// Factor that would make them those of a flank.
+        /// Factor with which they would be plausible.
         factor: f64,
     },
     /// One value far away from all others marks missing points.
@@ -78,10 +78,10 @@ pub enum Suspicion {
         value: f64,
         /// Unit of the file.
         unit: LengthUnit,
-        /// Points that have it.
+        /// Number of points with the value.
         points: usize,
     },
-    /// A few points stand out of a profile that is plausible without them, as dust and lost light make them.
+    /// A few outlying points of an otherwise plausible profile, due to dust or lost light.
     Spikes {
         /// Number of spikes.
         spikes: usize,
@@ -90,12 +90,12 @@ pub enum Suspicion {
         /// Largest distance from the running median.
         height: Length,
     },
-    /// No single reason is found.
+    /// No single cause was identified.
     Unknown,
 }
 
 impl Suspicion {
-    /// The same of a file that scales its heights itself, so that no unit of theirs can be stated.
+    /// The cause for a file with its own scale of heights, to which a stated unit does not apply.
     pub(super) fn of_scaled(self) -> Self {
         match self {
             Self::Unit { read, likely } => Self::Scale {
@@ -174,7 +174,7 @@ fn plural(count: usize) -> &'static str {
     if count == 1 { "" } else { "s" }
 }
 
-/// Slopes of `profile` where no flank has them; its heights were read in `unit`.
+/// The slopes of `profile` if they are implausible; its heights were read in `unit`.
 ///
 /// ```
 /// use asperity_core::{Profile, quantity::Length};
@@ -252,10 +252,10 @@ impl Slopes {
     }
 }
 
-/// The value that is farthest from the others, where the profile is plausible without it.
+/// The value farthest from the others, if the profile is plausible without it.
 fn sentinel(profile: &Profile, unit: LengthUnit) -> Option<Suspicion> {
     let z = profile.heights();
-    // The middle height: a mark may be met often, but not by half of the points.
+    // The median: a mark may occur often, but not at half of the points.
     let mut ordered = z.to_vec();
     let (_, middle, _) = ordered.select_nth_unstable_by(z.len() / 2, f64::total_cmp);
     let middle = *middle;
@@ -277,7 +277,7 @@ fn sentinel(profile: &Profile, unit: LengthUnit) -> Option<Suspicion> {
     })
 }
 
-/// The points that stand out of their surroundings by more than the steepest step, where the profile is plausible
+/// The points whose distance from the running median exceeds the steepest plausible step, if the profile is plausible
 /// without them.
 fn spikes(profile: &Profile, bulk: f64) -> Option<Suspicion> {
     if !(SMALLEST_RDQ..=LARGEST_RDQ).contains(&bulk) {
@@ -314,7 +314,7 @@ fn running_distances(z: &[f64]) -> Vec<f64> {
     (0..z.len()).map(distance).collect()
 }
 
-/// The coarsest finer unit, or the finest coarser one, in which the slopes are those of flanks.
+/// The coarsest finer unit, or the finest coarser one, in which the slopes are plausible.
 fn other_unit(rdq: f64, read: LengthUnit) -> Option<Suspicion> {
     use LengthUnit::{Metre, Micrometre, Millimetre, Nanometre};
     let plausible = |likely: &LengthUnit| {

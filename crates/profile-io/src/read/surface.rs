@@ -1,4 +1,4 @@
-//! Measured surfaces: heights over an even grid, with the points that have none.
+//! Measured surfaces: heights on an even grid, with missing points.
 
 use asperity_core::quantity::Length;
 use serde::Serialize;
@@ -7,7 +7,7 @@ use super::format::Format;
 use super::metadata::Metadata;
 use crate::warning::Warning;
 
-/// A measured surface. Serialises without the heights.
+/// A measured surface. The heights are not serialised.
 ///
 /// ```
 /// use asperity_profile_io::read::{ReadOptions, read_surface_bytes};
@@ -23,13 +23,13 @@ use crate::warning::Warning;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Surface {
-    /// Name of the file as given.
+    /// Name of the file.
     pub name: String,
     /// Format of the file.
     pub format: Format,
-    /// Points of a row.
+    /// Number of points of a row.
     pub columns: usize,
-    /// Rows.
+    /// Number of rows.
     pub rows: usize,
     /// Heights `[m]` out of the material, row by row; NaN where `mask` is false.
     #[serde(skip)]
@@ -37,18 +37,18 @@ pub struct Surface {
     /// Whether a point has a height.
     #[serde(skip)]
     pub mask: Vec<bool>,
-    /// Distance of the points of a row, where it is known.
+    /// Distance between the points of a row, if known.
     pub dx: Option<Length>,
-    /// Distance of the rows, where it is known.
+    /// Distance between the rows, if known.
     pub dy: Option<Length>,
-    /// Statements of the file beside the heights.
+    /// Metadata of the file.
     pub metadata: Metadata,
     /// Warnings.
     pub warnings: Vec<Warning>,
 }
 
 impl Surface {
-    /// The surface of heights `z` \[m\]; those that are not finite are none.
+    /// The surface of heights `z` \[m\]; values that are not finite are missing.
     pub(super) fn new(
         name: &str,
         format: Format,
@@ -77,13 +77,13 @@ impl Surface {
         }
     }
 
-    /// Heights `[m]` of a row, counted from 0; none where there is no such row.
+    /// Heights `[m]` of a row, counted from 0; `None` if the row does not exist.
     pub fn row(&self, row: usize) -> Option<&[f64]> {
         let first = row.checked_mul(self.columns)?;
         self.z.get(first..first.checked_add(self.columns)?)
     }
 
-    /// Heights `[m]` of a column, counted from 0; none where there is no such column.
+    /// Heights `[m]` of a column, counted from 0; `None` if the column does not exist.
     pub fn column(&self, column: usize) -> Option<Vec<f64>> {
         let inside = column < self.columns;
         inside.then(|| {
@@ -96,7 +96,7 @@ impl Surface {
         })
     }
 
-    /// Points that have a height.
+    /// Number of points with a height.
     pub fn measured(&self) -> usize {
         self.mask.iter().filter(|known| **known).count()
     }

@@ -1,10 +1,10 @@
 //! Surfcom text profiles: `.tx1` (primary), `.tx2` (roughness), with the conditions in `.tx3`.
 //!
-//! Line 1 of a profile is the nominal length in millimetres, line 2 the number of points, then heights in
-//! micrometres. The nominal length also stands there when the trace was aborted, and is then wrong by up
-//! to 80 %; the conditions give the evaluation length, from which the spacing follows:
-//! evaluation length / number of points where that length is printed in full. Labels of the conditions are in the language of the
-//! instrument; Spanish is known from files, English and German labels are those of the manuals.
+//! Line 1 of a profile is the nominal length in millimetres, line 2 the number of points, then heights in micrometres.
+//! For an aborted trace the nominal length is wrong by up to 80 %. The conditions state the evaluation length; the
+//! spacing is the evaluation length divided by the number of points if the length is printed in full. The labels of the
+//! conditions are in the language of the instrument; Spanish labels are known from files, English and German ones from
+//! manuals.
 
 use std::io::Cursor;
 use std::path::Path;
@@ -27,15 +27,15 @@ use crate::warning::Warning;
 
 const FORMAT: Format = Format::SurfcomText;
 const HEADER_LINES: usize = 2;
-/// Bytes of the largest file of measuring conditions.
+/// Maximum size of a file of measuring conditions in bytes.
 const MOST_CONDITIONS: u64 = 1 << 20;
 
-/// The measuring conditions that lie beside a profile, when they can be read.
+/// The measuring conditions of a profile; `None` if they cannot be read.
 pub(super) fn conditions_beside(path: &Path) -> Option<Vec<u8>> {
     whole_file(&conditions_of(path)?, MOST_CONDITIONS).ok()
 }
 
-/// Whether the first two lines are a length and the number of the lines that follow.
+/// Whether the first two lines are a length and the number of remaining lines.
 pub(super) fn recognised(head: &Head, text: &mut Text<'_>) -> Result<bool, ReadError> {
     let mut lines = head.lines().map(|line| line.text.trim());
     let length = lines.next().and_then(number);
@@ -52,7 +52,7 @@ pub(super) fn recognised(head: &Head, text: &mut Text<'_>) -> Result<bool, ReadE
     Ok(points == count)
 }
 
-/// Reads a `.tx1` or `.tx2` with its conditions, when there are any.
+/// Reads a `.tx1` or `.tx2` file with its conditions, if given.
 pub(super) fn read(
     text: &mut Text<'_>,
     conditions: Option<&[u8]>,
@@ -66,7 +66,7 @@ pub(super) fn read(
     let mut heights = Vec::new();
     while let Some(line) = lines.next()? {
         if !line.is_blank() {
-            let broken = || damaged(file, FORMAT, "a height is no number", line.text);
+            let broken = || damaged(file, FORMAT, "a height is not a number", line.text);
             heights.push(number(line.text).ok_or_else(broken)?);
         }
     }
@@ -108,10 +108,10 @@ pub(super) fn read(
     })
 }
 
-/// Spacing `[m]` of `points` over an evaluation length, and what is to be said about it.
+/// Spacing `[m]` of `points` over an evaluation length, with a warning about it.
 ///
-/// A completed trace ends with the first point at or beyond its nominal length, which fixes the
-/// spacing to one part in the number of points; of an aborted one the traced length is printed to 0.1 nm.
+/// A completed trace ends with the first point at or beyond its nominal length, which determines the spacing to one
+/// part in the number of points; the length of an aborted trace is printed to 0.1 nm.
 fn spacing_of(
     nominal: Length,
     traced: Length,
@@ -120,7 +120,7 @@ fn spacing_of(
 ) -> (f64, Option<Warning>) {
     // Lengths printed to a tenth of a millimetre differ by rounding.
     const ABORTED: f64 = 0.01;
-    // Below it the spacing is good to the seven digits in which instruments print.
+    // Relative uncertainty of a length printed in full, with seven digits.
     const EXACT: f64 = 1e-6;
     let steps = points.saturating_sub(1).max(1) as f64;
     if (traced / nominal - 1.0).abs() > ABORTED {
@@ -195,7 +195,7 @@ fn is_parameter(label: &str) -> bool {
             && label.len() <= 6)
 }
 
-/// Half a unit of the last digit over the value.
+/// Half a unit of the last digit divided by the value.
 fn uncertainty(printed: &str) -> f64 {
     let digits = printed.trim_end_matches(|c: char| !c.is_ascii_digit());
     let decimals = digits

@@ -12,9 +12,9 @@ use super::text::Line;
 pub(super) struct Chosen {
     pub x: Option<usize>,
     pub z: usize,
-    /// Where 0 says that the height is none.
+    /// Column in which 0 marks a missing height.
     pub valid: Option<usize>,
-    /// Columns of the table.
+    /// Number of columns of the table.
     pub count: usize,
 }
 
@@ -27,7 +27,7 @@ impl Chosen {
     }
 }
 
-/// Columns of x, height and validity: as stated, as labelled, else the first two of two.
+/// Columns of x, height and validity: as stated, as labelled, or the two of a table with two columns.
 pub(super) fn choose(
     file: &str,
     count: usize,
@@ -78,10 +78,10 @@ pub(super) fn choose(
     Ok(Chosen { x, z, valid, count })
 }
 
-/// Refuses a table whose first row is damaged: it would pass for a header and be lost in silence.
+/// Returns an error for a table with a damaged first row, which would be taken for a header and lost.
 ///
-/// A row is distinguished from a header by cells that all start as numbers do; a single number over several
-/// columns is a count.
+/// All cells of a row start like numbers, unlike the cells of a header; a single number above several columns is a
+/// count.
 pub(super) fn check_line_above(
     file: &str,
     lines: &[Line<'_>],
@@ -107,7 +107,7 @@ pub(super) fn check_line_above(
     }
 }
 
-/// The error for a row of more or fewer columns than the table has.
+/// The error for a row with more or fewer columns than the table.
 pub(super) fn ragged(file: &str, line: &Line<'_>, found: usize, expected: usize) -> ReadError {
     ReadError::RaggedRow {
         file: file.to_owned(),
@@ -118,7 +118,7 @@ pub(super) fn ragged(file: &str, line: &Line<'_>, found: usize, expected: usize)
     }
 }
 
-/// The error for a cell, with what the file looks like when nothing is stated about it.
+/// The error for a cell, with the dialect detected without statements of the user.
 pub(super) fn unreadable(
     file: &str,
     lines: &[Line<'_>],
@@ -154,7 +154,7 @@ pub(super) fn unreadable(
     }
 }
 
-/// Refuses tables like "0,0005,0,2796", where commas do both jobs and columns come in pairs, unless stated.
+/// Returns an error for tables like "0,0005,0,2796", where commas may be separators and decimal signs.
 pub(super) fn check_commas(
     file: &str,
     table: &[Line<'_>],

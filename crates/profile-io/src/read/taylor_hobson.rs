@@ -8,8 +8,8 @@
 //! | `SPACING CX 2.500000e-004` | in the unit of CX |
 //! | `MAP 1.0 CZ CZ 1.0 1.0` | a linear map of the heights; only the identity is read |
 //!
-//! Records end with `EOR`, the file with `EOF`. There is no public definition; the layout is that of
-//! NPL's published example.
+//! Records end with `EOR`, the file with `EOF`. There is no public definition; the layout follows NPL's published
+//! example.
 
 use super::archive::damaged;
 use super::error::ReadError;
@@ -23,7 +23,7 @@ use super::text::Text;
 
 const FORMAT: Format = Format::TaylorHobsonPrf;
 
-struct Axis {
+struct AxisRecord {
     points: usize,
     unit: LengthUnit,
     factor: f64,
@@ -32,8 +32,8 @@ struct Axis {
 /// Records 1 and 2.
 #[derive(Default)]
 struct Header {
-    x: Option<Axis>,
-    z: Option<Axis>,
+    x: Option<AxisRecord>,
+    z: Option<AxisRecord>,
     spacing: Option<f64>,
     metadata: Metadata,
 }
@@ -80,7 +80,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
             }
             Some(_) if record == 3 => {
                 for field in line.text.split_whitespace() {
-                    let broken = || damaged(file, FORMAT, "a height is no number", field);
+                    let broken = || damaged(file, FORMAT, "a height is not a number", field);
                     heights.push(number(field).ok_or_else(broken)?);
                 }
                 take_numbers(&mut lines, usize::MAX, &mut heights);
@@ -109,19 +109,19 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
     })
 }
 
-fn axis(file: &str, line: &str) -> Result<Axis, ReadError> {
+fn axis(file: &str, line: &str) -> Result<AxisRecord, ReadError> {
     let broken = || damaged(file, FORMAT, "an axis line cannot be read", line);
     let fields: Vec<&str> = line.split_whitespace().collect();
     let field = |at: usize| fields.get(at).copied().unwrap_or_default();
     let points = number(field(2)).filter(|n| *n >= 1.0 && *n < 1e9);
-    Ok(Axis {
+    Ok(AxisRecord {
         points: points.ok_or_else(broken)? as usize,
         unit: field(3).parse().map_err(|_| broken())?,
         factor: number(field(4)).filter(|f| *f != 0.0).ok_or_else(broken)?,
     })
 }
 
-/// Refuses a map of the heights that would change them: its rule is not public.
+/// Returns an error for a map that changes the heights, because its rule is not public.
 fn check_map(file: &str, line: &str) -> Result<(), ReadError> {
     let fields: Vec<&str> = line.split_whitespace().skip(2).collect();
     let is = |at: usize, value: f64| fields.get(at).and_then(|f| number(f)) == Some(value);

@@ -1,8 +1,7 @@
-//! Text files as a stream of lines, in memory that does not grow with the file.
+//! Text files as a stream of lines, in constant memory.
 //!
-//! Bytes come in chunks, are decoded as they come and split at the line end that the head of the file
-//! uses. What has to be known beforehand (format, dialect, header) is looked for in the head. A reader
-//! that needs a second look takes the lines again from the start.
+//! Bytes are read in chunks, decoded, and split at the line end that the head of the file uses. Format, dialect and
+//! header are determined from the head. A reader can read the lines again from the start.
 
 use std::io::{ErrorKind, Read, Seek, SeekFrom};
 
@@ -12,11 +11,11 @@ use super::encoding;
 use super::error::ReadError;
 use super::options::Encoding;
 
-/// Bytes looked at before anything is read: some ten thousand rows.
+/// Size of the head in bytes: some ten thousand rows.
 const HEAD: u64 = 256 << 10;
 /// Bytes read at a time.
 const CHUNK: usize = 64 << 10;
-/// Bytes of the longest line, decoded: SDF may write a million heights into one.
+/// Maximum length of a decoded line in bytes: SDF may have a million heights on one.
 const LONGEST_LINE: usize = 16 << 20;
 
 /// Bytes that can be read again from the start.
@@ -30,7 +29,7 @@ pub(super) struct Line<'a> {
     pub number: usize,
     /// Without its end; a stray CR before CR LF belongs to the end.
     pub text: &'a str,
-    /// As it stands in the file, with its end.
+    /// The line with its end.
     pub whole: &'a str,
 }
 
@@ -109,13 +108,13 @@ pub(super) struct Text<'s> {
     stream: &'s mut dyn Stream,
     size: u64,
     end: char,
-    /// The encoding was guessed from the head, and bytes after it may prove the guess wrong.
+    /// Whether the encoding was guessed from the head.
     guessed: bool,
     malformed: bool,
 }
 
 impl<'s> Text<'s> {
-    /// The text of a stream that starts as `start`; a stated encoding wins over what the bytes say.
+    /// The text of a stream with the beginning `start`; a stated encoding overrides the detected one.
     pub(super) fn new(
         file: &'s str,
         stream: &'s mut dyn Stream,
@@ -144,7 +143,7 @@ impl<'s> Text<'s> {
         (head, text)
     }
 
-    /// Whether bytes after the head were not in the encoding guessed from it: nothing read since is right.
+    /// Whether later bytes were invalid in the encoding guessed from the head, so that the text is wrong.
     pub(super) fn is_malformed(&self) -> bool {
         self.malformed
     }
@@ -177,15 +176,15 @@ fn without_filling(text: &str) -> &str {
     text.trim_end_matches(['\0', '\u{1a}'])
 }
 
-/// Appends the characters of `bytes`; whether some were none.
+/// Appends the characters of `bytes`; returns whether some bytes were invalid.
 fn decode(decoder: &mut Decoder, bytes: &[u8], text: &mut String, last: bool) -> bool {
-    // The most that the bytes can decode to, so that a single call takes them all.
+    // The maximum decoded length, so that a single call decodes all bytes.
     let most = decoder.max_utf8_buffer_length(bytes.len());
     text.reserve(most.unwrap_or(CHUNK));
     decoder.decode_to_string(bytes, text, last).2
 }
 
-/// Lines one after the other, from a buffer that holds one chunk and the line it cuts.
+/// Iteration over lines, from a buffer with a chunk and the incomplete line before it.
 pub(super) struct Lines<'t, 's> {
     text: &'t mut Text<'s>,
     decoder: Decoder,
@@ -193,9 +192,9 @@ pub(super) struct Lines<'t, 's> {
     buffer: String,
     /// Start of the next line.
     start: usize,
-    /// Where the last line ends that is there to its end.
+    /// End of the last complete line.
     complete: usize,
-    /// Lines passed.
+    /// Number of lines read.
     number: usize,
     /// Bytes of the stream not yet read.
     left: u64,
@@ -203,7 +202,7 @@ pub(super) struct Lines<'t, 's> {
 }
 
 impl Lines<'_, '_> {
-    /// The next line, blank or not; none at the end.
+    /// The next line, including blank ones; `None` at the end.
     pub(super) fn next(&mut self) -> Result<Option<Line<'_>>, ReadError> {
         while self.start == self.complete && !self.ended {
             self.fill()?;
@@ -224,7 +223,7 @@ impl Lines<'_, '_> {
         self.text.line_end()
     }
 
-    /// Whole lines that are at hand, ends included; may be none.
+    /// The complete lines in the buffer with their ends; may be empty.
     pub(super) fn at_hand(&self) -> &[u8] {
         self.buffer
             .as_bytes()
@@ -232,13 +231,13 @@ impl Lines<'_, '_> {
             .unwrap_or_default()
     }
 
-    /// Passes over `lines` lines of `bytes` together, which were taken from those at hand.
+    /// Skips `lines` lines of `bytes` bytes, which were read from [`at_hand`](Self::at_hand).
     pub(super) fn pass(&mut self, lines: usize, bytes: usize) {
         self.number += lines;
         self.start += bytes;
     }
 
-    /// Puts another chunk behind what is left of the buffer, which is the start of a line.
+    /// Appends another chunk to the rest of the buffer, which is the beginning of a line.
     fn fill(&mut self) -> Result<(), ReadError> {
         self.buffer.drain(..self.start);
         (self.start, self.complete) = (0, 0);
@@ -261,8 +260,8 @@ impl Lines<'_, '_> {
         }
         if count == 0 || self.text.malformed {
             self.ended = true;
-            let kept = without_filling(&self.buffer).len();
-            self.buffer.truncate(kept);
+            let length = without_filling(&self.buffer).len();
+            self.buffer.truncate(length);
         }
         Ok(())
     }

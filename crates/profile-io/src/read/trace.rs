@@ -1,4 +1,4 @@
-//! A measured trace as its file has it, with points that may be uneven.
+//! A measured trace as stored in its file, with points that may be uneven.
 
 use std::borrow::Cow;
 
@@ -17,14 +17,14 @@ use super::reading::Reading;
 use super::resample::{self, Between, Resampled};
 use crate::warning::Warning;
 
-/// Steps that are longer than this many mean ones are no unevenness but missing points.
+/// Maximum step in mean steps; longer steps mean missing points.
 const LONGEST_STEP: f64 = 10.0;
-/// Points of an even grid over those of the file, at most.
+/// Maximum ratio of the points of an even grid to the points of the file.
 const MOST_REFINED: f64 = 8.0;
-/// Share of a step by which rounding shortens a trace.
+/// Relative rounding error of the length of a trace.
 const ROUNDING: f64 = 1e-9;
 
-/// Places of the points of a trace.
+/// Positions of the points of a trace.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum Positions {
@@ -33,20 +33,20 @@ pub enum Positions {
         /// Distance between points.
         spacing: Length,
     },
-    /// Each point has its own.
+    /// Individual position of each point.
     Own {
-        /// Positions \[m\] along the trace, rising, from where the file counts.
+        /// Positions \[m\] along the trace in ascending order, with the origin of the file.
         #[serde(skip)]
         x: Vec<f64>,
-        /// How far they are off an even grid.
+        /// Deviation from an even grid.
         unevenness: Unevenness,
     },
 }
 
-/// A measured trace as its file has it: nothing is moved, so its points may be uneven. Serialises without them.
+/// A measured trace as stored in its file, whose points may be uneven. The points are not serialised.
 ///
-/// [`resampled`](Self::resampled) puts it on an even grid and says what that changes; [`reading`](Self::reading) makes
-/// of it what [`read`](super::read()) gives.
+/// [`resampled`](Self::resampled) interpolates it onto an even grid and reports the change; [`reading`](Self::reading)
+/// converts it to the result of [`read`](super::read()).
 ///
 /// ```
 /// use asperity_profile_io::read::{ReadOptions, Uneven, read_bytes, read_trace_bytes};
@@ -58,7 +58,7 @@ pub enum Positions {
 /// let even = trace.resampled("0.25 um".parse()?)?;
 /// assert_eq!(even.profile.spacing(), "0.25 um".parse()?);
 /// assert!(even.most < "10 nm".parse()?);
-/// // Computing with uneven points has to be asked for.
+/// // Uneven points are resampled only on request.
 /// assert!(read_bytes("a.csv", file.as_bytes(), &ReadOptions::default()).is_err());
 /// assert_eq!(trace.reading(Uneven::Resample)?.points, 200);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -66,37 +66,37 @@ pub enum Positions {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Trace {
-    /// Name of the file as given.
+    /// Name of the file.
     pub name: String,
-    /// Places of the points.
+    /// Positions of the points.
     pub positions: Positions,
     /// Heights \[m\] as in the file (no offset, form or tilt removed).
     #[serde(skip)]
     pub heights: Vec<f64>,
     /// Format of the file.
     pub format: Format,
-    /// Character encoding; none for binary formats.
+    /// Character encoding; `None` for binary formats.
     pub encoding: Option<Encoding>,
-    /// Dialect of the table; none for formats without a table.
+    /// Dialect of the table; `None` for formats without a table.
     pub table: Option<TableLayout>,
-    /// Unit of x; none when the spacing was stated and no x column was needed.
+    /// Unit of x; `None` if the spacing was stated.
     pub x_unit: Option<LengthUnit>,
     /// Unit of the heights in the file.
     pub z_unit: LengthUnit,
     /// Origin of the spacing.
     pub spacing_source: SpacingSource,
-    /// Whether the file says its heights are filtered.
+    /// Filter state according to the file.
     pub filter_state: FilterState,
-    /// Points that were interpolated, or left out of uneven ones, on request.
+    /// Number of missing points that were interpolated, or omitted from an uneven trace, on request.
     pub gaps_filled: usize,
-    /// Statements of the file beside the heights.
+    /// Metadata of the file.
     pub metadata: Metadata,
     /// Warnings.
     pub warnings: Vec<Warning>,
     /// Whether the header of the file scales the heights.
     #[serde(skip)]
     pub(super) scaled: bool,
-    /// What x was before it was the distance along an involute.
+    /// Original meaning of x and base radius, if x was converted to the distance along an involute.
     #[serde(skip)]
     pub(super) roll: Option<(Abscissa, Length)>,
 }
@@ -107,7 +107,7 @@ impl Trace {
         matches!(self.positions, Positions::Even { .. })
     }
 
-    /// Positions \[m\] of the points, rising; even ones from 0.
+    /// Positions \[m\] of the points in ascending order; even points start at 0.
     pub fn x(&self) -> Cow<'_, [f64]> {
         match &self.positions {
             Positions::Own { x, .. } => Cow::Borrowed(x),
@@ -138,8 +138,8 @@ impl Trace {
         }
     }
 
-    /// The trace in even steps from its first point on: heights on the straight lines between the points, or on their
-    /// natural cubic spline where roll lengths were converted. An even trace in its own step stays as it is.
+    /// The trace in even steps from its first point: interpolated linearly, or by a natural cubic spline if roll
+    /// lengths were converted. An even trace with the same step is returned unchanged.
     ///
     /// # Errors
     /// When the step is not positive, longer than the trace or shorter than an eighth of the mean step; when two
@@ -178,7 +178,7 @@ impl Trace {
         })
     }
 
-    /// Refuses steps so long that points must be missing.
+    /// Returns an error for steps that are so long that points must be missing.
     fn check_gaps(&self, x: &[f64]) -> Result<(), ReadError> {
         let mean = self.spacing().si();
         let gap = x
@@ -194,11 +194,11 @@ impl Trace {
         })
     }
 
-    /// The trace on an even grid, to compute with. Roll lengths are resampled in any case, other uneven points when
-    /// asked for: to as many points between the same ends.
+    /// The trace on an even grid. Converted roll lengths are always resampled; other uneven points are resampled on
+    /// request, to the same number of points between the same ends.
     ///
     /// # Errors
-    /// When the points are more than a quarter of a spacing off an even grid and `uneven` does not ask for resampling,
+    /// When the points are more than a quarter of a spacing off an even grid and `uneven` does not request resampling,
     /// or when points are missing between them.
     pub fn reading(mut self, uneven: Uneven) -> Result<Reading, ReadError> {
         let spacing = self.spacing();
@@ -210,7 +210,7 @@ impl Trace {
             (Positions::Own { x, .. }, Some((abscissa, base_radius))) => {
                 let steps = x.windows(2).map(|pair| pair[1] - pair[0]);
                 let finest = steps.fold(f64::INFINITY, f64::min);
-                // The finest step keeps the short waves of the coarse end and invents none beyond.
+                // The finest step preserves the short waves of the whole trace.
                 let length = self.length().si();
                 let intervals = (length / finest).ceil().min(MOST_REFINED * x.len() as f64);
                 let even = self.in_steps(length / intervals, intervals as usize)?;
@@ -233,14 +233,14 @@ impl Trace {
                 even.profile
             }
             (Positions::Own { x, unevenness }, None) => {
-                let found = *unevenness;
-                if !found.is_slight() {
+                let unevenness = *unevenness;
+                if !unevenness.is_slight() {
                     self.check_gaps(x)?;
-                    return Err(self.too_uneven(found));
+                    return Err(self.too_uneven(unevenness));
                 }
                 self.warnings.push(Warning::UnevenSpacing {
-                    off: found.off,
-                    slopes: found.slopes,
+                    off: unevenness.off,
+                    slopes: unevenness.slopes,
                 });
                 let heights = std::mem::take(&mut self.heights);
                 self.profile(spacing, heights)?
@@ -250,7 +250,7 @@ impl Trace {
         Ok(self.with(profile))
     }
 
-    /// The refusal of a trace that has to be even and is not.
+    /// Error for a trace that must be even.
     fn too_uneven(&self, found: Unevenness) -> ReadError {
         ReadError::UnevenSpacing {
             file: self.name.clone(),

@@ -1,9 +1,8 @@
-//! Units by elimination, for files that state none.
+//! Determination of units by elimination, for files that state none.
 //!
-//! Exports without units come in metres, millimetres or micrometres for both columns, or in
-//! millimetres along and micrometres up. A file is read without a stated unit only when exactly one
-//! of these makes a possible stylus trace; nanometres are never assumed, but where heights in nanometres
-//! are as possible as those in the unit found, none is.
+//! Exports without units come in metres, millimetres or micrometres for both columns, or in millimetres along and
+//! micrometres up. A file is read without a stated unit only if exactly one of these gives a possible stylus trace.
+//! Nanometres are never assumed, and if heights in nanometres are possible too, no unit is assumed.
 
 use super::archive::damaged;
 use super::error::ReadError;
@@ -12,26 +11,26 @@ use super::options::{Axis, LengthUnit, ReadOptions};
 
 use LengthUnit::{Metre, Micrometre, Millimetre, Nanometre};
 
-/// Shortest trace `[m]`: step profilers scan some tens of micrometres.
+/// Minimum length of a trace `[m]`: step profilers scan some tens of micrometres.
 const SHORTEST: f64 = 25e-6;
-/// Longest trace `[m]`: drive length of common contour instruments.
+/// Maximum length of a trace `[m]`: drive length of common contour instruments.
 const LONGEST: f64 = 0.2;
-/// Smallest height span `[m]` when the trace is in the same unit: an atomic step of some layers.
+/// Minimum height span `[m]` if the trace is in the same unit: an atomic step of some layers.
 const SMALLEST: f64 = 1e-9;
-/// Smallest height span `[m]` when the heights would have a finer unit than the trace, or stand alone:
-/// superfinished flanks (Ra 0.02 um) span more than this.
+/// Minimum height span `[m]` if the heights have a finer unit than the trace, or there is no x: superfinished flanks
+/// (Ra 0.02 um) span more than this.
 const SMALLEST_ALONE: f64 = 0.1e-6;
-/// Largest height span `[m]`: range of roughness pick-ups, form included.
+/// Maximum height span `[m]`: range of roughness pick-ups, including form.
 const LARGEST: f64 = 1e-3;
-/// Steepest overall aspect, span over length: a trace that rises by more is no flank.
+/// Maximum ratio of height span to length of a flank.
 const STEEPEST: f64 = 0.5;
 
-/// Root mean square slopes that a trace may have.
+/// Range of the root mean square slope of a trace.
 const SLOPES: std::ops::RangeInclusive<f64> = 0.0..=2.0;
-/// Least root mean square slope of heights in nanometres: a mirror has it.
+/// Minimum root mean square slope of heights in nanometres: the slope of a mirror.
 const LEAST_SLOPE: f64 = 1e-3;
 
-/// The units in which files are written that do not say so, along and up.
+/// Usual units of x and height in files without units.
 const USUAL: [(LengthUnit, LengthUnit); 4] = [
     (Metre, Metre),
     (Millimetre, Millimetre),
@@ -39,24 +38,24 @@ const USUAL: [(LengthUnit, LengthUnit); 4] = [
     (Millimetre, Micrometre),
 ];
 
-/// A trace in the units of its file; the length is in metres when it is known otherwise.
+/// Extent of a trace in the units of its file; the length is in metres if the spacing is stated.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Extent {
     /// Length of the x column.
     pub length: f64,
-    /// Highest minus lowest height.
+    /// Difference of the highest and lowest height.
     pub span: f64,
-    /// Root mean square slope, a height of the file over a length of the file.
+    /// Root mean square slope in the units of the file.
     pub slope: f64,
 }
 
 impl Extent {
-    /// Whether heights in `z` over a length in `x` make slopes that a trace may have.
+    /// Whether the slopes are possible with heights in `z` and lengths in `x`.
     fn has_possible_slopes(self, x: LengthUnit, z: LengthUnit) -> bool {
         SLOPES.contains(&(self.slope * z.metres(1.0) / x.metres(1.0)))
     }
 
-    /// Whether heights in nanometres over a length in `x` make a possible trace.
+    /// Whether the trace is possible with heights in nanometres and lengths in `x`.
     fn may_be_nanometres(self, x: LengthUnit) -> bool {
         (SMALLEST_ALONE..=LARGEST).contains(&Nanometre.metres(self.span))
             && self.slope * Nanometre.metres(1.0) / x.metres(1.0) >= LEAST_SLOPE
@@ -64,7 +63,7 @@ impl Extent {
     }
 }
 
-/// The only possible pair of units, of those that agree with what is stated.
+/// The only possible pair of units that agrees with the stated units.
 pub(super) fn pair(
     extent: Extent,
     x: Option<LengthUnit>,
@@ -78,7 +77,7 @@ pub(super) fn pair(
             && span <= STEEPEST * length
             && extent.has_possible_slopes(x, z)
     };
-    let certain = |found: &(LengthUnit, LengthUnit)| !extent.may_be_nanometres(found.0);
+    let certain = |units: &(LengthUnit, LengthUnit)| !extent.may_be_nanometres(units.0);
     match (x, z) {
         (Some(x), Some(z)) => Some((x, z)),
         (None, None) => only(USUAL.into_iter().filter(possible)).filter(certain),

@@ -1,10 +1,9 @@
 //! X3P, the zip and XML format of ISO 25178-72 (formerly ISO 5436-2).
 //!
-//! `main.xml` describes the axes (record 1), the measurement (record 2) and the matrix (record 3); the
-//! heights stand there as text or in a binary member. A height is value · increment + offset in metres.
-//! Profiles (`PRF`), even or with an x at each point, and even surfaces (`SUR`) are read. Files lie in an extra folder
-//! or leave the namespace away; neither matters here. A checksum that differs is a warning, because writers disagree
-//! on what it covers.
+//! `main.xml` describes the axes (record 1), the measurement (record 2) and the matrix (record 3); the heights are text
+//! or in a binary member. A height is value · increment + offset in metres. Profiles (`PRF`), even or with an x at each
+//! point, and even surfaces (`SUR`) are read. An extra folder in the archive and a missing namespace are accepted. A
+//! different checksum is a warning, because writers disagree on its scope.
 
 use std::io::Read;
 use std::ops::Range;
@@ -55,14 +54,14 @@ impl DataType {
 
 /// One axis of record 1.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-struct Axis {
+struct AxisRecord {
     absolute: bool,
     data: DataType,
     increment: Option<f64>,
     offset: f64,
 }
 
-impl Axis {
+impl AxisRecord {
     fn metres(&self, value: f64) -> f64 {
         value * self.increment.unwrap_or(1.0) + self.offset
     }
@@ -72,20 +71,20 @@ impl Axis {
 #[derive(Debug, Default)]
 struct Main {
     feature: String,
-    axes: [Axis; 3],
+    axes: [AxisRecord; 3],
     size: [Option<u64>; 3],
     list: Option<u64>,
     point_data: Option<String>,
     point_checksum: Option<String>,
     mask: Option<String>,
-    /// Text data, of the row asked for only: heights, and places where points have their own.
+    /// Text data of the requested row: heights, and individual positions if the points have them.
     text: Points,
     text_count: u64,
     broken_text: Option<String>,
     metadata: Metadata,
 }
 
-/// Heights \[m\], with the x \[m\] of each where it has one.
+/// Heights \[m\] and individual x \[m\], if the points have them.
 #[derive(Debug, Default)]
 struct Points {
     x: Option<Vec<f64>>,
@@ -93,7 +92,7 @@ struct Points {
 }
 
 impl Main {
-    /// Whether the points of a profile have an x of their own.
+    /// Whether the points of a profile have individual x.
     fn has_own_x(&self) -> bool {
         self.axes[0].absolute && self.feature == "PRF"
     }
@@ -111,7 +110,7 @@ impl Main {
 /// Rows that are read.
 #[derive(Clone, Copy, PartialEq)]
 enum Wanted {
-    /// This one, from 1, or the only one.
+    /// The row with this number, from 1, or the only row.
     Row(Option<usize>),
     FirstLayer,
 }
@@ -151,7 +150,7 @@ pub(super) fn surface(file: &str, stream: &mut dyn Stream, size: u64) -> Result<
     })
 }
 
-/// Points of the rows that were wanted.
+/// Points of the requested rows.
 struct Matrix {
     main: Main,
     points: Points,
@@ -159,7 +158,7 @@ struct Matrix {
 }
 
 impl Matrix {
-    /// Increments along x and y, where these have one that is positive.
+    /// Positive increments along x and y; `None` for absolute axes.
     fn spacings(&self) -> [Option<f64>; 2] {
         [0, 1].map(|axis| {
             let found = self.main.axes[axis];
@@ -209,7 +208,7 @@ fn matrix(
     })
 }
 
-/// Takes the content of a leaf of `main.xml`.
+/// Stores the content of an element of `main.xml`.
 fn take(main: &mut Main, leaf: &Leaf<'_>, wanted: Wanted) -> bool {
     let text = leaf.text;
     let axis = match leaf.parent() {
@@ -257,7 +256,7 @@ fn take(main: &mut Main, leaf: &Leaf<'_>, wanted: Wanted) -> bool {
     true
 }
 
-/// One point of text data; an empty one has no height. Only points of the rows asked for are kept.
+/// Stores a point of text data if it is in a requested row; an empty point is missing.
 fn datum(main: &mut Main, text: &str, wanted: Wanted) {
     let at = main.text_count;
     main.text_count += 1;
@@ -282,7 +281,7 @@ fn datum(main: &mut Main, text: &str, wanted: Wanted) {
     }
 }
 
-/// A coordinate \[m\] of a point in text data; none where there is nothing.
+/// A coordinate \[m\] of a point in text data; NaN if it is empty.
 fn coordinate(main: &mut Main, axis: usize, text: &str) -> f64 {
     let value = match text.trim() {
         "" => f64::NAN,
@@ -312,7 +311,7 @@ fn chosen_rows(file: &str, main: &Main, wanted: Wanted) -> Result<Range<u64>, Re
         .filter(|(points, rows)| *points > 0 && *rows > 0);
     let (points, rows) = size.ok_or_else(|| damaged(file, FORMAT, "the matrix has no size", ""))?;
     let Wanted::Row(row) = wanted else {
-        // Further layers lie over the first and are no rows beside it.
+        // Further layers are not rows of the first.
         return Ok(0..main.size[1].unwrap_or(1));
     };
     let asked = row.unwrap_or(if rows == 1 { 1 } else { 0 }) as u64;
@@ -329,7 +328,7 @@ fn chosen_rows(file: &str, main: &Main, wanted: Wanted) -> Result<Range<u64>, Re
 
 fn text(file: &str, main: &mut Main, rows: Range<u64>) -> Result<Points, ReadError> {
     if let Some(seen) = &main.broken_text {
-        return Err(damaged(file, FORMAT, "a height is no number", seen));
+        return Err(damaged(file, FORMAT, "a height is not a number", seen));
     }
     let points = std::mem::take(&mut main.text);
     let stated = main
@@ -357,8 +356,8 @@ fn binary(
     let [x, y, z] = main.axes;
     let width = main.points().unwrap_or(0);
     let points = width.saturating_mul(rows.end - rows.start);
-    // An absolute x and y stand before their z.
-    let width_of = |axis: Axis| if axis.absolute { axis.data.width() } else { 0 };
+    // An absolute x and y precede z.
+    let width_of = |axis: AxisRecord| if axis.absolute { axis.data.width() } else { 0 };
     let skipped = width_of(x) + width_of(y);
     let stride = skipped + z.data.width();
     let first = rows.start.checked_mul(width);
@@ -467,7 +466,7 @@ fn mask(
     Ok(Some(points.map(valid).collect()))
 }
 
-/// Warns when `md5checksum.hex` is there and is not that of `main.xml`, or cannot be unpacked.
+/// Adds a warning if `md5checksum.hex` exists but differs from the checksum of `main.xml`, or cannot be unpacked.
 fn main_checksum(
     archive: &mut Archive<'_>,
     folder: &str,
@@ -481,7 +480,7 @@ fn main_checksum(
     }
     let stated = archive.read(&name, |stream| {
         let mut text = Vec::new();
-        // What of a damaged member comes before its damage shows depends on how it is read.
+        // The readable part of a damaged member depends on the size of the reads, so it is not used.
         if stream.take(DIGITS).read_to_end(&mut text).is_err() {
             text.clear();
         }

@@ -1,20 +1,20 @@
-//! Walking an XML stream: every leaf with its path, in constant memory.
+//! Traversal of an XML stream: every element with its path, in constant memory.
 
 use std::io::{BufRead, BufReader, Read};
 
 use quick_xml::Reader;
 use quick_xml::events::Event;
 
-/// Deepest nesting followed; the formats read here have six levels.
+/// Maximum nesting; the formats have six levels.
 const DEEPEST: usize = 32;
 
-/// An element as it ends.
+/// An element at its end tag.
 pub(super) struct Leaf<'a> {
     /// Local names from the root to this element.
     pub path: &'a [String],
-    /// Its attributes by local name.
+    /// Attributes by local name.
     pub attributes: &'a [(String, String)],
-    /// Its own text, trimmed.
+    /// Text of the element itself, trimmed.
     pub text: &'a str,
 }
 
@@ -24,7 +24,7 @@ impl Leaf<'_> {
         self.path.last().map_or("", String::as_str)
     }
 
-    /// Local name of the element around it.
+    /// Local name of the enclosing element.
     pub(super) fn parent(&self) -> &str {
         let above = self.path.len().checked_sub(2);
         above.map_or("", |at| self.path[at].as_str())
@@ -43,8 +43,8 @@ struct Open {
     text: String,
 }
 
-/// Calls `leaf` for every element as it ends; false when the XML is broken or nested too deeply.
-/// `leaf` ends the walk by returning false.
+/// Calls `leaf` for every element at its end tag; false if the XML is malformed or nested too deeply. `leaf` stops the
+/// traversal by returning false.
 pub(super) fn walk(stream: impl Read, mut leaf: impl FnMut(Leaf<'_>) -> bool) -> bool {
     let mut reader = Reader::from_reader(BufReader::new(stream));
     let mut buffer = Vec::new();

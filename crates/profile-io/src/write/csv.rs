@@ -6,7 +6,7 @@ use super::field::field;
 use super::places::Places;
 use crate::read::metadata::Metadata;
 
-/// x and height in metres, under a header with the spacing of even points.
+/// Writes x and height in metres, with the spacing of even points in the header.
 pub(super) fn write(places: Places<'_>, heights: &[f64], metadata: &Metadata) -> Vec<u8> {
     let mut text = String::new();
     let mut comment = |name: &str, value: &Option<String>| {

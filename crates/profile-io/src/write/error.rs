@@ -1,21 +1,21 @@
-//! Errors in writing a profile.
+//! Errors of writing a profile.
 
-/// Errors in writing a profile.
+/// Errors of writing a profile.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum WriteError {
-    /// The archive could not be made.
+    /// The archive could not be created.
     #[error("the X3P archive cannot be made: {step} failed")]
     Archive {
-        /// Action that failed.
+        /// Failed step.
         step: &'static str,
     },
-    /// The points are uneven, and the format is written for even ones alone.
+    /// The points are uneven, but the format supports only even points.
     #[error(
         "the points are unevenly spaced, which an SMD file has no known place for; resample the trace, or write CSV or X3P"
     )]
     Uneven,
-    /// There is no point, or a height or the spacing is no number.
+    /// There is no point, or a height or the spacing is not a finite number.
     #[error("the trace has no points, or heights that are no numbers")]
     NoProfile,
 }

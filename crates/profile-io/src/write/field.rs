@@ -1,7 +1,7 @@
-//! Text of a user within a field of a file.
+//! User-defined text in a field of a file.
 
-/// Text that stays within one field: no control characters, line ends or quotes.
+/// `text` without the characters that could end a field: control characters, line ends and quotes.
 pub(super) fn field(text: &str) -> String {
-    let kept = |c: &char| !c.is_control() && !matches!(c, '"' | '<' | '>' | '&');
-    text.chars().filter(kept).collect()
+    let is_safe = |c: &char| !c.is_control() && !matches!(c, '"' | '<' | '>' | '&');
+    text.chars().filter(is_safe).collect()
 }

@@ -1,12 +1,12 @@
-//! Writing profiles in the formats that other programs read, without losing a bit.
+//! Writing profiles in the formats of other programs, without loss.
 //!
 //! | format | heights | spacing |
 //! |---|---|---|
-//! | CSV | metres, the fewest digits that read back the same | header line `# dx = 5e-7 m` |
+//! | CSV | metres, the fewest digits that are read back without loss | header line `# dx = 5e-7 m` |
 //! | X3P (ISO 25178-72) | binary64 metres | increment of CX |
-//! | SMD (ISO 5436-2) | metres, the fewest digits that read back the same | CX line |
+//! | SMD (ISO 5436-2) | metres, the fewest digits that are read back without loss | CX line |
 //!
-//! Nothing here opens files: the bytes are handed back.
+//! The functions return bytes and open no files.
 
 mod csv;
 mod error;
@@ -24,7 +24,7 @@ use places::Places;
 use crate::read::metadata::Metadata;
 use crate::read::{Positions, Trace};
 
-/// A format that is written.
+/// A format for writing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -38,7 +38,7 @@ pub enum WrittenFormat {
 }
 
 impl WrittenFormat {
-    /// The format that a file name asks for by its extension.
+    /// The format of a file name by its extension.
     ///
     /// ```
     /// use asperity_profile_io::write::WrittenFormat;
@@ -56,10 +56,10 @@ impl WrittenFormat {
     }
 }
 
-/// The bytes of a file that holds `profile`; reading them back gives the same profile to the last bit.
+/// The bytes of a file with `profile`; reading them back gives exactly the same profile.
 ///
 /// # Errors
-/// When the archive of an X3P cannot be made, as for more than 4 GiB of heights.
+/// When the archive of an X3P cannot be created, as for more than 4 GiB of heights.
 ///
 /// ```
 /// use asperity_core::{Profile, quantity::Length};
@@ -86,10 +86,10 @@ pub fn write(
     }
 }
 
-/// The bytes of a file that holds `trace` as it stands: uneven points with the x of each.
+/// The bytes of a file with `trace`, with the individual x of uneven points.
 ///
 /// # Errors
-/// As [`write()`], and when uneven points are to be written as SMD.
+/// As [`write()`], and for uneven points as SMD.
 ///
 /// ```
 /// use asperity_profile_io::read::{ReadOptions, read_trace_bytes};

@@ -1,10 +1,10 @@
-//! Places of the points that are written.
+//! Positions of the written points.
 
-/// Places of the points that are written.
+/// Positions of the written points.
 #[derive(Clone, Copy)]
 pub(super) enum Places<'a> {
     /// Spacing \[m\].
     Even(f64),
-    /// x of each \[m\].
+    /// Individual x \[m\].
     Own(&'a [f64]),
 }

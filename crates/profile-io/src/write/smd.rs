@@ -11,7 +11,7 @@ use crate::read::metadata::Metadata;
 const END_OF_RECORD: &str = "\u{3}\r\n";
 const END_OF_FILE: char = '\u{1a}';
 
-/// Four records: axes, description, heights, checksum.
+/// Writes four records: axes, description, heights, checksum.
 pub(super) fn write(profile: &Profile, metadata: &Metadata) -> Vec<u8> {
     let n = profile.len();
     let title = metadata
@@ -43,7 +43,7 @@ pub(super) fn write(profile: &Profile, metadata: &Metadata) -> Vec<u8> {
     text.into_bytes()
 }
 
-/// The format is ASCII.
+/// `text` in ASCII, as the format requires.
 fn ascii(text: &str) -> String {
     field(text)
         .replace(['µ', 'μ'], "u")

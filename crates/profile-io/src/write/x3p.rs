@@ -13,7 +13,8 @@ use crate::read::metadata::Metadata;
 
 const DATA: &str = "bindata/data.bin";
 
-/// An archive with `main.xml`, its checksum and the heights as binary64 metres, each behind its x where points have one.
+/// Writes an archive with `main.xml`, its checksum and the heights as binary64 metres, each after its x if the points
+/// have individual x.
 pub(super) fn write(
     places: Places<'_>,
     heights: &[f64],
@@ -28,7 +29,7 @@ pub(super) fn write(
     };
     let xml = main_xml(places, heights.len(), metadata, &checksum(&data));
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
-    // The oldest date of the format: the same profile gives the same bytes.
+    // The default date is constant, so that the same profile gives the same bytes.
     let options = SimpleFileOptions::default();
     let checksum_file = format!("{} *main.xml\n", checksum(xml.as_bytes()));
     let members = [
@@ -62,7 +63,7 @@ fn main_xml(places: Places<'_>, points: usize, metadata: &Metadata, data_checksu
              <Increment>{increment:e}</Increment><Offset>0</Offset></{name}>"
         )
     };
-    // A profile has one row, so that any increment fits its CY.
+    // A profile has one row, so the increment of CY has no meaning.
     let (kind, dx) = match places {
         Places::Even(dx) => ("I", dx),
         Places::Own(_) => ("A", 1.0),

@@ -6,19 +6,19 @@ use serde::{Deserialize, Serialize};
 
 use crate::spectral;
 
-/// A profile with what it achieved.
+/// A generated profile with its measured parameters.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Generated {
     /// The profile.
     #[serde(skip)]
     pub profile: Profile,
-    /// Its parameters.
+    /// Measured parameters.
     pub achieved: Achieved,
 }
 
 impl Generated {
-    /// A profile measured over its whole length.
+    /// Measures a profile over its whole length.
     pub fn new(profile: Profile) -> Self {
         let achieved = Achieved::of(&profile);
         Self { profile, achieved }
@@ -33,17 +33,17 @@ pub struct Achieved {
     pub ra: Length,
     /// Root mean square height.
     pub rq: Length,
-    /// Skewness; none for a flat profile.
+    /// Skewness; `None` for a flat profile.
     pub rsk: Option<f64>,
-    /// Kurtosis; none for a flat profile.
+    /// Kurtosis; `None` for a flat profile.
     pub rku: Option<f64>,
-    /// Highest minus lowest.
+    /// Difference of the highest and lowest height.
     pub rt: Length,
-    /// Root mean square slope; none below seven points.
+    /// Root mean square slope; `None` below seven points.
     pub rdq: Option<f64>,
-    /// Root mean square of the differences between the amplitudes and those asked for, over those asked for.
+    /// Root mean square error of the amplitudes of the spectrum, relative to the requested amplitudes.
     pub spectrum_error: Option<f64>,
-    /// Iterations of a recipe that iterates.
+    /// Number of iterations of an iterative recipe.
     pub iterations: Option<usize>,
 }
 
@@ -54,9 +54,9 @@ impl Achieved {
     /// use asperity_core::{Profile, quantity::Length};
     /// use asperity_roughness::generate::Achieved;
     /// let heights = (0..100).map(|i| if i % 2 == 0 { 1e-6 } else { -1e-6 }).collect();
-    /// let found = Achieved::of(&Profile::new(Length::from_si(1e-6), heights)?);
-    /// assert!((found.rq.si() - 1e-6).abs() < 1e-18);
-    /// assert!((found.rku.unwrap() - 1.0).abs() < 1e-12);
+    /// let achieved = Achieved::of(&Profile::new(Length::from_si(1e-6), heights)?);
+    /// assert!((achieved.rq.si() - 1e-6).abs() < 1e-18);
+    /// assert!((achieved.rku.unwrap() - 1.0).abs() < 1e-12);
     /// # Ok::<(), asperity_core::DomainError>(())
     /// ```
     pub fn of(profile: &Profile) -> Self {

@@ -3,7 +3,7 @@
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | x_c | middle of a pit or scratch | m |
-//! | w, d | its width and depth | m |
+//! | w, d | width and depth of a pit or scratch | m |
 
 use asperity_core::cite;
 use std::f64::consts::PI;
@@ -15,10 +15,10 @@ use serde::{Deserialize, Serialize};
 
 use super::random::Random;
 
-/// Most features added at once.
-const MOST: usize = 1_000_000;
+/// Maximum number of pits or scratches.
+const MAX_FEATURES: usize = 1_000_000;
 
-/// Pits at random places, each of half to one and a half times the stated size.
+/// Pits at random positions, each with 0.5 to 1.5 times the stated width and depth.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Pits {
@@ -28,7 +28,7 @@ pub struct Pits {
     pub width: Length,
     /// Mean depth.
     pub depth: Length,
-    /// Seed of places and sizes.
+    /// Seed of positions and sizes.
     pub seed: u64,
 }
 
@@ -61,24 +61,24 @@ impl Pits {
     }
 }
 
-/// Scratches at random places: V-shaped grooves with raised shoulders.
+/// Scratches at random positions: V-shaped grooves with raised shoulders.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Scratches {
     /// Number of scratches.
     pub count: usize,
-    /// Mean width, shoulders included.
+    /// Mean width including the shoulders.
     pub width: Length,
     /// Mean depth.
     pub depth: Length,
-    /// Seed of places and sizes.
+    /// Seed of positions and sizes.
     pub seed: u64,
 }
 
 impl Scratches {
-    /// z(x) − d (1 − 4|u|) for |u| < 0.4 and back to zero at |u| = ½, u = (x − x_c)/w   [Scratch-1]
+    /// z(x) − d (1 − 4|u|) for |u| < 0.4, then linear to zero at |u| = ½, u = (x − x_c)/w   [Scratch-1]
     ///
-    /// The shoulders at |u| = 0.4 stand 0.6 d over the surface.
+    /// The shoulders at |u| = 0.4 are 0.6 d above the surface.
     ///
     /// # Errors
     /// When width or depth is not positive, or there are more than a million scratches.
@@ -113,7 +113,7 @@ impl Scratches {
     }
 }
 
-/// Takes `shape(u)` times the depth off the profile, −½ < u < ½, at each random place.
+/// Subtracts `shape(u)` times the depth from the profile, −½ < u < ½, at random positions.
 fn add(
     profile: &Profile,
     count: usize,
@@ -125,7 +125,7 @@ fn add(
     let mean_width = DomainError::positive("width", width)?;
     let mean_depth = DomainError::positive("depth", depth)?;
     DomainError::require(
-        count <= MOST,
+        count <= MAX_FEATURES,
         "count",
         count as f64,
         "-",

@@ -1,7 +1,7 @@
 //! Ground flanks, traced across the grinding lay.
 //!
-//! Each grit of the wheel leaves a parabolic groove; the surface is what no grit has removed, the
-//! lower envelope of all grooves. Cusps between grooves point up, as on real ground steel.
+//! Each grit of the wheel cuts a parabolic groove; the surface is the lower envelope of all grooves. Cusps between
+//! grooves point upwards, as on real ground steel.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -25,13 +25,13 @@ pub struct Ground {
     pub points: usize,
     /// Distance between points.
     pub spacing: Length,
-    /// Root mean square height; heights are scaled to it.
+    /// Root mean square height, to which the heights are scaled.
     pub rq: Length,
     /// Mean distance between grit tips along the trace.
     pub grit_spacing: Length,
     /// Radius of the grits before scaling.
     pub grit_radius: Length,
-    /// Range of tip heights before scaling; tips are spread evenly over it.
+    /// Range of tip heights before scaling; tips are uniformly distributed over it.
     pub grit_protrusion: Length,
     /// Seed of positions and heights.
     pub seed: u64,
@@ -41,8 +41,7 @@ impl Ground {
     /// z(x) = min over j of ( d_j + (x − x_j)²/(2ρ) ), then centred and scaled to Rq    [Ground-1]
     ///
     /// # Errors
-    /// When a length is not positive, the trace holds less than one grit, or more grits than points
-    /// times ten.
+    /// When a length is not positive, or the trace has less than one grit or more than ten grits per point.
     ///
     /// ```
     /// use asperity_core::quantity::Length;
@@ -84,46 +83,45 @@ impl Ground {
     }
 }
 
-/// min over j of (d_j + a (x − x_j)²) at n even points, in linear time: equal parabolas cut each other
-/// once, so the envelope is a list of tips in order with the cuts between them (Felzenszwalb and
-/// Huttenlocher 2012).
+/// min over j of (d_j + a (x − x_j)²) at n even points, in linear time: equal parabolas intersect once, so the envelope
+/// is an ordered list of tips with the intersections between them (Felzenszwalb and Huttenlocher 2012).
 fn envelope(tips: &[(f64, f64)], a: f64, n: usize, dx: f64) -> Vec<f64> {
     let crossing = |left: (f64, f64), right: (f64, f64)| {
         0.5 * (left.0 + right.0) + 0.5 * (right.1 - left.1) / (a * (right.0 - left.0))
     };
-    // Tips that show, each with the x from which it does.
-    let mut shown: Vec<((f64, f64), f64)> = Vec::new();
+    // Tips on the envelope, each with the x at which its parabola begins.
+    let mut visible: Vec<((f64, f64), f64)> = Vec::new();
     for &tip in tips {
         let mut from = f64::NEG_INFINITY;
         let mut hidden = false;
-        while let Some(&(last, start)) = shown.last() {
+        while let Some(&(last, start)) = visible.last() {
             if tip.0 == last.0 {
                 if tip.1 >= last.1 {
                     hidden = true;
                     break;
                 }
-                shown.pop();
+                visible.pop();
                 continue;
             }
             from = crossing(last, tip);
             if from > start {
                 break;
             }
-            shown.pop();
+            visible.pop();
             from = f64::NEG_INFINITY;
         }
         if !hidden {
-            shown.push((tip, from));
+            visible.push((tip, from));
         }
     }
     let mut current = 0;
     (0..n)
         .map(|i| {
             let x = i as f64 * dx;
-            while shown.get(current + 1).is_some_and(|next| next.1 <= x) {
+            while visible.get(current + 1).is_some_and(|next| next.1 <= x) {
                 current += 1;
             }
-            let (at, height) = shown[current].0;
+            let (at, height) = visible[current].0;
             height + a * (x - at).powi(2)
         })
         .collect()

@@ -1,8 +1,8 @@
 //! Synthetic profiles from a seed, for worked cases, tests and studies.
 //!
-//! Every recipe is plain data that carries its seed: the recipe is the record, and the same recipe
-//! gives the same profile on every machine up to the rounding of the transforms. The flank that meets a
-//! generated one is made with [`Profile::mirrored`](asperity_core::Profile::mirrored) or another seed.
+//! A recipe is plain data with its seed: the same recipe gives the same profile on every machine, except for rounding
+//! errors of the transforms. Generate the mating flank with [`Profile::mirrored`](asperity_core::Profile::mirrored) or
+//! another seed.
 
 mod achieved;
 mod damage;

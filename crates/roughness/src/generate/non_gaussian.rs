@@ -1,14 +1,13 @@
-//! Profiles with a given spectrum and a given distribution of heights.
+//! Profiles with a given spectrum and a given height distribution.
 //!
-//! Source: Pérez-Ràfols and Almqvist 2019: alternate between imposing the spectrum and the heights.
+//! Source: Pérez-Ràfols and Almqvist 2019: alternately imposes the spectrum and the heights.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | C(q) | spectrum of the self-affine recipe | m³ |
-//! | h_(k) | heights of the distribution in order | m |
+//! | h_(k) | ordered heights of the distribution | m |
 //!
-//! The heights are met exactly, the spectrum as well as the heights allow; what was achieved goes with
-//! the result.
+//! The height distribution is exact, the spectrum approximate; the result contains the measured parameters.
 
 use asperity_core::cite;
 use asperity_core::numerics::real_transforms;
@@ -28,14 +27,14 @@ use super::self_affine::SelfAffine;
 pub enum HeightDistribution {
     /// Normal heights, Rsk 0 and Rku 3.
     Gaussian,
-    /// Every height alike, Rsk 0 and Rku 1.8: turned or honed flats.
+    /// Uniform heights, Rsk 0 and Rku 1.8: turned or honed flats.
     Uniform,
-    /// Weibull heights of this shape, with a tail of peaks: Rsk 2 at shape 1, 0 at 3.6.
+    /// Weibull heights with a tail of peaks: Rsk 2 at shape 1, 0 at 3.6.
     WeibullPeaks {
         /// Shape, positive.
         shape: f64,
     },
-    /// Weibull heights upside down, with a tail of dales: finished flanks.
+    /// Inverted Weibull heights, with a tail of dales: finished flanks.
     WeibullDales {
         /// Shape, positive.
         shape: f64,
@@ -61,12 +60,12 @@ impl HeightDistribution {
 pub struct NonGaussian {
     /// Spectrum, Rq, size and seed.
     pub spectrum: SelfAffine,
-    /// Heights.
+    /// Height distribution.
     pub heights: HeightDistribution,
 }
 
 impl NonGaussian {
-    /// z ← h_(rank z) after |F z| ← √C, until the order of the heights settles     `[NonGaussian-1]`
+    /// z ← h_(rank z) after |F z| ← √C, until the order of the heights converges     `[NonGaussian-1]`
     ///
     /// # Errors
     /// As [`SelfAffine::generate`], and when a shape is not positive.
@@ -81,17 +80,17 @@ impl NonGaussian {
     ///     },
     ///     heights: HeightDistribution::WeibullDales { shape: 1.5 },
     /// };
-    /// let found = recipe.generate()?;
+    /// let generated = recipe.generate()?;
     /// // Skewness of Weibull heights of shape 1.5: 1.072 (Johnson, Kotz, Balakrishnan 1994, chapter 21).
-    /// assert!((found.achieved.rsk.unwrap() + 1.072).abs() < 0.01);
-    /// assert!(found.achieved.spectrum_error.unwrap() < 0.1);
+    /// assert!((generated.achieved.rsk.unwrap() + 1.072).abs() < 0.01);
+    /// assert!(generated.achieved.spectrum_error.unwrap() < 0.1);
     /// # Ok::<(), asperity_core::DomainError>(())
     /// ```
     pub fn generate(&self) -> Result<Generated, DomainError> {
         cite!("NonGaussian-1");
-        const MOST: usize = 100;
-        // Change of the spectrum error at which further turns move single points only.
-        const SETTLED: f64 = 1e-4;
+        const MAX_ITERATIONS: usize = 100;
+        // Relative change of the spectrum error below which further iterations change only single points.
+        const TOLERANCE: f64 = 1e-4;
         self.check()?;
         let start = self.spectrum.generate()?;
         let n = start.len();
@@ -106,7 +105,7 @@ impl NonGaussian {
         let mut order: Vec<usize> = (0..n).collect();
         let (mut error, mut iterations) = (f64::INFINITY, 0);
         let mut mapped = z.clone();
-        while iterations < MOST {
+        while iterations < MAX_ITERATIONS {
             iterations += 1;
             order.sort_unstable_by(|&a, &b| z[a].total_cmp(&z[b]));
             for (target, &at) in targets.iter().zip(&order) {
@@ -118,7 +117,7 @@ impl NonGaussian {
             let off = |(value, a): (&Complex<f64>, &f64)| (value.norm() - a).powi(2);
             let squares: f64 = spectrum.iter().zip(&amplitudes).map(off).sum();
             let next = (squares / total).sqrt();
-            if (error - next).abs() < SETTLED * error {
+            if (error - next).abs() < TOLERANCE * error {
                 error = next;
                 break;
             }
@@ -156,7 +155,7 @@ impl NonGaussian {
         Ok(())
     }
 
-    /// The heights in rising order, about zero and with the Rq of the recipe.
+    /// The heights in ascending order, with zero mean and the Rq of the recipe.
     fn targets(&self, n: usize) -> Vec<f64> {
         let at = |k: usize| self.heights.quantile((k as f64 + 0.5) / n as f64);
         let raw: Vec<f64> = (0..n).map(at).collect();
@@ -166,7 +165,7 @@ impl NonGaussian {
     }
 }
 
-/// Quantile of the normal distribution to 1.2·10⁻⁹ (rational fits of Acklam 2003).
+/// Quantile of the normal distribution with an error of 1.2·10⁻⁹ (rational fits of Acklam 2003).
 fn normal_quantile(p: f64) -> f64 {
     const A: [f64; 6] = [
         -3.969_683_028_665_376e1,

@@ -1,4 +1,4 @@
-//! Plateaus: peaks taken off a profile, as running-in and superfinishing do.
+//! Plateaus: profiles with peaks removed, as by running-in and superfinishing.
 
 use asperity_core::cite;
 use asperity_core::profile::common_spacing;
@@ -15,11 +15,11 @@ use crate::material_ratio::abbott_curve;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct PlateauHoned {
-    /// The deep process, which leaves the dales.
+    /// The coarse process, which forms the dales.
     pub coarse: SelfAffine,
-    /// The fine process, which leaves the plateau; same points and spacing.
+    /// The fine process, which forms the plateau, with the same points and spacing.
     pub fine: SelfAffine,
-    /// Depth of the mean of the fine process below that of the coarse one.
+    /// Depth of the mean line of the fine process below the mean line of the coarse one.
     pub depth: Length,
 }
 
@@ -38,7 +38,7 @@ impl PlateauHoned {
     /// };
     /// let coarse = SelfAffine { rq: Length::from_si(1e-6), roll_off: Length::from_si(100e-6), seed: 2, ..fine };
     /// let profile = PlateauHoned { coarse, fine, depth: Length::from_si(0.5e-6) }.generate()?;
-    /// // A flat top over deep dales.
+    /// // A flat plateau with deep dales.
     /// assert!(Achieved::of(&profile).rsk.unwrap() < -0.5);
     /// # Ok::<(), asperity_roughness::RoughnessError>(())
     /// ```
@@ -57,7 +57,7 @@ impl PlateauHoned {
 
 /// z(x) = min(z₁(x), z₂(x))                                                  [Plateau-1]
 ///
-/// A fine process over a coarse one gives a plateau-honed surface.
+/// The lower envelope of a coarse and a fine process is a plateau-honed surface.
 ///
 /// # Errors
 /// When the profiles differ in spacing or number of points.
@@ -93,12 +93,12 @@ pub fn lower_envelope(first: &Profile, second: &Profile) -> Result<Profile, Roug
     Ok(Profile::new(spacing, least)?)
 }
 
-/// z(x) = min(z(x), s(Mr)), and the height taken off the highest peak               [Plateau-2]
+/// z(x) = min(z(x), s(Mr)), and the height removed from the highest peak               [Plateau-2]
 ///
-/// s is the material ratio curve and Mr the share of the trace, 0 .. 1, that becomes plateau.
+/// s is the material ratio curve and Mr the fraction of the trace, 0 .. 1, that becomes plateau.
 ///
 /// # Errors
-/// When the share is not within 0 .. 1.
+/// When `share` is not within 0 .. 1.
 ///
 /// ```
 /// use asperity_core::{Profile, quantity::Length};

@@ -1,15 +1,15 @@
-//! Pores of a sintered steel that a finished flank cuts open: a model, not a measurement.
+//! Open pores on a finished flank of sintered steel: a model, not a measurement.
 //!
-//! Open pores are discs on the surface, at random places, which may overlap; the trace crosses them at random.
-//! Each is a bowl whose depth over its diameter is stated. The share of the volume of a body that is pore is that of
-//! its cuts (principle of Delesse, 1847), and of lines in them as well: the share along the trace is the porosity in
-//! the mean.
+//! Open pores are discs at random positions on the surface, which may overlap; the trace crosses them at random
+//! offsets. Each is a bowl with a given ratio of depth to diameter. The volume fraction of pores in a body equals the
+//! area fraction on its sections (principle of Delesse, 1847) and the length fraction on lines in them: the mean
+//! fraction along the trace is the porosity.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | P | share of the trace that is pore, in the mean | - |
+//! | P | mean fraction of the trace in pores | - |
 //! | D, c | diameter of a pore, chord along which the trace crosses it | m |
-//! | n | pores crossed per length | 1/m |
+//! | n | number of pores crossed per length | 1/m |
 
 use asperity_core::cite;
 use asperity_core::quantity::Length;
@@ -19,38 +19,38 @@ use serde::{Deserialize, Serialize};
 
 use super::random::Random;
 
-/// Smallest and largest diameter over the mean; diameters are spread evenly between.
+/// Smallest and largest diameter divided by the mean; diameters are uniformly distributed between them.
 const SPREAD: [f64; 2] = [0.5, 1.5];
-/// Mean chord of the pores that a line crosses over the mean diameter: π/4·⟨D²⟩/⟨D⟩² of that spread.
+/// Mean chord of the pores on a line divided by the mean diameter: π/4·⟨D²⟩/⟨D⟩² of this distribution.
 const MEAN_CHORD: f64 = std::f64::consts::FRAC_PI_4 * (13.0 / 12.0);
-/// Largest share that the model is meant for.
-const MOST: f64 = 0.5;
-/// Most pores on a trace.
-const MOST_PORES: f64 = 1e6;
+/// Maximum porosity of the model.
+const MAX_POROSITY: f64 = 0.5;
+/// Maximum number of pores on a trace.
+const MAX_PORES: f64 = 1e6;
 
-/// Open pores at random places, from half to one and a half times the mean diameter.
+/// Open pores at random positions, with 0.5 to 1.5 times the mean diameter.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Pores {
-    /// Share of the trace that is pore, in the mean: the porosity of the flank.
+    /// Porosity of the flank: mean fraction of the trace in pores.
     pub porosity: f64,
     /// Mean diameter of the pores on the surface.
     pub diameter: Length,
-    /// Depth of a pore over its diameter.
+    /// Ratio of depth to diameter of a pore.
     pub depth_ratio: f64,
-    /// Seed of places and sizes.
+    /// Seed of positions and sizes.
     pub seed: u64,
 }
 
 impl Pores {
     /// n = −ln(1 − P)/⟨c⟩, ⟨c⟩ = π/4·⟨D²⟩/⟨D⟩; z(x) − d·(1 − (2(x − x_c)/c)²) in a pore        [Pore-1]
     ///
-    /// Where pores overlap the deeper one counts. The chord at the offset t·D/2 from the middle is c = D √(1 − t²),
-    /// its depth d = r·D·(1 − t²).
+    /// In overlapping pores the greater depth applies. The chord at the offset t·D/2 from the middle is c = D √(1 −
+    /// t²), its depth d = r·D·(1 − t²).
     ///
     /// # Errors
-    /// When the porosity is negative or not below one half, the diameter not positive, the depth ratio outside 0 to
-    /// 1 (walls would be steeper than any flank's that a stylus traces), or there are more than a million pores.
+    /// When the porosity is negative or not below one half, the diameter not positive, the depth ratio outside 0 to 1
+    /// (a stylus cannot trace such steep walls), or there are more than a million pores.
     ///
     /// ```
     /// use asperity_core::{Profile, quantity::Length};
@@ -65,7 +65,7 @@ impl Pores {
     pub fn add_to(&self, profile: &Profile) -> Result<Profile, DomainError> {
         cite!("Pore-1");
         let porosity = DomainError::require(
-            (0.0..MOST).contains(&self.porosity),
+            (0.0..MAX_POROSITY).contains(&self.porosity),
             "porosity",
             self.porosity,
             "-",
@@ -83,11 +83,11 @@ impl Pores {
             return Ok(profile.clone());
         }
         let rate = -(-porosity).ln_1p() / (MEAN_CHORD * mean);
-        // Pores with their middle beyond an end reach into the trace.
+        // Pores centred beyond an end of the trace extend into it.
         let reach = 0.5 * SPREAD[1] * mean;
         let length = profile.length().si();
         DomainError::require(
-            rate * (length + 2.0 * reach) <= MOST_PORES,
+            rate * (length + 2.0 * reach) <= MAX_PORES,
             "pores on the trace",
             rate * (length + 2.0 * reach),
             "-",
@@ -103,7 +103,7 @@ impl Pores {
             if middle > end {
                 break;
             }
-            // A line crosses a disc in proportion to its diameter.
+            // The probability that a line crosses a disc is proportional to its diameter.
             let [low, high] = SPREAD.map(|edge| edge * edge);
             let diameter = mean * random.between(low, high).sqrt();
             let inner = 1.0 - random.uniform().powi(2);

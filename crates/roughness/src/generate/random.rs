@@ -1,4 +1,4 @@
-//! Random numbers that are the same for the same seed, now and after updates of dependencies.
+//! Random numbers that depend only on the seed, also after updates of dependencies.
 
 use rand_chacha::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
@@ -11,13 +11,13 @@ impl Random {
         Self(ChaCha8Rng::seed_from_u64(seed))
     }
 
-    /// Even over 0 ≤ u < 1, by the upper 53 bits.
+    /// Uniform on 0 ≤ u < 1, from the upper 53 bits.
     pub(super) fn uniform(&mut self) -> f64 {
         const STEPS: f64 = (1_u64 << 53) as f64;
         (self.0.next_u64() >> 11) as f64 / STEPS
     }
 
-    /// Even over `low` ≤ u < `high`.
+    /// Uniform on `low` ≤ u < `high`.
     pub(super) fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.uniform()
     }

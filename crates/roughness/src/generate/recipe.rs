@@ -1,4 +1,4 @@
-//! All recipes under one name, so that a file can hold any of them.
+//! Recipe of any kind of surface, for files.
 
 use asperity_core::DomainError;
 use asperity_core::numerics::extremes;
@@ -20,15 +20,15 @@ use crate::error::RoughnessError;
 pub enum Surface {
     /// Self-affine with roll-off and cut-offs.
     SelfAffine(SelfAffine),
-    /// Given spectrum and distribution of heights.
+    /// Given spectrum and height distribution.
     NonGaussian(NonGaussian),
-    /// A fine process over a coarse one.
+    /// Plateau-honed: a coarse and a fine process.
     PlateauHoned(PlateauHoned),
-    /// Traced across a grinding lay.
+    /// Ground, traced across the lay.
     Ground(Ground),
 }
 
-/// A surface with what is done to it, in this order.
+/// A surface with the modifications applied to it, in this order.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Recipe {
@@ -37,13 +37,13 @@ pub struct Recipe {
     /// Amplitudes of a self-affine surface.
     #[serde(default)]
     pub amplitudes: Amplitudes,
-    /// Pits or micropitting added.
+    /// Added pits or micropitting.
     #[serde(default)]
     pub pits: Option<Pits>,
-    /// Open pores of a sintered steel added.
+    /// Added open pores of a sintered steel.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pores: Option<Pores>,
-    /// Scratches added.
+    /// Added scratches.
     #[serde(default)]
     pub scratches: Option<Scratches>,
     /// Whether the result is reversed.
@@ -52,7 +52,7 @@ pub struct Recipe {
 }
 
 impl Recipe {
-    /// A surface and nothing else.
+    /// A surface without modifications.
     pub fn of(surface: Surface) -> Self {
         Self {
             surface,
@@ -64,7 +64,7 @@ impl Recipe {
         }
     }
 
-    /// The profile with what it achieved.
+    /// Generates the profile and measures its parameters.
     ///
     /// # Errors
     /// When the recipe has a number outside its domain.
@@ -76,8 +76,8 @@ impl Recipe {
     ///     points: 4096, spacing: Length::from_si(0.5e-6), rq: Length::from_si(0.3e-6), hurst: 0.8,
     ///     roll_off: Length::from_si(100e-6), short_cut: Length::from_si(5e-6), seed: 7,
     /// };
-    /// let found = Recipe::of(Surface::SelfAffine(spectrum)).generate()?;
-    /// assert!((found.achieved.rq.si() - 0.3e-6).abs() < 1e-18);
+    /// let generated = Recipe::of(Surface::SelfAffine(spectrum)).generate()?;
+    /// assert!((generated.achieved.rq.si() - 0.3e-6).abs() < 1e-18);
     /// # Ok::<(), asperity_roughness::RoughnessError>(())
     /// ```
     pub fn generate(&self) -> Result<Generated, RoughnessError> {
@@ -100,12 +100,12 @@ impl Recipe {
         if self.mirrored {
             profile = profile.mirrored();
         }
-        // Squares and fourth powers of larger heights overflow.
-        const HIGHEST: f64 = 1.0;
+        // Powers of larger heights overflow.
+        const MAX_HEIGHT: f64 = 1.0;
         let (low, high) = extremes(profile.heights());
         let largest = high.max(-low);
         let rule = "must not exceed 1 m: a depth of the recipe is too large";
-        DomainError::require(largest <= HIGHEST, "height", largest, "m", rule)?;
+        DomainError::require(largest <= MAX_HEIGHT, "height", largest, "m", rule)?;
         let achieved = Achieved {
             spectrum_error: made.achieved.spectrum_error,
             iterations: made.achieved.iterations,

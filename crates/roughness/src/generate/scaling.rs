@@ -1,19 +1,19 @@
-//! Size and height that every recipe shares.
+//! Checks and scaling common to all recipes.
 
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 
-/// Most points of a generated profile: 10⁸ heights fill a gigabyte.
-const MOST_POINTS: usize = 100_000_000;
+/// Maximum number of points of a generated profile: 10⁸ heights need 800 MB.
+const MAX_POINTS: usize = 100_000_000;
 
-/// Root mean square heights from those of an atomically flat surface to far beyond those of any worked one \[m\].
+/// Range of root mean square heights \[m\], from atomically flat surfaces to far beyond machined ones.
 const RQ: std::ops::RangeInclusive<f64> = 1e-12..=1e-3;
 
-/// `points` where a profile may have so many.
+/// Returns `points` if it is a permitted number of points.
 pub(super) fn check_points(points: usize) -> Result<usize, DomainError> {
     const RULE: &str = "must lie between 4 and 100000000";
     DomainError::require(
-        (4..=MOST_POINTS).contains(&points),
+        (4..=MAX_POINTS).contains(&points),
         "points",
         points as f64,
         "-",
@@ -22,7 +22,7 @@ pub(super) fn check_points(points: usize) -> Result<usize, DomainError> {
     Ok(points)
 }
 
-/// `heights` about zero and with a root mean square of `rq`.
+/// Profile of `heights` scaled to zero mean and a root mean square of `rq`.
 pub(super) fn scaled(
     spacing: Length,
     mut heights: Vec<f64>,

@@ -22,15 +22,15 @@ use serde::{Deserialize, Serialize};
 use super::random::Random;
 use super::scaling::{check_points, scaled};
 
-/// Amplitudes of the waves of a recipe.
+/// Amplitudes of the waves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Amplitudes {
-    /// Exactly √C: the spectrum is the recipe's, line by line.
+    /// Exactly √C, so that every line of the spectrum follows the recipe.
     #[default]
     Fixed,
-    /// √C times a Rayleigh number, as a finite piece of a Gaussian surface has them.
+    /// √C times a Rayleigh-distributed number, as on a finite length of a Gaussian surface.
     Random,
 }
 
@@ -48,7 +48,7 @@ pub struct SelfAffine {
     pub hurst: f64,
     /// Wavelength above which the spectrum is flat.
     pub roll_off: Length,
-    /// Wavelength below which there is nothing; at least two spacings.
+    /// Wavelength below which the spectrum is zero; at least two spacings.
     pub short_cut: Length,
     /// Seed of the random phases.
     pub seed: u64,
@@ -119,14 +119,14 @@ impl SelfAffine {
         for (k, value) in spectrum.iter_mut().enumerate() {
             let phase = TAU * random.uniform();
             let q = TAU * k as f64 / (n as f64 * dx);
-            // The wave at half the sampling frequency has no phase of its own.
+            // The wave at half the sampling frequency has no independent phase.
             if k == 0 || 2 * k >= n || q > q_s * (1.0 + f64::EPSILON) {
                 continue;
             }
             let density = (q / q_r).max(1.0).powf(-(1.0 + 2.0 * h));
             let amplitude = match amplitudes {
                 Amplitudes::Fixed => density.sqrt(),
-                // Rayleigh: the size of two normal numbers.
+                // Rayleigh distribution: magnitude of two normal numbers.
                 Amplitudes::Random => (-density * (1.0 - random.uniform()).ln()).sqrt(),
             };
             *value = Complex::from_polar(amplitude, phase);

@@ -1,8 +1,8 @@
 //! Alicona AL3D: tags of 52 bytes, and a depth image in metres as floats.
 //!
 //! Layout: AL3D File Format Specification 1.0 (2005) as its public readers state it (Gwyddion alicona.c,
-//! SurfaceTopography, surfalize). Rows are padded to eight bytes. Depths from `InvalidPixelValue` up are none.
-//! The quality map that MeasureSuite filters by is not applied.
+//! SurfaceTopography, surfalize). Rows are padded to eight bytes. Depths from `InvalidPixelValue` up are missing. The
+//! quality map, by which MeasureSuite filters, is not applied.
 
 use std::collections::HashMap;
 
@@ -19,11 +19,11 @@ const FORMAT: Format = Format::AliconaAl3d;
 const MARK: usize = 17;
 /// Bytes of a tag: name, value, line end.
 const TAG: [usize; 3] = [20, 30, 2];
-/// Tags looked at; real files have some twenty.
+/// Maximum number of tags; real files have some twenty.
 const MOST_TAGS: usize = 1000;
 /// Rows start at multiples of this.
 const ALIGNED: usize = 8;
-/// Depths from here up are none, where the file does not say from where.
+/// Default of `InvalidPixelValue`.
 const INVALID: f64 = 3e15;
 
 /// Reads the depth image.
@@ -63,7 +63,7 @@ pub(super) fn read(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
     Ok(found)
 }
 
-/// The tags by name; none where they break off.
+/// The tags by name; `None` if they are truncated.
 fn tags(bytes: &[u8]) -> Option<HashMap<String, String>> {
     let mut tags = HashMap::new();
     let length: usize = TAG.iter().sum();
@@ -80,7 +80,7 @@ fn tags(bytes: &[u8]) -> Option<HashMap<String, String>> {
             text(bytes, start + TAG[0], TAG[1])?,
         );
         if name == "TagCount" {
-            // The version and the count stand before those that are counted.
+            // The version and the count precede the counted tags.
             count = value.parse::<usize>().ok()?.min(MOST_TAGS) + 2;
         }
         tags.insert(name, value);

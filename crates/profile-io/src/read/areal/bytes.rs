@@ -1,10 +1,10 @@
-//! Numbers and texts at known places of a header; what lies beyond the end is none.
+//! Numbers and texts at known offsets of a header; `None` beyond its end.
 
 use encoding_rs::WINDOWS_1252;
 
 /// A number of fixed width.
 pub(super) trait Plain: Sized {
-    /// Its bytes.
+    /// Number of bytes.
     const WIDTH: usize;
     fn little(bytes: &[u8]) -> Option<Self>;
     fn big(bytes: &[u8]) -> Option<Self>;
@@ -52,7 +52,7 @@ pub(super) fn text(bytes: &[u8], at: usize, length: usize) -> Option<String> {
     Some(text.trim().to_owned())
 }
 
-/// Bytes that are read one after the other.
+/// Sequential reading of bytes.
 pub(super) struct Cursor<'a> {
     pub bytes: &'a [u8],
     pub at: usize,

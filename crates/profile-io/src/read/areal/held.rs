@@ -1,11 +1,11 @@
-//! A file that is held while its matrix is decoded.
+//! Reading of a whole file into memory.
 
 use std::io::Read;
 
 use crate::read::error::ReadError;
 use crate::read::text::Stream;
 
-/// Bytes of the largest file of the areal formats.
+/// Maximum size of a file of the areal formats in bytes.
 const MOST_BYTES: u64 = 1 << 30;
 
 /// The bytes of a file of `size` bytes.

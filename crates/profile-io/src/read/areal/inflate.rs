@@ -1,10 +1,10 @@
-//! Unpacking of zlib streams, bounded as members of archives are.
+//! Bounded unpacking of zlib streams.
 
 use std::io::Read;
 
 use flate2::read::ZlibDecoder;
 
-/// The content of a zlib stream; none where it is damaged or has more than `most` bytes.
+/// The content of a zlib stream; `None` if it is damaged or has more than `most` bytes.
 pub(super) fn inflated(packed: &[u8], most: u64) -> Option<Vec<u8>> {
     let mut content = Vec::new();
     let unpacked = ZlibDecoder::new(packed)

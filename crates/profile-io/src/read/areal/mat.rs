@@ -1,7 +1,7 @@
 //! MATLAB data of level 5: a profile as a vector, a surface as a matrix.
 //!
-//! The file has neither units nor spacing. Of several arrays the first is read that is
-//! named `z`, `heights`, `height` or `profile`, in capitals or not.
+//! The file has neither units nor spacing. Of several arrays the first one named `z`, `heights`, `height` or `profile`
+//! is read, ignoring case.
 
 use super::bytes::part;
 use super::mat_elements::{Array, arrays};
@@ -14,10 +14,10 @@ use crate::read::metadata::short;
 use crate::read::table::shortened;
 
 const FORMAT: Format = Format::Matlab;
-/// Version and order of bytes, at the end of the header.
+/// Version and byte order, at the end of the header.
 const LEVEL_5: &[u8] = b"\x00\x01IM";
 const LEVEL_7_3: &[u8] = b"\x00\x02IM";
-/// Names of heights, where there are several arrays.
+/// Names of the array of heights among several arrays.
 const NAMES: [&str; 4] = ["z", "heights", "height", "profile"];
 
 /// Reads the heights.
@@ -55,7 +55,7 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
         })?,
     };
     let array = all.swap_remove(at);
-    // A vector is a profile, whichever way it stands.
+    // A row or column vector is a profile.
     let (columns, rows) = match array.columns {
         1 => (array.rows, 1),
         _ => (array.columns, array.rows),

@@ -12,9 +12,9 @@ use crate::read::archive::most_unpacked;
 const HEADER: usize = 128;
 const MATRIX: u32 = 14;
 const COMPRESSED: u32 = 15;
-/// Elements looked at; a file of lab data has some dozens.
+/// Maximum number of elements; a file of lab data has some dozens.
 const MOST_ELEMENTS: usize = 10_000;
-/// Bit of the flags that says that numbers have an imaginary part.
+/// Flag of complex numbers.
 const COMPLEX: u32 = 0x800;
 /// Classes of numeric arrays: double, single, and whole numbers of 8 to 64 bits.
 const NUMERIC: std::ops::RangeInclusive<u32> = 6..=15;
@@ -29,7 +29,7 @@ pub(super) struct Array {
     pub data: Vec<u8>,
 }
 
-/// Type and data of an element, and where the next begins.
+/// Type and data of an element, and the offset of the next one.
 struct Element<'a> {
     kind: u32,
     data: &'a [u8],
@@ -61,7 +61,7 @@ fn element(bytes: &[u8], at: usize) -> Option<Element<'_>> {
     })
 }
 
-/// The numeric arrays of a file; none where it breaks off or cannot be unpacked.
+/// The numeric arrays of a file; `None` if it is truncated or cannot be unpacked.
 pub(super) fn arrays(bytes: &[u8]) -> Option<Vec<Array>> {
     let mut found = Vec::new();
     let mut at = HEADER;
@@ -88,7 +88,7 @@ pub(super) fn arrays(bytes: &[u8]) -> Option<Vec<Array>> {
     Some(found)
 }
 
-/// The array in the data of a matrix element; none where it is no array of real numbers in two dimensions.
+/// The array in the data of a matrix element; `None` if it is not a two-dimensional array of real numbers.
 fn array(bytes: &[u8]) -> Option<Array> {
     let flags = element(bytes, 0)?;
     let kind: u32 = little(flags.data, 0)?;

@@ -1,8 +1,8 @@
-//! Areal formats of instruments: a header, and a matrix of heights that is decoded where it is asked for.
+//! Areal formats of instruments: a header, and a matrix of heights that is decoded on request.
 //!
-//! A reader of a format finds where in the file the matrix lies and how a number becomes a height
-//! ([`raw`]); rows, columns and means of it are then the same for all ([`trace`]). No code of other
-//! readers was taken; each file names where its layout is described.
+//! A reader of a format determines the offset of the matrix in the file and the conversion of numbers to heights
+//! ([`raw`]); rows, columns and means are the same for all formats ([`trace`]). Each file names the description of its
+//! layout; no code of other readers is used.
 
 mod al3d;
 mod bytes;
@@ -29,7 +29,7 @@ use super::format::Format;
 use super::text::Stream;
 use trace::Areal;
 
-/// The surface or profile in a file of an areal format; none where `format` is another.
+/// The surface or profile in a file of an areal format; `None` if `format` is another.
 pub(crate) fn read(
     file: &str,
     format: Format,

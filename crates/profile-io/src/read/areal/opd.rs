@@ -1,8 +1,8 @@
 //! Wyko and Veeco OPD: a directory of blocks, one of them the heights in wavelengths.
 //!
-//! Layout: Gwyddion opdfile.c, SurfaceTopography, surfalize. The heights stand column by column, each from
-//! its lower end. A height is number · Wavelength / Mult in nanometres, the spacing `Pixel_size` in
-//! millimetres, between rows times `Aspect`. Whole numbers from 32766 and floats from 1e38 up are none.
+//! Layout: Gwyddion opdfile.c, SurfaceTopography, surfalize. The heights are stored column by column, each from its
+//! lower end. A height is number · Wavelength / Mult in nanometres, the spacing `Pixel_size` in millimetres, between
+//! rows times `Aspect`. Whole numbers from 32766 and floats from 1e38 up are missing heights.
 
 use super::bytes::{little, text};
 use super::raw::{Layout, Missing, Number, Raw, Unit};
@@ -16,15 +16,15 @@ const FORMAT: Format = Format::Opd;
 /// Bytes before the directory, and of an entry.
 const START: usize = 2;
 const ENTRY: usize = 24;
-/// Entries looked at; real files have a thousand.
+/// Maximum number of entries; real files have a thousand.
 const MOST_ENTRIES: usize = 100_000;
-/// Blocks that hold heights, the first that is there.
+/// Names of the block of heights, in the order of preference.
 const HEIGHTS: [&str; 5] = ["RAW_DATA", "RAW DATA", "OPD", "Raw", "SAMPLE_DATA"];
 /// Kinds of block.
 const ARRAY: u16 = 3;
 const SHORT: u16 = 6;
 const FLOAT: u16 = 7;
-/// Numbers from here up are none.
+/// Numbers from here up are missing heights.
 const BAD_SHORT: f64 = 32766.0;
 const BAD_FLOAT: f64 = 1e38_f32 as f64;
 
@@ -105,7 +105,7 @@ pub(super) fn read(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
     Ok(found)
 }
 
-/// The blocks that the directory lists; none where it or one of them is cut off.
+/// The blocks of the directory; `None` if it or one of them is truncated.
 fn blocks(bytes: &[u8]) -> Option<Vec<Block>> {
     let entry = |at: usize| {
         let start = START + at * ENTRY;

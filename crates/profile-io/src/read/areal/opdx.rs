@@ -2,7 +2,7 @@
 //!
 //! Layout: Gwyddion dektakvca.c and SurfaceTopography; confirmed on one public profile and its text export.
 //! A profile of n points has the length `Extent`, so its spacing is `Extent`/(n − 1), as in the text export. A
-//! height is number · `DataScale`. No public file with a surface was at hand.
+//! height is number · `DataScale`. The layout of surfaces is not confirmed by a public file.
 
 use super::opdx_items::{Item, items};
 use super::raw::{Layout, Number, Raw, Unit};

@@ -1,14 +1,14 @@
-//! The tree of named items that a Bruker OPDx file is.
+//! The tree of named items of a Bruker OPDx file.
 //!
 //! Layout: Gwyddion dektakvca.c and SurfaceTopography. An item has a name, a type and data. Containers hold
-//! items up to a terminator; lengths have a width of one, two or four bytes, which stands before them.
+//! items up to a terminator; lengths have one, two or four bytes, preceded by this width.
 
 use super::bytes::{Cursor, Plain};
 
-/// Deepest nesting followed, and items looked at.
+/// Maximum nesting and number of items.
 const DEEPEST: usize = 16;
 const MOST_ITEMS: usize = 100_000;
-/// Bytes of the longest path, with all names above.
+/// Maximum length of a path in bytes.
 const LONGEST_PATH: usize = 1000;
 /// Types of items.
 const MATRIX: u8 = 0x00;
@@ -34,7 +34,7 @@ const POSITIONS: u8 = 0x7c;
 const CONTAINER: u8 = 0x7d;
 const TERMINATOR: u8 = 0x7f;
 
-/// Data of an item, as far as they are used.
+/// Used data of an item.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Item {
     Text(String),
@@ -49,7 +49,7 @@ pub(super) enum Item {
     Other,
 }
 
-/// The items of a file by their paths, `/1D_Data/Raw/Array`; none where the tree breaks off.
+/// The items of a file by their paths, `/1D_Data/Raw/Array`; `None` if the tree is truncated.
 pub(super) fn items(bytes: &[u8], at: usize) -> Option<Vec<(String, Item)>> {
     let mut reader = Reader {
         cursor: Cursor { bytes, at },
@@ -65,7 +65,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// Reads an item; whether another may follow in its container.
+    /// Reads an item; returns whether another may follow in its container.
     fn item(&mut self, prefix: &str, depth: usize) -> Option<bool> {
         let at_end = self.cursor.at >= self.cursor.bytes.len();
         if at_end && depth == 0 {
@@ -148,7 +148,7 @@ impl Reader<'_> {
         Some(String::from_utf8_lossy(bytes).into_owned())
     }
 
-    /// A length of its own width.
+    /// A length, preceded by its width.
     fn length(&mut self) -> Option<usize> {
         Some(match self.cursor.number::<u8>()? {
             1 => self.cursor.number::<u8>()?.into(),
@@ -165,7 +165,7 @@ impl Reader<'_> {
         (end <= self.cursor.bytes.len()).then_some(end)
     }
 
-    /// Passes over a type's name and data.
+    /// Skips the name and data of a type.
     fn skipped_named(&mut self) -> Option<Item> {
         self.name()?;
         self.cursor.at = self.end()?;

@@ -1,8 +1,8 @@
 //! Sensofar PLU: a date, a comment, a calibration, and heights in micrometres as floats.
 //!
-//! Layout: Gwyddion sensofar.c and SurfaceTopography. The header has 500 bytes; then come rows, columns and
-//! the heights of the first layer. 1000001 stands for no height. The format has no mark: the header starts
-//! with a date such as `Fri Mar 10 16:35:59 2023` and a zero.
+//! Layout: Gwyddion sensofar.c and SurfaceTopography. The header has 500 bytes; then come rows, columns and the heights
+//! of the first layer. 1000001 is a missing height. The format has no magic number: the header starts with a date such
+//! as `Fri Mar 10 16:35:59 2023` and a zero.
 
 use super::bytes::{little, text};
 use super::raw::{Layout, Missing, Number, Raw, Unit};
@@ -15,7 +15,7 @@ use crate::read::metadata::short;
 const FORMAT: Format = Format::SensofarPlu;
 const DATE: usize = 24;
 const HEADER: usize = 500;
-/// Places in the header.
+/// Offsets in the header.
 const COMMENT: usize = 132;
 const X_PIXEL: usize = 404;
 const Y_PIXEL: usize = 408;
@@ -25,10 +25,10 @@ const IMAGE: u32 = 0;
 const PROFILE: u32 = 1;
 const TOPOGRAPHY: u32 = 3;
 const THICKNESS: u32 = 5;
-/// Stands for no height.
+/// Mark of a missing height.
 const NONE: f64 = 1_000_001.0;
 
-/// Whether a file that starts with `head` is one.
+/// Whether a file that starts with `head` is a PLU.
 pub(crate) fn recognised(head: &[u8]) -> bool {
     const DAYS: [&[u8]; 7] = [b"Mon", b"Tue", b"Wed", b"Thu", b"Fri", b"Sat", b"Sun"];
     let Some(date) = head.get(..=DATE).filter(|_| head.len() > HEADER) else {

@@ -1,7 +1,7 @@
 //! Sensofar PLUX: a zip with `index.xml` and heights in micrometres as floats.
 //!
 //! Layout: SurfaceTopography and surfalize. `GENERAL` states the points and their distance, `LAYER_0` the
-//! member with the heights; NaN stands for no height. The first layer is read.
+//! member with the heights; NaN is a missing height. The first layer is read.
 
 use std::io::Read;
 

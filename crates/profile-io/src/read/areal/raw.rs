@@ -1,4 +1,4 @@
-//! A matrix of numbers in the bytes of a file, and the heights that they mean.
+//! A matrix of numbers in the bytes of a file, and its conversion to heights.
 
 use super::bytes::{Plain, part};
 
@@ -38,7 +38,7 @@ impl Number {
             Self::U32 => u32::little(bytes)?.into(),
             Self::I32 => i32::little(bytes)?.into(),
             Self::I32Big => i32::big(bytes)?.into(),
-            // Beyond 2⁵³ a double rounds; no instrument counts so far.
+            // Numbers beyond 2⁵³ are rounded; no instrument has such numbers.
             Self::U64 => u64::little(bytes)? as f64,
             Self::I64 => i64::little(bytes)? as f64,
             Self::F32 => f32::little(bytes)?.into(),
@@ -47,7 +47,7 @@ impl Number {
     }
 }
 
-/// Numbers that stand for no height, beside those that are not finite.
+/// Marks of missing heights, in addition to numbers that are not finite.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Missing {
     None,
@@ -65,7 +65,7 @@ impl Missing {
     }
 }
 
-/// The unit of heights: metres are value · times / over, in this order, as exact as two operations are.
+/// Unit of heights: metres are value · times / over, evaluated in this order.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Unit {
     pub times: f64,
@@ -78,7 +78,7 @@ impl Unit {
     pub(super) const NANOMETRE: Self = Self::part(1e9);
     pub(super) const PICOMETRE: Self = Self::part(1e12);
 
-    /// A metre over `over`.
+    /// A metre divided by `over`.
     pub(super) const fn part(over: f64) -> Self {
         Self { times: 1.0, over }
     }
@@ -89,16 +89,16 @@ impl Unit {
     }
 }
 
-/// Bytes of a file and where in them the matrix lies.
+/// Bytes of a file with the layout of the matrix in them.
 #[derive(Debug, Clone)]
 pub(crate) struct Raw {
     bytes: Vec<u8>,
     number: Number,
     columns: usize,
     rows: usize,
-    /// Byte of row 0, column 0.
+    /// Offset of row 0, column 0.
     first: usize,
-    /// Bytes to the next column and to the next row.
+    /// Offsets to the next column and to the next row.
     steps: [i64; 2],
     /// A height is number · scale in `unit`.
     pub scale: f64,
@@ -106,7 +106,7 @@ pub(crate) struct Raw {
     pub missing: Missing,
 }
 
-/// Places of a matrix: the byte of row 0, column 0, and the bytes to the next column and row.
+/// Layout of a matrix: offset of row 0, column 0, and offsets to the next column and row.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Layout {
     pub first: usize,
@@ -116,7 +116,7 @@ pub(crate) struct Layout {
 }
 
 impl Layout {
-    /// Row after row without gaps, from the byte `first` on.
+    /// Rows without gaps, from the offset `first`.
     pub(super) fn packed(first: usize, columns: usize, rows: usize, number: Number) -> Self {
         let width = number.width() as i64;
         let row = width.saturating_mul(i64::try_from(columns).unwrap_or(i64::MAX));
@@ -128,7 +128,7 @@ impl Layout {
         }
     }
 
-    /// Whether all of it lies inside of `length` bytes.
+    /// Whether the matrix is within `length` bytes.
     fn lies_in(self, length: usize, number: Number) -> Option<bool> {
         let [along, across] = self.steps;
         let last =
@@ -143,7 +143,7 @@ impl Layout {
 }
 
 impl Raw {
-    /// The matrix at `layout`; none where it has no points or does not lie in `bytes`.
+    /// The matrix at `layout`; `None` if it has no points or is not within `bytes`.
     pub(super) fn new(bytes: Vec<u8>, number: Number, layout: Layout) -> Option<Self> {
         let whole = layout.columns > 0 && layout.rows > 0;
         let inside = layout.lies_in(bytes.len(), number)?;
@@ -164,7 +164,7 @@ impl Raw {
         [self.columns, self.rows]
     }
 
-    /// Height `[m]` of a point, NaN where there is none.
+    /// Height `[m]` of a point; NaN if it is missing.
     pub(crate) fn height(&self, column: usize, row: usize) -> f64 {
         let [along, across] = self.steps;
         let at = self.first as i64 + along * column as i64 + across * row as i64;

@@ -1,7 +1,7 @@
 //! Binary SDF (ISO 25178-71, EUNA 15178, "BCR").
 //!
 //! A header of 81 bytes (85 in version 2, whose counts have 32 bits), then the heights row by row. A height
-//! is number · Zscale metres; the least number of a type stands for none. Layout: ISO 25178-71 as its public
+//! is number · Zscale metres; the smallest number of a type is a missing height. Layout: ISO 25178-71 as its public
 //! readers state it (Gwyddion sdfile.c, SurfaceTopography, surfalize).
 
 use super::bytes::{Cursor, text};
@@ -13,10 +13,10 @@ use crate::read::format::Format;
 use crate::read::metadata::short;
 
 const FORMAT: Format = Format::SdfBinary;
-/// Marks of the version with counts of 32 bits.
+/// Magic number of the version with counts of 32 bits.
 const WIDE: &[u8] = b"bISO-2.0";
 
-/// Storage by the number of the type, and what stands for no height.
+/// Storage by the number of the type, and the mark of a missing height.
 const TYPES: [(Number, Missing); 8] = [
     (Number::U8, Missing::None),
     (Number::U16, Missing::None),

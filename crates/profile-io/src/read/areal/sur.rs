@@ -1,9 +1,9 @@
 //! Digital Surf SUR and PRO: the exchange format of MountainsMap.
 //!
-//! A header of 512 bytes, a comment, a private zone, and whole numbers of 16 or 32 bits; `DSCOMPRESSED`
-//! files hold them as zlib streams. A height is number · spacing of z in its step unit. Layout: the readers
-//! of Gwyddion (surffile.c), SurfaceTopography, surfalize and RosettaSciIO. These disagree on the offset of
-//! the heights, so it is left out: a trace has no absolute height.
+//! A header of 512 bytes, a comment, a private zone, and whole numbers of 16 or 32 bits; `DSCOMPRESSED` files hold them
+//! as zlib streams. A height is number · spacing of z in its step unit. Layout: the readers of Gwyddion (surffile.c),
+//! SurfaceTopography, surfalize and RosettaSciIO. These disagree on the offset of the heights, which is ignored because
+//! a trace has no absolute height.
 
 use super::bytes::{little, part, text};
 use super::inflate::inflated;
@@ -20,7 +20,7 @@ const FORMAT: Format = Format::DigitalSurf;
 const HEADER: usize = 512;
 const COMPRESSED: &[u8] = b"DSCOMPRESSED";
 
-/// Kinds of content that are not read, by their number.
+/// Unsupported kinds of content, by their number.
 const OTHERS: &[(i16, &str)] = &[
     (3, "a binary image"),
     (5, "a series of surfaces"),
@@ -166,7 +166,7 @@ fn unpacked(
     }
     let cut = || fault("the list of its streams is cut off");
     let streams: u32 = little(bytes, at).ok_or_else(cut)?;
-    // Each has a place in the list, of eight bytes.
+    // Each stream has an entry of eight bytes in the list.
     let list = (streams as usize).checked_mul(8).ok_or_else(cut)?;
     let list = part(bytes, at + 4, list).ok_or_else(cut)?;
     let mut next = at + 4 + list.len();
@@ -188,7 +188,7 @@ fn unpacked(
     Ok((matrix, next))
 }
 
-/// Profiles one after the other, each with its header.
+/// A series of profiles, each with its header.
 fn series(file: &str, bytes: &[u8], first: Object, objects: u16) -> Result<Heights, ReadError> {
     let columns = first.raw.size()[0];
     let mut values = Vec::new();
@@ -206,13 +206,13 @@ fn series(file: &str, bytes: &[u8], first: Object, objects: u16) -> Result<Heigh
     Ok(Heights::Values { values, columns })
 }
 
-/// The spacing at `at` in the unit whose name stands at `name` \[m\].
+/// The spacing \[m\] at `at`, in the unit with its name at `name`.
 fn spacing(file: &str, bytes: &[u8], at: usize, name: usize) -> Result<f64, ReadError> {
     let value = f64::from(field::<f32>(file, bytes, 0, at)?);
     Ok(unit(file, bytes, name, Axis::Trace)?.metres(value))
 }
 
-/// The unit whose name stands at `at`.
+/// The unit with its name at `at`.
 fn unit(file: &str, bytes: &[u8], at: usize, axis: Axis) -> Result<Unit, ReadError> {
     let name = text(bytes, at, 16).unwrap_or_default();
     let known = name.parse::<LengthUnit>().ok();
@@ -246,7 +246,7 @@ fn unit(file: &str, bytes: &[u8], at: usize, axis: Axis) -> Result<Unit, ReadErr
     })
 }
 
-/// Date of the measurement, where one is stated.
+/// Date of the measurement, if stated.
 fn date(bytes: &[u8]) -> Option<String> {
     let number = |at| little::<i16>(bytes, at);
     let (day, month, year) = (number(312)?, number(314)?, number(316)?);

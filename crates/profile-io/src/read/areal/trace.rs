@@ -1,4 +1,4 @@
-//! A surface as it was found in a file, and the traces that are taken from it.
+//! A surface of a file, and the extraction of its traces.
 
 use super::raw::Raw;
 use crate::read::error::ReadError;
@@ -11,12 +11,12 @@ use crate::read::surface::Surface;
 use crate::read::units;
 use crate::warning::Warning;
 
-/// Heights of a surface or of a profile, which has one row.
+/// Heights of a surface, or of a profile with one row.
 #[derive(Debug, Clone)]
 pub(crate) enum Heights {
-    /// In the bytes of the file, decoded where asked for.
+    /// Bytes of the file, decoded on request.
     Raw(Raw),
-    /// Row by row, NaN where there is none.
+    /// Row by row; NaN for missing heights.
     Values { values: Vec<f64>, columns: usize },
 }
 
@@ -32,30 +32,30 @@ impl Heights {
         match self {
             Self::Raw(raw) => raw.height(column, row),
             Self::Values { values, columns } => {
-                let found = values.get(row * columns + column);
-                found.copied().unwrap_or(f64::NAN)
+                let height = values.get(row * columns + column);
+                height.copied().unwrap_or(f64::NAN)
             }
         }
     }
 }
 
-/// What a file says of the unit of its heights.
+/// Unit of the heights in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum HeightUnit {
-    /// Nothing.
+    /// Not stated.
     Unstated,
-    /// Its numbers are metres.
+    /// The numbers are in metres.
     Metres,
-    /// Scales in its header have made metres of its numbers.
+    /// The numbers were converted to metres by scales of the header.
     Scaled,
 }
 
-/// Findings of the reader of an areal format.
+/// Content of a file of an areal format.
 #[derive(Debug, Clone)]
 pub(crate) struct Areal {
     pub format: Format,
     pub heights: Heights,
-    /// Spacings along rows and from row to row \[m\], where the file states them.
+    /// Spacings along rows and between rows \[m\], if stated.
     pub spacings: [Option<f64>; 2],
     pub unit: HeightUnit,
     pub metadata: Metadata,
@@ -63,7 +63,7 @@ pub(crate) struct Areal {
 }
 
 impl Areal {
-    /// Heights that the header scales to metres, nothing else known.
+    /// Heights scaled to metres by the header, without other facts.
     pub(crate) fn new(format: Format, heights: Heights) -> Self {
         Self {
             format,
@@ -75,7 +75,7 @@ impl Areal {
         }
     }
 
-    /// The same with spacings \[m\]; those that are none are left out.
+    /// The surface with spacings \[m\]; invalid spacings are omitted.
     pub(super) fn spaced(self, dx: f64, dy: f64) -> Self {
         let real = |dx: f64| (dx.is_finite() && dx > 0.0).then_some(dx);
         Self {
@@ -84,7 +84,7 @@ impl Areal {
         }
     }
 
-    /// The trace that `options` ask for.
+    /// The trace requested by `options`.
     pub(crate) fn trace(mut self, file: &str, options: &ReadOptions) -> Result<Found, ReadError> {
         let [columns, rows] = self.heights.size();
         let (across, points) = match options.line {
@@ -183,14 +183,14 @@ impl Areal {
     }
 }
 
-/// Mean of the heights that are known, NaN where none is.
+/// Mean of the known heights; NaN without known heights.
 fn mean(heights: impl Iterator<Item = f64>) -> f64 {
     let known = heights.filter(|z| z.is_finite());
     let (sum, count) = known.fold((0.0, 0_u64), |(sum, count), z| (sum + z, count + 1));
     sum / count as f64
 }
 
-/// Highest minus lowest height, in the unit of the file.
+/// Difference of the highest and lowest height, in the unit of the file.
 fn span(heights: &Heights) -> f64 {
     let [columns, rows] = heights.size();
     let all = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));

@@ -1,7 +1,7 @@
-//! Keyence VK3, VK4, and VK6 and VK7, which are a zip with a VK4 in it behind a picture.
+//! Keyence VK3, VK4, and VK6 and VK7, which contain a VK4 in a zip after a picture.
 //!
 //! Layout: "VK4 file format" (OSTI 1419732) as its public readers state it (Gwyddion keyence.c,
-//! SurfaceTopography, surfalize). A table of places, measuring conditions, and the height image: width, height,
+//! SurfaceTopography, surfalize). A table of offsets, measuring conditions, and the height image: width, height,
 //! bits, compression, bytes, range, a palette of 768 bytes, whole numbers. Lengths are in picometres.
 
 use std::io::Read;
@@ -18,13 +18,13 @@ use crate::read::text::Stream;
 const FORMAT: Format = Format::KeyenceVk;
 /// The member of a VK6 or VK7 that is a VK4.
 const MEMBER: &str = "Vk4File";
-/// Places in the table: of the measuring conditions and of the height image.
+/// Entries of the table: offsets of the measuring conditions and of the height image.
 const CONDITIONS: usize = 12;
 const HEIGHTS: usize = 36;
 /// Bytes between the head of an image and its numbers.
 const PALETTE: usize = 768;
 const IMAGE_HEAD: usize = 28;
-/// Places in the measuring conditions.
+/// Offsets in the measuring conditions.
 const X_LENGTH: usize = 168;
 const Y_LENGTH: usize = 172;
 const Z_LENGTH: usize = 176;

@@ -1,17 +1,17 @@
-//! Straight lines between points.
+//! Linear interpolation.
 
-/// A point: place and value.
+/// Abscissa and value.
 type Point = (f64, f64);
 
-/// The value at `x` of the line through `points` of rising places, that of the first or last beyond them; zero without
+/// Linear interpolation at `x` of `points` in ascending order, constant beyond the first and the last; zero without
 /// points.
-pub(crate) fn along(points: &[Point], x: f64) -> f64 {
-    let above = points.partition_point(|(place, _)| *place <= x);
+pub(crate) fn interpolate(points: &[Point], x: f64) -> f64 {
+    let above = points.partition_point(|(abscissa, _)| *abscissa <= x);
     let below = above.checked_sub(1).and_then(|k| points.get(k));
     between(below.copied(), points.get(above).copied(), x)
 }
 
-/// The value at `x` on the line between its neighbours, that of the only one where there is one; zero without any.
+/// Linear interpolation at `x` between its neighbours; with a single neighbour its value, without any zero.
 pub(crate) fn between(below: Option<Point>, above: Option<Point>, x: f64) -> f64 {
     match (below, above) {
         (Some((x0, y0)), Some((x1, y1))) => y0 + (y1 - y0) * (x - x0) / (x1 - x0),
@@ -22,12 +22,12 @@ pub(crate) fn between(below: Option<Point>, above: Option<Point>, x: f64) -> f64
 
 #[cfg(test)]
 mod tests {
-    use super::along;
+    use super::interpolate;
 
     #[test]
     fn a_line_is_straight_between_its_points_and_level_beyond() {
         let line = [(1.0, 2.0), (3.0, 6.0), (4.0, 0.0)];
-        let at = |x| along(&line, x);
+        let at = |x| interpolate(&line, x);
         assert_eq!(
             [
                 at(0.0),
@@ -40,7 +40,7 @@ mod tests {
             ],
             [2.0, 2.0, 4.0, 6.0, 3.0, 0.0, 0.0]
         );
-        assert_eq!(along(&[], 1.0), 0.0);
-        assert_eq!(along(&[(1.0, 5.0)], 7.0), 5.0);
+        assert_eq!(interpolate(&[], 1.0), 0.0);
+        assert_eq!(interpolate(&[(1.0, 5.0)], 7.0), 5.0);
     }
 }
