@@ -81,7 +81,7 @@ fn a_design_is_rehearsed_and_its_calibration_narrows_the_band_of_a_run() {
     ]);
     let text = said.well().out;
     assert!(
-        text.contains("W431 the gearbox of the case is left aside"),
+        text.contains("W431 the gearbox of the case is ignored"),
         "{text}"
     );
     let before = text.find("operating points can find").unwrap();

@@ -1,5 +1,5 @@
-//! The folder of a calibration: `calibration.json`, `calibration.toml` (the block), `points.csv`, `calibration.html`; that
-//! of a design: `design.json`, `design.csv` to fill in, `design.html`, and `simulated.csv` where that is asked for.
+//! Folder of a calibration: `calibration.json`, `calibration.toml` (the block), `points.csv`, `calibration.html`. Folder of
+//! a design: `design.json`, `design.csv` to fill in, `design.html`, and on request `simulated.csv`.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -15,31 +15,31 @@ use crate::rig_table::SIMULATED;
 /// Kind of the folder in messages.
 const KIND: &str = "calibration";
 
-/// Whether a calibration or a design may be written as folder `target`.
+/// Checks that a calibration or a design may be written as folder `target`.
 ///
 /// # Errors
-/// When something else than an older one is there.
+/// When `target` holds something else than an older one.
 pub fn check_place(target: &Path) -> Result<(), ReportError> {
     Ok(check_folder(target, KIND)?)
 }
 
-/// Writes `found` as folder `target`, whole or not at all; an older one there is replaced.
+/// Writes `calibration` as folder `target`, completely or not at all, and replaces an older one.
 ///
 /// # Errors
-/// When the system refuses, or `target` holds something else.
-pub fn write(found: &Calibration, target: &Path) -> Result<(), ReportError> {
+/// When a file cannot be written, or `target` holds something else.
+pub fn write(calibration: &Calibration, target: &Path) -> Result<(), ReportError> {
     replace_folder(target, KIND, |folder| {
-        write_json(&folder.join("calibration.json"), found)?;
-        write_text(&folder.join("calibration.toml"), &found.block)?;
-        tables::write(&folder.join("points.csv"), found.points.iter())?;
-        write_text(&folder.join("calibration.html"), &page::render(found))
+        write_json(&folder.join("calibration.json"), calibration)?;
+        write_text(&folder.join("calibration.toml"), &calibration.block)?;
+        tables::write(&folder.join("points.csv"), calibration.points.iter())?;
+        write_text(&folder.join("calibration.html"), &page::render(calibration))
     })
 }
 
-/// Writes `design` as folder `target`, with simulated losses as a table beside it where there are any.
+/// Writes `design` as folder `target`, with a table of simulated losses if there are any.
 ///
 /// # Errors
-/// When the system refuses, or `target` holds something else.
+/// When a file cannot be written, or `target` holds something else.
 pub fn write_design(
     design: &Design,
     simulated: Option<&[f64]>,
@@ -55,7 +55,7 @@ pub fn write_design(
     })
 }
 
-/// The table of a rig for `design`, its losses to be measured or simulated.
+/// Rig table for `design`, with empty or simulated losses.
 fn table(design: &Design, simulated: Option<&[f64]>) -> String {
     let mut text = String::new();
     if simulated.is_some() {
