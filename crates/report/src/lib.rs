@@ -1,12 +1,12 @@
-//! Results for people and for other programs: a folder of files, a page, and a summary for the terminal.
+//! Output of results: a folder of files, a page, and a summary for the terminal.
 //!
-//! Everything is drawn from a [`RunResult`](asperity::result::RunResult) and the tables beside it;
-//! nothing here runs the pipeline.
+//! All output is made from a [`RunResult`](asperity::result::RunResult) and its tables; nothing here runs the
+//! pipeline.
 //!
 //! | to | use |
 //! |---|---|
 //! | write the folder of a run | [`write_folder`] |
-//! | have its files in memory | [`texts`] |
+//! | get its files in memory | [`texts`] |
 //! | read a result back | [`read_result`] |
 //! | draw its page | [`html::render`], [`redraw`] |
 //! | print it in 80 columns | [`summary`] |

@@ -1,4 +1,4 @@
-//! The folder of a cycle: `cycle.json`, `cycle.csv`, `cycle.html`.
+//! Folder of a cycle: `cycle.json`, `cycle.csv`, `cycle.html`.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -14,30 +14,30 @@ use crate::map::Map;
 /// Kind of the folder in messages.
 const KIND: &str = "cycle";
 
-/// Whether a result may be written as folder `target`.
+/// Checks that a result may be written as folder `target`.
 ///
 /// # Errors
-/// When something else than an older one is there.
+/// When `target` holds something else than an older result.
 pub fn check_place(target: &Path) -> Result<(), ReportError> {
     Ok(check_folder(target, KIND)?)
 }
 
-/// Writes `found`, which is of `map`, as folder `target`, whole or not at all.
+/// Writes `result`, computed on `map`, as folder `target`, completely or not at all.
 ///
 /// # Errors
-/// When the system refuses, or `target` holds something else.
-pub fn write(found: &CycleResult, map: &Map, target: &Path) -> Result<(), ReportError> {
+/// When a file cannot be written, or `target` holds something else.
+pub fn write(result: &CycleResult, map: &Map, target: &Path) -> Result<(), ReportError> {
     #[derive(Serialize)]
-    struct Row<'a> {
+    struct CyclePointRow<'a> {
         time_s: f64,
         torque_nm: f64,
         speed_rpm: f64,
         loss_w: f64,
         finish: Cow<'a, str>,
     }
-    let rows = found.finishes.iter().flat_map(|finish| {
-        let points = found.points.iter().zip(&finish.loss_w);
-        points.map(move |(point, loss_w)| Row {
+    let rows = result.finishes.iter().flat_map(|finish| {
+        let points = result.points.iter().zip(&finish.loss_w);
+        points.map(move |(point, loss_w)| CyclePointRow {
             time_s: point.time_s,
             torque_nm: point.torque_nm,
             speed_rpm: point.speed_rpm,
@@ -46,8 +46,8 @@ pub fn write(found: &CycleResult, map: &Map, target: &Path) -> Result<(), Report
         })
     });
     replace_folder(target, KIND, |folder| {
-        write_json(&folder.join("cycle.json"), found)?;
+        write_json(&folder.join("cycle.json"), result)?;
         tables::write(&folder.join("cycle.csv"), rows)?;
-        write_text(&folder.join("cycle.html"), &page::render(found, map))
+        write_text(&folder.join("cycle.html"), &page::render(result, map))
     })
 }

@@ -9,25 +9,25 @@ use super::page;
 use super::point::Map;
 use super::table;
 
-/// Folder of the exports in that of the map.
+/// Folder of the exports within the folder of a map.
 pub const EXPORTS: &str = "export";
 
 /// Kind of the folder in messages.
 const KIND: &str = "map";
 
-/// Whether a map may be written as folder `target`.
+/// Checks that a map may be written as folder `target`.
 ///
 /// # Errors
-/// When something else than an older map is there.
+/// When `target` holds something else than an older map.
 pub fn check_place(target: &Path) -> Result<(), ReportError> {
     Ok(check_folder(target, KIND)?)
 }
 
-/// Writes `map` as folder `target`, whole or not at all; an older map there is replaced. `visited` are torques
-/// \[N m\] and speeds \[1/min\] of a cycle, drawn over the fields; `exports` are files by their names.
+/// Writes `map` as folder `target`, completely or not at all, and replaces an older map. `visited` are torques
+/// \[N m\] and speeds \[1/min\] of a cycle, drawn over the fields; `exports` are files by name.
 ///
 /// # Errors
-/// When the system refuses, or `target` holds something else.
+/// When a file cannot be written, or `target` holds something else.
 pub fn write(
     map: &Map,
     visited: &[[f64; 2]],
@@ -36,10 +36,10 @@ pub fn write(
 ) -> Result<(), ReportError> {
     replace_folder(target, KIND, |folder| {
         if !exports.is_empty() {
-            let place = folder.join(EXPORTS);
-            make_folder(&place)?;
+            let exports_folder = folder.join(EXPORTS);
+            make_folder(&exports_folder)?;
             for (name, bytes) in exports {
-                write_bytes(&place.join(name), bytes)?;
+                write_bytes(&exports_folder.join(name), bytes)?;
             }
         }
         write_json(&folder.join("map.json"), map)?;

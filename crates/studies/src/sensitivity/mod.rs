@@ -1,5 +1,5 @@
-//! What the loss of a case does when one thing changes: heights and wavelengths of the flanks, boundary layer, oil, tip
-//! relief. Every number is the difference of two runs of the model at the same windows of the traces; none is measured.
+//! Sensitivity of the loss of a case to single changes: heights and wavelengths of the flanks, boundary layer, oil, tip
+//! relief. Every number is the difference of two runs of the model at the same windows of the traces.
 //!
 //! ```
 //! use asperity::case;

@@ -1,4 +1,4 @@
-//! The folder of a sensitivity study: `sensitivity.json`, its table and its page.
+//! Folder of a sensitivity study: `sensitivity.json`, table and page.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -14,28 +14,28 @@ use super::study::Sensitivity;
 /// Kind of the folder in messages.
 const KIND: &str = "sensitivity study";
 
-/// Whether a study may be written as folder `target`.
+/// Checks that a study may be written as folder `target`.
 ///
 /// # Errors
-/// When something else than an older study is there.
+/// When `target` holds something else than an older study.
 pub fn check_place(target: &Path) -> Result<(), ReportError> {
     Ok(check_folder(target, KIND)?)
 }
 
-/// Writes `found` as folder `target`, whole or not at all; an older study there is replaced.
+/// Writes `study` as folder `target`, completely or not at all, and replaces an older study.
 ///
 /// # Errors
-/// When the system refuses, or `target` holds something else.
-pub fn write(found: &Sensitivity, target: &Path) -> Result<(), ReportError> {
+/// When a file cannot be written, or `target` holds something else.
+pub fn write(study: &Sensitivity, target: &Path) -> Result<(), ReportError> {
     replace_folder(target, KIND, |folder| {
-        write_json(&folder.join("sensitivity.json"), found)?;
-        write_table(&folder.join("sensitivity.csv"), rows(found))?;
-        write_text(&folder.join("sensitivity.html"), &page::render(found))
+        write_json(&folder.join("sensitivity.json"), study)?;
+        write_table(&folder.join("sensitivity.csv"), rows(study))?;
+        write_text(&folder.join("sensitivity.html"), &page::render(study))
     })
 }
 
 #[derive(Serialize)]
-struct Row<'a> {
+struct ChangeRow<'a> {
     group: &'a str,
     change: Cow<'a, str>,
     to: Cow<'a, str>,
@@ -49,10 +49,10 @@ struct Row<'a> {
     code: &'a str,
 }
 
-fn rows(found: &Sensitivity) -> impl Iterator<Item = Row<'_>> {
-    found.rows.iter().map(|row| {
+fn rows(study: &Sensitivity) -> impl Iterator<Item = ChangeRow<'_>> {
+    study.rows.iter().map(|row| {
         let effect = row.effect.as_ref();
-        Row {
+        ChangeRow {
             group: row.group,
             change: cell(&row.what),
             to: cell(&row.to),

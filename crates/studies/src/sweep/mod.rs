@@ -1,8 +1,8 @@
 //! Many cases from one study file: crossed axes and samples of the inputs, in shards that any scheduler can run.
 //!
-//! A case has a number, row-major in the axes and then the sample, and an id of its content. Shards write parts, each
-//! whole or not at all; a restart runs what no part holds. Put together, the table is the same for every number of
-//! shards and threads.
+//! A case has a number, row-major in the axes and then the sample, and an id computed from its content. Shards write parts,
+//! each completely or not at all; a restart runs the missing cases. The merged table is the same for any number of shards
+//! and threads.
 
 mod amount;
 mod axes;
