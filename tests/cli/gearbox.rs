@@ -120,7 +120,7 @@ fn the_summary_names_both_efficiencies_and_whose_the_parts_are() {
     for says in [
         "efficiency (gearbox)",
         "Besides the mesh, from the input",
-        "they have no band",
+        "without an uncertainty",
         "data-key=\"summary.scope\"",
     ] {
         assert!(page.contains(says), "{says}");

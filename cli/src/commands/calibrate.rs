@@ -1,4 +1,4 @@
-//! `asperity calibrate`: boundary layer and film traction from a rig's table, and the points to measure.
+//! `asperity calibrate`: boundary layer and film traction from a rig table, and the design of measurements.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -38,54 +38,54 @@ fn fit(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
     let (file, case) = (&args.file, args.case.as_deref());
     let folder = folder(args, stem(file), "calibration");
-    place_is_free(&folder)?;
+    check_target(&folder)?;
     let rig = RigFiles::read(file, case, |path| load_case(path, &args.set, None))?;
     let progress = Progress::of(common.quiet, "evaluations");
-    let tell = |found: &Identifiability| {
+    let tell = |result: &Identifiability| {
         if !common.json {
-            // A reader that has gone away is told by the end of the command.
-            let _ = print_text(common, &before_the_fit(found));
+            // An error of standard output is reported at the end of the command.
+            let _ = print_text(common, &before_the_fit(result));
         }
     };
     let watch = Watch {
         progress: &|done, total| progress.at(done, total),
         before_the_fit: &tell,
     };
-    let found = rig.calibrate(&held(args), &watch);
+    let result = rig.calibrate(&held(args), &watch);
     drop(progress);
-    let found = found?;
-    write(&found, &folder).map_err(|error| Failure::new("E401", error.to_string()))?;
+    let result = result?;
+    write(&result, &folder).map_err(|error| Failure::new("E401", error.to_string()))?;
     if common.json {
-        return print_json(&found);
+        return print_json(&result);
     }
-    finish(common, summary(&found), &folder, begin)
+    finish(common, summary(&result), &folder, begin)
 }
 
 fn design(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
     if args.case.is_some() {
-        let message = "--design takes the case alone; leave the table out";
+        let message = "--design takes only the case; omit the table";
         return Err(Failure::new("E205", message));
     }
     let file = &args.file;
     let folder = folder(args, stem(file), "design");
-    place_is_free(&folder)?;
+    check_target(&folder)?;
     let case = load_case(file, &args.set, None)?;
     let limits = limits(args, &case)?;
     let progress = Progress::of(common.quiet, "evaluations");
-    let found = plan(&case, &limits, &held(args), &|done| progress.count(done));
+    let result = plan(&case, &limits, &held(args), &|done| progress.count(done));
     drop(progress);
-    let found = found?;
+    let result = result?;
     let simulated = args
         .simulate
-        .map(|seed| asperity_calibration::design::simulated(&case, &found, seed));
+        .map(|seed| asperity_calibration::design::simulated(&case, &result, seed));
     let simulated = simulated.transpose()?;
-    write_design(&found, simulated.as_deref(), &folder)
+    write_design(&result, simulated.as_deref(), &folder)
         .map_err(|error| Failure::new("E401", error.to_string()))?;
     if common.json {
-        return print_json(&found);
+        return print_json(&result);
     }
-    let mut text = design_summary(&found);
+    let mut text = design_summary(&result);
     if simulated.is_some() {
         text.push_str("simulated.csv holds SIMULATED losses at these points\n");
     }
@@ -93,8 +93,9 @@ fn design(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
 }
 
 fn limits(args: &CalibrateArgs, case: &LoadedCase) -> Result<Limits, Failure> {
-    /// Speeds where none are given, and the part of the largest that they begin at.
+    /// Default number of speeds.
     const SPEEDS: usize = 8;
+    /// Lowest default speed relative to the highest.
     const SLOWEST: f64 = 0.02;
     let torque = case.case.torque.si();
     let speed = case.case.speed.si() * 30.0 / std::f64::consts::PI;
@@ -129,8 +130,8 @@ fn folder(args: &CalibrateArgs, name: &std::ffi::OsStr, kind: &str) -> PathBuf {
     args.output.clone().unwrap_or_else(default)
 }
 
-/// Told before the work, not after it.
-fn place_is_free(folder: &Path) -> Result<(), Failure> {
+/// Checks the target before the computation.
+fn check_target(folder: &Path) -> Result<(), Failure> {
     check_place(folder).map_err(|error| Failure::new("E401", error.to_string()))
 }
 

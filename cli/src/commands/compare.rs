@@ -26,7 +26,7 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
         return Err(Failure::new("E209", message));
     }
     let progress = Progress::of(common.quiet, READING);
-    // Once for all finishes: standard input is read but once.
+    // Read once for all finishes, since standard input can be read only once.
     let (text, folder) = source(&args.case)?;
     pair_only(&text)?;
     let finishes = args
@@ -51,22 +51,23 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
         let stem = stem(&args.case).to_string_lossy();
         Path::new("results").join(format!("{stem}-compare"))
     });
-    // Told before the work, not after it.
+    // Checked before the computation.
     compare::check_place(&folder).map_err(|error| Failure::new("E401", error.to_string()))?;
     progress.begin("finishes");
-    let found = compare::compare(&finishes, &|done, total| progress.at(done, total))
+    let comparison = compare::compare(&finishes, &|done, total| progress.at(done, total))
         .map_err(|error| Failure::about(&args.case, &error))?;
     progress.begin(WRITING);
-    compare::write(&found, &folder).map_err(|error| Failure::new("E401", error.to_string()))?;
+    compare::write(&comparison, &folder)
+        .map_err(|error| Failure::new("E401", error.to_string()))?;
     drop(progress);
     if common.json {
-        return print_json(&found);
+        return print_json(&comparison);
     }
-    let text = compare::summary(&found);
+    let text = compare::summary(&comparison);
     print_text(common, &format!("{text}wrote {}\n", shown(&folder)))
 }
 
-/// The case with the traces of a finish; a single one serves both flanks, mirrored for the wheel.
+/// Loads the case with the traces of a finish; a single trace is used for both flanks, mirrored for the wheel.
 fn load(
     args: &CompareArgs,
     (text, folder): (&Source, &Path),

@@ -12,7 +12,7 @@ use crate::args::{Common, CycleArgs};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text, shown};
 
-/// Bytes of the largest cycle, and of the largest table of losses.
+/// Largest size of a cycle or a loss table in bytes.
 pub const LARGEST_TABLE: u64 = 100_000_000;
 
 /// `asperity cycle`
@@ -25,20 +25,21 @@ pub fn cycle(args: &CycleArgs, common: &Common) -> Result<(), Failure> {
     let temperature = temperature(args, &map)?;
     let trace = read_cycle(&args.trace, map.input.vehicle.as_ref())?;
     let name = stem(&args.trace);
-    let found = cycle::evaluate(&map, temperature, (&trace, &name), args.allow_outside);
-    let found = found.map_err(|error| refused(args, &error))?;
+    let energies = cycle::evaluate(&map, temperature, (&trace, &name), args.allow_outside);
+    let energies = energies.map_err(|error| refused(args, &error))?;
     let folder = args
         .output
         .clone()
         .unwrap_or_else(|| Path::new("results").join(format!("{}-{name}", stem(&args.map))));
     if !args.no_output {
-        let write = cycle::check_place(&folder).and_then(|()| cycle::write(&found, &map, &folder));
+        let write =
+            cycle::check_place(&folder).and_then(|()| cycle::write(&energies, &map, &folder));
         write.map_err(|error| Failure::new("E401", error.to_string()))?;
     }
     if common.json {
-        return print_json(&found);
+        return print_json(&energies);
     }
-    let mut text = cycle::summary(&found);
+    let mut text = cycle::summary(&energies);
     if !args.no_output {
         text.push_str(&format!("wrote {}\n", shown(&folder)));
     }
@@ -49,19 +50,19 @@ fn refused(args: &CycleArgs, error: &EnergyError) -> Failure {
     let (map, cycle) = (args.map.display(), args.trace.display());
     match error {
         EnergyError::Uncovered(_) => Failure::new("E314", format!("{cycle} on {map}: {error}"))
-            .advising("Make the map up to these torques and speeds, or pass --allow-outside: loss over torque is then held beyond its edge."),
+            .advising("Compute the map up to these torques and speeds, or pass --allow-outside: the ratio of loss to torque is then constant beyond its edge."),
         EnergyError::Unbalanced(error) => {
             Failure::new(error.code(), format!("{cycle} on {map}: {error}"))
         }
         _ => Failure::new("E402", format!("{map}: {error}"))
-            .advising("Make the map anew with axes that the case can be run on."),
+            .advising("Compute the map again with axes on which the case has results."),
     }
 }
 
-/// The map in a folder.
+/// Reads the map in a folder.
 pub fn read_map(folder: &Path) -> Result<Map, Failure> {
     map::read(folder).map_err(|error| {
-        let advice = "Name the folder that asperity map wrote, as results/case-map.";
+        let advice = "Name the folder that asperity map wrote, e.g. results/case-map.";
         match error {
             MapError::Open { path, source } => {
                 Failure::new("E402", format!("{}: not a map: {source}", path.display()))
@@ -72,7 +73,7 @@ pub fn read_map(folder: &Path) -> Result<Map, Failure> {
     })
 }
 
-/// The cycle in a file.
+/// Reads the cycle in a file.
 pub fn read_cycle(file: &Path, vehicle: Option<&VehicleInput>) -> Result<Cycle, Failure> {
     let name = file.display();
     let text = whole_text(file, LARGEST_TABLE)
@@ -86,16 +87,16 @@ pub fn read_cycle(file: &Path, vehicle: Option<&VehicleInput>) -> Result<Cycle, 
 
 fn temperature(args: &CycleArgs, map: &Map) -> Result<usize, Failure> {
     let nodes = &map.axes.temperature_c;
-    let Some(wanted) = args.temperature else {
+    let Some(celsius) = args.temperature else {
         return Ok(0);
     };
-    let at = nodes.iter().position(|node| *node == wanted);
+    let at = nodes.iter().position(|node| *node == celsius);
     at.ok_or_else(|| {
         let known: Vec<String> = nodes.iter().map(f64::to_string).collect();
         let known = known.join(", ");
         Failure::new(
             "E209",
-            format!("--temperature {wanted}: the map has {known} °C"),
+            format!("--temperature {celsius}: the map has {known} °C"),
         )
     })
 }

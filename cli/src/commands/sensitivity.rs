@@ -1,4 +1,4 @@
-//! `asperity sensitivity`: what the loss does when one thing changes.
+//! `asperity sensitivity`: sensitivity of the loss to single changes.
 
 use std::path::Path;
 
@@ -20,17 +20,17 @@ pub fn sensitivity(args: &SensitivityArgs, common: &Common) -> Result<(), Failur
         let stem = stem(&args.case).to_string_lossy();
         Path::new("results").join(format!("{stem}-sensitivity"))
     });
-    // Told before the work, not after it.
+    // Checked before the computation.
     sensitivity::check_place(&folder).map_err(|error| Failure::new("E401", error.to_string()))?;
     progress.begin("changes");
-    let found = sensitivity::sensitivity(&loaded, &|done, total| progress.at(done, total))
+    let study = sensitivity::sensitivity(&loaded, &|done, total| progress.at(done, total))
         .map_err(|error| Failure::about(&args.case, &error))?;
     progress.begin(WRITING);
-    sensitivity::write(&found, &folder).map_err(|error| Failure::new("E401", error.to_string()))?;
+    sensitivity::write(&study, &folder).map_err(|error| Failure::new("E401", error.to_string()))?;
     drop(progress);
     if common.json {
-        return print_json(&found);
+        return print_json(&study);
     }
-    let text = sensitivity::summary(&found);
+    let text = sensitivity::summary(&study);
     print_text(common, &format!("{text}wrote {}\n", shown(&folder)))
 }

@@ -26,8 +26,8 @@ fn load(args: &SweepArgs) -> Result<Study, Failure> {
 
 /// Folder of the parts.
 fn parts(args: &SweepArgs, study: &Study) -> PathBuf {
-    let beside = || study.folder.join("parts");
-    args.parts.clone().unwrap_or_else(beside)
+    let default = || study.folder.join("parts");
+    args.parts.clone().unwrap_or_else(default)
 }
 
 fn refused(args: &SweepArgs, error: &SweepError) -> Failure {
@@ -44,7 +44,7 @@ fn refused(args: &SweepArgs, error: &SweepError) -> Failure {
             Failure::new("E309", format!("{study}: {error}"))
         }
         _ => Failure::new("E402", error.to_string())
-            .advising("Remove the part that is named; its cases are then run again."),
+            .advising("Remove this part; its cases are then run again."),
     }
 }
 
@@ -71,7 +71,7 @@ fn text_of_plan(plan: &Plan) -> String {
     text
 }
 
-/// A line on the cases that are refused by a code.
+/// Line about the cases that cannot be resolved, by error code.
 fn line_of((code, refused): (&String, &Refused)) -> String {
     let Refused {
         count,
@@ -94,7 +94,7 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
             let count: usize = refused.values().map(|refused| refused.count).sum();
             if count > 0 && !common.quiet {
                 let lines: String = refused.iter().map(line_of).collect();
-                let rows = "cases cannot be run and will be rows with their code";
+                let rows = "cases cannot be run; their rows hold only the error code";
                 let warning = Warning::new("W430", format!("{count} of {of} {rows}"));
                 progress.note(&format!("{warning}\n{}", lines.trim_end()));
             }
@@ -147,10 +147,10 @@ fn status(args: &SweepArgs, common: &Common) -> Result<(), Failure> {
         status.cases, status.missing
     );
     let failure = Failure::new("E309", message);
-    // Standard output holds the status already.
+    // The status is already on standard output.
     if common.json {
-        failure.tell();
-        return Err(failure.told());
+        failure.print();
+        return Err(failure.printed());
     }
     Err(failure)
 }
@@ -183,9 +183,9 @@ fn merge(args: &SweepMergeArgs, common: &Common) -> Result<(), Failure> {
         let Some(effect) = row.effect else { continue };
         let of = |value: f64, [low, high]: [f64; 2]| format!("{value:.2} ({low:.2}..{high:.2})");
         let (first, total) = match row.indices {
-            Some(found) => (
-                of(found.first, found.first_interval),
-                of(found.total, found.total_interval),
+            Some(indices) => (
+                of(indices.first, indices.first_interval),
+                of(indices.total, indices.total_interval),
             ),
             None => ("-".to_owned(), "-".to_owned()),
         };

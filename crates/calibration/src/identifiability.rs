@@ -307,7 +307,7 @@ mod tests {
         let ratios = [0.2, 0.6, 1.0, 1.6];
         let error = check_share("rig.csv", &all, &points(&[89.0, 91.0], &ratios)).unwrap_err();
         assert!(
-            error.to_string().contains("temperature: 90 °C only"),
+            error.to_string().contains("temperature: only 90 °C"),
             "{error}"
         );
         assert!(!error.to_string().contains("speed range"), "{error}");
@@ -321,7 +321,7 @@ mod tests {
         let text = check_share("rig.csv", &all, &few).unwrap_err().to_string();
         for part in [
             "5 operating points",
-            "temperature: 90 °C",
+            "temperature: only 90 °C",
             "Lambda* from 0.40 to 1.00",
         ] {
             assert!(text.contains(part), "{part}: {text}");
