@@ -159,7 +159,7 @@ fn the_text_fits_on_a_screen_of_eighty_columns() {
     }
     assert!(said.lines().count() <= 40, "{said}");
     for part in [
-        "open: over ends",
+        "open = range over permitted choices: ends",
         "Hurst exponent",
         "summits",
         "half of m0",

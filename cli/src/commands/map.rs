@@ -81,7 +81,7 @@ fn exports(
     };
     let mut files = Vec::new();
     for format in &args.export {
-        let map = export::export(map, format.format(), with).map_err(|error| {
+        let exported = export::export(map, format.format(), with).map_err(|error| {
             Failure::new(
                 "E205",
                 format!("--export {}: {error}", name_of_value(*format)),
@@ -90,7 +90,7 @@ fn exports(
                 "The map itself can be computed without --export; a format may need other axes.",
             )
         })?;
-        files.extend(map.into_iter().map(|file| (file.name, file.bytes)));
+        files.extend(exported.into_iter().map(|file| (file.name, file.bytes)));
     }
     Ok(files)
 }
