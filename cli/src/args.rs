@@ -77,7 +77,7 @@ pub enum Command {
         asperity run - < demo/case.toml"
     )]
     Run(RunArgs),
-    /// Redraw the page of a result: report.html beside its result.json
+    /// Redraw the page of a result: report.html next to its result.json
     #[command(after_help = "Examples:\n  asperity report results/e-drive\n  \
         asperity report results/e-drive/result.json --position 3")]
     Report(ReportArgs),

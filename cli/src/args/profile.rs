@@ -295,7 +295,7 @@ pub struct ReadingArgs {
     /// Spacing of the points, e.g. "0.5 um"
     #[arg(long, allow_hyphen_values = true)]
     pub dx: Option<Length>,
-    /// Columns of position and height, counted from 1: "1,2", or the height alone: "2"
+    /// Columns of position and height, counted from 1: "1,2", or only the height: "2"
     #[arg(long)]
     pub columns: Option<Columns>,
     /// Decimal sign: point or comma

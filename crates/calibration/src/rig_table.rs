@@ -406,7 +406,7 @@ impl Cells<'_> {
     }
 }
 
-/// Checks a row for wrong units, by ranges far wider than those of any rig.
+/// Checks a row for wrong units, by ranges far wider than any rig needs.
 fn plausible(row: &RigRow, loss: &'static str) -> Result<(), (&'static str, String)> {
     const SPEED: [f64; 2] = [0.1, 100_000.0];
     const TORQUE: [f64; 2] = [0.01, 1e6];

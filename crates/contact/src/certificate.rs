@@ -48,7 +48,7 @@ impl Certificate {
 
 /// Without limit Σ p·(g − λ); with one min(Σ p·g⁺ + (p_max − p)·(−g)⁺, Σ p·(g⁺ − λ))    [Duality-1]
 ///
-/// with λ = min(g, 0) over the points below the limit. `pressure` in Pa and `gap` in m are those of
+/// with λ = min(g, 0) over the points below the limit. `pressure` in Pa and `gap` in m belong to
 /// one solution; `limit` is p_max in Pa, infinite without a limit. The result in Pa m is at least the
 /// excess of the energy over its minimum under the same load. With a limit, the first bound is the
 /// Lagrangian at g and the second the Lagrangian at g − λ, which does not grow with the limit.

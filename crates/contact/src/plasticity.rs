@@ -98,7 +98,7 @@ pub fn first_yield_pressure(first: &Material, second: &Material) -> Result<Press
 
 /// w = max(−g, 0) where p = p_flow, else 0                                             [Plastic-1]
 ///
-/// `pressure` in Pa and `gap` in m are those of one solution; the gap includes only the elastic
+/// `pressure` in Pa and `gap` in m belong to one solution; the gap includes only the elastic
 /// displacement.
 ///
 /// ```

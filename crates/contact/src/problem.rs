@@ -47,7 +47,7 @@ pub struct ContactProblem<'a> {
     pub boundary: Boundary,
     /// Load or approach.
     pub control: Control,
-    /// Additional pressure in Pa on both bodies, such as that of a fluid. It deforms them but is not part of
+    /// Additional pressure in Pa on both bodies, such as a fluid pressure. It deforms them but is not part of
     /// the contact pressure or of the load.
     pub prescribed_pressure: Option<&'a [f64]>,
     /// Pressure at which the softer body flows: the limit of the contact pressure.
@@ -229,7 +229,7 @@ impl ContactProblem<'_> {
         self.spacing * self.gap.len() as f64
     }
 
-    /// Datum distance of the solution: that of a controlled approach, or twice the window.
+    /// Datum distance of the solution: the one of a controlled approach, or twice the window.
     pub(crate) fn datum(&self) -> Length {
         match (self.boundary, self.control) {
             (Boundary::Periodic(_), _) => Length::from_si(0.0),

@@ -13,7 +13,7 @@
 //! | M | friction torque | N mm |
 //!
 //! Source: SKF, Rolling Bearings (catalogue, 2012), "The SKF model for calculating the frictional moment", table 2a. The
-//! variables G_rr and G_sl, φ_bl and the values of μ_EHL were read there; φ_ish and φ_rs are those of independent programs.
+//! variables G_rr and G_sl, φ_bl and the values of μ_EHL were read there; φ_ish and φ_rs are taken from independent programs.
 //! Drag in an oil bath and contact seals of the bearing are not included. The catalogue requires the minimum load of the
 //! bearing, F_a ≤ 0.5 C₀ for deep groove ball bearings and F_a ≤ 0.5 F_r for cylindrical roller bearings.
 

@@ -11,7 +11,7 @@
 //! | q | flow per unit width | m²/s |
 //! | u₁, u₂ | speeds of the walls | m/s |
 //! | η, ρ | viscosity and density | Pa s, kg/m³ |
-//! | r₂ | radius of the path of the flow, that of wall 2 | m |
+//! | r₂ | radius of the path of the flow, equal to the radius of wall 2 | m |
 //! | τ_w1, τ_w2 | shear stress η·du/dy at the walls | Pa |
 //! | p₁, p₂ | pressure at the walls | Pa |
 

@@ -27,7 +27,7 @@ use crate::boundary::Boundary;
 use crate::convolution::Buffers;
 use crate::convolution::{Run, parts};
 
-/// Fewest patches: the load alone fixes the force of a single one.
+/// Fewest patches: the force of a single patch is the load.
 const MIN_PATCHES: usize = 2;
 /// Cells per patch below which the patches are not coarser than the grid.
 const MIN_CELLS_PER_PATCH: usize = 4;

@@ -27,7 +27,7 @@ pub(crate) struct Search {
 /// d = −z + β·d on F without its mean, with β ≥ 0 after Polak and Ribière (1969); −z if that is not a
 /// descent.
 ///
-/// This β, unlike that of Fletcher and Reeves, becomes small after an iteration with little progress,
+/// This β, unlike the one by Fletcher and Reeves, becomes small after an iteration with little progress,
 /// as after clipping, and so restarts the directions by itself.
 pub(crate) fn choose_direction(
     level: Level,

@@ -162,7 +162,8 @@ impl MeshPicture {
         }
     }
 
-    /// Draws the letters of the points on one side of the path, those of the feet on the other, and the names of the gears.
+    /// Draws the letters of the points on one side of the path, the names of the feet on the other, and the names of the
+    /// gears.
     fn labels(&self, canvas: &mut Canvas, view: &View) {
         /// Least distance between letters along the line.
         const APART: f64 = 19.0;

@@ -430,7 +430,7 @@ mod tests {
         crossings.count() % 2 == 1
     }
 
-    /// What the chord between two points of a flank may miss of it \[mm\].
+    /// Largest deviation of a chord between two points from the flank \[mm\].
     const CHORD: f64 = 2e-3;
 
     #[test]

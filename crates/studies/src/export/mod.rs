@@ -1,6 +1,6 @@
 //! Maps in the formats of vehicle simulation and of tables.
 //!
-//! Every file states its scope: the mesh only, or the mesh and an added table. Torque is that of the input shaft, the
+//! Every file states its scope: the mesh only, or the mesh and an added table. Torque is at the input shaft, the
 //! pinion; negative if the output drives. The loss torque is at the input shaft and never negative. It depends on the sign
 //! of the torque, but not on the sign of the speed.
 //!

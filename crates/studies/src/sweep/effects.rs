@@ -29,7 +29,7 @@ pub struct Effect {
 /// Sobol's indices of an input, each with its 95 % interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Indices {
-    /// Share of the variance due to the input alone.
+    /// Share of the variance due to the input without interactions.
     pub first: f64,
     /// Its interval.
     pub first_interval: [f64; 2],
