@@ -4,13 +4,12 @@ use std::path::Path;
 
 use asperity::case::VehicleInput;
 use asperity_storage::whole_text;
-use asperity_studies::cycle::{self, Cycle, EnergyError};
+use asperity_studies::cycle::{self, Cycle, CycleResult, EnergyError};
 use asperity_studies::map::{self, Map, MapError};
 
-use super::keys;
+use super::{keys, study};
 use crate::args::{Common, CycleArgs};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text, shown};
 
 /// Largest size of a cycle or a loss table in bytes.
 pub const LARGEST_TABLE: u64 = 100_000_000;
@@ -27,23 +26,13 @@ pub fn cycle(args: &CycleArgs, common: &Common) -> Result<(), Failure> {
     let name = stem(&args.trace);
     let energies = cycle::evaluate(&map, temperature, (&trace, &name), args.allow_outside);
     let energies = energies.map_err(|error| refused(args, &error))?;
-    let folder = args
-        .output
-        .clone()
-        .unwrap_or_else(|| Path::new("results").join(format!("{}-{name}", stem(&args.map))));
-    if !args.no_output {
-        let write =
-            cycle::check_place(&folder).and_then(|()| cycle::write(&energies, &map, &folder));
-        write.map_err(|error| Failure::new("E401", error.to_string()))?;
+    let folder = study::folder(args.output.as_deref(), stem(&args.map).as_ref(), &name);
+    let folder = (!args.no_output).then_some(folder.as_path());
+    if let Some(folder) = folder {
+        study::check_target::<CycleResult>(folder)?;
+        study::write(&energies, &map, folder)?;
     }
-    if common.json {
-        return print_json(&energies);
-    }
-    let mut text = cycle::summary(&energies);
-    if !args.no_output {
-        text.push_str(&format!("wrote {}\n", shown(&folder)));
-    }
-    print_text(common, &text)
+    study::print(&energies, &map, folder, None, common)
 }
 
 fn refused(args: &CycleArgs, error: &EnergyError) -> Failure {

@@ -9,15 +9,15 @@ use asperity_storage::whole_text;
 use asperity_studies::compare::Finish;
 use asperity_studies::cycle::Cycle;
 use asperity_studies::export::{self, AddedLoss, With};
-use asperity_studies::map::{self, Axes, AxisError, Map};
+use asperity_studies::map::{self, Axes, AxisError, Map, MapExtras};
 
 use super::cycle::{LARGEST_TABLE, read_cycle};
 use super::finish::{Traces, check_names};
 use super::work::check_work;
-use super::{keys, pair_only, source, stem};
+use super::{keys, pair_only, source, stem, study};
 use crate::args::{Common, ExportArg, MapArgs};
 use crate::failure::Failure;
-use crate::output::{Progress, READING, WRITING, print_json, print_text, shown};
+use crate::output::{Progress, READING, WRITING};
 
 /// `asperity map`
 pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
@@ -42,12 +42,8 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
         .flat_map(|cycle| &cycle.points)
         .map(|point| [point.torque_nm, point.speed_rpm.abs()])
         .collect();
-    let folder = args.output.clone().unwrap_or_else(|| {
-        let stem = stem(&args.case).to_string_lossy();
-        Path::new("results").join(format!("{stem}-map"))
-    });
-    // Checked before the computation.
-    map::check_place(&folder).map_err(|error| Failure::new("E401", error.to_string()))?;
+    let folder = study::folder(args.output.as_deref(), stem(&args.case), "map");
+    study::check_target::<Map>(&folder)?;
     let torques = axes.torque_nm.len().div_ceil(2) * finishes.len();
     check_work(&args.work, &first.case, &KeptFields::Highest, torques)?;
     progress.begin("points");
@@ -56,16 +52,13 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
         .map_err(|error| Failure::about(&args.case, &error))?;
     progress.begin(WRITING);
     let exports = exports(args, &map, cycle.as_ref())?;
-    map::write(&map, &visited, &exports, &folder)
-        .map_err(|error| Failure::new("E401", error.to_string()))?;
+    let extras = MapExtras {
+        visited: &visited,
+        exports: &exports,
+    };
+    study::write(&map, extras, &folder)?;
     drop(progress);
-    if common.json {
-        return print_json(&map);
-    }
-    let mut text = map::summary(&map);
-    let seconds = begin.elapsed().as_secs_f64();
-    text.push_str(&format!("wrote {} in {seconds:.1} s\n", shown(&folder)));
-    print_text(common, &text)
+    study::print(&map, extras, Some(&folder), Some(begin), common)
 }
 
 /// Files of all requested formats.

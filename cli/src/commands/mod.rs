@@ -26,6 +26,7 @@ pub mod report;
 pub mod run;
 pub mod sensitivity;
 pub mod steels;
+mod study;
 pub mod sweep;
 mod work;
 

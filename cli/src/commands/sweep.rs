@@ -1,11 +1,12 @@
 //! `asperity sweep`: many cases, in shards.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use asperity::message::Warning;
 use asperity_studies::sweep::{self, Event, Plan, Refused, Shard, Status, Study, SweepError};
 
+use super::study;
 use crate::args::{Common, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs};
 use crate::failure::Failure;
 use crate::output::{Progress, print_json, print_text, shown};
@@ -158,47 +159,8 @@ fn status(args: &SweepArgs, common: &Common) -> Result<(), Failure> {
 fn merge(args: &SweepMergeArgs, common: &Common) -> Result<(), Failure> {
     let study = load(&args.sweep)?;
     let folder = parts(&args.sweep, &study);
-    let target = args
-        .output
-        .clone()
-        .unwrap_or_else(|| Path::new("results").join(format!("{}-sweep", study.name)));
+    let target = study::folder(args.output.as_deref(), study.name.as_ref(), "sweep");
     let merged = sweep::merge(&study, &folder).map_err(|error| refused(&args.sweep, &error))?;
-    sweep::write(&merged, &target).map_err(|error| Failure::new("E401", error.to_string()))?;
-    if common.json {
-        return print_json(&merged);
-    }
-    let mut text = format!(
-        "{}\n{} cases, {} without a result\n",
-        asperity_storage::one_line(&merged.title),
-        merged.cases,
-        merged.failed
-    );
-    if merged.effects.iter().any(|row| row.effect.is_some()) {
-        text.push_str(&format!(
-            "{:<16} {:<36} {:>22} {:>22} {:>22}\n",
-            "result", "input", "change", "first index", "total index"
-        ));
-    }
-    for row in &merged.effects {
-        let Some(effect) = row.effect else { continue };
-        let of = |value: f64, [low, high]: [f64; 2]| format!("{value:.2} ({low:.2}..{high:.2})");
-        let (first, total) = match row.indices {
-            Some(indices) => (
-                of(indices.first, indices.first_interval),
-                of(indices.total, indices.total_interval),
-            ),
-            None => ("-".to_owned(), "-".to_owned()),
-        };
-        let change = format!("{:+.3e} ± {:.1e}", effect.difference, effect.half_width);
-        text.push_str(&format!(
-            "{:<16} {:<36} {change:>22} {first:>22} {total:>22}\n",
-            row.output, row.input
-        ));
-    }
-    text.push_str(&format!(
-        "SHA-256 {}\nwrote {}\n",
-        merged.sha256,
-        shown(&target)
-    ));
-    print_text(common, &text)
+    study::write(&merged, (), &target)?;
+    study::print(&merged, (), Some(&target), None, common)
 }

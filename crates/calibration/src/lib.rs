@@ -52,5 +52,4 @@ pub use result::{
 };
 pub use rig::{Rig, RigCase};
 pub use rig_table::{RigRow, RigTable, Scope};
-pub use summary::{before_the_fit, design_summary, summary};
-pub use write::{check_place, write, write_design};
+pub use summary::before_the_fit;

@@ -86,8 +86,7 @@ fn identified(parameter: &IdentifiedParameter) -> String {
 }
 
 /// Summary of a calibration: parameters with bands, quality of the fit, and the block.
-#[must_use]
-pub fn summary(calibration: &Calibration) -> String {
+pub(crate) fn summary(calibration: &Calibration) -> String {
     let mut text = String::new();
     if calibration.is_simulated {
         text.push_str("SIMULATED losses: a rehearsal, not a measurement\n");
@@ -153,8 +152,7 @@ fn row(parameter: &FittedParameter) -> String {
 }
 
 /// Summary of a design: points and expected bands.
-#[must_use]
-pub fn design_summary(design: &Design) -> String {
+pub(crate) fn design_summary(design: &Design) -> String {
     let mut text = format!(
         "{} points for each of {} assemblies, of {} candidates (D-optimal)\n",
         design.size() / design.limits.assemblies.max(1),

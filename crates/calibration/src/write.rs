@@ -4,55 +4,61 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use asperity_report::{ReportError, tables, write_json, write_text};
-use asperity_storage::{check_folder, replace_folder};
+use asperity_report::{ReportError, StudyResult, tables, write_text};
 
 use crate::design::Design;
 use crate::page;
 use crate::result::Calibration;
 use crate::rig_table::SIMULATED;
+use crate::summary::{design_summary, summary};
 
-/// Kind of the folder in messages.
+/// Kind of both folders in messages.
 const KIND: &str = "calibration";
 
-/// Checks that a calibration or a design may be written as folder `target`.
-///
-/// # Errors
-/// When `target` holds something else than an older one.
-pub fn check_place(target: &Path) -> Result<(), ReportError> {
-    Ok(check_folder(target, KIND)?)
+impl StudyResult for Calibration {
+    const KIND: &'static str = KIND;
+    const NAME: &'static str = "calibration";
+    type Context<'a> = ();
+
+    fn summary(&self, (): ()) -> String {
+        summary(self)
+    }
+
+    fn page(&self, (): ()) -> String {
+        page::render(self)
+    }
+
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+        write_text(&folder.join("calibration.toml"), &self.block)?;
+        tables::write(&folder.join("points.csv"), self.points.iter())
+    }
 }
 
-/// Writes `calibration` as folder `target`, completely or not at all, and replaces an older one.
-///
-/// # Errors
-/// When a file cannot be written, or `target` holds something else.
-pub fn write(calibration: &Calibration, target: &Path) -> Result<(), ReportError> {
-    replace_folder(target, KIND, |folder| {
-        write_json(&folder.join("calibration.json"), calibration)?;
-        write_text(&folder.join("calibration.toml"), &calibration.block)?;
-        tables::write(&folder.join("points.csv"), calibration.points.iter())?;
-        write_text(&folder.join("calibration.html"), &page::render(calibration))
-    })
-}
+impl StudyResult for Design {
+    const KIND: &'static str = KIND;
+    const NAME: &'static str = "design";
+    /// Simulated losses at the points \[W\].
+    type Context<'a> = Option<&'a [f64]>;
 
-/// Writes `design` as folder `target`, with a table of simulated losses if there are any.
-///
-/// # Errors
-/// When a file cannot be written, or `target` holds something else.
-pub fn write_design(
-    design: &Design,
-    simulated: Option<&[f64]>,
-    target: &Path,
-) -> Result<(), ReportError> {
-    replace_folder(target, KIND, |folder| {
-        write_json(&folder.join("design.json"), design)?;
-        write_text(&folder.join("design.csv"), &table(design, None))?;
-        if let Some(losses) = simulated {
-            write_text(&folder.join("simulated.csv"), &table(design, Some(losses)))?;
+    fn summary(&self, simulated: Option<&[f64]>) -> String {
+        let mut text = design_summary(self);
+        if simulated.is_some() {
+            text.push_str("simulated.csv holds SIMULATED losses at these points\n");
         }
-        write_text(&folder.join("design.html"), &page::render_design(design))
-    })
+        text
+    }
+
+    fn page(&self, _: Option<&[f64]>) -> String {
+        page::render_design(self)
+    }
+
+    fn write_tables(&self, simulated: Option<&[f64]>, folder: &Path) -> Result<(), ReportError> {
+        write_text(&folder.join("design.csv"), &table(self, None))?;
+        match simulated {
+            Some(losses) => write_text(&folder.join("simulated.csv"), &table(self, Some(losses))),
+            None => Ok(()),
+        }
+    }
 }
 
 /// Rig table for `design`, with empty or simulated losses.

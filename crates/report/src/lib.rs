@@ -18,6 +18,7 @@ pub mod html;
 mod page_tables;
 mod planetary;
 mod printed;
+mod study;
 mod summary;
 pub mod tables;
 mod thin;
@@ -32,6 +33,7 @@ pub use folder::{
 pub use page_tables::PageTables;
 pub use planetary::{check_planetary_place, write_planetary};
 pub use printed::{stated, stated_parts};
+pub use study::StudyResult;
 pub use summary::{brief, published_laws, summary};
 pub use thin::thin;
 pub use wrap::{COLUMNS, wrapped};

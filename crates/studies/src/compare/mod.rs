@@ -14,5 +14,3 @@ mod write;
 pub(crate) use comparison::files;
 pub use comparison::{Comparison, Correlation, Finish, FinishResult, compare};
 pub use statistics::rank_correlation;
-pub use summary::summary;
-pub use write::{check_place, write};

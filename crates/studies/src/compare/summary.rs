@@ -8,7 +8,7 @@ use asperity::result::loss_band::rounded;
 use super::comparison::{Comparison, FinishResult};
 
 /// Summary of a comparison for the terminal.
-pub fn summary(comparison: &Comparison) -> String {
+pub(super) fn summary(comparison: &Comparison) -> String {
     let mut text = format!("{}\n", one_line(&comparison.title));
     let width = comparison
         .finishes

@@ -1,43 +1,36 @@
-//! Folder of a comparison: `compare.json`, tables and page.
+//! Output of a comparison: `compare.json`, tables, page and summary.
 
 use std::borrow::Cow;
 use std::path::Path;
 
 use asperity_report::tables::write as write_table;
-use asperity_report::{ReportError, write_json, write_text};
-use asperity_storage::{cell, check_folder, replace_folder};
+use asperity_report::{ReportError, StudyResult};
+use asperity_storage::cell;
 use serde::Serialize;
 
 use super::comparison::Comparison;
 use super::page;
+use super::summary::summary;
 use super::windows::WindowRoughness;
 
-/// Kind of the folder in messages.
-const KIND: &str = "comparison";
+impl StudyResult for Comparison {
+    const KIND: &'static str = "comparison";
+    const NAME: &'static str = "compare";
+    type Context<'a> = ();
 
-/// Checks that a comparison may be written as folder `target`.
-///
-/// # Errors
-/// When `target` holds something else than an older comparison.
-pub fn check_place(target: &Path) -> Result<(), ReportError> {
-    Ok(check_folder(target, KIND)?)
-}
+    fn summary(&self, (): ()) -> String {
+        summary(self)
+    }
 
-/// Writes `comparison` as folder `target`, completely or not at all, and replaces an older comparison.
-///
-/// # Errors
-/// When a file cannot be written, or `target` holds something else.
-pub fn write(comparison: &Comparison, target: &Path) -> Result<(), ReportError> {
-    replace_folder(target, KIND, |folder| {
-        write_json(&folder.join("compare.json"), comparison)?;
-        finishes(comparison, &folder.join("compare.csv"))?;
-        offsets(comparison, &folder.join("offsets.csv"))?;
-        write_table(
-            &folder.join("parameters.csv"),
-            comparison.correlations.iter(),
-        )?;
-        write_text(&folder.join("compare.html"), &page::render(comparison))
-    })
+    fn page(&self, (): ()) -> String {
+        page::render(self)
+    }
+
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+        finishes(self, &folder.join("compare.csv"))?;
+        offsets(self, &folder.join("offsets.csv"))?;
+        write_table(&folder.join("parameters.csv"), self.correlations.iter())
+    }
 }
 
 fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {

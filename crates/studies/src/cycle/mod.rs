@@ -22,6 +22,4 @@ mod write;
 
 pub use coverage::{Coverage, Uncovered};
 pub use energy::{CycleFinish, CycleResult, EnergyError, evaluate};
-pub use summary::summary;
 pub use trace::{Cycle, CycleError, CyclePoint, cycle};
-pub use write::{check_place, write};

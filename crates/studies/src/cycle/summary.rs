@@ -6,8 +6,7 @@ use asperity_storage::one_line;
 use super::energy::CycleResult;
 
 /// Summary of a cycle for the terminal.
-#[must_use]
-pub fn summary(result: &CycleResult) -> String {
+pub(super) fn summary(result: &CycleResult) -> String {
     let way = result
         .distance_km
         .map_or(String::new(), |km| format!(", {km:.2} km"));

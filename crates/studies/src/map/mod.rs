@@ -46,6 +46,5 @@ pub use grid::map;
 pub use page::loss_field;
 pub use point::{EXTENDED, FinishMap, Map, MapGearbox, MapWarning, Numbers, Point, ranges};
 pub use read::{MapError, read};
-pub use summary::summary;
 pub use surface::{Interpolated, Surface};
-pub use write::{EXPORTS, check_place, write};
+pub use write::{EXPORTS, MapExtras};

@@ -8,8 +8,7 @@ use asperity_storage::one_line;
 use super::point::{EXTENDED, FinishMap, Map, Numbers};
 
 /// Summary of a map for the terminal.
-#[must_use]
-pub fn summary(map: &Map) -> String {
+pub(super) fn summary(map: &Map) -> String {
     let axes = &map.axes;
     let mut text = format!(
         "{}\n{} points: {} torques x {} speeds x {} temperatures (loss of the {} only)\n",

@@ -24,5 +24,3 @@ mod write;
 pub use bands::wavelength_bands;
 pub use changes::CHANGES;
 pub use study::{Effect, Refused, Sensitivity, SensitivityRow, sensitivity};
-pub use summary::summary;
-pub use write::{check_place, write};

@@ -12,7 +12,7 @@ pub(super) const NOTE: &str = "Each row is a run of the model with one thing cha
     has wrong, they leave out or have wrong.";
 
 /// Summary of the study for the terminal.
-pub fn summary(study: &Sensitivity) -> String {
+pub(super) fn summary(study: &Sensitivity) -> String {
     let mut text = format!(
         "{}\nloss {:.0} W, and how it changes\n",
         one_line(&study.title),

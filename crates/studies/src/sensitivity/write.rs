@@ -1,37 +1,33 @@
-//! Folder of a sensitivity study: `sensitivity.json`, table and page.
+//! Output of a sensitivity study: `sensitivity.json`, table, page and summary.
 
 use std::borrow::Cow;
 use std::path::Path;
 
 use asperity_report::tables::write as write_table;
-use asperity_report::{ReportError, write_json, write_text};
-use asperity_storage::{cell, check_folder, replace_folder};
+use asperity_report::{ReportError, StudyResult};
+use asperity_storage::cell;
 use serde::Serialize;
 
 use super::page;
 use super::study::Sensitivity;
+use super::summary::summary;
 
-/// Kind of the folder in messages.
-const KIND: &str = "sensitivity study";
+impl StudyResult for Sensitivity {
+    const KIND: &'static str = "sensitivity study";
+    const NAME: &'static str = "sensitivity";
+    type Context<'a> = ();
 
-/// Checks that a study may be written as folder `target`.
-///
-/// # Errors
-/// When `target` holds something else than an older study.
-pub fn check_place(target: &Path) -> Result<(), ReportError> {
-    Ok(check_folder(target, KIND)?)
-}
+    fn summary(&self, (): ()) -> String {
+        summary(self)
+    }
 
-/// Writes `study` as folder `target`, completely or not at all, and replaces an older study.
-///
-/// # Errors
-/// When a file cannot be written, or `target` holds something else.
-pub fn write(study: &Sensitivity, target: &Path) -> Result<(), ReportError> {
-    replace_folder(target, KIND, |folder| {
-        write_json(&folder.join("sensitivity.json"), study)?;
-        write_table(&folder.join("sensitivity.csv"), rows(study))?;
-        write_text(&folder.join("sensitivity.html"), &page::render(study))
-    })
+    fn page(&self, (): ()) -> String {
+        page::render(self)
+    }
+
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+        write_table(&folder.join("sensitivity.csv"), rows(self))
+    }
 }
 
 #[derive(Serialize)]

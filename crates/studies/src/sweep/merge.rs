@@ -3,21 +3,14 @@
 use std::path::Path;
 
 use asperity::fingerprint::sha256;
-use asperity_report::{ReportError, tables, write_bytes, write_json, write_text};
-use asperity_storage::{check_folder, replace_folder};
-use serde::Serialize;
 
 use super::case_list::CaseList;
 use super::effects::{Indices, effects, sobol_indices};
 use super::error::SweepError;
 use super::merged::{EffectRow, Merged};
-use super::page;
 use super::parts::{Rows, header, other_inputs, outputs, read, text_of};
 use super::study::Study;
 use crate::map::ranges;
-
-/// Kind of the folder in messages.
-const KIND: &str = "sweep";
 
 /// Merges the parts in `folder`.
 ///
@@ -111,53 +104,4 @@ fn indices(values: &[Option<f64>], block: usize, inputs: usize, seed: u64) -> Op
     };
     let mixed = (0..inputs).map(|i| of(i + 2)).collect::<Option<Vec<_>>>()?;
     sobol_indices(&of(0)?, &of(1)?, &mixed, seed)
-}
-
-/// Writes the study as folder `target`, completely or not at all: `sweep.csv`, `sweep.json`, `effects.csv`, `sweep.html`.
-///
-/// # Errors
-/// When a file cannot be written, or `target` holds something else.
-pub fn write(merged: &Merged, target: &Path) -> Result<(), ReportError> {
-    check_folder(target, KIND)?;
-    replace_folder(target, KIND, |folder| {
-        write_bytes(&folder.join("sweep.csv"), &merged.table)?;
-        write_json(&folder.join("sweep.json"), merged)?;
-        effects_table(merged, &folder.join("effects.csv"))?;
-        write_text(&folder.join("sweep.html"), &page::render(merged))
-    })
-}
-
-fn effects_table(merged: &Merged, file: &Path) -> Result<(), ReportError> {
-    #[derive(Serialize)]
-    struct EffectColumns<'a> {
-        output: &'a str,
-        input: &'a str,
-        low: Option<f64>,
-        high: Option<f64>,
-        difference: Option<f64>,
-        half_width: Option<f64>,
-        correlation: Option<f64>,
-        first: Option<f64>,
-        first_low: Option<f64>,
-        first_high: Option<f64>,
-        total: Option<f64>,
-        total_low: Option<f64>,
-        total_high: Option<f64>,
-    }
-    let rows = merged.effects.iter().map(|row| EffectColumns {
-        output: &row.output,
-        input: &row.input,
-        low: row.effect.map(|effect| effect.low),
-        high: row.effect.map(|effect| effect.high),
-        difference: row.effect.map(|effect| effect.difference),
-        half_width: row.effect.map(|effect| effect.half_width),
-        correlation: row.effect.map(|effect| effect.correlation),
-        first: row.indices.map(|indices| indices.first),
-        first_low: row.indices.map(|indices| indices.first_interval[0]),
-        first_high: row.indices.map(|indices| indices.first_interval[1]),
-        total: row.indices.map(|indices| indices.total),
-        total_low: row.indices.map(|indices| indices.total_interval[0]),
-        total_high: row.indices.map(|indices| indices.total_interval[1]),
-    });
-    tables::write(file, rows)
 }

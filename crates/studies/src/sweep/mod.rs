@@ -21,13 +21,14 @@ mod run;
 mod settings;
 mod study;
 mod study_input;
+mod write;
 
 pub use asperity_core::numerics::standard_normal_quantile;
 pub use cases::Cases;
 pub use draws::Draws;
 pub use effects::{Effect, Indices, effects, sobol_indices};
 pub use error::SweepError;
-pub use merge::{merge, write};
+pub use merge::merge;
 pub use merged::{EffectRow, Merged};
 pub use parts::{Status, status};
 pub use plan::{Plan, plan};
